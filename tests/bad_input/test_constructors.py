@@ -1,6 +1,7 @@
 """Malformed values of every parameter of public constructors: ValueError or TypeError, no files."""
 
 import inspect
+import re
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
@@ -37,6 +38,8 @@ MALFORMED = {
     "a set": {1},
     "a masked array": np.ma.array([0.5, 1.0], mask=[False, True]),
 }
+SAID = "expected|iterable|null byte|string conversion|truth value|missing|update sequence"
+"""What messages say: what was expected, or in Python's words what a value cannot do."""
 
 TEAM = mw.Population(GENOME, NETWORK)
 NOISE = coevolution.NoiseTable(2, np.random.default_rng(0), sigma=0.1)
@@ -193,8 +196,9 @@ def test_a_malformed_value_is_a_value_or_type_error(
     for what, wrong in MALFORMED.items():
         if (name, parameter, what) in ACCEPTED:
             continue
-        with pytest.raises((TypeError, ValueError)):
+        with pytest.raises((TypeError, ValueError)) as caught:
             call.func(**{**others, parameter: wrong})
+        assert re.search(SAID, str(caught.value)), (what, caught.value)
         # `start` and `save` write files if they are not refused.
         assert list(tmp_path.iterdir()) == [], what
 

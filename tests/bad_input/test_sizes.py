@@ -1,6 +1,5 @@
 """Sizes that cannot be are refused before anything is written: a job's memory, pictures."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +7,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld._util import checks
-from matrixworld.coevolution import start
+from matrixworld.coevolution import RaceSettings, evolve
 from matrixworld.episodes import replay
 from rows import random_walks
 from tiny_race import tiny_race
@@ -16,18 +15,21 @@ from tiny_race import tiny_race
 MANY = 2**31 - 1  # the largest number that is accepted where sizes are ints
 GB = 10**9
 TOO_LARGE = {
-    "candidates": lambda path: start(tiny_race(hidden=(2**20, 2**20)), path / "run"),
-    "payoff": lambda path: start(tiny_race(generations=MANY), path / "run"),
+    "networks": tiny_race(hidden=(2**20, 2**20)),
+    "population": tiny_race(population=2**31 - 2),
+    "generations": tiny_race(generations=MANY),
+    "episodes": tiny_race(evaluation_episodes=MANY),
 }
+"""Jobs by the setting to make smaller."""
 
 
-@pytest.mark.parametrize("call", TOO_LARGE.values(), ids=TOO_LARGE)
+@pytest.mark.parametrize("settings", TOO_LARGE.values(), ids=TOO_LARGE)
 def test_a_job_that_is_too_large_is_refused_with_an_estimate(
-    call: Callable[[Path], object], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    settings: RaceSettings, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(checks, "available_memory", lambda: GB // 2)
     with pytest.raises(checks.OutOfMemoryError, match="expected .*at most 0.5 GB.* got .* GB"):
-        call(tmp_path)
+        evolve(settings, tmp_path / "job")
     assert list(tmp_path.iterdir()) == []
     monkeypatch.setattr(checks, "available_memory", lambda: None)
     checks.check_memory("all", bytes=10**30)  # where memory is unknown nothing is refused
