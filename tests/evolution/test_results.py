@@ -30,7 +30,7 @@ import race_budgets
 import safe_learning
 import scripted_pursuit
 import yoked_races
-from evolution_scripts import DOCS, RESULTS, read, run_quickly
+from evolution_scripts import RESULTS, read, run_quickly
 from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
 from matrixworld.analysis.judge import RULES
 
@@ -100,33 +100,6 @@ def test_a_published_table_follows_from_published_numbers(name: str) -> None:
     assert told_words == published_words
     values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, published))
     assert values == pytest.approx(expected, rel=0.05, abs=0.011)
-
-
-@pytest.mark.parametrize(
-    ("table", "page"),
-    [
-        ("actor_critic_baselines/table.md", "actor_critic.md"),
-        ("actor_critic_races/table.md", "actor_critic.md"),
-        ("scripted_pursuit/table.md", "scripted_pursuit.md"),
-    ],
-)
-def test_a_page_shows_the_published_table(table: str, page: str) -> None:
-    assert read(RESULTS / table).strip() in read(DOCS / page)
-
-
-def test_the_page_on_safe_learning_shows_the_published_numbers() -> None:
-    page = read(DOCS / "safe_learning.md")
-    table = read(RESULTS / "safe_learning/table.md")
-
-    def rows(text: str) -> list[list[str]]:
-        lines = [line for line in text.splitlines() if line.startswith(("| grad", "| evol"))]
-        return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
-
-    in_s, in_sb = (rows(part) for part in table.split("| SB | capture"))
-    expected = [[*one[:4], *other[1:4]] for one, other in zip(in_s, in_sb, strict=True)]
-    assert [row[0] for row in in_s] == [row[0] for row in in_sb]
-    assert rows(page) == expected
-    assert table[table.index("| difference of") :] in page
 
 
 def test_what_short_races_are_said_to_hide_follows_from_published_numbers() -> None:

@@ -101,10 +101,10 @@ def test_the_page_in_docs_is_the_present_one() -> None:
 
 
 def test_the_example_of_the_documentation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = (DOCS / "playground.md").read_text(encoding="utf-8")
-    found = re.search(r"^```python\n(.*?)^```", text, re.M | re.S)
+    text = (DOCS / "pages.md").read_text(encoding="utf-8")
+    found = re.search(r"^```python\n(from matrixworld.explorer.*?)^```", text, re.M | re.S)
     monkeypatch.chdir(tmp_path)
-    names: dict[str, Playground] = {}
+    names: dict[str, Any] = {"mw": mw}
     exec(found[1], names)
     assert names["playground"].scene.endswith("&next=24d")
     link = re.search(r"playground\.html#([^)]*)", text)

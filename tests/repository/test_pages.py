@@ -1,217 +1,36 @@
-"""Pages: their examples run and print what is shown, their links lead somewhere, names exist."""
+"""Pages: their links lead somewhere, and names in their tables exist."""
 
-import ast
 import json
-import os
 import re
 import runpy
-import subprocess
-import sys
-from collections.abc import Sequence
 from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
-from typing import NamedTuple
 
-import click
 import numpy as np
-import pettingzoo
 import pytest
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS, Maps
 
 import matrixworld as mw
-from course.figures import PICTURES
 from course.questions import Exercise, exercises
-from matrixworld import analysis, plots
-from matrixworld.cli import main
-from matrixworld.coevolution import SCHEDULES, RaceSettings, start
+from matrixworld import analysis
+from matrixworld.coevolution import start
 from matrixworld.coevolution.storage import COLUMNS
-from matrixworld.plots.saved import OF_RUN
-from tiny_race import path_of, tiny_race
-
-ROOT = Path(__file__).parents[2]
-DOCS = ROOT / "docs"
-NUMBER = r"-?\d+\.?\d*"
-RATE = r"0\.\d+ \(0\.\d+ to 0\.\d+\)"
-
-
-def read(name: str) -> str:
-    return (ROOT / name).read_text(encoding="utf-8")
-
-
-def page_id(page: Path) -> str:
-    return str(page.relative_to(ROOT))
-
-
-# Examples
-
-FENCE = re.compile(r"^```python\n(.*?)^```$(?:\n\n```text\n(.*?)^```$)?", re.M | re.S)
-RUN = {
-    "README.md": None,
-    "docs/README.md": None,
-    "docs/analysis.md": None,
-    "docs/coevolution.md": (
-        r"specialist-specialist 0\..*", r"generalist-generalist 0\..*",
-        r"\{'hall': \d, 'archive': \d\}", "True", r"\[0, 1, 2\]",
-    ),
-    "docs/figures.md": None,
-    "docs/ground_truth.md": None,
-    "docs/integrations.md": None,
-    "docs/maps.md": (r"\(3, 4, 4, 4\) \[.*\]",),
-    "docs/primer.md": None,
-    "docs/live.md": None,
-    "docs/opponents.md": (RATE, RATE, r"\[(.|\n)*"),
-    "docs/safety.md": None,
-}  # fmt: skip
-"""Pages whose examples run, one after the other, and patterns of lines that are not shown."""
-ELSEWHERE = {
-    "docs/browser.md": "needs a browser; tests/repository/test_browser.py",
-    "docs/cluster.md": "needs several processes; tests/cli/test_cluster.py",
-    "docs/explorer.md": "needs a run; tests/explorer/test_runs_page.py",
-    "docs/files.md": "one line for a run of the reader's",
-    "docs/held_out.md": "needs a run; tests/coevolution/evaluation",
-    "docs/how_to_add.md": "tests/repository/test_how_to_add.py",
-    "docs/play.md": "needs a browser; tests/explorer/test_play_page.py",
-    "docs/playground.md": "tests/explorer/test_playground.py",
-}
-CLIENTS = sorted((DOCS / "clients").glob("*.md"))
-NOTEBOOKS = sorted((ROOT / "tutorials").glob("[0-9]*.ipynb"))
-
-
-class Example(NamedTuple):
-    """Python code of a page, and the text below it that it prints."""
-
-    code: str
-    shown: str
-
-
-def examples_of(page: str) -> list[Example]:
-    return [Example(*found) for found in FENCE.findall(read(page))]
-
-
-def missing_modules(code: str) -> list[str]:
-    """Return modules that code imports and that are not installed."""
-    statements = list(ast.walk(ast.parse(code)))
-    names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
-    parts = [each for each in statements if isinstance(each, ast.ImportFrom)]
-    names += [each.module or "" for each in parts]
-    for recipe in filter(Path.is_file, [DOCS / f"clients/{name}.py" for name in names]):
-        names += missing_modules(recipe.read_text(encoding="utf-8"))
-    if "pettingzoo.make(" in code and not hasattr(pettingzoo, "make"):
-        return ["PettingZoo 1.27"]
-    files = {page.stem for page in (DOCS / "clients").glob("*.py")}
-    names = [name.partition(".")[0] for name in names if name not in files]
-    return [name for name in names if find_spec(name) is None]
-
-
-def run_python(parts: Sequence[str], directory: Path, *options: str) -> list[str]:
-    """Return what each part of a program prints."""
-    mark = "-- the next example --"
-    # With `-c` worker processes do not run the program themselves.
-    program = f"\nprint({mark!r})\n".join(parts)
-    command = [sys.executable, *options, "-c", program]
-    recipes = os.pathsep.join(
-        [str(DOCS / "clients"), *filter(None, [os.environ.get("PYTHONPATH")])]
-    )
-    own = {**os.environ, "MINARI_DATASETS_PATH": str(directory), "PYTHONPATH": recipes}
-    done = subprocess.run(
-        command, cwd=directory, env=own, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout.split(f"{mark}\n")
-
-
-def check_nearly_same(printed: str, shown: str) -> None:
-    """Compare text exactly and numbers nearly: another SciPy may resample differently."""
-    assert re.sub(NUMBER, "#", printed.strip()) == re.sub(NUMBER, "#", shown.strip())
-    ours, theirs = ([*map(float, re.findall(NUMBER, text))] for text in (printed, shown))
-    assert ours == pytest.approx(theirs, abs=0.01)
-
-
-def test_every_page_with_examples_is_tested() -> None:
-    pages = {page_id(page) for page in [ROOT / "README.md", *DOCS.glob("*.md")]}
-    assert {page for page in pages if "```python\n" in read(page)} <= {*RUN, *ELSEWHERE}
-
-
-SLOW = ("docs/analysis.md", "docs/figures.md", "docs/integrations.md", "docs/opponents.md")
-"""Pages whose examples take some seconds; one has races of several seconds each."""
-MARKS = {**dict.fromkeys(SLOW, pytest.mark.slow), "docs/coevolution.md": pytest.mark.nightly}
-
-
-@pytest.mark.parametrize("page", [pytest.param(page, marks=MARKS.get(page, ())) for page in RUN])
-def test_examples_run_and_print_what_is_shown(page: str, tmp_path: Path) -> None:
-    # The warnings of other libraries are not ours.
-    strict = () if page == "docs/integrations.md" else ("-W", "error")
-    missing = {example: missing_modules(example.code) for example in examples_of(page)}
-    examples = [example for example, modules in missing.items() if not modules]
-    told = run_python([example.code for example in examples], tmp_path, *strict)
-    for printed, example in zip(told, examples, strict=True):
-        if example.shown and page == "docs/analysis.md":
-            check_nearly_same(printed, example.shown)
-        elif example.shown:
-            assert printed.strip() == example.shown.strip()
-    if patterns := RUN[page]:
-        assert re.fullmatch("\n".join(patterns), "".join(told).strip())
-    # `.ci/run` installs torch and onnx before it runs slow tests.
-    if absent := sorted({name for modules in missing.values() for name in modules}):
-        pytest.skip(f"without {', '.join(absent)}; the other examples have run")
-
-
-@pytest.mark.parametrize("page", CLIENTS, ids=lambda page: page.stem)
-def test_learners_of_other_libraries_run_with_few_steps(page: Path, tmp_path: Path) -> None:
-    assert f"](clients/{page.name}" in read("docs/integrations.md")
-    for example in examples_of(page_id(page)):
-        for module in missing_modules(example.code):
-            pytest.importorskip(module, exc_type=ImportError)
-        # One or two updates of the learner.
-        short, count = re.subn(r"^STEPS = [\d_]+", "STEPS = 8_192", example.code, flags=re.M)
-        assert count == 1  # else the example would take its full time
-        (printed,) = run_python([short], tmp_path)  # in a directory of its own, where it may write
-        for moment in ("before", "after"):
-            assert re.search(rf"^{moment} {RATE}$", printed, re.M), printed
-
-
-# Commands
-
-WITH_COMMANDS = [
-    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md")),
-    # The recipes of how_to_add.md add names of their own, and another test follows them.
-    *sorted({*DOCS.glob("*.md")} - {DOCS / "how_to_add.md"}),
-    *sorted((ROOT / "evolution").glob("*.md")),
-    *NOTEBOOKS,
-]
-COMMAND = re.compile(r"matrixworld (?P<name>[a-z]+)(?P<rest>(?: [^\s`|\"\\]+)*)")
-
-
-def shown_commands(page: Path) -> list[tuple[str, list[str]]]:
-    """Return the commands of a page: their name and their options."""
-    found = COMMAND.finditer(page.read_text(encoding="utf-8"))
-    return [
-        (match["name"], re.findall(r"(?<!\S)--[a-z-]+", match["rest"]))
-        for match in found
-        if match["name"] in main.commands
-    ]
-
-
-def visible_options(command: click.Command) -> set[str]:
-    if isinstance(command, click.Group):
-        return {name for part in command.commands.values() for name in visible_options(part)}
-    options = (param for param in command.params if isinstance(param, click.Option))
-    shown = (option for option in options if not option.hidden)
-    return {"--help", *(name for each in shown for name in (*each.opts, *each.secondary_opts))}
-
-
-@pytest.mark.parametrize("page", WITH_COMMANDS, ids=page_id)
-def test_options_that_a_page_shows_exist(page: Path) -> None:
-    for name, options in shown_commands(page):
-        assert set(options) <= visible_options(main.commands[name]), name
-
+from notebooks import NOTEBOOKS
+from pages import DOCS, ROOT, page_id, read
+from tiny_race import tiny_race
 
 # Links
 
 ANCHOR = re.compile(r'<a id="([^"]+)"></a>')
-READMES = (*ROOT.glob("*.md"), *ROOT.glob("*/README.md"), *ROOT.glob("tutorials/*/README.md"))
-ALL_PAGES = sorted({*DOCS.rglob("*.md"), *READMES, *NOTEBOOKS})
+READMES = [*ROOT.glob("*/README.md"), *ROOT.glob("evolution/*/README.md")]
+READMES += ROOT.glob("tutorials/*/README.md")
+ALL_PAGES = sorted({*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *READMES, *NOTEBOOKS})
+WAITING = {
+    *(f"docs/clients/{name}.py" for name in ("minari_episodes", "onnx_export", "openspiel_games")),
+    *(f"docs/clients/{name}.py" for name in ("run_curves", "tianshou_envs", "torch_export")),
+    "docs/clients/torchrl_envs.py",
+    "tutorials/class_tournament/README.md",
+}
+"""Files that other changes bring."""
 
 
 def prose(page: Path) -> str:
@@ -226,7 +45,8 @@ def prose(page: Path) -> str:
 def anchors(page: Path) -> set[str]:
     """Return the anchors of a page: headings as GitHub names them, and explicit ones."""
     headings = re.findall(r"^#+ (.+)$", prose(page), re.M)
-    names = (re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings)
+    texts = (re.sub(r"\[([^]]+)\]\([^)]+\)", r"\1", heading).lower() for heading in headings)
+    names = (re.sub(r"[^\w\- ]", "", text).replace(" ", "-") for text in texts)
     return {*names, *ANCHOR.findall(prose(page))}
 
 
@@ -239,8 +59,9 @@ def test_links_lead_somewhere(page: Path) -> None:
         file, _, anchor = link.partition("#")
         target = (page.parent / file).resolve() if file else page
         if "://" not in link:
-            assert target.exists(), link
-            assert not anchor or target.suffix != ".md" or anchor in anchors(target), link
+            assert target.exists() or page_id(target) in WAITING, link
+            anchored = anchor and target.suffix == ".md" and target.exists()
+            assert not anchored or anchor in anchors(target), link
 
 
 # Names in tables
@@ -265,32 +86,8 @@ def test_the_readme_has_the_rules_of_each_variant() -> None:
 def test_names_of_measures() -> None:
     table = read("docs/analysis.md").split("| question |")[1].split("\n\n")[0]
     named = re.findall(r"`(\w+)`", table)
-    assert len(named) > 15  # the pattern finds the table at all
+    assert len(named) > 12  # the pattern finds the table at all
     assert set(named) <= set(analysis.__all__)
-
-
-def test_the_table_of_experiments_names_every_selection() -> None:
-    table = read("docs/coevolution.md").split("| experiment | settings |")[1].split("\n\n")[0]
-    values = set(re.findall(r'"([\w-]+)"', table))
-    assert values == {*SAMPLERS, *ALL_SCHEDULES, Maps.kind, "competitive"} - {
-        "latest",
-        "round-robin",
-    }
-    named = set(re.findall(r"`(\w+)=", table))
-    fields = RaceSettings.__dataclass_fields__
-    assert all("." in path_of(name) or name in fields for name in named)
-    assert len(named) > 8
-
-
-def test_the_table_of_figures_names_them_and_their_functions() -> None:
-    page = read("docs/figures.md")
-    rows = re.findall(r"^\| [^|]+ \| `(matrixworld explore[^|]+)` \| (.+) \|$", page, re.M)
-    named = {name for command, _ in rows for name in re.findall(r"--figure (\w+)", command)}
-    assert named == {*OF_RUN} - {"lag_profile"}  # which is not in the paper
-    functions = [name for _, cell in rows for name in re.findall(r"`(\w+)`", cell)]
-    assert set(functions) <= set(plots.__all__)
-    pictures = re.findall(r"!\[[^]]+\]\(([^)]+)\)", page)
-    assert {Path(each).stem for each in pictures} == set(PICTURES)
 
 
 def test_the_exercises_that_the_teachers_page_names_exist() -> None:
@@ -316,11 +113,11 @@ def test_the_answers_for_a_class_are_what_dice_and_hands_do(
 
 # The page for users of the published code
 
-MIGRATION = read("docs/migration.md")
+PUBLISHED = read("docs/published.md")
 
 
 def test_names_of_the_package_that_replace_others() -> None:
-    named = set(re.findall(r"`?mw\.(\w+(?:\.\w+)?)", MIGRATION))
+    named = set(re.findall(r"`?mw\.(\w+(?:\.\w+)?)", PUBLISHED))
     assert len(named) > 12
     for name in named:
         place = mw
@@ -329,7 +126,7 @@ def test_names_of_the_package_that_replace_others() -> None:
 
 
 def test_infos_and_status_that_replace_others() -> None:
-    infos = MIGRATION.split("## Infos")[1].split("## Experiments")[0]
+    infos = PUBLISHED.split("## Infos")[1].split("## Experiments")[0]
     told = [row.strip("|").split("|") for row in infos.splitlines() if row.startswith("| ")][1:]
     keys = {key for row in told for key in re.findall(r"`(\w+)`", row[1])}
     # Outputs that were added later have no counterpart in the published code.
@@ -340,14 +137,10 @@ def test_infos_and_status_that_replace_others() -> None:
     assert fields <= set(vars(env.status))
 
 
-def test_options_and_arguments_that_replace_others() -> None:
-    ours = {row.split("|")[2] for row in MIGRATION.splitlines() if row.count("|") == 3}
-    told = {flag for cell in ours for flag in re.findall(r"--[a-z][a-z-]+", cell)}
-    assert len(told) >= 8
-    assert told <= visible_options(main.commands["evolve"]) | {"--figures"}
-    assert all(schedule in MIGRATION for schedule in SCHEDULES)
-    for name in re.findall(r"`((?:pursuer|evader)_(?:capture|neighbor|collide|step))", MIGRATION):
-        assert name in mw.Rewards.__dataclass_fields__
+def test_rewards_that_replace_others() -> None:
+    told = re.findall(r"`((?:pursuer|evader)_(?:capture|neighbor|collide|step))", PUBLISHED)
+    assert len({*told}) >= 7
+    assert {*told} <= {*mw.Rewards.__dataclass_fields__}
 
 
 # The page on files
@@ -414,7 +207,7 @@ def test_each_promise_of_the_security_page_has_a_test() -> None:
     promises = [row for row in rows if not row.startswith(("| Promise", "| ---"))]
     assert promises
     for promise in promises:
-        named = re.findall(r"`((?:[\w/]+/)?tests/[\w/]+\.py)(?:::(\w+))?`", promise)
+        named = re.findall(r"`(tests/[\w/]+\.py)(?:::(\w+))?`", promise)
         assert named, promise
         for file, test in named:
             assert f"def {test or 'test_'}" in read(file), (file, test)

@@ -6,7 +6,6 @@ from pathlib import Path
 
 SCRIPTS = Path(__file__).parents[2] / "evolution"
 RESULTS = SCRIPTS / "results"
-DOCS = SCRIPTS.parent / "docs"
 
 
 def run_script(name: str, place: Path, *options: str) -> subprocess.CompletedProcess[str]:

@@ -1,0 +1,286 @@
+"""Examples of pages run and print what is shown; commands and settings that pages name exist.
+
+Examples of a page run one after the other. A block that needs a library says so in the line above
+it, ``<!-- needs torch -->``: it runs where the library is installed. A block that cannot run alone
+begins with ``python no-run``, one with a title is a recipe of ``test_how_to_add.py``.
+"""
+
+import ast
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+import warnings
+from collections.abc import Iterator
+from functools import cache
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import click
+import pytest
+from click.testing import CliRunner
+
+import matrixworld as mw
+from matrixworld.cli import main
+from matrixworld.coevolution import RaceSettings
+from notebooks import NOTEBOOKS
+from pages import ROOT, page_id, read
+
+ELSEWHERE = {
+    "docs/class.md": "tests/classroom/test_class.py",
+    "docs/cluster.md": "needs several processes; tests/cli/test_cluster.py",
+    "docs/maintainers/how_to_add.md": "tests/repository/test_how_to_add.py",
+}
+"""Pages whose examples another test runs."""
+PAGES = sorted({ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *ROOT.glob("*/*/README.md")})
+
+# Examples in Python
+
+NUMBER = r"-?\d+\.?\d*"
+RATE = r"0\.\d+ \(0\.\d+ to 0\.\d+\)"
+FENCE = re.compile(
+    r"^(?:<!-- needs (?P<needs>.+) -->\n)?```python(?P<rest>.*)\n(?P<code>(?:.*\n)*?)```$"
+    r"(?:\n\n```text\n(?P<shown>(?:.*\n)*?)```$)?",
+    re.M,
+)
+
+
+class Example(NamedTuple):
+    """Python code of a page, libraries that it needs, and the text below it that it prints."""
+
+    code: str
+    needs: tuple[str, ...]
+    shown: str
+
+
+def examples_of(page: str) -> list[Example]:
+    return [
+        Example(found["code"], tuple((found["needs"] or "").split()), found["shown"] or "")
+        for found in FENCE.finditer(read(page))
+        if "no-run" not in found["rest"]
+    ]
+
+
+def is_absent(need: str) -> bool:
+    """Whether a module, or ``module.name``, is not installed."""
+    module, _, name = need.partition(".")
+    return find_spec(module) is None or not (not name or hasattr(import_module(module), name))
+
+
+def check_nearly_same(printed: str, shown: str) -> None:
+    """Compare text exactly and numbers nearly: another SciPy may resample differently."""
+    assert re.sub(NUMBER, "#", printed.strip()) == re.sub(NUMBER, "#", shown.strip())
+    ours, theirs = ([*map(float, re.findall(NUMBER, text))] for text in (printed, shown))
+    assert ours == pytest.approx(theirs, abs=0.01)
+
+
+WITH_EXAMPLES = [page_id(page) for page in PAGES if examples_of(page_id(page))]
+
+
+@pytest.mark.parametrize("page", sorted({*WITH_EXAMPLES} - {*ELSEWHERE}))
+def test_examples_run_and_print_what_is_shown(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {"__name__": "__main__"}
+    missing: set[str] = set()
+    for example in examples_of(page):
+        if absent := [*filter(is_absent, example.needs)]:
+            missing |= {*absent}
+            continue
+        with warnings.catch_warnings():
+            if example.needs:  # the warnings of other libraries are not ours
+                warnings.simplefilter("ignore")
+            exec(compile(example.code, page, "exec"), names)
+        printed = capsys.readouterr().out
+        if example.shown and page == "docs/analysis.md":
+            check_nearly_same(printed, example.shown)
+        elif example.shown:
+            assert printed.strip() == example.shown.strip()
+    # `.ci/run` installs PyTorch, and then runs again what was skipped.
+    if missing:
+        pytest.skip(f"without {', '.join(sorted(missing))}; the other examples have run")
+
+
+def test_examples_of_other_libraries_say_what_they_need() -> None:
+    for page in WITH_EXAMPLES:
+        for example in examples_of(page):
+            assert all(need in example.code for need in example.needs), page
+
+
+# Programs for other libraries
+
+PROGRAMS = sorted((ROOT / "docs" / "clients").glob("learn_*.py"))
+
+
+def missing_modules(code: str) -> list[str]:
+    """Return modules that code imports and that are not installed."""
+    statements = [*ast.walk(ast.parse(code))]
+    names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
+    names += [each.module or "" for each in statements if isinstance(each, ast.ImportFrom)]
+    return [name for name in names if find_spec(name.partition(".")[0]) is None]
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.stem)
+def test_learners_of_other_libraries_run_with_few_steps(program: Path, tmp_path: Path) -> None:
+    assert f"](clients/{program.name})" in read("docs/clients.md")
+    code = program.read_text(encoding="utf-8")
+    for module in missing_modules(code):
+        pytest.importorskip(module, exc_type=ImportError)
+    # One or two updates of the learner.
+    short, count = re.subn(r"^STEPS = [\d_]+", "STEPS = 8_192", code, flags=re.M)
+    assert count == 1  # else the program would take its full time
+    paths = os.pathsep.join([str(program.parent), *sys.path])
+    done = subprocess.run(
+        [sys.executable, "-c", short],
+        cwd=tmp_path,  # where it may write
+        env={**os.environ, "PYTHONPATH": paths, "MINARI_DATASETS_PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    for moment in ("before", "after"):
+        assert re.search(rf"^{moment} {RATE}$", done.stdout, re.M), done.stdout
+
+
+# Commands
+
+WITH_COMMANDS = sorted(
+    {*PAGES, *ROOT.glob("*.md"), *ROOT.glob("*/README.md"), *NOTEBOOKS}
+    # The recipes of how_to_add.md add names of their own, and another test follows them.
+    - {ROOT / "docs/class.md", ROOT / "docs/maintainers/how_to_add.md", ROOT / "CHANGELOG.md"}
+)
+WAITING = (
+    "matrixworld playground SB",
+    "matrixworld playground runs/",
+    "matrixworld solve --run",
+)
+"""Beginnings of commands that the present command line does not have yet."""
+SHELL = re.compile(r"^```sh\n((?:.*\n)*?)```$", re.M)
+INLINE = re.compile(r"`(matrixworld [^`]+)`")
+
+
+def commands_of(page: Path) -> Iterator[str]:
+    """Yield the commands of a page: lines of shell blocks, and code in sentences and tables."""
+    text = page.read_text(encoding="utf-8")
+    if page.suffix == ".ipynb":
+        text = "\n".join("".join(cell["source"]) for cell in json.loads(text)["cells"])
+        yield from re.findall(r"^!(matrixworld .+)$", text, re.M)
+    for block in SHELL.findall(text):
+        yield from block.replace("\\\n", " ").splitlines()
+    yield from INLINE.findall(re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S))
+
+
+def arguments_of(line: str) -> list[str] | None:
+    """Return the arguments that a line of a shell gives to the command; None for another one."""
+    words = [*shlex.split(line.replace("|", " "), comments=True)]
+    names = [n for n, word in enumerate(words) if word.rpartition("/")[2] == "matrixworld"]
+    if not names or (len(words) > 1 and words[0] in ("eval", "pip", "uvx", "sh")):
+        return None
+    return words[names[-1] + 1 :]
+
+
+def parse(line: str, arguments: list[str]) -> tuple[str, dict[str, Any]]:
+    """Return the name of a command and its options, as click parses them; nothing runs."""
+    if not arguments or arguments[0].startswith("-"):
+        return "", {}
+    command = main.commands.get(arguments[0])
+    assert command is not None, line
+    if isinstance(command, click.Group):
+        return "", {}
+    context = click.Context(command)
+    given, rest, _ = command.make_parser(context).parse_args(arguments[1:])
+    assert not rest, f"{line}: {rest} is too much"
+    numbers = click.types.IntParamType, click.types.FloatParamType, click.Choice
+    for param in command.params:
+        texts = given.get(param.name or "")
+        for text in texts if isinstance(texts, list) else [texts]:
+            if isinstance(param.type, numbers) and isinstance(text, str):
+                param.type.convert(text, param, context)
+    return arguments[0], given
+
+
+@pytest.mark.parametrize("page", WITH_COMMANDS, ids=page_id)
+def test_commands_that_a_page_shows_exist(page: Path) -> None:
+    for line in commands_of(page):
+        arguments = arguments_of(line)
+        if arguments is None or line.strip().startswith(WAITING):
+            continue
+        name, given = parse(line, arguments)
+        if name == "evolve":
+            check_settings(line, given)
+
+
+# Settings
+
+OPTIONS = {
+    "variant": "world.rules",
+    **{name: f"world.{name}" for name in ("rows", "cols", "n_pursuers", "n_evaders")},
+    "learner": "learner",
+    "generations": "schedule.generations",
+}
+"""Options of `evolve` and the settings that they set."""
+NESTED = ("world.rewards.", "world.rules.", "learner.settings.", "schedule.pursuers_meet.settings.")
+OF_SECTIONS = re.compile(
+    r"`((?:policy|learner|schedule|fitness)\.[a-z_]+(?:\.[a-z_]+)*)(?:=[^`]*)?`"
+)
+
+
+@cache
+def paths() -> set[str]:
+    """Return the paths of all settings, as the command line lists them."""
+    told = CliRunner().invoke(main, ["evolve", "--help-all"], catch_exceptions=False).output
+    told = told.partition("\nsettings:\n")[2]
+    return {"learner", "schedule", *re.findall(r"^  ([a-z_]+(?:\.[a-z_]+)*)(?: |$)", told, re.M)}
+
+
+def exists(path: str) -> bool:
+    known = {*paths(), *(path.replace("pursuers_meet", "evaders_meet") for path in paths())}
+    return path in known or path.startswith(NESTED) or f"{path}.rule" in known
+
+
+def value_of(text: str) -> Any:
+    """Return the value of a text as --set reads it."""
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text
+
+
+def check_settings(line: str, given: dict[str, Any]) -> None:
+    """Check that settings of a command exist, and of a single race that it takes them."""
+    sets = dict(text.split("=", 1) for text in given.get("sets") or ())
+    assert [path for path in sets if not exists(path)] == [], line
+    schedules = given.get("schedule") or []
+    if len(schedules) == 1 and schedules[0].islower():
+        values = {path: given[name] for name, path in OPTIONS.items() if given.get(name)}
+        values |= {**sets, "schedule": schedules[0]}
+        RaceSettings.of({path: value_of(value) for path, value in values.items()})
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_id)
+def test_settings_that_a_page_names_exist(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    named = {path for path in OF_SECTIONS.findall(text) if not path.endswith(".py")}
+    assert {path for path in named if not exists(path)} == set()
+    of_worlds = set(re.findall(r"`world\.([a-z_]+)(?:=[^`]*)?`", text))
+    world = {path.partition(".")[2] for path in paths() if path.startswith("world.")}
+    assert {name for name in of_worlds - world if not hasattr(mw.World, name)} - {"py"} == set()
+    for block in re.findall(r"^```toml\n((?:.*\n)*?)```$", text, re.M):
+        if sys.version_info >= (3, 11):
+            import tomllib
+
+            RaceSettings.of(tomllib.loads(block))
+
+
+def test_the_tables_of_experiments_name_settings_that_exist() -> None:
+    page = read("docs/coevolution.md")
+    named = {name for row in page.splitlines() for name in re.findall(r"`([a-z_]+)=", row)}
+    last = {path.rpartition(".")[2] for path in paths()}
+    assert named - last - {"pursuers_meet", "evaders_meet"} == set()
+    assert len(named) > 8
