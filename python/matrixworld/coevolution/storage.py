@@ -285,7 +285,7 @@ class SavedRun:
         return [int(name) for name in names if name.isdigit()]
 
     def _load(self, name: str) -> Arrays:
-        return load_arrays(self.path / name, owner=self.owner(name))
+        return load_arrays(self.path / name)
 
     def _stages(self) -> list[Arrays]:
         """Return what all finished stages have added; DamagedFileError if one is missing."""
@@ -604,7 +604,7 @@ class RunWriter(SavedRun):
         save_json(self.path / SUMMARY, summary, owner=self.owner(SUMMARY))
 
     def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
-        save_arrays(self.path / name, arrays, owner=self.owner(name))
+        save_arrays(self.path / name, arrays)
 
 
 def _name(kind: str, stage: int) -> str:
