@@ -26,7 +26,6 @@ from matrixworld.coevolution import (
     storage,
 )
 from matrixworld.coevolution.storage import COLUMNS, RunWriter
-from slow import quickly
 from tiny_race import StopAt, directory_in_memory, results, tiny_race, tiny_single
 
 SETTINGS = {
@@ -260,12 +259,6 @@ def stopped(tmp_path_factory):
     return directory
 
 
-@pytest.fixture(scope="module")
-def foreign(tmp_path_factory):
-    """A finished race of another seed."""
-    return finish(tiny_race(seed=6), tmp_path_factory.mktemp("foreign") / "run", threads=1).path
-
-
 @pytest.fixture(params=["straight", "stopped"])
 def copy(request, tmp_path):
     """A copy of the finished or of the stopped race, to be damaged."""
@@ -287,25 +280,13 @@ def check_reported_or_repaired(directory, name, straight):
     return True
 
 
-# That every cut and every altered byte is found, the tests of sealed files show.
+# That no cut and no altered byte changes arrays, the tests of files show.
 @pytest.mark.filterwarnings("ignore::UserWarning")  # of damage
-@quickly(
-    "damage",
-    ["half", "deleted", "of another run", "of another name"],
-    lambda damage: damage in ("half", "of another run"),
-)
+@pytest.mark.parametrize("damage", ["half", "deleted"])
 @pytest.mark.parametrize(("copy", "name"), OF_EITHER, indirect=["copy"])
-def test_damage_is_repaired_or_reported(copy, straight, foreign, name, damage):
-    others = [path for path in copy.glob(f"{name[:5]}*.npz") if path.name != name]
-    # Intact files of the right form: of the other run there are only the newest checkpoints.
-    intact = {
-        "of another run": foreign / name.replace("-0001", "-0003").replace("-0002", "-0004"),
-        "of another name": others[0] if others else copy / "stage-0001.npz",
-    }
+def test_damage_is_repaired_or_reported(copy, straight, name, damage):
     if damage == "deleted":
         (copy / name).unlink()
-    elif damage in intact:
-        shutil.copy(intact[damage], copy / name)
     else:
         whole = (copy / name).read_bytes()
         (copy / name).write_bytes(whole[: len(whole) // 2])
@@ -321,9 +302,7 @@ def test_damage_is_repaired_or_reported(copy, straight, foreign, name, damage):
         with pytest.raises(FileExistsError):
             finish(tiny_race(), copy)
     else:
-        # The other files do not belong to the settings of another run.
-        blamed = "stage-0000.npz" if damage == "of another run" else name
-        assert not check_reported_or_repaired(copy, blamed, straight)
+        assert not check_reported_or_repaired(copy, name, straight)
 
 
 @pytest.mark.parametrize(

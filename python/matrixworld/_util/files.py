@@ -1,10 +1,9 @@
-"""Files that are complete or refused: atomic writes, checksums and locks.
+"""Files that are complete or refused: atomic writes and locks.
 
 `replacing` writes a file under a temporary name in the same directory, syncs and renames it. After
-a crash the directory holds the old file or the new one, never a part of one. `save_arrays` and
-`save_json` add a SHA-256 of the content and of the owner's name, so that loading refuses a file
-that is cut or altered, that belongs to another run, or that has another file's name. Nothing is
-pickled or unpickled.
+a crash the directory holds the old file or the new one, never a part of one. Arrays are npz files,
+whose zip format finds what is cut or altered; `save_json` adds a SHA-256 of the content and of the
+owner's name, such as a run. Nothing is pickled or unpickled.
 """
 
 from __future__ import annotations
@@ -56,13 +55,6 @@ CHECKSUM = "sha256"
 """Key of the checksum in a JSON object."""
 TEMPORARY = ".tmp"
 """Suffix of a file that is being written."""
-
-SEAL = b"sha256:"
-SEAL_LENGTH = len(SEAL) + 64
-NO_COMMENT = b"\0\0"
-"""Last two bytes of a zip archive without a comment: the length of the comment."""
-
-NO_MATCH = "altered or from another run, its checksum does not match its content"
 
 BYTE_ORDER_MARKS = {b"\xef\xbb\xbf": "utf-8-sig", b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
 """How a text that begins so is encoded."""
@@ -181,13 +173,13 @@ def parse_json(path: Path, text: str | bytes) -> dict[str, Any]:
     return values
 
 
-def read_npz(path: Path) -> Arrays:
-    """Return the arrays of an npz file, with a checksum or without; DamagedFileError if damaged."""
+def load_arrays(path: Path) -> Arrays:
+    """Return the arrays of an npz file; DamagedFileError if it is cut or altered."""
     return parse_npz(path, read_content(path))
 
 
 def parse_npz(path: Path, content: bytes) -> Arrays:
-    """Return the arrays in the content of an npz file, as `read_npz`."""
+    """Return the arrays in the content of an npz file, as `load_arrays`."""
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             return {
@@ -265,54 +257,21 @@ def remove_temporary_files(path: Path) -> None:
             left.unlink(missing_ok=True)
 
 
-# Arrays with a checksum:
-
-
-def save_arrays(path: Path, arrays: Mapping[str, ArrayLike], *, owner: str = "") -> None:
-    """Write named arrays as an .npz file that carries its checksum.
-
-    Loading requires the same owner, such as a run. TypeError if an array holds objects, which would
-    be pickled.
-    """
+def save_arrays(path: Path, arrays: Mapping[str, ArrayLike]) -> None:
+    """Write named arrays as an npz file; TypeError if one holds objects, which would be pickled."""
     plain: dict[str, Any] = {name: np.asarray(array) for name, array in arrays.items()}
     objects = [name for name, array in plain.items() if array.dtype.hasobject]
     if objects:
         raise TypeError(f"{objects[0]}: expected numbers or text, got objects")
-    buffer = io.BytesIO()
-    np.savez(buffer, **plain)
     with replacing(path) as file:
-        file.write(_sealed(buffer.getvalue(), owner))
-
-
-def load_arrays(path: Path, *, owner: str = "") -> Arrays:
-    """Return the arrays that `save_arrays` wrote for the same owner, or raise DamagedFileError."""
-    content = read_content(path)
-    # Checked before NumPy parses anything: an altered byte may still be a readable array.
-    body, seal = content[:-SEAL_LENGTH], content[-SEAL_LENGTH:]
-    if not seal.startswith(SEAL):
-        raise DamagedFileError(path, "cut or altered, its checksum is missing")
-    if seal != _seal(body, owner):
-        raise DamagedFileError(path, NO_MATCH)
-    return parse_npz(path, content)
-
-
-def _sealed(archive: bytes, owner: str) -> bytes:
-    """Add the checksum to a zip archive as its comment, which every reader of zip files skips."""
-    body = archive[: -len(NO_COMMENT)] + SEAL_LENGTH.to_bytes(2, "little")
-    return body + _seal(body, owner)
-
-
-def _seal(body: bytes, owner: str) -> bytes:
-    digest = hashlib.sha256(owner.encode())
-    digest.update(body)
-    return SEAL + digest.hexdigest().encode()
+        np.savez(file, **plain)
 
 
 # JSON with a checksum:
 
 
 def save_json(path: Path, values: Mapping[str, Any], *, owner: str = "") -> None:
-    """Write a JSON object that carries its checksum; `owner` is as in `save_arrays`."""
+    """Write a JSON object that carries its checksum, in which its owner counts, such as a run."""
     # NaN is not JSON: other programs could not read the file.
     text = json.dumps({**values, CHECKSUM: json_digest(values, owner)}, indent=2, allow_nan=False)
     with replacing(path) as file:
@@ -323,7 +282,8 @@ def load_json(path: Path, *, owner: str = "") -> dict[str, Any]:
     """Return the object that `save_json` wrote for the same owner, or raise DamagedFileError."""
     values = read_json(path)
     if values.pop(CHECKSUM, None) != json_digest(values, owner):
-        raise DamagedFileError(path, NO_MATCH)
+        problem = "altered or from another run, its checksum does not match its content"
+        raise DamagedFileError(path, problem)
     return values
 
 

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_bool, check_floats, check_integer
-from matrixworld._util.files import DamagedFileError, read_npz, read_text
+from matrixworld._util.files import DamagedFileError, load_arrays, read_text
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
 Rates = NDArray[np.float64]
@@ -314,7 +314,7 @@ def _read_file(path: Path, per_episode: bool) -> Payoffs:
 
 
 def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
-    arrays = read_npz(path)
+    arrays = load_arrays(path)
     # Episodes first: the means follow from them.
     known = (PER_EPISODE, *MEANS)
     name = next((each for each in known if each in arrays), None)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, shown
-from matrixworld._util.files import DamagedFileError, parse_json, read_npz, replacing
+from matrixworld._util.files import DamagedFileError, load_arrays, parse_json, replacing
 from matrixworld.episodes.films import PIXELS, Animation, few_times
 from matrixworld.world.canvas import fitting_cell
 from matrixworld.world.conflicts import Conflict, conflict_of
@@ -228,7 +228,7 @@ class Episode:
         file, if it is cut, altered or not an episode.
         """
         path = Path(path)
-        entries = read_npz(path)
+        entries = load_arrays(path)
         if str(entries.pop("format", "")) != FORMAT:
             raise DamagedFileError(path, f"expected a file marked '{FORMAT}'")
         names = {each.name for each in fields(cls)}

@@ -8,7 +8,7 @@ from matrixworld.coevolution.runs.race import HallOfFameRace, pairings, table_of
 from matrixworld.coevolution.schedules import ArchivedOpponents
 
 from matrixworld import Matches, Population, coevolution, rollout
-from matrixworld._util.files import read_npz
+from matrixworld._util.files import load_arrays
 from matrixworld.coevolution import TEAMS, DisengagementWarning, Race, open_run, resume, start
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
 from matrixworld.coevolution.learners.learner import DivergedError
@@ -123,7 +123,7 @@ def test_saved_run_counts_generations_from_both_ends(straight):
 
 
 def test_the_files_hold_means_and_deviations_and_what_was_played(straight):
-    arrays = read_npz(straight.files.path / "payoff.npz")
+    arrays = load_arrays(straight.files.path / "payoff.npz")
     payoff = straight.files.payoff()
     assert np.allclose(arrays["capture_rate"], payoff.capture_rates.mean(axis=2))
     assert np.allclose(arrays["capture_rate_std"], payoff.capture_rates.std(axis=2), atol=1e-6)

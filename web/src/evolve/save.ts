@@ -26,24 +26,6 @@ function sortedJson(value: unknown): string {
   return `{${entries.map(([name, each]) => `${JSON.stringify(name)}: ${sortedJson(each)}`).join(", ")}}`;
 }
 
-const SEAL = "sha256:";
-const DIGITS = 64;
-
-/** Return an npz file with its checksum, which is the comment of the archive. */
-function sealed(arrays: Readonly<Record<string, NpyArray>>, owner: string): Uint8Array {
-  const file = writeNpz(arrays);
-  const [name, length] = [strToU8(owner), SEAL.length + DIGITS];
-  const signed = new Uint8Array(name.length + file.length);
-  signed.set(name);
-  signed.set(file, name.length);
-  signed.set([length & 255, length >> 8], signed.length - 2); // instead of the length of no comment
-  const seal = strToU8(SEAL + sha256(signed));
-  const made = new Uint8Array(file.length + seal.length);
-  made.set(signed.subarray(name.length));
-  made.set(seal, file.length);
-  return made;
-}
-
 function json(values: object, owner = ""): Uint8Array {
   return strToU8(JSON.stringify({ ...values, sha256: sha256(strToU8(owner + sortedJson(values))) }, null, 2));
 }
@@ -97,7 +79,6 @@ function filesOf(race: Finished, { format, version }: Format): Record<string, Ui
   const generations = race.finished - 1;
   const settings: RaceSettings = { ...race.settings, schedule: { ...race.settings.schedule, generations } };
   const config = { format, matrixworld: version, settings, drawn_by: "page" };
-  const owner = (name: string): string => `${sha256(strToU8(sortedJson(config)))}/${name}`;
   const stages = Array.from({ length: race.finished }, (_, number) => `stage-${String(number).padStart(4, "0")}.npz`);
   const { matches, steps, agent_steps } = race.counters[generations]!;
   const counted = { training_matches: matches, training_steps: steps, training_agent_steps: agent_steps };
@@ -107,9 +88,9 @@ function filesOf(race: Finished, { format, version }: Format): Record<string, Ui
   };
   return {
     "config.json": json(config),
-    ...Object.fromEntries(stages.map((name, number) => [name, sealed(stage(race, number), owner(name))])),
-    "payoff.npz": sealed(payoff(race), owner("payoff.npz")),
-    "summary.json": json(summary, owner("summary.json")),
+    ...Object.fromEntries(stages.map((name, number) => [name, writeNpz(stage(race, number))])),
+    "payoff.npz": writeNpz(payoff(race)),
+    "summary.json": json(summary, `${sha256(strToU8(sortedJson(config)))}/summary.json`),
   };
 }
 
