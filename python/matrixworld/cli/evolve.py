@@ -278,8 +278,6 @@ def _shown(job: Job) -> list[str]:
 
 
 def _check_new(root: Path) -> None:
-    if not root.exists():
-        return
     try:
         check_empty(root)
     except FileExistsError as error:

@@ -27,7 +27,6 @@ from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from multiprocessing import resource_tracker
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 from matrixworld._util.checks import (
@@ -64,6 +63,7 @@ from matrixworld.coevolution.storage import (
     SavedRun,
     check_empty,
     find_runs,
+    new_directory,
     open_run,
 )
 from matrixworld.world.policy import SCRIPTS
@@ -245,10 +245,10 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     """
     check_threads(threads)
     found = found_job(root)
-    if not found and root.exists():
+    if not found:
         check_empty(root)
-    if not found.keys() <= job.keys():
-        names = sorted(found.keys() - job.keys())
+    elif found.keys() != job.keys():
+        names = sorted(found.keys() ^ job.keys())
         raise ValueError(
             f"{root}: expected the runs of this job, got others: "
             f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
@@ -268,9 +268,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
         for team in method.learning_teams:  # imports code of your own
             method.learner_of(team)
             method.schedule.sampler(team)
-    new = dict.fromkeys(each.method for name, each in left.items() if name not in found)
-    for method in new:
-        if not method.is_race:
+        if not method.is_race and not found:
             check_sources(method)
 
 
@@ -297,18 +295,13 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
 
 
 def create_job(job: Job, root: Path) -> None:
-    """Make the directories of all runs of a job that are not there, or none of them."""
-    if [*job] == [ITSELF] or find_runs(root):
-        for name, settings in job.items():
-            create(settings, root / name)
-        return
-    root.parent.mkdir(parents=True, exist_ok=True)
-    with TemporaryDirectory(prefix=f".{root.name}-", dir=root.parent) as place:
-        for name, settings in job.items():
-            create(settings, Path(place) / "job" / name)
-        if root.exists():
-            root.rmdir()  # it is empty
-        (Path(place) / "job").rename(root)
+    """Make the directories of all runs of a job, or none of them; a job that is there stays."""
+    if ITSELF in job:
+        create(job[ITSELF], root)
+    elif not find_runs(root):
+        with new_directory(root) as place:
+            for name, settings in job.items():
+                create(settings, place / name)
 
 
 def shares(runs: int, threads: int | None) -> tuple[int, int]:

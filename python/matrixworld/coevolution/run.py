@@ -30,7 +30,15 @@ from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.sections import PluginError, different_settings
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import Row, RunWriter, SavedRun, check_empty, last_generation
+from matrixworld.coevolution.storage import (
+    COUNTERS,
+    Row,
+    RunWriter,
+    SavedRun,
+    check_empty,
+    last_generation,
+    new_directory,
+)
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -50,8 +58,6 @@ from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 
 GIVEN = "given as genomes"
 """Value of the settings `opponent` and `start` if these were given as arrays."""
-COUNTERS = ("matches", "steps", "agent_steps")
-"""Episodes, world steps, and steps of living agents: what a run counts."""
 
 
 class DisengagementWarning(UserWarning):
@@ -94,18 +100,17 @@ def create(
         If code of your own fails.
     """
     check_instance("settings", settings, RaceSettings)
-    files, schedule = RunWriter(directory), settings.schedule
+    path, schedule = Path(directory), settings.schedule
     given: Any = {
         name: GIVEN
         for name, value in (("opponent", opponents), ("start", start))
         if value is not None
     }
-    if files.exists and not given:
-        check_same(files, settings)
-        return SavedRun(directory)
+    if SavedRun(path).exists and not given:
+        check_same(SavedRun(path), settings)
+        return SavedRun(path)
     # Everything that can be wrong is checked before the directory is made.
-    if files.path.exists():
-        check_empty(files.path)
+    check_empty(path)
     begin: Genome | None = None
     archive: dict[Team, Any] = {team: [] for team in TEAMS}
     config: dict[str, Any] = {}
@@ -124,9 +129,9 @@ def create(
         states[team] = learner.start(settings.task(team, begin))
         states[f"{team}.opponents"] = schedule.sampler(team).start()
         archive[team] = [learner.genome(states[team])]
-    with files.creating(settings.to_json(), **config):
-        files.save(0, archive, [], dict.fromkeys(COUNTERS, 0), states)
-    return SavedRun(directory)
+    with new_directory(path) as place:
+        RunWriter(place).begin(settings.to_json(), archive, states, **config)
+    return SavedRun(path)
 
 
 def replace_schedule(settings: RaceSettings, changes: dict[str, Any]) -> RaceSettings:

@@ -34,6 +34,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from functools import cached_property
 from pathlib import Path, PurePath
+from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -43,7 +44,6 @@ from matrixworld._util.checks import check_choice
 from matrixworld._util.files import (
     Arrays,
     DamagedFileError,
-    is_temporary,
     load_arrays,
     load_json,
     locked,
@@ -104,6 +104,8 @@ Row = dict[str, Any]
 Archive = dict[Team, Genomes]
 Counters = dict[str, float]
 """What a run has counted until the end of a stage, by name."""
+COUNTERS = ("matches", "steps", "agent_steps")
+"""Episodes, world steps, and steps of living agents: what a run counts."""
 
 
 class OtherVersionError(ValueError):
@@ -481,26 +483,18 @@ class RunWriter(SavedRun):
         """Hold the directory for writing; LockedError if another process does."""
         return locked(self.path / LOCK)
 
-    @contextmanager
-    def creating(self, settings: Mapping[str, Any], **more: Any) -> Iterator[None]:
-        """Make the directory of a new run, in which the block saves stage 0.
-
-        Settings and `more` are the content of config.json. FileExistsError if the directory is not
-        empty.
-        """
+    def begin(
+        self,
+        settings: Mapping[str, Any],
+        archive: Mapping[Team, Any],
+        states: Mapping[str, State],
+        **more: Any,
+    ) -> None:
+        """Write config.json, which holds `settings` and `more`, and stage 0."""
         head = {"format": FORMAT, "matrixworld": __version__}
         self.config = {**head, "settings": dict(settings), **more}
-        self.path.mkdir(parents=True, exist_ok=True)
-        check_empty(self.path)
-        with self.lock():
-            # Again, because another process may have made a run before this one got the lock.
-            check_empty(self.path)
-            remove_temporary_files(self.path)
-            for name in _INCOMPLETE - {LOCK}:
-                (self.path / name).unlink(missing_ok=True)
-            yield
-            # Last: a directory without config.json holds no run, and may be used again.
-            save_json(self.path / CONFIG, self.config)
+        save_json(self.path / CONFIG, self.config)
+        self.save(0, archive, [], dict.fromkeys(COUNTERS, 0), states)
 
     def save(
         self,
@@ -594,24 +588,38 @@ def _name(kind: str, stage: int) -> str:
     return f"{kind}-{stage:04}.npz"
 
 
-_INCOMPLETE = {LOCK, _name("stage", 0), _name("checkpoint", 0)}
-"""Files that a process may leave, besides temporary ones, if it is killed while it makes a run."""
-
-
 def check_empty(path: Path) -> None:
-    """Raise FileExistsError if a directory is not empty.
-
-    Files of a run that was never completely made do not count. Its lock file shows that they are
-    from such a run, and they hold no training yet.
-    """
-    found = sorted(item.name for item in path.iterdir())
-    if LOCK in found:
-        found = [name for name in found if name not in _INCOMPLETE and not is_temporary(name)]
+    """Raise FileExistsError if a directory is there and not empty."""
+    found = sorted(item.name for item in path.iterdir()) if path.exists() else []
     if found:
         raise FileExistsError(
             f"{path}: expected a new or empty directory for a new run, found "
             f"{', '.join(found[:3])}{' ...' if len(found) > 3 else ''}"
         )
+
+
+@contextmanager
+def new_directory(path: Path) -> Iterator[Path]:
+    """Yield an empty directory that becomes `path` at the end of the block, with all that is in it.
+
+    FileExistsError if there is something. A process that is killed before leaves only a hidden
+    directory beside it.
+    """
+    check_empty(path)
+    target = path.absolute()
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with TemporaryDirectory(prefix=f".{target.name}-", dir=target.parent) as place:
+        new = Path(place) / target.name
+        new.mkdir()
+        yield new
+        if not target.exists():
+            new.rename(target)
+            return
+        check_empty(path)
+        # An empty directory may be the current one, and stays. Without config.json, which comes
+        # last, it holds no run.
+        for item in sorted(new.iterdir(), key=lambda item: item.name == CONFIG):
+            item.rename(target / item.name)
 
 
 def _archive_of(stages: Sequence[Arrays]) -> Archive:
