@@ -64,6 +64,16 @@ def test_links_lead_somewhere(page: Path) -> None:
             assert not anchored or anchor in anchors(target), link
 
 
+def test_each_picture_of_the_pages_is_shown() -> None:
+    shown = {
+        (page.parent / link).resolve()
+        for page in ALL_PAGES
+        for link in re.findall(r"!\[[^]]*\]\(([^)\s]+)\)", prose(page))
+    }
+    pictures = {path for kind in ("png", "gif") for path in DOCS.rglob(f"*.{kind}")}
+    assert pictures - shown == set()
+
+
 # Names in tables
 
 
