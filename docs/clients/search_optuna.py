@@ -33,7 +33,7 @@ def objective(trial):
         if trial.should_prune():
             raise optuna.TrialPruned
 
-    run = coevolution.finish(settings, f"trials/{trial.number}", threads=1, on_epoch=prune)
+    run = coevolution.evolve(settings, f"trials/{trial.number}", threads=1, on_epoch=prune)
     return run.payoff().capture_rate.mean()  # on episodes that training has not seen
 
 

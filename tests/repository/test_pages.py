@@ -12,7 +12,7 @@ import pytest
 import matrixworld as mw
 from course.questions import Exercise, exercises
 from matrixworld import analysis
-from matrixworld.coevolution import start
+from matrixworld.coevolution import evolve
 from matrixworld.coevolution.storage import COLUMNS
 from notebooks import NOTEBOOKS
 from pages import DOCS, ROOT, page_id, read
@@ -62,6 +62,16 @@ def test_links_lead_somewhere(page: Path) -> None:
             assert target.exists() or page_id(target) in WAITING, link
             anchored = anchor and target.suffix == ".md" and target.exists()
             assert not anchored or anchor in anchors(target), link
+
+
+def test_each_picture_of_the_pages_is_shown() -> None:
+    shown = {
+        (page.parent / link).resolve()
+        for page in ALL_PAGES
+        for link in re.findall(r"!\[[^]]*\]\(([^)\s]+)\)", prose(page))
+    }
+    pictures = {path for kind in ("png", "gif") for path in DOCS.rglob(f"*.{kind}")}
+    assert pictures - shown == set()
 
 
 # Names in tables
@@ -180,7 +190,7 @@ def check_arrays(
 def test_the_files_of_a_run(tmp_path: Path) -> None:
     assert named("### `log.csv`") == {name: kind.__name__ for name, kind in COLUMNS.items()}
     run = tmp_path / "run"
-    start(tiny_race(), run, threads=1).run()
+    evolve(tiny_race(), run, threads=1)
     genomes = np.load(run / "pursuers.npy")
     assert genomes.ndim == 2
     assert f"(G, genes) and (H, genes) {genomes.dtype}" in FILES
