@@ -146,21 +146,17 @@ def test_each_episode_draws_an_opponent_by_its_seed() -> None:
     assert env.opponent == drawn[1]  # episode 2 of seed 5, as drawn above
 
 
-def test_a_reset_changes_the_opponents_from_then_on() -> None:
+def test_opponents_that_are_set_play_from_the_next_episode_on() -> None:
     config = config_of("R")
     env = mw.parallel_env(config, evaders="still")
-    env.reset(seed=0, options={"opponents": ["fleer", random_team(config, 1)]})
-    assert env.opponents[0] == "fleer"
+    env.opponents = ["fleer", random_team(config, 1)]
     env.reset(seed=1)
-    assert len(env.opponents) == 2
+    assert env.opponents[0] == "fleer"
     with pytest.raises(ValueError, match="evaders: expected one of"):
-        env.reset(seed=2, options={"opponents": "nobody"})
-    with pytest.raises(ValueError, match="evaders: expected shape"):
-        env.reset(seed=2, options={"opponents": "still", "evaders": [[0, 0]]})
+        env.opponents = "nobody"
     assert len(env.opponents) == 2
-    assert env.world.seed == 1
     plain = mw.parallel_env(config)
     assert plain.opponents == ()
     assert plain.opponent is None
-    with pytest.warns(UserWarning, match="ignored 'opponents'"):
-        plain.reset(seed=0, options={"opponents": "still"})
+    with pytest.raises(ValueError, match="opponents: expected an environment that plays a team"):
+        plain.opponents = "still"

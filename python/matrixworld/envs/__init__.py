@@ -62,7 +62,8 @@ map), ``rewards``, ``render_mode`` (``"human"``, ``"rgb_array"``, ``"ansi"``), `
 episode draws one.
 
 ``reset(seed=, options=)`` takes ``pursuers`` and ``evaders`` (positions), ``obstacles`` (a map) and
-``episode``; with a built-in team also ``opponents``, what plays for it from then on.
+``episode``. The attribute ``opponents`` of an environment with a built-in team sets what plays for it in the
+episodes that begin from then on.
 """  # noqa: E501  (a table's row is one line)
 
 from __future__ import annotations

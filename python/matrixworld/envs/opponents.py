@@ -201,17 +201,6 @@ class HasOpponents:
             )
         self._team.opponents = self._team.resolve(opponents)
 
-    def _known_options(self, options: tuple[str, ...]) -> tuple[str, ...]:
-        """Return the options of a reset, which can set opponents if there are any."""
-        return options if self._team is None else (*options, "opponents")
-
-    def _take_opponents(self, given: dict[str, Any]) -> tuple[Plays, ...]:
-        """Take the opponents out of given options, before a world changes; by default the same."""
-        opponents = given.pop("opponents", None)
-        if self._team is None or opponents is None:
-            return self.opponents
-        return self._team.resolve(opponents)
-
 
 def _several(name: str, opponents: Any) -> list[Any]:
     # Functions can be iterable: torch.nn.Sequential iterates over its layers.

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from gymnasium import spaces
@@ -47,10 +47,7 @@ Info = dict[str, Any]
 RENDER_MODES = ("human", "rgb_array", "ansi")
 
 OPTIONS = ("episode", "pursuers", "evaders", "obstacles")
-"""The keys that ``options`` of a reset may hold; each is an argument of `World.reset`.
-
-An environment that plays a team itself knows ``opponents``, too.
-"""
+"""The keys that ``options`` of a reset may hold; each is an argument of `World.reset`."""
 
 
 class Status(WorldArrays):
@@ -194,11 +191,9 @@ class MatrixWorldBase(HasOpponents):
 
     def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
         given = dict(options or {})
-        known = self._known_options(OPTIONS)
-        for unknown in set(given) - set(known):
-            warnings.warn(f"options: expected some of {known}, ignored {unknown!r}", stacklevel=3)
+        for unknown in set(given) - set(OPTIONS):
+            warnings.warn(f"options: expected some of {OPTIONS}, ignored {unknown!r}", stacklevel=3)
             del given[unknown]
-        opponents = self._take_opponents(given)
         if seed is None and not self._seeded:
             # The first episode without a seed is a random one; later ones continue its seed.
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
@@ -206,7 +201,6 @@ class MatrixWorldBase(HasOpponents):
         if seed is not None:
             self._np_random = None
         if self._team is not None:
-            self._team.opponents = opponents
             self._team.draw(0, self.world.seed, self.world.episode)
         self._seeded = True
         self.agents = self.possible_agents[:]
@@ -323,9 +317,8 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
             starts. The first seed is drawn from the operating system.
         options : mapping, optional
             Arguments of `World.reset` under the keys of `OPTIONS`: ``pursuers`` and ``evaders``
-            (cells, shape (n, 2)), ``obstacles`` (a map), ``episode`` (a number). With a built-in
-            team also ``opponents``: what plays for it from now on. Other keys are ignored with a
-            warning.
+            (cells, shape (n, 2)), ``obstacles`` (a map), ``episode`` (a number). Other keys are
+            ignored with a warning.
 
         ValueError or TypeError as `World.reset`; the environment then stays as it was.
         """
@@ -510,23 +503,6 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         return [self._names[i] for i in actors if i in self._names and alive[i]]
 
 
-if TYPE_CHECKING:  # PettingZoo has no types
-
-    class AECWrapper(MatrixWorldAEC):
-        """An AEC environment in wrappers, which pass on what it has."""
-
-        unwrapped: MatrixWorldAEC
-
-        def last(self, observe: bool = True) -> tuple[View | None, float, bool, bool, Info]:
-            """Return observation, reward, termination, truncation and info of the next agent."""
-
-        def agent_iter(self, max_iter: int = 2**63) -> Iterator[str]:
-            """Yield the agents in the order in which they act."""
-
-else:
-    AECWrapper = OrderEnforcingWrapper
-
-
 def parallel_env(
     config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
 ) -> MatrixWorldParallel:
@@ -545,7 +521,9 @@ def parallel_env(
     return MatrixWorldParallel(config, **settings)
 
 
-def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]) -> AECWrapper:
+def aec_env(
+    config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
+) -> MatrixWorldAEC:
     """Make an environment of PettingZoo's AEC API: one agent acts after the other.
 
     Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
@@ -558,7 +536,7 @@ def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSetti
     config, **settings
         As for `parallel_env`.
     """
-    env: AECWrapper = OrderEnforcingWrapper(
+    env: MatrixWorldAEC = OrderEnforcingWrapper(
         AssertOutOfBoundsWrapper(MatrixWorldAEC(config, **settings))
     )
     return env

@@ -46,8 +46,48 @@ def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settin
     """
     library = imported("stable_baselines3.common.vec_env", "stable-baselines3")
 
-    class AgentVecEnv(_Adapter, library.VecEnv):  # type: ignore[misc, name-defined]
+    class AgentVecEnv(library.VecEnv):  # type: ignore[misc, name-defined]
         """Learners of the library accept subclasses of its class only."""
+
+        def __init__(self, agents: AgentVectorEnv) -> None:
+            self.agents = agents
+            spaces: Any = agents.single_observation_space, agents.single_action_space
+            super().__init__(agents.num_envs, *spaces)
+
+        def reset(self) -> NDArray[Any]:
+            observations, _ = self.agents.reset(seed=self._seeds[0])
+            self._reset_seeds()
+            return observations
+
+        def step_async(self, actions: NDArray[Any]) -> None:
+            self._actions = actions
+
+        def step_wait(self) -> tuple[Any, ...]:
+            seen, rewards, terminations, truncations, infos = self.agents.step(self._actions)
+            ended = terminations | truncations
+            by_agent: list[dict[str, Any]] = [{} for _ in ended]
+            for agent in ended.nonzero()[0]:
+                by_agent[agent] = {
+                    "terminal_observation": infos["final_obs"][agent],
+                    "TimeLimit.truncated": bool(truncations[agent]),
+                }
+            return seen, rewards, ended, by_agent
+
+        def close(self) -> None:
+            self.agents.close()
+
+        def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
+            return [getattr(self.agents, attr_name) for _ in self._get_indices(indices)]
+
+        def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
+            setattr(self.agents, attr_name, value)
+
+        def env_method(self, name: str, *args: Any, indices: Any = None, **more: Any) -> Any:
+            # The agents are one object, so that a method is called once.
+            return [getattr(self.agents, name)(*args, **more)]
+
+        def env_is_wrapped(self, wrapper_class: type, indices: Any = None) -> list[bool]:
+            return [False for _ in self._get_indices(indices)]
 
     if not settings.keys() & {"pursuers", "evaders"}:
         settings["evaders"] = "clumsy-fleer"  # against which first attempts learn
@@ -75,51 +115,3 @@ def policy(model: Any, deterministic: bool = False) -> Callable[[NDArray[Any]], 
         return actions
 
     return act
-
-
-class _Adapter:
-    """The methods of the library's `VecEnv`, for the agents of an `AgentVectorEnv`."""
-
-    _seeds: list[int | None]
-    _reset_seeds: Callable[[], None]
-    _get_indices: Callable[[Any], list[int]]
-
-    def __init__(self, agents: AgentVectorEnv) -> None:
-        self.agents = agents
-        spaces: Any = agents.single_observation_space, agents.single_action_space
-        super().__init__(agents.num_envs, *spaces)  # type: ignore[call-arg]  # of the library
-
-    def reset(self) -> NDArray[Any]:
-        observations, _ = self.agents.reset(seed=self._seeds[0])
-        self._reset_seeds()
-        return observations
-
-    def step_async(self, actions: NDArray[Any]) -> None:
-        self._actions = actions
-
-    def step_wait(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], list[dict[str, Any]]]:
-        observations, rewards, terminations, truncations, infos = self.agents.step(self._actions)
-        ended = terminations | truncations
-        by_agent: list[dict[str, Any]] = [{} for _ in ended]
-        for agent in ended.nonzero()[0]:
-            by_agent[agent] = {
-                "terminal_observation": infos["final_obs"][agent],
-                "TimeLimit.truncated": bool(truncations[agent]),
-            }
-        return observations, rewards, ended, by_agent
-
-    def close(self) -> None:
-        self.agents.close()
-
-    def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        return [getattr(self.agents, attr_name) for _ in self._get_indices(indices)]
-
-    def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
-        setattr(self.agents, attr_name, value)
-
-    def env_method(self, method_name: str, *args: Any, indices: Any = None, **kwargs: Any) -> Any:
-        # The agents are one object, so that a method is called once.
-        return [getattr(self.agents, method_name)(*args, **kwargs)]
-
-    def env_is_wrapped(self, wrapper_class: type, indices: Any = None) -> list[bool]:
-        return [False for _ in self._get_indices(indices)]

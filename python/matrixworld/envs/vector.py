@@ -55,7 +55,7 @@ except ImportError:  # Gymnasium 1.0
 
 
 OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
-"""Keys that ``options`` of a reset may have; ``opponents``, too, with a built-in team."""
+"""Keys that ``options`` of a reset may have."""
 
 Results = TypeVar("Results", bound="tuple[Any, ...]")
 """What `reset` or `step` of a vector environment returns."""
@@ -235,7 +235,12 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
             self.infos["episode"]["opponent"] = self._team.last
         if self._masks.given:
             self.infos["action_mask"] = self._masks.of(self._views, self.agents.start)
-        self._make_spaces()
+        shape, dtype = self.observations.shape, self.observations.dtype
+        n_actions = self.config.n_actions
+        self.single_observation_space = _views_box(shape[1:], dtype)
+        self.observation_space = _views_box(shape, dtype)
+        self.single_action_space = spaces.MultiDiscrete([n_actions] * len(self.agents))
+        self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
         self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, len(self.agents)), np.int64)
         first_evader = max(0, self.config.n_pursuers - self.agents.start)
         self.pursuers: TeamView = TeamView(self, slice(0, first_evader))
@@ -243,14 +248,6 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         self._seeded = False
         # A batch starts with fixed seeds, which would make every unseeded run the same.
         self._batch.reset(np.random.SeedSequence().generate_state(self.num_envs, np.uint64))
-
-    def _make_spaces(self) -> None:
-        shape, dtype = self.observations.shape, self.observations.dtype
-        n_actions = self.config.n_actions
-        self.single_observation_space = _views_box(shape[1:], dtype)
-        self.observation_space = _views_box(shape, dtype)
-        self.single_action_space = spaces.MultiDiscrete([n_actions] * len(self.agents))
-        self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
 
     @property
     def n_worlds(self) -> int:
@@ -278,8 +275,7 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
             system.
         options : mapping, optional
             Any of `OPTIONS`: ``reset_mask``, bool, shape (W,), the worlds to reset; ``episode``,
-            ``pursuers``, ``evaders`` and ``obstacles`` as for `Batch.reset`. With a built-in team
-            also ``opponents``: what plays for it in episodes that begin from now on.
+            ``pursuers``, ``evaders`` and ``obstacles`` as for `Batch.reset`.
 
         Raises
         ------
@@ -292,20 +288,18 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
         self._require_open("reset")
         given = dict(options or {})
-        known = self._known_options(OPTIONS)
-        unknown = set(given) - set(known)
+        unknown = set(given) - set(OPTIONS)
         if unknown:
-            raise ValueError(f"options: expected some of {known}, got {sorted(unknown)}")
+            raise ValueError(f"options: expected some of {OPTIONS}, got {sorted(unknown)}")
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
-        mask, opponents = given.pop("reset_mask", None), self._take_opponents(given)
+        mask = given.pop("reset_mask", None)
         unseeded = isinstance(seed, list | tuple) and len(seed) == self.num_envs and None in seed
         if unseeded:
             self._reset_with_some_seeds(seed, mask, given)
         else:
             self._batch.reset(seed, mask=mask, **given)
         if self._team is not None:
-            self._team.opponents = opponents
             everywhere = np.ones(self.num_envs, np.bool_)
             self._team.begin(everywhere if mask is None else np.asarray(mask))
         self._seeded = True

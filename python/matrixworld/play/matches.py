@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -11,11 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_instance, check_integer
 from matrixworld.play.network_policy import check_fits
-from matrixworld.world.arrays import array_specs, integers
+from matrixworld.world.arrays import array_specs, integers, new_arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import EnginePolicy, Population
-from matrixworld.world.world import World
 
 Callback: TypeAlias = Callable[[NDArray[np.uint8]], ArrayLike]
 """A policy as a function: observations uint8 (n, 3, fov, fov) of n living agents of one team, to
@@ -78,61 +77,6 @@ def _chooser(name: str, policy: Plays, config: WorldConfig) -> EnginePolicy | Ch
     return policy
 
 
-class _Together:
-    """The episodes of a match in which all agents act at once: a batch."""
-
-    def __init__(self, config: WorldConfig, seed: int, episodes: int, threads: int | None) -> None:
-        specs = array_specs(config)
-        buffers = {name: np.zeros((episodes, *specs[name][0]), specs[name][1]) for name in _READ}
-        self._batch = Batch(episodes, config, buffers=buffers, threads=threads)
-        for episode in range(episodes):
-            chosen = np.arange(episodes) == episode
-            self._batch.reset(np.full(episodes, seed, np.uint64), episode=episode, mask=chosen)
-
-    def arrays(self) -> Arrays:
-        return self._batch.buffers
-
-    def turns(self) -> Iterator[range]:
-        """Yield the agents that act in each turn of the next round."""
-        yield range(self._batch.config.n_agents)
-
-    def decide(self, policy: EnginePolicy, agents: range, actions: NDArray[np.int64]) -> None:
-        """Write the actions (W, A) that a population of one genome or a script chooses."""
-        self._batch.decide([policy], np.zeros(len(actions), np.int32), agents, actions)
-
-    def play(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
-        """Play a turn in the episodes that are running."""
-        self._batch.step(actions)
-
-
-class _InTurns:
-    """The episodes of a match whose rounds have several turns; with the methods of `_Together`."""
-
-    def __init__(self, config: WorldConfig, seed: int, episodes: int, threads: int | None) -> None:
-        self._worlds = [World(config) for _ in range(episodes)]
-        for episode, world in enumerate(self._worlds):
-            world.reset(seed, episode=episode)
-
-    def arrays(self) -> Arrays:
-        read = [world.read(*_READ) for world in self._worlds]
-        return {name: np.stack([arrays[name] for arrays in read]) for name in _READ}
-
-    def turns(self) -> Iterator[range]:
-        # Worlds of one configuration have the same turns.
-        world = next(world for world in self._worlds if not (world.terminated or world.truncated))
-        yield world.actors
-        while world.turn:
-            yield world.actors
-
-    def decide(self, policy: EnginePolicy, agents: range, actions: NDArray[np.int64]) -> None:
-        for world, row in zip(self._worlds, actions, strict=True):
-            world.decide(policy, agents, row)
-
-    def play(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
-        for number in np.flatnonzero(running):
-            self._worlds[number].play_turn(actions[number])
-
-
 def play_episodes(
     config: WorldConfig,
     pursuers: EnginePolicy | Chooser,
@@ -155,26 +99,31 @@ def play_episodes(
         range(config.n_pursuers): pursuers,
         range(config.n_pursuers, config.n_agents): evaders,
     }
-    kind = _Together if World(config).n_turns == 1 else _InTurns
-    played: _Together | _InTurns = kind(config, seed, episodes, threads)
+    specs = {name: array_specs(config)[name] for name in _READ}
+    batch = Batch(episodes, config, buffers=new_arrays(specs, episodes), threads=threads)
+    for episode in range(episodes):
+        chosen = np.arange(episodes) == episode
+        batch.reset(np.full(episodes, seed, np.uint64), episode=episode, mask=chosen)
+    first = np.zeros(episodes, np.int32)  # of one policy
     actions = np.zeros((episodes, config.n_agents), np.int64)
-    while (running := _running(played.arrays())).any():
-        for turn in played.turns():
+    while (running := _running(batch.buffers)).any():
+        for _ in range(batch.n_turns):
+            turn = batch.actors
             for number, (team, policy) in enumerate(teams.items()):
                 acting = range(max(team.start, turn.start), min(team.stop, turn.stop))
                 if not acting:
                     continue
                 if callable(policy):
-                    _ask(policy, played.arrays(), acting, actions)
+                    _ask(policy, batch.buffers, acting, actions)
                     continue
                 began = time.thread_time()
-                played.decide(policy, acting, actions)
+                batch.decide([policy], first, acting, actions)
                 if on_decision is not None:
                     on_decision(number, time.thread_time() - began)
-            played.play(actions, running)
+            batch.play_turn(actions)
         if on_round is not None:
             on_round(actions, running)
-    return np.asarray(played.arrays()["capture_rate"], np.float64)
+    return np.asarray(batch.buffers["capture_rate"], np.float64)
 
 
 def _ask(policy: Chooser, arrays: Arrays, agents: range, actions: NDArray[np.int64]) -> None:
