@@ -262,8 +262,9 @@ def read_payoffs(
     capture_rate`` in any order, and ``run`` or ``episode`` if there are several; every combination
     of these numbers or names has one line. Other columns, empty lines and lines that begin with
     ``#`` are ignored. Cells are separated by commas, semicolons or tabs; beside the latter two a
-    comma is a decimal comma. Per cent are read, too. Of several arrays in an .npz file ``capture_rates`` is taken, which
-    holds episodes, or else ``capture_rate``, ``payoff`` or ``payoffs``.
+    comma is a decimal comma. Per cent are read, too. Of several arrays in an .npz file
+    ``capture_rates`` is taken, which holds episodes, or else ``capture_rate``, ``payoff`` or
+    ``payoffs``.
     """
     check_bool("per_episode", per_episode)
     if isinstance(source, Payoffs):

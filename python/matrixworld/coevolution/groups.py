@@ -184,12 +184,9 @@ def grouped(
     runs: Mapping[Path, RaceSettings], finished: Collection[Path] | None = None
 ) -> list[RunGroup]:
     """Return runs in groups; those of `finished` have their results, by default all that do."""
-    found: dict[tuple[RaceSettings, float], list[Path]] = {}
+    found: dict[RaceSettings, list[Path]] = {}
     for path, settings in runs.items():
-        # A penalty that is given by its default value makes no difference.
-        usual = replace(settings.fitness, overlap_penalty=None)
-        key = replace(settings.method, fitness=usual), settings.overlap_penalty
-        found.setdefault(key, []).append(path)
+        found.setdefault(settings.method, []).append(path)
     groups = []
     for paths in found.values():
         seeds: dict[int, Path] = {}
