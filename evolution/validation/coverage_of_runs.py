@@ -11,7 +11,6 @@ import numpy as np
 
 from matrixworld import analysis
 from matrixworld.analysis import Estimate
-from matrixworld.analysis.intervals import Band
 
 RUNS = (2, 3, 5, 10, 20)
 SCORED_RUNS = (3, 5, 6, 10, 20)
@@ -24,8 +23,6 @@ BETTER = 0.1
 """How much higher the normal runs score that runs of each shape are compared with."""
 MANY = 200_000
 """Runs from which a truth is computed; its error is far below that of twenty runs."""
-PROFILE_THRESHOLDS = (0.1, 0.25, 0.5, 0.75, 0.9)
-"""The outer ones are near the ends of a profile, where most runs agree."""
 FURTHER = 0.15
 """How much higher still the runs of a third group score, which the others hardly ever beat."""
 
@@ -43,11 +40,9 @@ class Simulation:
     samples: int
     """Runs, or episodes of each cell."""
     truths: Mapping[Case, float]
-    """True value of each interval and kind of data; NaN where there is none."""
+    """True value of each interval and kind of data."""
     estimates: Callable[[np.random.Generator], Mapping[Case, Estimate]]
     """Draws data, and returns the estimate of each interval."""
-    slow: bool = False
-    """Whether it takes so long that a quarter of the repetitions has to do."""
 
 
 # ---- One number of each run ----------------------------------------------------------------------
@@ -110,7 +105,7 @@ def better_scores(runs: int, rng: np.random.Generator) -> Matrix:
 
 @cache
 def true_scores(name: str) -> Mapping[Case, float]:
-    """Return interquartile mean, profile and probability of improvement of infinitely many runs."""
+    """Return interquartile mean and probability of improvement of infinitely many runs."""
     rng = np.random.default_rng(0)
     scores, other = scores_of(name, MANY, rng), better_scores(MANY, rng)
     ordered = np.sort(scores, axis=None)
@@ -119,10 +114,8 @@ def true_scores(name: str) -> Mapping[Case, float]:
     improvement, further = (
         ((np.sign(scores - each) + 1.0) / 2.0).mean() for each in (other, _further(other))
     )
-    shares = {f"profile at {at}": float((scores > at).mean()) for at in PROFILE_THRESHOLDS}
     return {
         ("interquartile mean", name): float(middle),
-        **{("performance profile", f"{name}, {at}"): share for at, share in shares.items()},
         ("probability of improvement", name): float(improvement),
         ("probability of improvement", f"{name}, far apart"): float(further),
     }
@@ -138,13 +131,8 @@ def of_scores(name: str, runs: int) -> Simulation:
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
         scores, other = scores_of(name, runs, rng), better_scores(runs, rng)
         seed = int(rng.integers(2**31))
-        shares = analysis.performance_profile(scores, PROFILE_THRESHOLDS)
         return {
             ("interquartile mean", name): analysis.interquartile_mean(scores, seed=seed),
-            **{
-                ("performance profile", f"{name}, profile at {at}"): _point(shares, place, runs)
-                for place, at in enumerate(PROFILE_THRESHOLDS)
-            },
             ("probability of improvement", name): analysis.probability_of_improvement(
                 scores, other
             ),
@@ -154,11 +142,3 @@ def of_scores(name: str, runs: int) -> Simulation:
         }
 
     return Simulation(0, runs, true_scores(name), estimates)
-
-
-def _point(band: Band, place: int, runs: int) -> Estimate:
-    """Return one point of a band."""
-    value = float(band.mean[place])
-    if band.low is None or band.high is None or math.isnan(band.low[place]):
-        return Estimate(value, None, None, "nothing", runs)
-    return Estimate(value, float(band.low[place]), float(band.high[place]), "runs", runs)

@@ -86,11 +86,8 @@ SCHEDULES: dict[str, dict[str, Any]] = {
     "specialists": {"schedule": "specialist-specialist"},
     "generalists": {"schedule": "generalist-generalist"},
     "hall of fame": {"schedule": "hall-of-fame"},
-    "MaxSolve": {
-        "schedule": "alternating", **{f"schedule.{team}s_meet": "maxsolve" for team in TEAMS},
-    },
     "PSRO": {"schedule": "psro"},
-}  # fmt: skip
+}
 RACE = {
     "match_episodes": 16, "evaluation_episodes": 20, "policy.hidden": [16],
     "learner.population": 32, "learner.sigma": 0.3, "learner.relative_sigma": 1.0,

@@ -6,9 +6,8 @@
 An interval of level 95 % should contain the true value in 95 of 100 repetitions. The data are runs
 (normal, skewed, heavy-tailed, bounded shares, two outcomes), their scores against several opponents
 (`coverage_of_runs.py`), payoff matrices (four true matrices, win or loss and shares of 30 evaders
-whose captures are correlated), equilibria, thirds by strength and ratings of these and of a matrix
-of steps, scores of one pair, and collision counts. Equilibria and thirds take long, and have a
-quarter of the repetitions. Intervals that the package withholds are counted as not given.
+whose captures are correlated), ratings of these and of a matrix of steps, scores of one pair, and
+collision counts. Intervals that the package withholds are counted as not given.
 
 Method: the functions of ``matrixworld.analysis`` and `matrixworld.SafetyMonitor`, with their
 sources. Look at the worst case of each interval, and at the exceptions below 90 %. ``--results``
@@ -43,8 +42,6 @@ from coverage_of_runs import (
 )
 from matrixworld import analysis
 from matrixworld.analysis import MEASURES, Estimate
-from matrixworld.analysis.cycles import squared_intransitivity
-from matrixworld.analysis.games import effective_diversity_over_episodes
 from matrixworld.analysis.intervals import difference_over_episodes, linear_over_episodes
 from matrixworld.analysis.measures import Measure
 from matrixworld.analysis.ratings import ELO_POINTS
@@ -52,14 +49,8 @@ from matrixworld.analysis.ratings import ELO_POINTS
 EPISODES = (4, 10, 50, 200)
 SIZES = (8, 15, 31)
 SAFETY_EPISODES = (20, 50, 100)
-GAMES = ((8, 4), (8, 10), (8, 50), (15, 10), (15, 50), (31, 10))
-"""Sizes and episodes of the matrices whose equilibria and thirds are measured, which takes long."""
-LARGEST_GAME = 15
-"""Largest matrix of which the effective diversity is measured."""
-NEAR = 0.01
-"""A third whose intransitivity is known to within this is covered: below it, sorting by noisy
-strengths hides all."""
-RATED_RUNS = (1, 3, 10)
+RATED = ((8, 4), (8, 10), (8, 50), (15, 10), (15, 50), (31, 10))
+"""Sizes and episodes of the matrices whose ratings are measured."""
 QUICK_LIMIT = 10
 """Most runs or episodes with ``--quick``; matrices then have the smallest size only."""
 EVADERS = 30
@@ -133,110 +124,50 @@ LINEAR = {
     "capture_rate": (0.0, 1.0),
     "lag_rise": (-1.0, 1.0),
     "pursuer_generalization": (0.0, 1.0),
-    "pursuer_local_gain": (-1.0, 1.0),
-    "pursuer_historical_gain": (-1.0, 1.0),
     "pursuer_fading": (-1.0, 1.0),
 }
 """Linear measures and their bounds; those of the evaders are the same on the swapped matrix."""
 
 
 def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping) -> Simulation:
-    """Return the linear measures and the transitive share of one run with known episodes."""
+    """Return the linear measures of one run with known episodes."""
     rates = TRUE_MATRICES[kind](lags(size), size)
     data = f"{kind}, {scores}"
 
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
         drawn = SCORES[scores](rates, episodes, rng)
-        share = analysis.transitive_share_over_episodes(drawn)
-        linear = {
+        return {
             (name, data): linear_over_episodes(
                 drawn, lambda m, w=weights[name, size]: float(np.vdot(w, m)),
                 bounds=LINEAR[name],
             )
             for name in LINEAR
         }  # fmt: skip
-        return {("transitive_share", data): share, **linear}
 
     truths = {(name, data): float(np.vdot(weights[name, size], rates)) for name in LINEAR}
-    # A flat matrix has no variation to take a share of.
-    share = math.nan if kind == "flat" else analysis.transitive_share(rates)
-    return Simulation(size, episodes, {("transitive_share", data): share, **truths}, estimates)
+    return Simulation(size, episodes, truths, estimates)
 
 
-# ---- Games ---------------------------------------------------------------------------------------
+# ---- Ratings, and pairs --------------------------------------------------------------------------
 
-TRUE_GAMES = {
+RATED_MATRICES = {
     **TRUE_MATRICES,
     "steps": lambda lag, n: np.where(lag > 0, 0.9, 0.1),
 }
-THIRDS = ("weakest", "middle", "strongest")
-
-
-def of_game(kind: str, scores: str, size: int, episodes: int) -> Simulation:
-    """Return effective diversity and the intransitivity of thirds of one run."""
-    rates = TRUE_GAMES[kind](lags(size), size)
-    data = f"{kind}, {scores}"
-
-    def thirds(matrix: Matrix, noise: Matrix) -> Iterator[Estimate]:
-        for third in range(3):
-            found = squared_intransitivity(matrix, noise, third=third)
-            value, low, high = np.sqrt(np.maximum(0.0, (found.value, *found.ends))).tolist()
-            yield Estimate(value, low - NEAR, high + NEAR)
-
-    def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
-        drawn = SCORES[scores](rates, episodes, rng)
-        found = thirds(drawn.mean(axis=2), drawn.var(axis=2, ddof=1) / episodes)
-        of_thirds = {
-            (f"{name}_intransitivity", data): each for name, each in zip(THIRDS, found, strict=True)
-        }
-        if size > LARGEST_GAME:
-            return of_thirds
-        diversity = effective_diversity_over_episodes(drawn)
-        return {("effective_diversity", data): diversity, **of_thirds}
-
-    true_thirds = [each.value for each in thirds(rates, np.zeros_like(rates))]
-    truths = {("effective_diversity", data): analysis.effective_diversity(rates)}
-    truths |= {(f"{n}_intransitivity", data): v for n, v in zip(THIRDS, true_thirds, strict=True)}
-    if size > LARGEST_GAME:
-        del truths["effective_diversity", data]
-    return Simulation(size, episodes, truths, estimates, slow=True)
 
 
 def of_rating(kind: str, scores: str, size: int, episodes: int) -> Simulation:
     """Return the rating of the last pursuers of one run."""
-    rates = TRUE_GAMES[kind](lags(size), size)
+    rates = RATED_MATRICES[kind](lags(size), size)
     case = ("pursuer_rating", f"{kind}, {scores}")
 
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
-        return {case: _last_rating(SCORES[scores](rates, episodes, rng), 0)}
+        found = analysis.elo_over_episodes(SCORES[scores](rates, episodes, rng)).pursuers
+        value, low, high = (float(each[-1]) for each in (found.mean, found.low, found.high))
+        return {case: _estimate(value, low, high, episodes)}
 
     truth = ELO_POINTS * float(analysis.elo(rates).pursuers[-1])
     return Simulation(size, episodes, {case: truth}, estimates)
-
-
-def of_rated_runs(spread: float, runs: int) -> Simulation:
-    """Return how far the last rating of one of several runs is from the true one, which is 0.
-
-    Strengths rise evenly, and those of each run deviate by random walks.
-    """
-    size, case = 15, ("rating of one of several runs", f"runs that differ by {spread:g} logits")
-
-    def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
-        walks = rng.normal(0.0, spread / size**0.5, (2, runs, size)).cumsum(axis=2)
-        pursuers, evaders = 0.2 * np.arange(size) + walks
-        rates = _logistic(pursuers[:, :, None] - evaders[:, None])
-        truth = ELO_POINTS * float(analysis.elo(rates[0]).pursuers[-1])
-        found = _last_rating(win_or_loss(rates, 10, rng), 0)
-        low, high = (end - truth for end in found.ends)
-        return {case: Estimate(found.value - truth, low, high)}
-
-    return Simulation(size, runs, {case: 0.0}, estimates)
-
-
-def _last_rating(scores: Matrix, run: int) -> Estimate:
-    found = analysis.elo_over_episodes(scores).pursuers
-    ends = float(found.low[run, -1]), float(found.high[run, -1])
-    return _estimate(float(found.mean[run, -1]), *ends, scores.shape[-1])
 
 
 def of_pair(rate: float, scores: str, episodes: int) -> Simulation:
@@ -312,24 +243,20 @@ def simulations(quick: bool) -> Iterator[Simulation]:
     # Last, because the seed of a simulation is its place: the counts of the others do not change.
     for runs in (r for r in SCORED_RUNS if not quick or r <= QUICK_LIMIT):
         yield from (of_scores(name, runs) for name in EFFECTS)
-    for size, count in GAMES[: 1 if quick else None]:
+    for size, count in RATED[: 1 if quick else None]:
         for scores in SCORES if size == min(SIZES) else ("win or loss",):
-            yield from (of_game(kind, scores, size, count) for kind in TRUE_GAMES)
-            yield from (of_rating(kind, scores, size, count) for kind in TRUE_GAMES)
-    for runs in RATED_RUNS:
-        yield from (of_rated_runs(spread, runs) for spread in (0.0, 0.2, 1.0))
+            yield from (of_rating(kind, scores, size, count) for kind in RATED_MATRICES)
 
 
 def count(simulation: Simulation, repetitions: int, rng: np.random.Generator) -> list[Count]:
     """Repeat a simulation, and count the intervals that contain the truth."""
-    repetitions = max(1, repetitions // 4) if simulation.slow else repetitions
     given = dict.fromkeys(simulation.truths, 0)
     covered = dict.fromkeys(simulation.truths, 0)
     for _ in range(repetitions):
         for case, estimate in simulation.estimates(rng).items():
             if estimate.low is not None and estimate.high is not None:
                 given[case] += 1
-                # A true share of 1 is covered by an interval that ends at 1 after rounding.
+                # A true rate of 1 is covered by an interval that ends at 1 after rounding.
                 low, high = estimate.low - 1e-9, estimate.high + 1e-9
                 covered[case] += low <= simulation.truths[case] <= high
     size, samples = simulation.size, simulation.samples
@@ -363,12 +290,8 @@ def _exceptions(rows: list[Count]) -> list[str]:
     return [heading, "", *(f"- {case}: {', '.join(each)}" for case, each in cases.items())]
 
 
-def _has_truth(row: Count) -> bool:
-    return not (row.interval == "transitive_share" and row.data.startswith("flat"))
-
-
 def _is_known(row: Count) -> bool:
-    return _has_truth(row) and row.given >= min(FEWEST_GIVEN, row.repetitions)
+    return row.given >= min(FEWEST_GIVEN, row.repetitions)
 
 
 def _summary(rows: list[Count]) -> list[str]:
@@ -376,8 +299,7 @@ def _summary(rows: list[Count]) -> list[str]:
     given = sum(row.given for row in rows) / sum(row.repetitions for row in rows)
     worst = min(filter(_is_known, rows), key=lambda row: _coverage([row]), default=None)
     cells = [rows[0].interval, str(rows[0].samples), f"{given:.0%}"]
-    known = [row for row in rows if _has_truth(row)]
-    cells += [f"{_coverage(known):.1%}" if sum(row.given for row in known) else ""]
+    cells += [f"{_coverage(rows):.1%}" if given else ""]
     return [*cells, *(("", "") if worst is None else (f"{_coverage([worst]):.1%}", _case(worst)))]
 
 

@@ -29,6 +29,7 @@ def test_intervals_are_those_of_scipy() -> None:
         (analysis.interval_over_runs([0.1 + 0.2, 0.3, 0.3]), "no interval: all 3 runs are equal"),
         (analysis.interquartile_mean([[0.2, 0.8]] * 7), "no interval: all 7 runs are equal"),
         (analysis.interquartile_mean(ONE[:5]), "no interval below 6 runs"),
+        (analysis.probability_of_improvement(ONE, OTHER[:5]), "no interval below 6 runs"),
     ],
 )
 def test_too_few_or_equal_runs_have_no_interval_and_say_so(
@@ -71,6 +72,9 @@ def test_generalization_has_the_interval_of_each_mean() -> None:
 def test_values_are_those_of_rliable() -> None:
     found = [analysis.interquartile_mean(each).value for each in (ONE, OTHER, TASK)]
     np.testing.assert_allclose(found, NUMBERS["iqm"])
+    better = analysis.probability_of_improvement(ONE, OTHER).value
+    assert better == pytest.approx(NUMBERS["improvement"])
+    assert analysis.probability_of_improvement(OTHER, ONE).value == pytest.approx(1.0 - better)
 
 
 def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
@@ -79,6 +83,16 @@ def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
     found = analysis.interquartile_mean(TASK, resamples=10_000)
     # The scores have two decimals, so the ends move in steps of 1/600.
     np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)
+
+
+def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel() -> None:
+    one, other = ONE[:, :1], OTHER[:, :1]
+    found = analysis.probability_of_improvement(one, other)
+    test = stats.brunnermunzel(other.ravel(), one.ravel())
+    # The level at which the interval ends at 1/2 is one minus the p value.
+    at = analysis.probability_of_improvement(one, other, level=1.0 - float(test.pvalue)).ends
+    assert min(abs(end - 0.5) for end in at) < 1e-9
+    assert found.ends[0] < found.value < found.ends[1]
 
 
 # ---- Mean curves ---------------------------------------------------------------------------------

@@ -94,8 +94,7 @@ def test_scores_are_kept_and_played_again_if_they_are_of_something_else(job):
 def test_runs_of_several_settings_and_equal_runs(tmp_path):
     finish(tiny_race(generations=1), tmp_path / "a/short")
     finish(tiny_race(), tmp_path / "a/long")
-    # Its default, given by its value, makes no difference.
-    begun = start(tiny_race(seed=9, overlap_penalty=0.2), tmp_path / "a/later", play=StopAt(2))
+    begun = start(tiny_race(seed=9), tmp_path / "a/later", play=StopAt(2))
     with pytest.raises(KeyboardInterrupt):
         begun.run()
     groups = {group.name: group.missing for group in open_groups(tmp_path / "a")}

@@ -37,9 +37,13 @@ class Elo(Readable):
 
 
 def elo(payoff: ArrayLike) -> Elo:
-    """Fit Elo ratings of both teams to a payoff matrix (n, m).
+    """Fit Elo ratings of both teams to a payoff matrix.
 
     All matches enter at once, so their order does not matter.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
 
     Notes
     -----

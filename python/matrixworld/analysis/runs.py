@@ -15,9 +15,11 @@ from matrixworld.analysis.intervals import (
     Estimate,
     band_over_runs,
     check_level,
+    difference_of_runs,
+    does_not_vary,
     t_quantile,
 )
-from matrixworld.analysis.payoffs import Rates, check_finite, check_rates
+from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 from matrixworld.analysis.progress import generalization, lag_profile
 from matrixworld.analysis.ratings import ELO_POINTS, elo
 
@@ -25,6 +27,7 @@ RESAMPLES = 2000
 """Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of
 its width."""
 TRIMMED = 0.25  # share of the scores that an interquartile mean leaves out at each end
+SEPARATE = "no interval: the scores of the two groups do not overlap"
 
 
 def fewest_runs(level: float = LEVEL) -> int:
@@ -79,6 +82,44 @@ def interquartile_mean(
     tail = expanded_tail(runs, level)
     low, high = np.quantile(drawn, [tail, 1.0 - tail])
     return Estimate(value, float(low), float(high), "runs", runs)
+
+
+def probability_of_improvement(
+    one: ArrayLike, other: ArrayLike, *, level: float = LEVEL
+) -> Estimate:
+    """Return how probably a run of one group scores higher than a run of another group.
+
+    Mean over opponents; equal scores count one half. There is no interval below 6 runs in a group
+    (at 95 %), or if the groups do not overlap.
+
+    Parameters
+    ----------
+    one, other : array_like of float, shapes (runs, opponents) and (other_runs, opponents)
+        One finite score of each run against each of the same opponents.
+    level : float, optional
+        Confidence level, in (0, 1).
+
+    References
+    ----------
+    Mann and Whitney (1947): the statistic, divided by the number of pairs. Brunner and Munzel
+    (2000), "The nonparametric Behrens-Fisher problem": Welch's t interval of the placements, the
+    share of the other group that each run beats.
+    """
+    first, second = _check_scores(one), _check_scores(other)
+    opponents = first.shape[1]
+    expected = f"scores against the same {opponents} opponents"
+    require(second.shape[1] == opponents, expected, second.shape[1])
+    # Signs of the differences, shape (runs, other runs, opponents): wins 1, ties 1/2, losses 0.
+    wins = (np.sign(first[:, np.newaxis] - second[np.newaxis]) + 1.0) / 2.0
+    beaten, beating = wins.mean(axis=(1, 2)), wins.mean(axis=(0, 2))
+    value, fewest = float(wins.mean()), min(len(first), len(second))
+    missing = _too_few(fewest, level)
+    if not missing and does_not_vary(beaten) and does_not_vary(beating):
+        missing = SEPARATE
+    if missing:
+        return Estimate(value, samples=fewest, note=missing)
+    # The difference of the means is `value`, because the second mean is 0.
+    return difference_of_runs(beaten, beating - value, level=level, bounds=UNIT)
 
 
 def expanded_tail(runs: int, level: float) -> float:
