@@ -2,7 +2,7 @@
 
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
 from importlib import import_module
@@ -15,8 +15,9 @@ import pytest
 def jobs_in_threads() -> Iterator[None]:
     """Play jobs in threads: a process takes a second to start, and has tests of its own."""
     with pytest.MonkeyPatch.context() as patch:
-        module = import_module("matrixworld.coevolution.jobs")
-        patch.setattr(module, "play_in_process", module.play_run)
+        patch.setattr(
+            import_module("matrixworld.coevolution.jobs"), "processes", ThreadPoolExecutor
+        )
         yield
 
 

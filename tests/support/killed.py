@@ -17,8 +17,9 @@ from pathlib import Path
 from typing import Any
 from unittest import mock
 
-from matrixworld import coevolution
 from matrixworld._util import files
+from matrixworld.coevolution import create, finish
+from matrixworld.coevolution.jobs import create_job, job_of
 from matrixworld.coevolution.storage import RunWriter
 from matrixworld.play.rollout import rollout
 from tiny_race import tiny_race, tiny_single
@@ -41,13 +42,13 @@ SHORT_RUNS: dict[str, Any] = {
 }
 
 
-def start_or_resume(kind: str, directory: Path, play: Any = rollout) -> None:
-    """Start the run, or resume it if it exists, and run it to its end."""
-    if (directory / "config.json").exists():  # written last when a run is made
-        run = coevolution.resume(directory, threads=1, play=play)
-    else:
-        run = coevolution.start({**RUNS, **SHORT_RUNS}[kind], directory, threads=1, play=play)
-    run.run()
+JOB = job_of([RUNS["single"], RUNS["race"]])
+
+
+def play_run(kind: str, directory: Path, play: Any = rollout) -> None:
+    """Make the run, unless it is there, and play it to its end."""
+    create({**RUNS, **SHORT_RUNS}[kind], directory)
+    finish(directory, threads=1, play=play)
 
 
 @cache
@@ -130,11 +131,24 @@ def watched(events: Events) -> Iterator[None]:
         del files.open  # type: ignore[attr-defined]
 
 
-def run_until_killed(kind: str, directory: Path, at: int) -> None:
-    """As `start_or_resume`, but killed at an event; exit code 0 if there are fewer events."""
+@contextmanager
+def killed(at: int) -> Iterator[Events]:
+    """Kill this process at one of the file operations in the block, removals among them."""
     events = Events(at, lambda: os.kill(os.getpid(), signal.SIGKILL))
     with watched(events), mock.patch.object(os, "unlink", events.before(os.unlink)):
-        start_or_resume(kind, directory, play=events.before(rollout))
+        yield events
+
+
+def run_until_killed(kind: str, directory: Path, at: int) -> None:
+    """As `play_run`, but killed at an event; exit code 0 if there are fewer events."""
+    with killed(at) as events:
+        play_run(kind, directory, play=events.before(rollout))
+
+
+def create_until_killed(directory: Path, at: int) -> None:
+    """Make a job, but killed at an event."""
+    with killed(at) as events, mock.patch.object(os, "rename", events.before(os.rename)):
+        create_job(JOB, directory)
 
 
 def hold(directory: Path, held: Path) -> None:

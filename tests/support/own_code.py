@@ -2,154 +2,129 @@
 
 import os
 import signal
+from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 
-from matrixworld.coevolution.opponents import LAPCA, ArchiveSampler, Stateless
+from matrixworld.coevolution import Learner
+from matrixworld.coevolution.opponents import Opponents
 
 
-class HillClimber:
+@dataclass(frozen=True)
+class HillClimber(Learner):
     """A (1 + lambda) hill climber whose step size shrinks while no mutant is better."""
 
-    def __init__(self, genome, samples, *, sigma=0.1, shrink=0.9):
-        if sigma <= 0:
-            raise ValueError(f"sigma: expected a number above 0, got {sigma}")
-        self.genome, self.sigma, self.shrink = genome, sigma, shrink
-        self.seed_groups = np.zeros(samples, dtype=np.intp)
-        self.candidates = None
+    population: int = 4
+    sigma: float = 0.1
+    shrink: float = 0.9
 
-    def ask(self, rng):
-        noise = rng.standard_normal((len(self.seed_groups), self.genome.size), np.float32)
+    def check(self):
+        if self.sigma <= 0:
+            raise ValueError(f"sigma: expected a number above 0, got {self.sigma}")
+
+    def start(self, task):
+        return {"genome": task.genomes(1)[0], "sigma": np.array(self.sigma)}
+
+    def ask(self, state, rng):
+        genome = state["genome"]
+        noise = rng.standard_normal((self.population, genome.size), np.float32)
         noise[0] = 0.0
-        self.candidates = self.genome + np.float32(self.sigma) * noise
-        return self.candidates
+        candidates = genome + np.float32(state["sigma"]) * noise
+        return candidates, {**state, "candidates": candidates}
 
-    def tell(self, fitness):
-        best = int(np.argmax(fitness))
-        self.genome = self.candidates[best].copy()
-        self.sigma *= self.shrink if best == 0 else 1.0
-
-    def state(self):
-        return {"genome": self.genome, "sigma": np.array(self.sigma)}
-
-    def restore(self, state):
-        self.genome, self.sigma = state["genome"], float(state["sigma"])
+    def tell(self, state, results):
+        best = int(np.argmax(results.fitness))
+        sigma = state["sigma"] * (self.shrink if best == 0 else 1.0)
+        return {"genome": state["candidates"][best].copy(), "sigma": np.array(sigma)}
 
 
-class Hardest:
+@dataclass(frozen=True)
+class Hardest(Opponents):
     """Half of the time the opponents with the lowest scores so far, else random ones."""
 
-    def __init__(self, count, *, forget=0.5):
-        self.count, self.forget = count, forget
-        self.scores = np.zeros(0)
+    forget: float = 0.5
 
-    def sample(self, available, epoch, rng):
-        self.scores = np.pad(self.scores, (0, max(0, available - len(self.scores))))
-        size = min(self.count, available)
+    def start(self):
+        return {"scores": np.zeros(0)}
+
+    def sample(self, state, available, count, epoch, rng):
+        size = min(count, available)
         if rng.random() < 0.5:
             return rng.choice(available, size=size, replace=False)
-        return np.argsort(self.scores[:available], kind="stable")[:size]
+        return np.argsort(self.known(state, available), kind="stable")[:size]
 
-    def tell(self, opponents, scores):
-        kept = (1 - self.forget) * self.scores[opponents]
-        self.scores[opponents] = kept + self.forget * np.mean(scores, axis=0)
+    def tell(self, state, opponents, scores):
+        known = self.known(state, int(opponents.max()) + 1).copy()
+        kept = (1 - self.forget) * known[opponents]
+        known[opponents] = kept + self.forget * np.mean(scores, axis=0)
+        return {"scores": known}
 
-    def state(self):
-        return {"scores": self.scores.copy()}
-
-    def restore(self, state):
-        self.scores = state["scores"].copy()
-
-
-def layered(count, *, layers) -> ArchiveSampler:
-    """Return a sampler with an archive."""
-    return ArchiveSampler(LAPCA(layers), count)
+    def known(self, state, available):
+        return np.pad(state["scores"], (0, max(0, available - len(state["scores"]))))
 
 
-class Fixed(Stateless):
+@dataclass(frozen=True)
+class Oldest(Opponents):
     """The oldest opponents."""
 
-    def __init__(self, count):
-        self.count = count
-
-    def sample(self, available, epoch, rng):
-        return np.arange(min(self.count, available))
+    def sample(self, state, available, count, epoch, rng):
+        return np.arange(min(count, available))
 
 
+@dataclass(frozen=True)
 class InPlace(HillClimber):
-    """It changes its genome in place."""
+    """It changes the genome of the state that it gets."""
 
-    def tell(self, fitness):
-        before = self.genome
-        super().tell(fitness)
-        before[:], self.genome = self.genome, before
-
-
-class ReturnsViews(HillClimber):
-    """It changes the arrays that it returned as its state."""
-
-    def __init__(self, genome, samples, **settings):
-        super().__init__(genome, samples, **settings)
-        self.arrays = {"genome": genome, "sigma": np.array(self.sigma)}
-
-    def tell(self, fitness):
-        super().tell(fitness)
-        self.arrays["genome"][:], self.arrays["sigma"][()] = self.genome, self.sigma
-
-    def state(self):
-        return self.arrays
-
-    def restore(self, state):
-        super().restore(state)
-        self.arrays = state
+    def tell(self, state, results):
+        before, after = state["genome"], super().tell(state, results)
+        before[:] = after["genome"]
+        return {**after, "genome": before}
 
 
+@dataclass(frozen=True)
 class Fails(HillClimber):
     """It fails in the second call of tell."""
 
-    told = 0
+    told: ClassVar[int] = 0
 
-    def tell(self, fitness):
-        self.told += 1
-        if self.told == 2:
+    def tell(self, state, results):
+        Fails.told += 1
+        if Fails.told == 2:
             raise ZeroDivisionError("no luck")
-        super().tell(fitness)
+        return super().tell(state, results)
 
 
+@dataclass(frozen=True)
 class Exits(HillClimber):
-    def ask(self, rng):
+    """It ends the program."""
+
+    def ask(self, state, rng):
         raise SystemExit
 
 
+@dataclass(frozen=True)
 class Dies(HillClimber):
-    """It ends its process in the third call of tell; with a marker, once, by a signal."""
+    """It ends its process by a signal in the second stage, once if there is a marker."""
 
-    told = 0
+    marker: str = ""
 
-    def __init__(self, genome, samples, *, marker=None):
-        super().__init__(genome, samples)
-        self.marker = marker and Path(marker)
-
-    def tell(self, fitness):
-        self.told += 1
-        if self.told == 3 and self.marker is None:
-            os._exit(9)
-        if self.told == 3 and not self.marker.exists():
-            self.marker.touch()
+    def tell(self, state, results):
+        told = int(state.get("told", 0)) + 1
+        if told == 3 and not (self.marker and Path(self.marker).exists()):
+            if self.marker:
+                Path(self.marker).touch()
             os.kill(os.getpid(), signal.SIGKILL)
-        super().tell(fitness)
+        return {**super().tell(state, results), "told": np.array(told)}
 
 
-class Crash(Fixed):
+@dataclass(frozen=True)
+class Crash(Oldest):
     """It fails in every call of sample."""
 
-    def sample(self, available, epoch, rng):
+    def sample(self, state, available, count, epoch, rng):
         raise KeyError("generation")
 
 
 ANSWER = 42
-
-
-def unannotated(genome, samples):
-    return HillClimber(genome, samples)

@@ -6,8 +6,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from matrixworld.coevolution import finish
-from tiny_race import MEMORY, tiny_race
+from tiny_race import MEMORY, played, tiny_race
 
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
 settings.register_profile(
@@ -50,5 +49,5 @@ def pytest_configure(config: pytest.Config) -> None:
 def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished race; not to be changed."""
     directory = tmp_path_factory.mktemp("race") / "run"
-    finish(tiny_race(), directory, threads=1)
+    played(tiny_race(), directory)
     return directory

@@ -13,9 +13,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from matrixworld.coevolution.schedules import ARCHIVES, ArchivedOpponents
 
-from matrixworld.coevolution import PolicySettings, RaceSettings, resume, start
+from matrixworld.coevolution import PolicySettings, RaceSettings, Run, SavedRun, create, finish
 from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.play.rollout import rollout
 from matrixworld.world.config import WorldConfig
@@ -53,8 +52,10 @@ STAGES = ("stage-*.npz", "checkpoint-*.npz")
 
 def settings_of(**values: Any) -> RaceSettings:
     """Return settings from values by the names of their fields, wherever these stand."""
-    usual = {"learner": "es", "schedule": "generalist-generalist"}
-    return RaceSettings.of({path_of(name): value for name, value in {**usual, **values}.items()})
+    named = {"learner": "es", "schedule": "generalist-generalist", **values}
+    if not isinstance(named["learner"], str) or ":" in named["learner"]:
+        named.pop("population", None)  # a learner of one's own has what it declares
+    return RaceSettings.of({path_of(name): value for name, value in named.items()})
 
 
 @cache
@@ -82,24 +83,39 @@ def tiny_single(**changes: Any) -> RaceSettings:
     return settings_of(**{**TINY, **alone, **changes})
 
 
-def _meeting(sampler: str | None) -> dict[str, Any]:
-    """Return the settings of a schedule whose teams choose opponents by a sampler."""
-    met: Any = sampler
-    if sampler in ARCHIVES and sampler != "ipca":  # ipca has no limit of its size
-        met = ArchivedOpponents(archive=sampler, size=3)
-    return {} if met is None else {"pursuers_meet": met, "evaders_meet": met}
-
-
-def alternating(sampler: str | None = None, **changes: Any) -> RaceSettings:
+def alternating(sampler: Any = None, **changes: Any) -> RaceSettings:
     """Return a race whose teams meet two opponents of a sampler in every epoch."""
     usual = {"schedule": "alternating", "opponents": 2, "generations": 4, **_meeting(sampler)}
     return tiny_race(**{**usual, **changes})
 
 
-def hall_of_fame(sampler: str | None = None, **changes: Any) -> RaceSettings:
+def hall_of_fame(sampler: Any = None, **changes: Any) -> RaceSettings:
     """Return a race with halls of fame: two contemporaries and two older ones in every epoch."""
     usual = {"contemporaries": 2, "hall_sample": 2, "generations": 3, **_meeting(sampler)}
     return tiny_race(schedule="hall-of-fame", **{**usual, **changes})
+
+
+def _meeting(sampler: Any) -> dict[str, Any]:
+    return {} if sampler is None else {"pursuers_meet": sampler, "evaders_meet": sampler}
+
+
+def begun(
+    settings: RaceSettings,
+    directory: Path,
+    *,
+    opponents: Any = None,
+    start: Any = None,
+    **options: Any,
+) -> Run:
+    """Make a run, or take the one that is there; return it before it goes on."""
+    create(settings, directory, opponents=opponents, start=start)
+    return Run(directory, **options)
+
+
+def played(settings: RaceSettings, directory: Path, **options: Any) -> SavedRun:
+    """Make a run and play it to its end, or to that of the one that is there."""
+    create(settings, directory)
+    return finish(directory, **{"threads": 1, **options})
 
 
 def results(directory: Path) -> dict[str, bytes]:
@@ -134,19 +150,20 @@ class StopAt:
 def straight(settings: RaceSettings) -> dict[str, bytes]:
     """Return the results of a run that is never stopped."""
     with directory_in_memory() as directory:
-        start(settings, directory / "run", threads=2).run()
-        return results(directory / "run")
+        return results(played(settings, directory / "run", threads=2).path)
 
 
 def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
     """Stop a run at a call of `rollout`, continue it, and compare it with one never stopped."""
-    run = start(settings, directory, threads=1, play=StopAt(call))
+    run = begun(settings, directory, threads=1, play=StopAt(call))
     with pytest.raises(KeyboardInterrupt):
         run.run()
     # Both ways to continue: by the same object, and by a new one.
-    continued = run if call % 2 else resume(directory, threads=1)
-    continued.training.rollout = rollout  # not `StopAt`, which would stop it again
-    continued.run()
+    if call % 2:
+        run.rollout = rollout  # not `StopAt`, which would stop it again
+        run.run()
+    else:
+        finish(directory, threads=1)
     assert results(directory) == straight(settings)
 
 

@@ -6,6 +6,7 @@ import io
 from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -53,8 +54,11 @@ def check_learner(learner: Learner) -> None:
     # None unless it is given: a run fills it in.
     learner = replace(learner, population=getattr(learner, "population", None) or 8)
     n = learner.population
-    task = Task(0, 0, EPOCHS, network.initial, None, world, network)
-    target = network.initial(np.random.default_rng(1))
+    # Genomes far apart, so that mutants of any usual size are better now and then: a learner shows
+    # what it does only where it moves.
+    untrained = partial(network.initial, head=1.0)
+    task = Task(0, 0, EPOCHS, untrained, None, world, network)
+    target = untrained(np.random.default_rng(1))
     groups = np.array(learner.seed_groups)
     numbers, sizes = np.unique(groups, return_counts=True)
     _expect(

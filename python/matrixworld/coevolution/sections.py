@@ -254,11 +254,12 @@ def inside(path: str) -> Iterator[None]:
 def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
     """Return the value of a field as its type has it; TypeError or ValueError for a bad one."""
     name, accepted = item.name, {hint, *get_args(hint)}
-    least, most, positive = item.metadata["limits"]
+    # A class of your own may declare its fields without `setting`.
+    least, most, positive = item.metadata.get("limits", (-math.inf, math.inf, False))
     # NumPy's numbers as Python's, which files can hold; a bool of NumPy is refused as everywhere.
     if isinstance(value, np.number):
         value = value.item()
-    if value is None and (NoneType in accepted or item.metadata["by_race"]):
+    if value is None and (NoneType in accepted or item.metadata.get("by_race")):
         return None
     if sections_in(hint):
         return _section(item, hint, None, value)
@@ -278,7 +279,7 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
         return check_integer(name, value, least, INT_MAX if most == math.inf else int(most))
     if float in accepted:
         return check_number(name, value, least=least, most=most, positive=positive)
-    if item.metadata["choices"]:
+    if item.metadata.get("choices"):
         check_choice(name, value, item.metadata["choices"])
     elif str in accepted and not isinstance(value, str):
         raise TypeError(f"{name}: expected a text, got {shown(value)}")
@@ -417,7 +418,11 @@ def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
     The kind of a section has the path of the section.
     """
     for item in fields(section):
-        value, here, text = getattr(section, item.name), f"{path}{item.name}", item.metadata["help"]
+        value, here, text = (
+            getattr(section, item.name),
+            f"{path}{item.name}",
+            item.metadata.get("help", ""),
+        )
         if isinstance(value, Section):
             if value.kind:
                 yield here, value.kind, text

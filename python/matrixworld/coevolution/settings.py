@@ -154,7 +154,7 @@ class RaceSettings(Section):
         empty = {
             item.name: usual.get(f"{section_path}.{item.name}", item.metadata["default"])
             for item in fields(section)
-            if item.metadata["by_race"] and getattr(section, item.name) is None
+            if item.metadata.get("by_race") and getattr(section, item.name) is None
         }
         with inside(name):
             return replace(section, **empty)

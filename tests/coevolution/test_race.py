@@ -1,0 +1,381 @@
+"""Kinds of races: whom teams meet and on which seeds, champions, and one team alone."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from matrixworld import Matches, Population, rollout
+from matrixworld.analysis.games import nash_averaging
+from matrixworld.coevolution import SCHEDULES, TEAMS, GeneticAlgorithm, Run, available, open_run
+from matrixworld.coevolution.fitness import match_fitness
+from matrixworld.coevolution.race import pairings, table_of_individuals
+from matrixworld.coevolution.seeding import Phase, training_seeds
+from matrixworld.coevolution.storage import last_generation
+from matrixworld.coevolution.types import other
+from matrixworld.world.policy import Network
+from tiny_race import (
+    StopAt,
+    alternating,
+    begun,
+    hall_of_fame,
+    played,
+    results,
+    tiny_race,
+    tiny_single,
+)
+
+
+class Listening:
+    """Plays matches like `rollout`, and keeps what it was asked for."""
+
+    def __init__(self) -> None:
+        self.calls: list[Any] = []
+
+    def __call__(self, config, pursuers, evaders, matches, **options):
+        self.calls.append((config, pursuers, evaders, matches, options["episodes"]))
+        return rollout(config, pursuers, evaders, matches, **options)
+
+
+# In turns: the paper's pseudo-code, generations 1 to 3 with four epochs each, by hand:
+# {schedule: {k: (generations of e that the pursuers meet, of p that the evaders meet)}}
+
+BY_HAND = {
+    "specialist-specialist": {
+        1: ([0, 0, 0, 0], [1, 1, 1, 1]),
+        2: ([1, 1, 1, 1], [2, 2, 2, 2]),
+        3: ([2, 2, 2, 2], [3, 3, 3, 3]),
+    },
+    "generalist-specialist": {
+        1: ([0, 0, 0, 0], [1, 1, 1, 1]),
+        2: ([0, 1, 0, 1], [2, 2, 2, 2]),
+        3: ([0, 1, 2, 0], [3, 3, 3, 3]),
+    },
+    "generalist-generalist": {
+        1: ([0, 0, 0, 0], [0, 1, 0, 1]),
+        2: ([0, 1, 0, 1], [0, 1, 2, 0]),
+        3: ([0, 1, 2, 0], [0, 1, 2, 3]),
+    },
+}
+
+
+@pytest.mark.parametrize("name", BY_HAND)
+def test_the_paper_s_schedules(name, tmp_path):
+    epochs = {"pursuer_epochs": 4, "evader_epochs": 4}
+    run = played(tiny_race(schedule=name, generations=3, **epochs), tmp_path / "run")
+    assert run.settings.schedule == replace(SCHEDULES[name], generations=3, **epochs)
+    log = run.log()
+    for k, expected in BY_HAND[name].items():
+        for team, opponents in zip(TEAMS, expected, strict=True):
+            own = (log["generation"] == k) & (log["team"] == team)
+            assert log["opponent"][own].tolist() == opponents
+
+
+def test_training_matches_are_those_of_the_log(tmp_path):
+    listening = Listening()
+    # Two, so that worlds and matches are told apart.
+    run = played(tiny_race(match_episodes=2), tmp_path / "run", play=listening)
+    archive, log = run.archive(), run.log()
+    rows = zip(log["generation"], log["team"], log["opponent"], listening.calls, strict=False)
+    for generation, team, opponent, call in rows:
+        config, pursuers, evaders, matches, episodes = call
+        learning, still = (pursuers, evaders) if team == "pursuer" else (evaders, pursuers)
+        assert (config.max_steps, episodes, learning.genomes.shape[0]) == (8, 2, 4)
+        met = matches.evader if team == "pursuer" else matches.pursuer
+        assert set(met.tolist()) == {opponent}
+        assert np.array_equal(still.genomes, archive[other(team)][: len(still.genomes)])
+        assert len(still.genomes) == available(team, generation)
+        assert np.array_equal(matches.seed[:2], matches.seed[2:])  # mirrored pairs
+    seeds = [[seed for *_, m, _ in calls for seed in set(m.seed)] for calls in (
+        listening.calls[:10], listening.calls[10:]
+    )]  # fmt: skip
+    assert len(set(seeds[0] + seeds[1])) == 2 * 10 + 9
+    assert len(listening.calls) == 10 + 3  # the evaluation plays a row at a time
+
+
+def test_candidates_play_against_every_sampled_opponent(tmp_path):
+    settings = alternating("round-robin", opponents=3, learner="ga", match_episodes=2)
+    listening = Listening()
+    run = played(settings, tmp_path / "run", play=listening)
+    # The last epoch of the last generation's evaders, before the evaluation of 5 rows.
+    _, pursuers, _, matches, _ = listening.calls[-6]
+    assert np.array_equal(pursuers.genomes, run.archive()["pursuer"])
+    epoch = settings.schedule.evader_epochs - 1
+    met = [(3 * epoch + turn) % 5 for turn in range(3)]
+    assert matches.pursuer.tolist() == met * settings.learner.population
+    assert matches.evader.tolist() == np.repeat(np.arange(settings.learner.population), 3).tolist()
+    for turn, g in enumerate(met):
+        seeds = training_seeds(settings.seed, g, 4, Phase.EVADERS_LEARN, epoch, 1)
+        assert set(matches.seed[turn::3].tolist()) == set(seeds.tolist())
+
+
+def test_each_team_can_have_a_learner_of_its_own(tmp_path):
+    runs = {}
+    for kind in ("es", "ga"):
+        settings = tiny_race(evader_learner={"kind": kind, "population": 4})
+        runs[kind] = played(settings, tmp_path / kind).archive()
+    usual = played(tiny_race(), tmp_path / "usual").archive()
+    assert all(np.array_equal(runs["es"][team], usual[team]) for team in TEAMS)
+    # The first pursuers have met the same untrained evaders; what these learned differs.
+    same = {team: (runs["ga"][team] == usual[team]).all(axis=1).tolist() for team in TEAMS}
+    assert same["pursuer"][:2] == [True, True]
+    assert same["evader"] == [True, False, False]
+    assert isinstance(settings.learner_of("evader"), GeneticAlgorithm)
+
+
+@pytest.mark.parametrize("make", [alternating, hall_of_fame])
+def test_sharing_changes_what_evolves(make, tmp_path):
+    same = {"learner": "ga", "population": 8, "generations": 4}
+    if make is alternating:
+        same |= {"opponents": 4, "evader_epochs": 6}
+    one, another = (
+        played(make("uniform", **same, sharing=sharing), tmp_path / sharing).archive()["evader"]
+        for sharing in ("none", "competitive")
+    )
+    assert not np.array_equal(one, another)
+
+
+def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
+    """All payoffs of the last generation, played again match by match; and their mixture."""
+    meet = {"pursuers_meet.episodes": 2, "evaders_meet.episodes": 2}
+    settings = tiny_race(schedule="psro", generations=3).changed(
+        {f"schedule.{name}": value for name, value in meet.items()}
+    )
+    played(settings, tmp_path / "run")
+    run = Run(tmp_path / "run")
+    pursuers, evaders = (Population(run.genomes(team), settings.network) for team in TEAMS)
+    for team, shape in (("pursuer", (3, 3)), ("evader", (3, 4))):
+        state = run.states[f"{team}.opponents"]
+        expected = np.zeros(shape)
+        for own, opponent in np.ndindex(shape):
+            g, h = (own, opponent) if team == "pursuer" else (opponent, own)
+            seeds = training_seeds(settings.seed, g, h, Phase.ARCHIVE, 0, 2)
+            scores = rollout(settings.training_world, pursuers, evaders, Matches.of(g, h, seeds))
+            caught = float(scores.capture_rate.mean(dtype=float))
+            expected[own, opponent] = caught if team == "pursuer" else 1 - caught
+        np.testing.assert_allclose(state["payoffs"], expected, atol=1e-7)
+        mixture = nash_averaging(state["payoffs"]).evaders  # of the opponents, as columns
+        np.testing.assert_allclose(state["weights"], mixture, atol=1e-6)
+
+
+# Champions by new matches:
+
+
+class Crowning(Run):
+    """Keeps what each champion was chosen from."""
+
+    def champion(self, team, generation, candidates, fitness, opponents, met):
+        chosen = super().champion(team, generation, candidates, fitness, opponents, met)
+        genome = self.learners[team].genome(self.states[team])
+        best = candidates[np.argsort(-fitness, kind="stable")[:2]]
+        self.crowned.append((team, generation, [genome, *best], opponents, met, chosen))
+        return chosen
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        alternating(learner="es", retest_episodes=2, learning_rate=0.5, train_steps=20),
+        alternating(learner="ga", retest_episodes=2, population=8, train_steps=20),
+        hall_of_fame(learner="ga", retest_episodes=2, population=8, train_steps=20),
+        tiny_single(learner="ga", retest_episodes=3, population=8, train_steps=20, team="evader"),
+    ],
+    ids=["es", "ga", "hall-of-fame", "single"],
+)
+def test_champions_are_the_best_of_new_matches(settings, tmp_path):
+    """The mean fitness of the learner's genome and of the fittest two, match by match."""
+    begun(settings, tmp_path / "run")
+    run = Crowning(tmp_path / "run", threads=1)
+    run.crowned = []
+    run.run()
+    number = []
+    for team, generation, genomes, opponents, met, chosen in run.crowned:
+        episodes, means = settings.retest_episodes, []
+        key = (settings.seed, generation, generation, Phase.RETEST, TEAMS.index(team))
+        seeds = training_seeds(*key, len(met) * episodes).reshape(len(met), episodes)
+        for genome in genomes:
+            own, values = Population(genome[np.newaxis], settings.network), []
+            for opponent, e in np.ndindex(seeds.shape):
+                rival = 0 if isinstance(opponents, str) else met[opponent]
+                sides, pair = (own, opponents), (0, rival)
+                if team == "evader":
+                    sides, pair = sides[::-1], pair[::-1]
+                match = Matches.of(*pair, seeds[opponent, e])
+                scores = rollout(settings.training_world, *sides, match)
+                penalty = settings.overlap_penalty
+                values.append(match_fitness(scores, team, settings.fitness.measure, penalty)[0])
+            means.append(np.mean(values))
+        number.append(int(np.argmax(means)))
+        assert np.array_equal(chosen, genomes[number[-1]])
+        assert np.array_equal(run.archive[team][generation], chosen)
+    of_a_stage = 2 if settings.schedule.kind == "hall-of-fame" else 1
+    assert len(number) == of_a_stage * settings.schedule.n_stages
+    assert len(set(number)) > 1  # not always the learner's own
+
+
+# At the same time:
+
+
+@pytest.mark.parametrize("groups", [1, 3, 6])
+def test_all_individuals_have_the_same_number_of_opponents(groups):
+    pairs = pairings(np.tile(np.arange(groups), 6 // groups), 3, (1, 2), np.random.default_rng(0))
+    assert len(pairs.pursuer) == len(pairs.evader) == len(pairs.group) == 6 * (3 + 1 + 2)
+    for individual in range(6):
+        opponents = pairs.evader[pairs.pursuer == individual]
+        assert sorted(opponents[opponents >= 6]) == [6, 7]
+        assert (opponents < 6).sum() == 3
+        opponents = pairs.pursuer[pairs.evader == individual]
+        assert sorted(opponents[opponents >= 6]) == [6]
+        assert (opponents < 6).sum() == 3
+    assert not ((pairs.pursuer >= 6) & (pairs.evader >= 6)).any()
+    # Each round of opponents has its own seeds: one for each group of individuals.
+    assert np.array_equal(np.unique(pairs.group), np.arange(6 * groups))
+
+
+def test_mirrored_individuals_meet_the_same_opponents_on_the_same_seeds():
+    mirrored = np.tile(np.arange(4), 2)  # 0 and 4 are a pair, 1 and 5, ...
+    pairs = pairings(mirrored, 4, (1, 1), np.random.default_rng(3))
+
+    def met(individual):
+        chosen = pairs.pursuer == individual
+        return sorted(zip(pairs.evader[chosen], pairs.group[chosen], strict=True))
+
+    for one in range(4):
+        first, second = met(one), met(one + 4)
+        assert [evader for evader, _ in first] == [evader for evader, _ in second]
+        assert {group for _, group in first} == {group for _, group in second}
+        living = [evader for evader, _ in first if evader < 8]
+        # Whole pairs of evaders, too.
+        assert sorted((evader + 4) % 8 for evader in living) == living
+
+
+def test_individuals_of_one_group_meet_opponents_of_their_own():
+    pairs = pairings(np.zeros(6, dtype=int), 3, (0, 0), np.random.default_rng(0))
+    rounds = pairs.evader.reshape(3, 6) - pairs.pursuer.reshape(3, 6)
+    # Permutations, not rotations: in each round the distances differ.
+    assert all(len(set(each % 6)) > 1 for each in rounds)
+
+
+def test_matches_as_a_table_of_individuals():
+    own, opponents = np.array([0, 1, 1, 3, 0, 0]), np.array([1, 0, 2, 1, 1, 3])
+    values = np.array([1.0, 2.0, 4.0, 9.0, 5.0, 7.0])
+    table = table_of_individuals(own, opponents, 2, values)
+    assert np.array_equal(
+        table, [[np.nan, 3.0, np.nan, 7.0], [2.0, np.nan, 4.0, np.nan]], equal_nan=True
+    )
+
+
+def test_a_race_at_the_same_time(tmp_path):
+    run = played(hall_of_fame(), tmp_path / "run")
+    assert run.payoff().capture_rate.shape == (4, 4)
+    assert {genomes.shape[0] for genomes in run.archive().values()} == {4}
+    log = run.log()
+    assert log["team"].tolist() == ["pursuer", "evader"] * 6
+    assert log["generation"].tolist() == [1] * 4 + [2] * 4 + [3] * 4
+    per_epoch = [4 * (2 + 2 * hall) for hall in (1, 2, 2) for _ in range(2)]
+    assert log["matches"][::2].tolist() == np.cumsum(per_epoch).tolist()
+
+
+# One team alone:
+
+
+@pytest.mark.parametrize(("team", "against"), [("pursuer", "fleer"), ("evader", "random")])
+def test_against_scripts(team, against, tmp_path):
+    saved = played(tiny_single(team=team, opponent=against), tmp_path / "run")
+    payoff, archive, log, summary = saved.payoff(), saved.archive(), saved.log(), saved.summary()
+    assert payoff.capture_rates.shape == (1, 1, 3)
+    assert (len(archive[team]), len(archive[other(team)])) == (4, 0)
+    assert set(log["team"]) == {team}
+    assert log["epoch"].tolist() == [0, 1, 2, 3, 4]
+    assert saved.teams[other(team)] == against
+    assert saved.record(episode=2).length == payoff.lengths[0, 0, 2]
+    assert summary["training_matches"] == 20
+    assert summary["length"] == payoff.lengths.mean()
+    assert summary["length_high"] is None or summary["length_high"] <= 12
+    assert summary["capture_rate_std"] == pytest.approx(payoff.capture_rates.std())
+
+
+def test_the_interval_ends_at_possible_values_and_needs_different_episodes(tmp_path):
+    payoff = played(tiny_single(), tmp_path / "run").payoff()
+    run, shape = Run(tmp_path / "run"), (1, 1, 20)
+    # 2.0930 is the 97.5% quantile of Student's t with 19 degrees of freedom, from a table.
+    for rates, ends in (
+        (np.arange(20).reshape(shape) == 0, (0.0, 0.05 + 2.0930 * 0.05)),
+        (np.arange(20).reshape(shape) > 0, (0.95 - 2.0930 * 0.05, 1.0)),
+    ):
+        summary = run.summary(replace(payoff, capture_rates=rates.astype(np.float32)))
+        got = summary["capture_rate_low"], summary["capture_rate_high"]
+        assert got == pytest.approx(ends, rel=1e-4)
+    for rates in (np.ones(shape), np.ones((1, 1, 1))):
+        summary = run.summary(replace(payoff, capture_rates=rates.astype(np.float32)))
+        assert (summary["capture_rate_low"], summary["capture_rate_high"]) == (None, None)
+
+
+@pytest.fixture
+def other_run(tmp_path):
+    """A race with another network than that of the single runs."""
+    return played(tiny_race(hidden=(3, 2), activation="tanh"), tmp_path / "race")
+
+
+@pytest.mark.parametrize("team", TEAMS)
+def test_against_a_run(team, other_run, tmp_path):
+    settings = tiny_single(team=team, opponent=str(other_run.path))
+    genomes, network = (getattr(other_run.teams[other(team)], n) for n in ("genomes", "network"))
+    with pytest.raises(KeyboardInterrupt):
+        played(settings, tmp_path / "run", play=StopAt(4))
+    played(settings, tmp_path / "straight")
+    for path in other_run.path.iterdir():  # a run is complete in itself
+        path.unlink()
+    saved = played(settings, tmp_path / "run")
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
+    assert np.array_equal(saved.teams[other(team)].genomes, genomes[-1:])
+    assert saved.teams[other(team)].network == network
+    assert saved.teams[team].network == settings.network
+    lengths = saved.payoff().lengths
+    assert [saved.record(episode=number).length for number in range(3)] == list(lengths.flat)
+
+
+def test_several_opponents_take_turns(tmp_path):
+    settings = tiny_single(team="evader")
+    opponents = Population(settings.untrained("pursuer", 2), settings.network)
+    saved = begun(settings, tmp_path / "run", opponents=opponents).run()
+    assert saved.log()["opponent"].tolist() == [0, 1, 0, 1, 0]
+    assert saved.payoff().capture_rates.shape == (2, 1, 3)
+    assert open_run(tmp_path / "run").settings.schedule.opponent == "given as genomes"
+
+
+@pytest.mark.parametrize("learner", ["es", "ga"])
+def test_warm_start(learner, tmp_path):
+    first = played(tiny_single(team="evader"), tmp_path / "first")
+    champion = last_generation(tmp_path / "first", "evader").genomes[0]
+    assert np.array_equal(champion, first.archive()["evader"][-1])
+    changes = {"team": "evader", "learner": learner}
+    if learner == "ga":
+        changes["elites"] = 0  # elites may outlive the run
+    second = played(tiny_single(**changes, start=str(tmp_path / "first")), tmp_path / "second")
+    third = begun(tiny_single(**changes), tmp_path / "third", start=champion).run()
+    genomes = second.archive()["evader"]
+    assert np.array_equal(genomes, third.archive()["evader"])
+    assert np.array_equal(genomes[0], champion)
+    assert not np.array_equal(genomes[-1], champion)
+
+
+def test_bad_opponents_and_starts_are_refused(other_run, tmp_path):
+    settings, run = tiny_single(), tmp_path / "run"
+    with pytest.raises(FileNotFoundError, match="holds no run"):
+        begun(tiny_single(opponent=str(tmp_path / "nowhere")), run)
+    wide = Network(hidden=(4,), fov=5)
+    others = Population(np.zeros((1, wide.genome_size), dtype=np.float32), wide)
+    with pytest.raises(ValueError, match="^opponents: "):
+        begun(settings, run, opponents=others)
+    size = settings.network.genome_size
+    for start in (np.zeros(size - 1), np.full(size, np.nan)):
+        with pytest.raises(ValueError, match="^start: "):
+            begun(settings, run, start=start)
+    with pytest.raises(ValueError, match="^start: "):  # a genome of another network
+        begun(tiny_single(start=str(other_run.path)), run)
+    assert not run.exists()
+    played(settings, run)
+    with pytest.raises(ValueError, match="genomes of evaders"):
+        last_generation(run, "evader")

@@ -1,0 +1,295 @@
+"""Runs of every kind: stopped anywhere, they end as if never stopped; what they log and report."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from matrixworld import Matches, Population, rollout
+from matrixworld._util.files import read_npz
+from matrixworld.coevolution import (
+    TEAMS,
+    DisengagementWarning,
+    Run,
+    StopRun,
+    create,
+    finish,
+    open_run,
+)
+from matrixworld.coevolution.learners.learner import DivergedError
+from matrixworld.coevolution.run import total_matches
+from matrixworld.coevolution.seeding import evaluation_seed
+from tiny_race import (
+    StopAt,
+    alternating,
+    begun,
+    check_resumes,
+    constant_scores,
+    hall_of_fame,
+    played,
+    results,
+    straight,
+    tiny_race,
+    tiny_single,
+)
+
+CALLS = 13
+"""Calls of `rollout` in a tiny race: one for each of 10 epochs and 3 rows of the payoff matrix."""
+SAMPLERS = (
+    "latest", "uniform", "round-robin", "newest-and-older", "prioritized-hard", "prioritized-even",
+    "shared-sampling", "nash",
+)  # fmt: skip
+RETEST: dict[str, Any] = {"retest_episodes": 2, "match_episodes": 2, "train_steps": 20}
+GA: dict[str, Any] = {"learner": "ga", "elites": 3, "population": 8}
+
+RUNS: dict[str, tuple[Any, Any]] = {
+    "race": (tiny_race(), range(CALLS)),
+    "cma": (tiny_race(learner="cma"), [6]),
+    "ga": (tiny_race(learner="ga"), [6]),
+    "a learner for each team": (tiny_race(evader_learner={"kind": "ga", "population": 6}), [6]),
+    "annealed momentum": (tiny_race(momentum=0.9, anneal=True), [6]),
+    "memory": (tiny_race(memory="gru"), [6]),
+    "mask": (tiny_race(mask="obstacles"), [6]),
+    "hall of fame": (hall_of_fame(), range(10)),
+    "hall of fame of ga": (hall_of_fame(learner="ga"), [0, 3, 7]),
+    "hall of fame of cma": (hall_of_fame(learner="cma"), [3]),
+    "hall of fame alone": (hall_of_fame(contemporaries=0), [3]),
+    "contemporaries alone": (hall_of_fame(hall_sample=0), [3]),
+    "alone": (tiny_single(team="evader", learner="ga"), range(6)),
+    **{f"in turns: {name}": (alternating(name), [7, 9]) for name in SAMPLERS},
+    **{f"joint: {name}": (hall_of_fame(name, generations=4), [7]) for name in SAMPLERS},
+    "retest in turns": (alternating(**RETEST, **GA), [5, 8]),
+    "retest of es": (alternating(**RETEST), [5, 8]),
+    "retest of a hall of fame": (hall_of_fame(**RETEST, **GA), [5, 8]),
+    "retest alone": (tiny_single(**RETEST, **GA, team="evader"), [5, 8]),
+}
+"""Settings of runs, and the calls of `rollout` at which they are stopped."""
+STOPS = [(name, call) for name, (_, calls) in RUNS.items() for call in calls]
+
+
+@pytest.mark.parametrize(("name", "call"), STOPS)
+def test_a_stopped_run_ends_as_if_never_stopped(name: str, call: int, tmp_path: Path) -> None:
+    check_resumes(RUNS[name][0], call, tmp_path / "run")
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_matches_are_counted_predicted_and_logged(name: str, tmp_path: Path) -> None:
+    games = 0
+
+    def counting(*args: Any, **options: Any) -> Any:
+        nonlocal games
+        scores = rollout(*args, **options)
+        games += scores.length.size
+        return scores
+
+    settings = RUNS[name][0]
+    run = played(settings, tmp_path / "run", play=counting)
+    evaluated = run.payoff().lengths.size
+    training, summary, log = games - evaluated, run.summary(), run.log()
+    assert (summary["training_matches"], summary["evaluation_matches"]) == (training, evaluated)
+    assert log["matches"][-1] == run.matches() == training
+    assert log["steps"][-1] == summary["training_steps"]
+    assert (np.diff(log["matches"]) >= 0).all()
+    predicted = total_matches(settings, evaluated // settings.evaluation_episodes) - evaluated
+    # A mixture may have fewer members than opponents are asked for.
+    assert training <= predicted if "nash" in name else training == predicted
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_threads_change_nothing(threads: int, tmp_path: Path) -> None:
+    played(tiny_race(), tmp_path / "run", threads=threads)
+    assert results(tmp_path / "run") == straight(tiny_race())
+
+
+def test_another_seed_is_another_race() -> None:
+    ours, theirs = straight(tiny_race(seed=6)), straight(tiny_race())
+    assert all(ours[name] != theirs[name] for name in ours)
+
+
+def test_a_finished_run_is_opened_and_one_of_other_settings_is_refused(tmp_path: Path) -> None:
+    settings, place = tiny_race(), tmp_path / "run"
+    before = results(played(settings, place).path)
+    create(settings, place)
+    again = finish(place, play=StopAt(0))  # nothing is played
+    assert again.payoff().capture_rate.shape == (3, 3)
+    assert results(place) == before
+    with pytest.raises(ValueError, match="run: holds a run with other settings: learner.sigma$"):
+        create(tiny_race(sigma=0.3), place)
+    with pytest.raises(TypeError):
+        create({}, tmp_path / "other")  # type: ignore[arg-type]
+    with pytest.raises(FileNotFoundError, match="holds no run"):
+        Run(tmp_path / "other")
+    assert not (tmp_path / "other").exists()
+
+
+# What the files of a tiny race hold:
+
+
+def test_archive_holds_every_generation(race: Path) -> None:
+    run = open_run(race)
+    for team, genomes in run.archive().items():
+        assert (genomes.shape, genomes.dtype) == (
+            (3, run.settings.network.genome_size),
+            np.float32,
+        )
+        assert len(np.unique(genomes, axis=0)) == 3
+        assert np.array_equal(np.load(race / f"{team}s.npy"), genomes)
+
+
+def test_log_has_a_row_per_epoch_and_counts_matches(race: Path) -> None:
+    log = open_run(race).log()
+    assert log["stage"].tolist() == [1] * 2 + [2] * 3 + [3] * 2 + [4] * 3
+    assert log["generation"].tolist() == [1] * 5 + [2] * 5
+    assert log["team"].tolist() == (["pursuer"] * 2 + ["evader"] * 3) * 2
+    assert log["epoch"].tolist() == [0, 1, 0, 1, 2] * 2
+    assert log["matches"].tolist() == [*range(4, 41, 4)]
+    steps = np.diff(log["steps"], prepend=0)  # the log has sums since the beginning
+    assert np.allclose(steps, 4 * log["length"])
+
+
+def test_every_cell_can_be_replayed_alone(race: Path) -> None:
+    run = open_run(race)
+    settings, payoff = run.settings, run.payoff()
+    assert payoff.capture_rates.shape == (3, 3, 3)
+    teams = [Population(run.archive()[team], settings.network) for team in TEAMS]
+    for g, h in [(0, 2), (2, 0), (1, 1)]:
+        seed = evaluation_seed(settings.seed, g, h)
+        scores = rollout(settings.world, *teams, Matches.of(g, h, seed), episodes=3)
+        assert np.array_equal(scores.capture_rate[0], payoff.capture_rates[g, h])
+        assert np.array_equal(scores.length[0], payoff.lengths[g, h])
+        assert np.array_equal(scores.faults[0].mean(axis=0), payoff.faults[g, h])
+        assert run.record(g, h, episode=1).length == payoff.lengths[g, h, 1]
+    assert np.array_equal(run.record(-1, -3).positions, run.record(2, 0).positions)
+    with pytest.raises(IndexError):
+        run.record(0, 3)
+
+
+def test_the_files_hold_means_and_deviations(race: Path) -> None:
+    arrays, payoff = read_npz(race / "payoff.npz"), open_run(race).payoff()
+    assert np.allclose(arrays["capture_rate"], payoff.capture_rates.mean(axis=2))
+    assert np.allclose(arrays["capture_rate_std"], payoff.capture_rates.std(axis=2), atol=1e-6)
+    assert (arrays["collisions"] >= arrays["faults"]).all()
+
+
+def test_runs_are_compared_at_equal_budgets(tmp_path: Path) -> None:
+    run = played(alternating("latest", opponents=1, match_episodes=2), tmp_path / "run")
+    # Generations of 2 pursuer epochs and 3 evader epochs of 4 candidates in 2 worlds: 16, then 24.
+    at = {n: tuple(run.generation_at(team, n) for team in TEAMS) for n in (15, 16, 39, 40)}
+    assert at == {15: (0, 0), 16: (1, 0), 39: (1, 0), 40: (1, 1)}
+    assert run.generation_at("pursuer", 10**6) == run.generation_at("evader", 160) == 4
+    assert run.generation_at("evader", 159) == 3
+
+
+# What a run tells:
+
+
+def test_progress_is_reported_when_asked(tmp_path: Path) -> None:
+    seen: list[Any] = []
+    played(tiny_race(), tmp_path / "run", report=seen.append)
+    assert [each.done for each in seen] == [*range(4, 41, 4), 49, 58, 67]
+    assert {(each.before, each.total) for each in seen} == {(0, 67)}
+    assert (seen[0].what, seen[-1].what) == ("generation 1: pursuers", "tournament")
+
+
+def test_a_logger_is_told_where_a_run_is(tmp_path: Path, caplog: Any) -> None:
+    caplog.set_level("INFO", logger="matrixworld")
+    played(tiny_race(generations=1), tmp_path / "run")
+    told = [record.getMessage().removeprefix(f"{tmp_path / 'run'}: ") for record in caplog.records]
+    assert told == [
+        "goes on from stage 0 of 2", "saved stage 1 of 2", "saved stage 2 of 2", "ended",
+    ]  # fmt: skip
+
+
+def rows_of(directory: Path, run: str, seed: int) -> list[dict[str, Any]]:
+    """Return the rows that a callback should have got."""
+    return [{"run": run, "seed": seed, **row} for row in open_run(directory).rows(0)]
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [hall_of_fame(seed=2, generations=2), tiny_single(seed=3, learner="ga"), tiny_race(**RETEST)],
+    ids=["hall-of-fame", "single", "retest"],
+)
+def test_a_callback_is_told_each_epoch_can_stop_the_run_and_changes_no_byte(
+    settings: Any, tmp_path: Path
+) -> None:
+    expected = rows_of(played(settings, tmp_path / "without").path, "with", settings.seed)
+    rows: list[dict[str, Any]] = []
+
+    def on_epoch(row: Any) -> None:
+        rows.append(dict(row))
+        row.clear()  # what the caller does with it is not the run's business
+        if len(rows) == 3:
+            raise StopRun
+
+    with pytest.raises(StopRun):
+        played(settings, tmp_path / "with", on_epoch=on_epoch)
+    assert len(rows) == 3 < len(expected)
+    assert not open_run(tmp_path / "with").finished
+    played(settings, tmp_path / "with", on_epoch=on_epoch)
+    by_epoch = {(row["stage"], row["team"], row["epoch"]): row for row in rows}
+    # Matches that choose a champion are played, and counted, after the row was told.
+    left_out = {"team", "run"} | ({"matches", "steps"} if settings.retest_episodes else set())
+    assert [numbers(row, left_out) for row in by_epoch.values()] == [
+        pytest.approx(numbers(row, left_out), rel=1e-8) for row in expected
+    ]
+    assert [(row["run"], row["team"]) for row in by_epoch.values()] == [
+        (row["run"], row["team"]) for row in expected
+    ]
+    assert results(tmp_path / "with") == results(tmp_path / "without")
+
+
+def numbers(row: dict[str, Any], left_out: set[str]) -> dict[str, float]:
+    return {name: value for name, value in row.items() if name not in left_out}
+
+
+def test_disengagement_causes_one_warning(tmp_path: Path) -> None:
+    def disengaged(config: Any, pursuers: Any, evaders: Any, matches: Any, **options: Any) -> Any:
+        return constant_scores(1.0, (len(matches.seed), options["episodes"]))
+
+    with pytest.warns(DisengagementWarning, match="the pursuers win nearly all matches") as caught:
+        run = played(tiny_race(generations=5), tmp_path / "run", play=disengaged)
+    assert len(caught) == 1
+    assert run.newest() == 10
+    (sentence,) = run.summary()["disengagement"]
+    assert sentence.startswith("generations 1 to 5")
+
+
+# Learners that leave the range of float32: refused before the archive.
+
+ES: dict[str, Any] = {"learner": "es", "learning_rate": 1e39}
+DIVERGING: dict[str, tuple[Any, str]] = {
+    "es": (tiny_race(**ES), "learning_rate"),
+    "momentum": (tiny_race(**ES, momentum=0.9), "learning_rate"),
+    "later": (tiny_race(learner="es", learning_rate=1e38, generations=9), "learning_rate"),
+    "hall of fame": (hall_of_fame(**ES), "learning_rate"),
+    "one team": (tiny_single(**ES), "learning_rate"),
+    "noise": (tiny_race(learner="es", sigma=1e300), "sigma"),
+    "ga": (tiny_race(learner="ga", mutation=2e38), "mutation"),
+    "actor": (tiny_race(learner="actor-critic", population=2, actor_rate=1e30), "actor_rate"),
+    "critic": (tiny_race(learner="actor-critic", population=2, critic_rate=1e30), "critic_rate"),
+}
+
+
+@pytest.mark.parametrize("kind", DIVERGING)
+def test_the_run_stays_readable_to_its_last_good_generation(kind: str, tmp_path: Path) -> None:
+    settings, lower = DIVERGING[kind]
+    if settings.learner.kind == "actor-critic":
+        pytest.importorskip("torch")
+    value = getattr(settings.learner, lower)
+    with pytest.raises(DivergedError, match=f"^learner {settings.learner.kind}: .*lower ") as told:
+        played(settings, tmp_path / "run")
+    assert f"learner.{lower} (now {value:g})" in str(told.value)
+    left = Run(tmp_path / "run", threads=1)
+    assert all(np.isfinite(left.genomes(team)).all() for team in TEAMS)
+    assert 0 <= left.stage < settings.schedule.n_stages
+    assert open_run(tmp_path / "run").teams["pursuer"].genomes.shape[0] >= 1
+    with pytest.raises(DivergedError):
+        left.run()
+
+
+def test_the_learner_of_the_evaders_is_named_where_it_diverges(tmp_path: Path) -> None:
+    settings = tiny_race(evader_learner={"kind": "ga", "mutation": 2e38, "population": 4})
+    with pytest.raises(DivergedError, match="^evader_learner ga: .*lower evader_learner.mutation"):
+        begun(settings, tmp_path / "run").run()
