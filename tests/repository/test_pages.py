@@ -72,7 +72,7 @@ ELSEWHERE = {
     "docs/files.md": "one line for a run of the reader's",
     "docs/held_out.md": "needs a run; tests/coevolution/evaluation",
     "docs/how_to_add.md": "tests/repository/test_how_to_add.py",
-    "docs/play.md": "needs a browser; tests/explorer/test_play_page.py",
+    "docs/play.md": "needs a browser; tests/explorer/test_playground.py",
     "docs/playground.md": "tests/explorer/test_playground.py",
 }
 CLIENTS = sorted((DOCS / "clients").glob("*.md"))

@@ -9,7 +9,7 @@ import type { Engine } from "../engine/engine.ts";
 import { rate } from "../explorer/format.ts";
 import { wordsOf } from "../explorer/words.ts";
 import { html } from "../page/dom.ts";
-import type { Live } from "../play/live.ts";
+import type { Live } from "../board/live.ts";
 import type { Data } from "./data.ts";
 import { Recordings } from "./recordings.ts";
 import type { Store } from "./store.ts";

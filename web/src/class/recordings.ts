@@ -4,8 +4,8 @@ import { unzlibSync } from "fflate";
 
 import type { Engine } from "../engine/engine.ts";
 import { bytesOf } from "../explorer/data.ts";
-import { replayed } from "../play/live.ts";
-import type { Live } from "../play/live.ts";
+import { replayed } from "../board/live.ts";
+import type { Live } from "../board/live.ts";
 import type { Data, Pair } from "./data.ts";
 
 /** The recordings of the page: an action a byte, one match after the other, row by row of the matrix. */

@@ -36,25 +36,31 @@ export function hash(): string {
   }
 }
 
+/** Return whether a link holds a match that a person has played, and not a scene. */
+export const isMatch = (link: string): boolean => new URLSearchParams(link).has("moves");
+
 /** Milliseconds between changes of the address: browsers refuse many in a short time. */
 const REST = 100;
 
-/** Keep the scene in the address, so that a reload shows it and the address is a link to it. */
-export function followAddress(store: Store): void {
+/** Keep the scene in the address while it is `shown`, so that a reload shows it; a link to another one calls `show`. */
+export function followAddress(store: Store, shown: () => boolean, show: () => void): void {
   let [own, written, due] = [linkOf(store.scene, store.data), hash(), 0];
   const write = (): void => {
     due = 0;
-    if (hash() !== written) return; // another link was followed meanwhile
+    if (hash() !== written || !shown()) return; // another link was followed meanwhile
     written = own;
     history.replaceState(null, "", `#${own}`);
   };
   store.addEventListener("change", () => {
     own = linkOf(store.scene, store.data);
+    if (!shown()) return;
+    written = hash();
     if (own !== written && !due) due = setTimeout(write, REST);
   });
   window.addEventListener("hashchange", () => {
     written = hash();
-    if (written === own) return;
+    if (!written || written === own || isMatch(written)) return;
+    if (!shown()) show();
     try {
       store.change(sceneOf(written, store.data), { example: exampleOf(store.data, written) });
     } catch (error) {

@@ -5,8 +5,8 @@ import { actKey } from "./arena.ts";
 import type { Store } from "./store.ts";
 import { addAgent, removeChosen } from "./toolbar.ts";
 
-/** Listen to the keys while no dialog is open. */
-export function listenToKeys(store: Store, open: Record<"share" | "keys", () => void>): void {
+/** Listen to the keys while the scene is `shown` and no dialog is open. */
+export function listenToKeys(store: Store, open: Record<"share" | "keys", () => void>, shown: () => boolean): void {
   const names = Object.keys(store.data.variants);
   const acts: Record<string, () => void> = {
     Enter: () => store.step(),
@@ -24,7 +24,7 @@ export function listenToKeys(store: Store, open: Record<"share" | "keys", () => 
     Delete: () => removeChosen(store),
   };
   document.addEventListener("keydown", (event) => {
-    if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
+    if (!shown() || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if ((event.ctrlKey || event.metaKey) && !event.altKey) {
       const act = { z: () => (event.shiftKey ? store.redo() : store.undo()), y: () => store.redo() }[key];

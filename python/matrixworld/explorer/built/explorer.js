@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 76a0f49e1581dab5406fe58f6dde32de3bcca4a56e8c8496b1f93a1fcc0c812a */
+/* built from web/ by "npm run build"; sources 7135964938b05a4197fe44ab37a32bccaaae4ea4ade19f51f76b6886a8e8e14e */
 "use strict";(()=>{var Ta=Object.create;var vn=Object.defineProperty;var Ca=Object.getOwnPropertyDescriptor;var ka=Object.getOwnPropertyNames;var Ra=Object.getPrototypeOf,_a=Object.prototype.hasOwnProperty;var $a=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Oa=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ka(e))!_a.call(t,o)&&o!==r&&vn(t,o,{get:()=>e[o],enumerable:!(n=Ca(e,o))||n.enumerable});
 return t};var Pa=(t,e,r)=>(r=t!=null?Ta(Ra(t)):{},Oa(e||!t||!t.__esModule?vn(r,"default",{value:t,enumerable:!0}):r,t));var ra=$a(mn=>{var qs=Object.defineProperty,Wl=t=>qs(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var r in e)qs(t,r,{get:e[r],enumerable:!0})};Wl(mn);Hl(mn,{GIFEncoder:()=>ea,
 applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>rc,nearestColorIndex:()=>Xs,nearestColorIndexWithDistance:()=>Qs,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});
@@ -29,8 +29,8 @@ f-1;++v)c[v].fw=v+1,c[v+1].bk=v,d&&(c[v].cnt=Math.sqrt(c[v].cnt));d&&(c[v].cnt=M
 1&&(w=b>>1,!(c[S=y[w]].err<=A));b=w)y[b]=S;y[b]=v}var C=f-e;for(v=0;v<C;){for(var E;;){var T=y[1];if(E=c[T],E.tm>=E.mtm&&c[E.nn].mtm<=E.tm)break;E.mtm==h?T=y[1]=
 y[y[0]--]:(js(c,T,!1),E.tm=v);var A=c[T].err;for(b=1;(w=b+b)<=y[0]&&(w<y[0]&&c[y[w]].err>c[y[w+1]].err&&w++,!(A<=c[S=y[w]].err));b=w)y[b]=S;y[b]=T}var x=c[E.nn],
 O=E.cnt,_=x.cnt,g=1/(O+_);u&&(E.ac=g*(O*E.ac+_*x.ac)),E.rc=g*(O*E.rc+_*x.rc),E.gc=g*(O*E.gc+_*x.gc),E.bc=g*(O*E.bc+_*x.bc),E.cnt+=x.cnt,E.mtm=++v,c[x.bk].fw=x.fw,
-c[x.fw].bk=x.bk,x.mtm=h}let k=[];var ee=0;for(v=0;;++ee){let D=lr(Math.round(c[v].rc),0,255),P=lr(Math.round(c[v].gc),0,255),U=lr(Math.round(c[v].bc),0,255),$=255;
-u&&($=lr(Math.round(c[v].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(D=P=U=s,$=0));let W=u?[D,P,U,$]:[D,P,U];if(Zl(k,W)||k.push(W),(v=c[v].fw)==
+c[x.fw].bk=x.bk,x.mtm=h}let k=[];var ee=0;for(v=0;;++ee){let z=lr(Math.round(c[v].rc),0,255),P=lr(Math.round(c[v].gc),0,255),B=lr(Math.round(c[v].bc),0,255),$=255;
+u&&($=lr(Math.round(c[v].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(z=P=B=s,$=0));let W=u?[z,P,B,$]:[z,P,B];if(Zl(k,W)||k.push(W),(v=c[v].fw)==
 0)break}return k}function Zl(t,e){for(let r=0;r<t.length;r++){let n=t[r],o=n[0]===e[0]&&n[1]===e[1]&&n[2]===e[2],s=n.length>=4&&e.length>=4?n[3]===e[3]:!0;if(o&&
 s)return!0}return!1}function ur(t,e){var r=0,n;for(n=0;n<t.length;n++){let o=t[n]-e[n];r+=o*o}return r}function cr(t,e){return e>1?Math.round(t/e)*e:t}function Jl(t,{
 roundRGB:e=5,roundAlpha:r=10,oneBitAlpha:n=null}={}){let o=new Uint32Array(t.buffer);for(let s=0;s<o.length;s++){let a=o[s],i=a>>24&255,l=a>>16&255,d=a>>8&255,u=a&
@@ -68,25 +68,25 @@ m":"as random, but takes only moves that right of way allows","careful-chaser":"
 eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as clumsy-chaser, but takes only moves that right of way allows","careful-hunter":"\
 as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
 eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
-surrounder":"as team-surrounder, but takes only moves that right of way allows"},Tn={free:".GS",blocked:"#@OTW"};var Ue=1+Mn.length;function at(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function V(t,e){return t<e?at(wr[0],{number:t}):at(wr[1],{number:t-e})}function La(t,e){
+surrounder":"as team-surrounder, but takes only moves that right of way allows"},Tn={free:".GS",blocked:"#@OTW"};var Be=1+Mn.length;function at(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function V(t,e){return t<e?at(wr[0],{number:t}):at(wr[1],{number:t-e})}function La(t,e){
 let[r,n,o,s,a,i,l,...d]=Array.from(t),u=a<0?[s]:[s,a],[c,m,h]=d.map(v=>u.filter((S,b)=>v>>b&1)),y=u.map(v=>V(v,e)),f=at(An[a<0?"obstacle":vr[o]],{first:y[0],second:y[y.
 length-1],cell:`(${i}, ${l})`}),g=at(En,{event:f,outcome:Ia(u.length,m,h,e)});return{kind:br[n],form:vr[o],agents:u,cell:[i,l],at_fault:c,held:m,doomed:h,turn:r,
 text:g}}function Ia(t,e,r,n){if(t===2&&e.length===2)return st["both held"];if(t===2&&r.length===2)return st["both doomed"];let o=s=>a=>at(st[s],{agent:V(a,n)});
-return[...e.map(o("held")),...r.map(o("doomed"))].join(", ")||st.none}function kt(t,e){let r=[];for(let n=0;n<t.length;n+=Ue)r.push(La(t.subarray(n+1,n+Ue),e));
+return[...e.map(o("held")),...r.map(o("doomed"))].join(", ")||st.none}function kt(t,e){let r=[];for(let n=0;n<t.length;n+=Be)r.push(La(t.subarray(n+1,n+Be),e));
 return r}var ve=class extends Error{name="EngineError"};function F(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new ve(
 `${t}: expected ${e}, got ${n}`)}var Fe=class{bytes;constructor(e){this.bytes=e}},Rn=0,Mr=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],Cn=4,kn=4,Na=new TextEncoder,
-Ba=new TextDecoder;function Ua(t){for(let e=Mr.length-1;e>Rn;--e)if(t instanceof Mr[e])return e;throw new TypeError("array: expected a typed array of the engine\
+Ua=new TextDecoder;function Ba(t){for(let e=Mr.length-1;e>Rn;--e)if(t instanceof Mr[e])return e;throw new TypeError("array: expected a typed array of the engine\
 's numbers, got another")}function Sr(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Fa(t){return Na.encode(`${t}\0`)}var Ar=class{engine;addresses=[];constructor(e){
 this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new ve("memory: expected room for the arguments, got none");return this.addresses.
 push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Fa(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([s,a])=>{let i=a instanceof Fe,l=i?a.bytes:
-a;return[this.text(s),i?Rn:Ua(l),l.length,this.copy(Sr(l))]}),o=this.copy(Sr(Int32Array.from(n)));return this.copy(Sr(Int32Array.of(r.length,o)))}free(){for(let e of this.
-addresses)this.engine._free(e)}};function _n(t,e){let r=t.HEAPU8;return Ba.decode(r.subarray(e,r.indexOf(0,e)))}function ze(t){let e=new Int32Array(t.HEAPU8.buffer),
+a;return[this.text(s),i?Rn:Ba(l),l.length,this.copy(Sr(l))]}),o=this.copy(Sr(Int32Array.from(n)));return this.copy(Sr(Int32Array.of(r.length,o)))}free(){for(let e of this.
+addresses)this.engine._free(e)}};function _n(t,e){let r=t.HEAPU8;return Ua.decode(r.subarray(e,r.indexOf(0,e)))}function De(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/Cn,n=e[r+1]/Cn,o={};for(let s=n;s<n+e[r]*kn;s+=kn){let a=Mr[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[_n(t,e[s])]=new a(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function we(t,e){let r=new Ar(t);try{let n=e(r);if(n===0)throw new ve(_n(t,t._last_error()));return n}finally{r.free()}}var za=2**31-1,$n=["none","elman","gru"],Da=2n**64n-1n,Wa=34028234663852886e22;function he(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>za)throw F(
+l,l+i).buffer)}return o}function we(t,e){let r=new Ar(t);try{let n=e(r);if(n===0)throw new ve(_n(t,t._last_error()));return n}finally{r.free()}}var Da=2**31-1,$n=["none","elman","gru"],za=2n**64n-1n,Wa=34028234663852886e22;function he(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Da)throw F(
 t,"an integer",e);return Int32Array.of(e)}function Rt(t,e){if(typeof e!="boolean")throw F(t,"true or false",e);return new Fe(Uint8Array.of(Number(e)))}function Te(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw F(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Er(t,e){
-if(typeof e!="number"||!(Math.abs(e)<=Wa))throw F(t,"a finite number",e);return e}function De(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
-e)?BigInt(e):-1n;if(n<0n||n>Da)throw F(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Ha(t){return{"rules.interaction":Te("interactio\
+if(typeof e!="number"||!(Math.abs(e)<=Wa))throw F(t,"a finite number",e);return e}function ze(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
+e)?BigInt(e):-1n;if(n<0n||n>za)throw F(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Ha(t){return{"rules.interaction":Te("interactio\
 n",t.interaction,wn),"rules.obstacle":Te("obstacle",t.obstacle,ot),"rules.teammate":Te("teammate",t.teammate,ot),"rules.evader":Te("evader",t.evader,ot),"rules.\
 pursuer":Te("pursuer",t.pursuer,ot),"rules.capture":Te("capture",t.capture,xn),"rules.captured_disappear":Rt("captured_disappear",t.captured_disappear)}}function On(t,e){
 let r=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(r)||r.length!==3)throw F(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>Er(t,n))}function Ga(t){let e=(r,n)=>Float32Array.
@@ -99,24 +99,24 @@ from([...t.join("")],n=>Number(r.includes(n)))}function In(t,e){if(!Array.isArra
 throw F("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function We(t){In(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
 ...Ha(t.rules),...Ga(t.rewards),rows:he("rows",t.rows),cols:he("cols",t.cols),n_pursuers:he("n_pursuers",t.n_pursuers),n_evaders:he("n_evaders",t.n_evaders),fov:he(
 "fov",t.fov),diagonal:Rt("diagonal",t.diagonal),max_steps:he("max_steps",t.max_steps),density:Float64Array.of(e),map:Ln(t.obstacles)}}function Pn(t,e){return Int32Array.
-from((e??[]).flat(),r=>he(t,r)[0])}function Nn(t,e){return In(t.obstacles,e),{seed:De("seed",t.seed??0n),episode:De("episode",t.episode??0),pursuers:Pn("pursuer\
+from((e??[]).flat(),r=>he(t,r)[0])}function Nn(t,e){return In(t.obstacles,e),{seed:ze("seed",t.seed??0n),episode:ze("episode",t.episode??0),pursuers:Pn("pursuer\
 s",t.pursuers),evaders:Pn("evaders",t.evaders),map:Ln(t.obstacles)}}function _t(t){return{actions:Int32Array.from(t,e=>he("actions",e)[0])}}function He(t){if(typeof t==
 "string"){if(!Object.hasOwn(xr,t))throw F("policy",`one of ${Object.keys(xr).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
 t.activation!=="tanh")throw F("activation","'relu' or 'tanh'",t.activation);if(!$n.includes(t.memory))throw F("memory",`one of ${$n.join(", ")}`,t.memory);return{
 hidden:Int32Array.from(t.hidden,e=>he("hidden",e)[0]),activation:new TextEncoder().encode(t.activation),sampled:Rt("sampled",t.sampled),memory:new TextEncoder().
-encode(t.memory),genome:t.genome}}var ja=["first_turn","terminated","truncated"];function Bn(t){let e={...t};for(let r of ja)e[r]=new Fe(t[r]);return e}var Un="statistics.",$t=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,o){this.config=e,this.seed=r,this.episode=n,this.n_agents=
-e.n_pursuers+e.n_evaders,this.statistics=Fn(zn(o),0),Object.assign(this,o),this.first_conflict=Va(this.conflict_table,this.length)}get length(){return this.actions.
-length/this.n_agents}conflicts(e){this.check(e);let[r,n]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(r*Ue,n*Ue);return kt(o,
+encode(t.memory),genome:t.genome}}var ja=["first_turn","terminated","truncated"];function Un(t){let e={...t};for(let r of ja)e[r]=new Fe(t[r]);return e}var Bn="statistics.",$t=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,o){this.config=e,this.seed=r,this.episode=n,this.n_agents=
+e.n_pursuers+e.n_evaders,this.statistics=Fn(Dn(o),0),Object.assign(this,o),this.first_conflict=Va(this.conflict_table,this.length)}get length(){return this.actions.
+length/this.n_agents}conflicts(e){this.check(e);let[r,n]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(r*Be,n*Be);return kt(o,
 this.config.n_pursuers)}seek(e,r,n){this.check(r),(!(e.seed===this.seed&&e.episode===BigInt(this.episode))||e.turn!==0||e.steps>r)&&e.reset({seed:this.seed,episode:this.
 episode});for(let s=e.steps;s<r;++s){let a=this.actions.subarray(s*this.n_agents,(s+1)*this.n_agents);n?e.replay(a,{pursuer:n.pursuers,evader:n.evaders}):e.step(
 a)}}check(e){if(!(Number.isInteger(e)&&e>=0&&e<=this.length))throw F("step",`0 to ${this.length}`,e)}};function Va(t,e){let r=new Int32Array(e+2);for(let n=0;n<
-t.length;n+=Ue)++r[t[n]+1];for(let n=1;n<r.length;++n)r[n]+=r[n-1];return r}function Fn(t,e){let r=t.length.length,n=s=>{let a=t[s],i=a.length/r;return a.slice(
+t.length;n+=Be)++r[t[n]+1];for(let n=1;n<r.length;++n)r[n]+=r[n-1];return r}function Fn(t,e){let r=t.length.length,n=s=>{let a=t[s],i=a.length/r;return a.slice(
 e*i,(e+1)*i)},o=s=>Number(n(s)[0]);return{capture_rate:o("capture_rate"),ever_capture_rate:o("ever_capture_rate"),captured_fraction:o("captured_fraction"),length:o(
-"length"),return:n("return"),survivors:n("survivors"),overlap:n("overlap"),collisions:n("collisions"),faults:n("faults"),agent_steps:n("agent_steps")}}var zn=t=>Object.
-fromEntries(Object.entries(t).flatMap(([e,r])=>e.startsWith(Un)?[[e.slice(Un.length),r]]:[]));function Dn(t,e,r,n){let o=[We(r.config),He(r.pursuers),He(r.evaders),
-n];return we(t,s=>{let[a,i,l,d]=o.map(u=>s.arrays(u));return t[e](a,i,l,d)}),ze(t)}function Wn(t,e,r,n){let o={seed:De("seed",r),episode:De("episode",n)};return new $t(
-e.config,r,n,Dn(t,"_play_match",e,o))}function Tr(t,e,r,n){if(!Number.isInteger(n)||n<1)throw F("n_episodes","at least 1",n);let o=Dn(t,"_play_rollout",e,{...r,
-n_episodes:Int32Array.of(n)});return zn(o)}function Hn(t,e,r,n){let o={pursuer:Int32Array.of(0),evader:Int32Array.of(0),seed:De("seed",r)},s=Tr(t,e,o,n);return Array.
+"length"),return:n("return"),survivors:n("survivors"),overlap:n("overlap"),collisions:n("collisions"),faults:n("faults"),agent_steps:n("agent_steps")}}var Dn=t=>Object.
+fromEntries(Object.entries(t).flatMap(([e,r])=>e.startsWith(Bn)?[[e.slice(Bn.length),r]]:[]));function zn(t,e,r,n){let o=[We(r.config),He(r.pursuers),He(r.evaders),
+n];return we(t,s=>{let[a,i,l,d]=o.map(u=>s.arrays(u));return t[e](a,i,l,d)}),De(t)}function Wn(t,e,r,n){let o={seed:ze("seed",r),episode:ze("episode",n)};return new $t(
+e.config,r,n,zn(t,"_play_match",e,o))}function Tr(t,e,r,n){if(!Number.isInteger(n)||n<1)throw F("n_episodes","at least 1",n);let o=zn(t,"_play_rollout",e,{...r,
+n_episodes:Int32Array.of(n)});return Dn(o)}function Hn(t,e,r,n){let o={pursuer:Int32Array.of(0),evader:Int32Array.of(0),seed:ze("seed",r)},s=Tr(t,e,o,n);return Array.
 from({length:n},(a,i)=>Fn(s,i))}var qa=7e6,Ka=new FinalizationRegistry(([t,e])=>t._states_free(e));function Ya({rules:t,rows:e,cols:r,obstacles:n,diagonal:o,n_pursuers:s,n_evaders:a}){let i=typeof n==
 "number"||t.obstacle==="REACH"?0:n.join("").split("#").length-1,l=e*r-i,d=[t.obstacle,t.teammate,t.pursuer].includes("DISAPPEAR"),u=t.capture==="SURROUND"||t.evader===
 "REACH",c=t.interaction==="AGENT_TURNS",m=(f,g)=>Array.from({length:g},(v,S)=>c?f:(f+S)/(S+1)).reduce((v,S)=>v*S,1),h=m(l+Number(d),s)*m(l*(1+Number(u))+2,a);return{
@@ -134,7 +134,7 @@ pture-rate"?a:a.fill(0)]]}goBack(){let e=this.values.at(-1)[0],r=[];for(let o=th
 config.max_steps,kr);return this.values.length<=n&&r[0].some((o,s)=>o!==e[s])}backup(e,r){return this.call(n=>this.engine._states_backup(this.states,e,n.arrays(
 r))).values}game(e){let[r,{turn:n}]=[this.config.max_steps-e.steps,e],o=n+1===this.n_turns,s=r>0?this.values[Math.min(r-Number(o),this.values.length-1)]?.[o?0:n+
 1]:void 0;if(!s)return null;let a=this.call(i=>this.engine._states_game(this.states,e.address,i.arrays({next:s})));return a.agents.length?new Cr(e,a):null}call(e){
-return we(this.engine,e),ze(this.engine)}};var Gn=new FinalizationRegistry(([t,e])=>t._world_free(e)),lt=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
+return we(this.engine,e),De(this.engine)}};var Gn=new FinalizationRegistry(([t,e])=>t._world_free(e)),lt=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
 n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=we(e,n=>e._world_new(n.arrays(We(r)))),Gn.register(this,[e,this.at],this)}free(){this.freed||
 (this.freed=!0,Gn.unregister(this),this.engine._world_free(this.at))}get address(){if(this.freed)throw F("world","one that is in use","one that was freed");return this.
 at}reset(e={}){let r=Nn(e,this.config);this.call(n=>this.engine._world_reset(this.address,n.arrays(r)))}step(e){let r=_t(e);this.call(n=>this.engine._world_step(
@@ -149,8 +149,8 @@ return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(
 read("views").slice(e*r,(e+1)*r)}map(){return this.read("state").slice(2*this.config.rows*this.config.cols)}conflicts(){return kt(this.conflictTable(),this.config.
 n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.address)).conflict_table}answer(e,r){let n=He(e),{logits:o,memory:s}=this.call(
 l=>this.engine._world_logits(this.address,l.arrays(n),r)),a=o,i=this.decide(e,[r,r+1],new Uint8Array(this.n_agents))[r];return{logits:a,probabilities:Za(a),action:i,
-memory:s}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.address))}restore(e){let r=Bn(e);this.call(n=>this.engine._world_restore(this.address,
-n.arrays(r)))}call(e){return we(this.engine,e),ze(this.engine)}};function Za(t){let e=Math.max(...t),r=Array.from(t,o=>Math.exp(o-e)),n=r.reduce((o,s)=>o+s,0);return Float32Array.
+memory:s}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.address))}restore(e){let r=Un(e);this.call(n=>this.engine._world_restore(this.address,
+n.arrays(r)))}call(e){return we(this.engine,e),De(this.engine)}};function Za(t){let e=Math.max(...t),r=Array.from(t,o=>Math.exp(o-e)),n=r.reduce((o,s)=>o+s,0);return Float32Array.
 from(r,o=>o/n)}var Rr=class{compiled;constructor(e){this.compiled=e}world(e){return new lt(this.compiled,e)}solution(e,r="capture-rate"){return new it(this.compiled,e,r)}match(e,r,n,o,s=0){
 return Wn(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}rollout(e,r,n,o,s){return Hn(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}rollouts(e,r,n,o,s){
 return Tr(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}},jn;function Vn(t=globalThis.matrixworldEngine){return jn??=Ja(t),jn}async function Ja(t){if(!t)throw new Error(
@@ -177,45 +177,45 @@ var i;if(r){i=new J(1<<e);var l=15-e;for(o=0;o<n;++o)if(t[o])for(var d=o<<4|t[o]
 n),o=0;o<n;++o)t[o]&&(i[o]=Nr[a[t[o]-1]++]>>15-t[o]);return i}),xe=new N(288);for(R=0;R<144;++R)xe[R]=8;var R;for(R=144;R<256;++R)xe[R]=9;var R;for(R=256;R<280;++R)
 xe[R]=7;var R;for(R=280;R<288;++R)xe[R]=8;var R,mt=new N(32);for(R=0;R<32;++R)mt[R]=5;var R,ni=ce(xe,9,0),oi=ce(xe,9,1),si=ce(mt,5,0),ai=ce(mt,5,1),$r=function(t){
 for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},se=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},Or=function(t,e){var r=e/8|0;return(t[r]|
-t[r+1]<<8|t[r+2]<<16)>>(e&7)},zr=function(t){return(t+7)/8|0},Dr=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new N(t.subarray(
+t[r+1]<<8|t[r+2]<<16)>>(e&7)},Dr=function(t){return(t+7)/8|0},zr=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new N(t.subarray(
 e,r))};var ii=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],q=function(t,e,r){var n=new Error(e||ii[t]);
 if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,q),!r)throw n;return n},li=function(t,e,r,n){var o=t.length,s=n?n.length:0;if(!o||e.f&&!e.l)return r||
-new N(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new N(o*3));var d=function(rt){var nt=r.length;if(rt>nt){var Be=new N(Math.max(nt*2,rt));Be.set(r),r=Be}},u=e.f||0,c=e.
+new N(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new N(o*3));var d=function(rt){var nt=r.length;if(rt>nt){var Ue=new N(Math.max(nt*2,rt));Ue.set(r),r=Ue}},u=e.f||0,c=e.
 p||0,m=e.b||0,h=e.l,y=e.d,f=e.m,g=e.n,v=o*8;do{if(!h){u=se(t,c,1);var S=se(t,c+1,3);if(c+=3,S)if(S==1)h=oi,y=ai,f=9,g=5;else if(S==2){var C=se(t,c,31)+257,E=se(
-t,c+10,15)+4,T=C+se(t,c+5,31)+1;c+=14;for(var x=new N(T),O=new N(19),_=0;_<E;++_)O[Lr[_]]=se(t,c+_*3,7);c+=E*3;for(var k=$r(O),ee=(1<<k)-1,D=ce(O,k,1),_=0;_<T;){
-var P=D[se(t,c,ee)];c+=P&15;var b=P>>4;if(b<16)x[_++]=b;else{var U=0,$=0;for(b==16?($=3+se(t,c,3),c+=2,U=x[_-1]):b==17?($=3+se(t,c,7),c+=3):b==18&&($=11+se(t,c,
-127),c+=7);$--;)x[_++]=U}}var W=x.subarray(0,C),z=x.subarray(C);f=$r(W),g=$r(z),h=ce(W,f,1),y=ce(z,g,1)}else q(1);else{var b=zr(c)+4,w=t[b-4]|t[b-3]<<8,A=b+w;if(A>
+t,c+10,15)+4,T=C+se(t,c+5,31)+1;c+=14;for(var x=new N(T),O=new N(19),_=0;_<E;++_)O[Lr[_]]=se(t,c+_*3,7);c+=E*3;for(var k=$r(O),ee=(1<<k)-1,z=ce(O,k,1),_=0;_<T;){
+var P=z[se(t,c,ee)];c+=P&15;var b=P>>4;if(b<16)x[_++]=b;else{var B=0,$=0;for(b==16?($=3+se(t,c,3),c+=2,B=x[_-1]):b==17?($=3+se(t,c,7),c+=3):b==18&&($=11+se(t,c,
+127),c+=7);$--;)x[_++]=B}}var W=x.subarray(0,C),D=x.subarray(C);f=$r(W),g=$r(D),h=ce(W,f,1),y=ce(D,g,1)}else q(1);else{var b=Dr(c)+4,w=t[b-4]|t[b-3]<<8,A=b+w;if(A>
 o){l&&q(0);break}i&&d(m+w),r.set(t.subarray(b,A),m),e.b=m+=w,e.p=c=A*8,e.f=u;continue}if(c>v){l&&q(0);break}}i&&d(m+131072);for(var Le=(1<<f)-1,te=(1<<g)-1,me=c;;me=
-c){var U=h[Or(t,c)&Le],Y=U>>4;if(c+=U&15,c>v){l&&q(0);break}if(U||q(2),Y<256)r[m++]=Y;else if(Y==256){me=c,h=null;break}else{var Z=Y-254;if(Y>264){var _=Y-257,I=Lt[_];
-Z=se(t,c,(1<<I)-1)+so[_],c+=I}var le=y[Or(t,c)&te],Ie=le>>4;le||q(3),c+=le&15;var z=ri[Ie];if(Ie>3){var I=It[Ie];z+=Or(t,c)&(1<<I)-1,c+=I}if(c>v){l&&q(0);break}
-i&&d(m+131072);var Ne=m+Z;if(m<z){var Tt=s-z,Ct=Math.min(z,Ne);for(Tt+m<0&&q(3);m<Ct;++m)r[m]=n[Tt+m]}for(;m<Ne;++m)r[m]=r[m-z]}}e.l=h,e.p=me,e.b=m,e.f=u,h&&(u=
-1,e.m=f,e.d=y,e.n=g)}while(!u);return m!=r.length&&a?Dr(r,0,m):r.subarray(0,m)},ye=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},dt=function(t,e,r){
+c){var B=h[Or(t,c)&Le],Y=B>>4;if(c+=B&15,c>v){l&&q(0);break}if(B||q(2),Y<256)r[m++]=Y;else if(Y==256){me=c,h=null;break}else{var Z=Y-254;if(Y>264){var _=Y-257,I=Lt[_];
+Z=se(t,c,(1<<I)-1)+so[_],c+=I}var le=y[Or(t,c)&te],Ie=le>>4;le||q(3),c+=le&15;var D=ri[Ie];if(Ie>3){var I=It[Ie];D+=Or(t,c)&(1<<I)-1,c+=I}if(c>v){l&&q(0);break}
+i&&d(m+131072);var Ne=m+Z;if(m<D){var Tt=s-D,Ct=Math.min(D,Ne);for(Tt+m<0&&q(3);m<Ct;++m)r[m]=n[Tt+m]}for(;m<Ne;++m)r[m]=r[m-D]}}e.l=h,e.p=me,e.b=m,e.f=u,h&&(u=
+1,e.m=f,e.d=y,e.n=g)}while(!u);return m!=r.length&&a?zr(r,0,m):r.subarray(0,m)},ye=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},dt=function(t,e,r){
 r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},Pr=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var o=r.length,s=r.slice();if(!o)
 return{t:lo,l:0};if(o==1){var a=new N(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(A,C){return A.f-C.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],d=0,
 u=1,c=2;for(r[0]={s:-1,f:i.f+l.f,l:i,r:l};u!=o-1;)i=r[r[d].f<r[c].f?d++:c++],l=r[d!=u&&r[d].f<r[c].f?d++:c++],r[u++]={s:-1,f:i.f+l.f,l:i,r:l};for(var m=s[0].s,n=1;n<
-o;++n)s[n].s>m&&(m=s[n].s);var h=new J(m+1),y=Br(r[u-1],h,0);if(y>e){var n=0,f=0,g=y-e,v=1<<g;for(s.sort(function(C,E){return h[E.s]-h[C.s]||C.f-E.f});n<o;++n){
+o;++n)s[n].s>m&&(m=s[n].s);var h=new J(m+1),y=Ur(r[u-1],h,0);if(y>e){var n=0,f=0,g=y-e,v=1<<g;for(s.sort(function(C,E){return h[E.s]-h[C.s]||C.f-E.f});n<o;++n){
 var S=s[n].s;if(h[S]>e)f+=v-(1<<y-h[S]),h[S]=e;else break}for(f>>=g;f>0;){var b=s[n].s;h[b]<e?f-=1<<e-h[b]++-1:++n}for(;n>=0&&f;--n){var w=s[n].s;h[w]==e&&(--h[w],
-++f)}y=e}return{t:new N(h),l:y}},Br=function(t,e,r){return t.s==-1?Math.max(Br(t.l,e,r+1),Br(t.r,e,r+1)):e[t.s]=r},Qn=function(t){for(var e=t.length;e&&!t[--e];)
+++f)}y=e}return{t:new N(h),l:y}},Ur=function(t,e,r){return t.s==-1?Math.max(Ur(t.l,e,r+1),Ur(t.r,e,r+1)):e[t.s]=r},Qn=function(t){for(var e=t.length;e&&!t[--e];)
 ;for(var r=new J(++e),n=0,o=t[0],s=1,a=function(l){r[n++]=l},i=1;i<=e;++i)if(t[i]==o&&i!=e)++s;else{if(!o&&s>2){for(;s>138;s-=138)a(32754);s>2&&(a(s>10?s-11<<5|
 28690:s-3<<5|12305),s=0)}else if(s>3){for(a(o),--s;s>6;s-=6)a(8304);s>2&&(a(s-3<<5|8208),s=0)}for(;s--;)a(o);s=1,o=t[i]}return{c:r.subarray(0,n),n:e}},pt=function(t,e){
-for(var r=0,n=0;n<e.length;++n)r+=t[n]*e[n];return r},io=function(t,e,r){var n=r.length,o=zr(e+2);t[o]=n&255,t[o+1]=n>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<
+for(var r=0,n=0;n<e.length;++n)r+=t[n]*e[n];return r},io=function(t,e,r){var n=r.length,o=Dr(e+2);t[o]=n&255,t[o+1]=n>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<
 n;++s)t[o+s+4]=r[s];return(o+4+n)*8},eo=function(t,e,r,n,o,s,a,i,l,d,u){ye(e,u++,r),++o[256];for(var c=Pr(o,15),m=c.t,h=c.l,y=Pr(s,15),f=y.t,g=y.l,v=Qn(m),S=v.c,
 b=v.n,w=Qn(f),A=w.c,C=w.n,E=new J(19),T=0;T<S.length;++T)++E[S[T]&31];for(var T=0;T<A.length;++T)++E[A[T]&31];for(var x=Pr(E,7),O=x.t,_=x.l,k=19;k>4&&!O[Lr[k-1]];--k)
-;var ee=d+5<<3,D=pt(o,xe)+pt(s,mt)+a,P=pt(o,m)+pt(s,f)+a+14+3*k+pt(E,O)+2*E[16]+3*E[17]+7*E[18];if(l>=0&&ee<=D&&ee<=P)return io(e,u,t.subarray(l,l+d));var U,$,W,
-z;if(ye(e,u,1+(P<D)),u+=2,P<D){U=ce(m,h,0),$=m,W=ce(f,g,0),z=f;var Le=ce(O,_,0);ye(e,u,b-257),ye(e,u+5,C-1),ye(e,u+10,k-4),u+=14;for(var T=0;T<k;++T)ye(e,u+3*T,
+;var ee=d+5<<3,z=pt(o,xe)+pt(s,mt)+a,P=pt(o,m)+pt(s,f)+a+14+3*k+pt(E,O)+2*E[16]+3*E[17]+7*E[18];if(l>=0&&ee<=z&&ee<=P)return io(e,u,t.subarray(l,l+d));var B,$,W,
+D;if(ye(e,u,1+(P<z)),u+=2,P<z){B=ce(m,h,0),$=m,W=ce(f,g,0),D=f;var Le=ce(O,_,0);ye(e,u,b-257),ye(e,u+5,C-1),ye(e,u+10,k-4),u+=14;for(var T=0;T<k;++T)ye(e,u+3*T,
 O[Lr[T]]);u+=3*k;for(var te=[S,A],me=0;me<2;++me)for(var Y=te[me],T=0;T<Y.length;++T){var Z=Y[T]&31;ye(e,u,Le[Z]),u+=O[Z],Z>15&&(ye(e,u,Y[T]>>5&127),u+=Y[T]>>12)}}else
-U=ni,$=xe,W=si,z=mt;for(var T=0;T<i;++T){var I=n[T];if(I>255){var Z=I>>18&31;dt(e,u,U[Z+257]),u+=$[Z+257],Z>7&&(ye(e,u,I>>23&31),u+=Lt[Z]);var le=I&31;dt(e,u,W[le]),
-u+=z[le],le>3&&(dt(e,u,I>>5&8191),u+=It[le])}else dt(e,u,U[I]),u+=$[I]}return dt(e,u,U[256]),u+$[256]},ci=new Fr([65540,131080,131088,131104,262176,1048704,1048832,
+B=ni,$=xe,W=si,D=mt;for(var T=0;T<i;++T){var I=n[T];if(I>255){var Z=I>>18&31;dt(e,u,B[Z+257]),u+=$[Z+257],Z>7&&(ye(e,u,I>>23&31),u+=Lt[Z]);var le=I&31;dt(e,u,W[le]),
+u+=D[le],le>3&&(dt(e,u,I>>5&8191),u+=It[le])}else dt(e,u,B[I]),u+=$[I]}return dt(e,u,B[256]),u+$[256]},ci=new Fr([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),lo=new N(0),ui=function(t,e,r,n,o,s){var a=s.z||t.length,i=new N(n+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(n,i.length-o),d=s.l,u=(s.r||0)&7;if(e){
 u&&(l[0]=s.r>>3);for(var c=ci[e-1],m=c>>13,h=c&8191,y=(1<<r)-1,f=s.p||new J(32768),g=s.h||new J(y+1),v=Math.ceil(r/3),S=2*v,b=function(gr){return(t[gr]^t[gr+1]<<
-v^t[gr+2]<<S)&y},w=new Fr(25e3),A=new J(288),C=new J(32),E=0,T=0,x=s.i||0,O=0,_=s.w||0,k=0;x+2<a;++x){var ee=b(x),D=x&32767,P=g[ee];if(f[D]=P,g[ee]=D,_<=x){var U=a-
-x;if((E>7e3||O>24576)&&(U>423||!d)){u=eo(t,l,0,w,A,C,T,O,k,x-k,u),O=E=T=0,k=x;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)C[$]=0}var W=2,z=0,Le=h,te=D-P&32767;
-if(U>2&&ee==b(x-te))for(var me=Math.min(m,U)-1,Y=Math.min(32767,x),Z=Math.min(258,U);te<=Y&&--Le&&D!=P;){if(t[x+W]==t[x+W-te]){for(var I=0;I<Z&&t[x+I]==t[x+I-te];++I)
-;if(I>W){if(W=I,z=te,I>me)break;for(var le=Math.min(te,I-2),Ie=0,$=0;$<le;++$){var Ne=x-te+$&32767,Tt=f[Ne],Ct=Ne-Tt&32767;Ct>Ie&&(Ie=Ct,P=Ne)}}}D=P,P=f[D],te+=
-D-P&32767}if(z){w[O++]=268435456|Ir[W]<<18|Xn[z];var rt=Ir[W]&31,nt=Xn[z]&31;T+=Lt[rt]+It[nt],++A[257+rt],++C[nt],_=x+W,++E}else w[O++]=t[x],++A[t[x]]}}for(x=Math.
+v^t[gr+2]<<S)&y},w=new Fr(25e3),A=new J(288),C=new J(32),E=0,T=0,x=s.i||0,O=0,_=s.w||0,k=0;x+2<a;++x){var ee=b(x),z=x&32767,P=g[ee];if(f[z]=P,g[ee]=z,_<=x){var B=a-
+x;if((E>7e3||O>24576)&&(B>423||!d)){u=eo(t,l,0,w,A,C,T,O,k,x-k,u),O=E=T=0,k=x;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)C[$]=0}var W=2,D=0,Le=h,te=z-P&32767;
+if(B>2&&ee==b(x-te))for(var me=Math.min(m,B)-1,Y=Math.min(32767,x),Z=Math.min(258,B);te<=Y&&--Le&&z!=P;){if(t[x+W]==t[x+W-te]){for(var I=0;I<Z&&t[x+I]==t[x+I-te];++I)
+;if(I>W){if(W=I,D=te,I>me)break;for(var le=Math.min(te,I-2),Ie=0,$=0;$<le;++$){var Ne=x-te+$&32767,Tt=f[Ne],Ct=Ne-Tt&32767;Ct>Ie&&(Ie=Ct,P=Ne)}}}z=P,P=f[z],te+=
+z-P&32767}if(D){w[O++]=268435456|Ir[W]<<18|Xn[D];var rt=Ir[W]&31,nt=Xn[D]&31;T+=Lt[rt]+It[nt],++A[257+rt],++C[nt],_=x+W,++E}else w[O++]=t[x],++A[t[x]]}}for(x=Math.
 max(x,_);x<a;++x)w[O++]=t[x],++A[t[x]];u=eo(t,l,d,w,A,C,T,O,k,x-k,u),d||(s.r=u&7|l[u/8|0]<<3,u-=7,s.h=g,s.p=f,s.i=x,s.w=_)}else{for(var x=s.w||0;x<a+d;x+=65535){
-var Be=x+65535;Be>=a&&(l[u/8|0]=d,Be=a),u=io(l,u+1,t.subarray(x,Be))}s.i=a}return Dr(i,0,n+zr(u)+o)},di=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){
+var Ue=x+65535;Ue>=a&&(l[u/8|0]=d,Ue=a),u=io(l,u+1,t.subarray(x,Ue))}s.i=a}return zr(i,0,n+Dr(u)+o)},di=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){
 for(var r=e,n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),pi=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=di[r&255^e[n]]^r>>>
 8;t=r},d:function(){return~t}}};var mi=function(t,e,r,n,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new N(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
 return ui(t,e.level==null?6:e.level,e.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,o)},co=function(t,e){var r={};for(var n in t)
@@ -224,15 +224,15 @@ nexpected")+" dictionary"),(t[1]>>3&4)+2};function fi(t,e){return mi(t,e||{},0,0
 n))}},to=typeof TextEncoder<"u"&&new TextEncoder,yi=typeof TextDecoder<"u"&&new TextDecoder,gi=0;try{yi.decode(lo,{stream:!0}),gi=1}catch{}function Pt(t,e){if(e){for(var r=new N(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(to)return to.encode(t);for(var o=t.length,s=new N(t.length+
 (t.length>>1)),a=0,i=function(u){s[a++]=u},n=0;n<o;++n){if(a+5>s.length){var l=new N(a+8+(o-n<<1));l.set(s),s=l}var d=t.charCodeAt(n);d<128||e?i(d):d<2048?(i(192|
 d>>6),i(128|d&63)):d>55295&&d<57344?(d=65536+(d&1047552)|t.charCodeAt(++n)&1023,i(240|d>>18),i(128|d>>12&63),i(128|d>>6&63),i(128|d&63)):(i(224|d>>12),i(128|d>>
-6&63),i(128|d&63))}return Dr(s,0,a)}var Ur=function(t){var e=0;if(t)for(var r in t){var n=t[r].length;n>65535&&q(9),e+=n+4}return e},ro=function(t,e,r,n,o,s,a,i){var l=n.length,d=r.extra,u=i&&i.length,
-c=Ur(d);H(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=r.os),t[e]=20,e+=2,t[e++]=r.flag<<1|(s<0&&8),t[e++]=o&&8,t[e++]=r.compression&255,t[e++]=
+6&63),i(128|d&63))}return zr(s,0,a)}var Br=function(t){var e=0;if(t)for(var r in t){var n=t[r].length;n>65535&&q(9),e+=n+4}return e},ro=function(t,e,r,n,o,s,a,i){var l=n.length,d=r.extra,u=i&&i.length,
+c=Br(d);H(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=r.os),t[e]=20,e+=2,t[e++]=r.flag<<1|(s<0&&8),t[e++]=o&&8,t[e++]=r.compression&255,t[e++]=
 r.compression>>8;var m=new Date(r.mtime==null?Date.now():r.mtime),h=m.getFullYear()-1980;if((h<0||h>119)&&q(10),H(t,e,h<<25|m.getMonth()+1<<21|m.getDate()<<16|m.
 getHours()<<11|m.getMinutes()<<5|m.getSeconds()>>1),e+=4,s!=-1&&(H(t,e,r.crc),H(t,e+4,s<0?-s-2:s),H(t,e+8,r.size)),H(t,e+12,l),H(t,e+14,c),e+=16,a!=null&&(H(t,e,
 u),H(t,e+6,r.attrs),H(t,e+10,a),e+=14),t.set(n,e),e+=l,c)for(var y in d){var f=d[y],g=f.length;H(t,e,+y),H(t,e+2,g),t.set(f,e+4),e+=4+g}return u&&(t.set(i,e),e+=
 u),e},bi=function(t,e,r,n,o){H(t,e,101010256),H(t,e+8,r),H(t,e+10,r),H(t,e+12,n),H(t,e+16,o)};function mo(t,e){e||(e={});var r={},n=[];po(t,"",r,e);var o=0,s=0;for(var a in r){var i=r[a],l=i[0],d=i[1],u=d.level==0?0:8,c=Pt(a),m=c.length,h=d.comment,y=h&&
-Pt(h),f=y&&y.length,g=Ur(d.extra);m>65535&&q(11);var v=u?fi(l,d):l,S=v.length,b=pi();b.p(l),n.push(co(d,{size:l.length,crc:b.d(),c:v,f:c,m:y,u:m!=a.length||y&&h.
+Pt(h),f=y&&y.length,g=Br(d.extra);m>65535&&q(11);var v=u?fi(l,d):l,S=v.length,b=pi();b.p(l),n.push(co(d,{size:l.length,crc:b.d(),c:v,f:c,m:y,u:m!=a.length||y&&h.
 length!=f,o,compression:u})),o+=30+m+g+S,s+=76+2*(m+g)+(f||0)+S}for(var w=new N(s+22),A=o,C=s-o,E=0;E<n.length;++E){var c=n[E];ro(w,c.o,c,c.f,c.u,c.c.length);var T=30+
-c.f.length+Ur(c.extra);w.set(c.c,c.o+T),ro(w,o,c,c.f,c.u,c.c.length,c.o,c.m),o+=16+T+(c.m?c.m.length:0)}return bi(w,o,n.length,C,A),w}var j=(t,e)=>`${t}s of generation ${e}`,ue=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var ae=["pursuer","evader"];function fo(){return JSON.parse(Nt("data"))}function Ge(t,e,r){let[n,o]=[e-t.payoff.first[0],r-t.payoff.first[1]],s=t.payoff.capture_rate[n]?.[o];
+c.f.length+Br(c.extra);w.set(c.c,c.o+T),ro(w,o,c,c.f,c.u,c.c.length,c.o,c.m),o+=16+T+(c.m?c.m.length:0)}return bi(w,o,n.length,C,A),w}var j=(t,e)=>`${t}s of generation ${e}`,ue=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var ae=["pursuer","evader"];function fo(){return JSON.parse(Nt("data"))}function Ge(t,e,r){let[n,o]=[e-t.payoff.first[0],r-t.payoff.first[1]],s=t.payoff.capture_rate[n]?.[o];
 return s===void 0?null:{rate:s,rates:t.payoff.capture_rates[n][o],lengths:t.payoff.lengths[n][o]}}function Ce(t,e,r){let{script:n,network:o,kept:s,genomes:a}=t.
 teams[e];if(n!==null||o===null)return"";if(!s.includes(r))return`The page holds no genome of ${j(e,r)}: it would be too large. Choose a generation of ${s.join("\
 , ")}.`;let i=s.length*o.genome_size;return yo(a,o.genome_size).length===i?"":`The page is damaged: it does not hold the ${i} numbers of the ${e}s' genomes. Wri\
@@ -244,10 +244,10 @@ r.length);for(let a=0;a<o.length;a++)o[a]=r[a%Wr*n+Math.floor(a/Wr)];let s=new U
 o.buffer)}function Hr(t){let e=atob(Nt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function Nt(t){return document.getElementById(
 t)?.textContent??""}function go(t,e,r){let n=-8e3;for(let o of["pointerdown","pointermove","keydown","wheel"])window.addEventListener(o,()=>n=performance.now(),{passive:!0});setInterval(
 ()=>{r()||performance.now()-n<8e3||(xi(t,e),location.reload())},5e3)}function xi(t,e){let{run:r,pursuer:n,evader:o}=e.selected,[s,a]=t[r].payoff.shape;n===s-1&&
-o===a-1&&history.replaceState(null,"",`#run=${r}`)}var ht=[.5,1,2,4,8,16,32,64],je=0,Bt=12,Si=2,Se=class extends EventTarget{#e;#r;#t;#n=0;#a=0;#s=!1;#l=null;#p=0;#c=[];#m=[];glide=.28;constructor(e,r={}){super(),
+o===a-1&&history.replaceState(null,"",`#run=${r}`)}var ht=[.5,1,2,4,8,16,32,64],je=0,Ut=12,Si=2,Se=class extends EventTarget{#e;#r;#t;#n=0;#a=0;#s=!1;#l=null;#p=0;#c=[];#m=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#t=r.still??!1}get step(){return this.#n}get time(){return this.#t?this.#n:this.#a}get arrived(){return this.#a===this.#n}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#o("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#o(
-"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#o("state")}get pace(){return this.#r||Math.max(Si,this.#e/Bt)}get speed(){return this.#r}set speed(e){
+"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#o("state")}get pace(){return this.#r||Math.max(Si,this.#e/Ut)}get speed(){return this.#r}set speed(e){
 this.#r=e,this.#o("state")}changeSpeed(e){let r=ht.findIndex(n=>n>=this.pace);this.speed=ht[Math.min(ht.length-1,Math.max(0,r+e))]}play(){this.#s||!this.#e||(this.#n===
 this.#e&&this.jump(0),this.#s=!0,this.#o("state"),this.#i())}pause(){this.#s&&(this.#s=!1,this.#o("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.
 pause();let r=Math.min(this.#e,Math.max(0,this.#n+e));Math.abs(r-this.#a)>1?this.jump(r):this.#d(r),this.#i()}jump(e){this.#a=Math.min(this.#e,Math.max(0,Math.round(
@@ -259,14 +259,14 @@ Math.abs(o)?this.#n:this.#a+Math.sign(o)*s}this.#s&&this.#a===this.#e&&this.paus
 e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
 "+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var ft=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function Ve(t){let e=Math.min(1,Math.max(0,t))*(ft.length-1),r=Math.min(ft.length-2,Math.floor(e)),[n,o]=[ft[r],
-ft[r+1]],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}function Ut(t){let[e,r,n]=Ve(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+
-.0722*n>.179?"#000":"#fff"}var Ft=t=>`rgb(${Ve(t).join(" ")})`,bo=()=>`linear-gradient(to right, ${ft.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function zt(t,e,r){let n=devicePixelRatio||1;for(let[a,i]of Object.entries(r))t.style.setProperty(a,`${i}px`);t.width=Math.round(r.width*n),t.height=Math.round(
+ft[r+1]],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}function Bt(t){let[e,r,n]=Ve(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+
+.0722*n>.179?"#000":"#fff"}var Ft=t=>`rgb(${Ve(t).join(" ")})`,bo=()=>`linear-gradient(to right, ${ft.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function Dt(t,e,r){let n=devicePixelRatio||1;for(let[a,i]of Object.entries(r))t.style.setProperty(a,`${i}px`);t.width=Math.round(r.width*n),t.height=Math.round(
 r.height*n);let o=t.getContext("2d"),s=Mi(e);!o||!s||(o.imageSmoothingEnabled=!1,o.drawImage(s,0,0,t.width,t.height))}function Mi(t){let[e,r]=t.shape,n=document.
 createElement("canvas");[n.width,n.height]=[r,e];let o=n.getContext("2d");if(!o)return null;let s=o.createImageData(r,e);return t.capture_rate.forEach((a,i)=>a.
-forEach((l,d)=>{let u=4*((e-1-i-t.first[0])*r+d+t.first[1]);s.data.set([...Ve(l),255],u)})),o.putImageData(s,0,0),n}function Dt(t,e){let r=p("span",{class:"grad\
+forEach((l,d)=>{let u=4*((e-1-i-t.first[0])*r+d+t.first[1]);s.data.set([...Ve(l),255],u)})),o.putImageData(s,0,0),n}function zt(t,e){let r=p("span",{class:"grad\
 ient"});return r.style.backgroundImage=bo(),p("p",{class:"scale-of-rates small muted"},t,r,e)}var Ai=84;function vo(t,e){let r=t.map((s,a)=>Ei(s,a,e)),n=p("nav",{class:"races","aria-label":"Runs"},...r.map(s=>s.button)),o=()=>r.forEach((s,a)=>s.update(a===
 e.selected.run));return e.on("match",o),e.on("hover",o),o(),n.hidden=t.length<2,n}function Ei(t,e,r){let[n,o]=t.payoff.shape,s=!t.name.startsWith(t.schedule),a=Ai/
-Math.max(n,o),i=p("canvas",{"aria-hidden":"true"});zt(i,t.payoff,{left:0,top:0,width:o*a,height:n*a});let l=p("span",{class:"place"}),d=p("button",{type:"button",
+Math.max(n,o),i=p("canvas",{"aria-hidden":"true"});Dt(i,t.payoff,{left:0,top:0,width:o*a,height:n*a});let l=p("span",{class:"place"}),d=p("button",{type:"button",
 class:"race",title:`${t.name} (key ${e+1})`,onclick:()=>Gr(t,e,r)},p("span",{class:"small-matrix"},i,l),p("span",{class:"race-text"},p("strong",{},s?t.name:t.schedule),
 p("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${Ti(t)}`),p("span",{class:"small muted"},`${s?`${t.schedule}, `:""}\
 seed ${t.seed}`)));return{button:d,update:c=>{d.setAttribute("aria-current",String(c));let m=r.hover.pursuer??r.selected.pursuer,h=r.hover.evader??r.selected.evader;
@@ -306,30 +306,30 @@ Math.PI*s);i.x+=(c-d)*m,i.y+=(u-l)*m}return i}var $o=2*Math.PI;function Re(t,e,r
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[d,u]=s[(l+1)%3];t.arcTo(a,i,d,u,n*.09)}),t.closePath()}function Oo(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function Po(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
 2*(o%2?.6:.95),a=$o*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function Lo(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Io=4,Pi=1.6,Li=.95,Ii=5,Ni=.16,Bi=9,Ui=.09,Fi=.2,No=.75,re=(t,e)=>t.left+e*t.cell,ne=(t,e)=>t.top+e*t.cell;function Ye(t,e,r){return ke(e,r)?t.colors.pursuer:
-t.colors.evader}function Bo({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,d]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,d),s<Ii)return;
-t.fillStyle=r.line;let u=Math.max(1,Math.round(s/60));for(let c=1;c<i;c++)t.fillRect(n+c*s,o,u,d);for(let c=1;c<a;c++)t.fillRect(n,o+c*s,l,u)}function Uo({ctx:t,
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Io=4,Pi=1.6,Li=.95,Ii=5,Ni=.16,Ui=9,Bi=.09,Fi=.2,No=.75,re=(t,e)=>t.left+e*t.cell,ne=(t,e)=>t.top+e*t.cell;function Ye(t,e,r){return ke(e,r)?t.colors.pursuer:
+t.colors.evader}function Uo({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,d]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,d),s<Ii)return;
+t.fillStyle=r.line;let u=Math.max(1,Math.round(s/60));for(let c=1;c<i;c++)t.fillRect(n+c*s,o,u,d);for(let c=1;c<a;c++)t.fillRect(n,o+c*s,l,u)}function Bo({ctx:t,
 grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let d=0;d<i*l;d++){if(!n.obstacles[d])continue;let[u,c]=[Math.floor(d/l),
 d%l];t.fillRect(o+c*a,s+u*a,a,a)}Fo({ctx:t,grid:e,colors:r})}function Fo({ctx:t,grid:{left:e,top:r,cell:n,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,
-Math.round(n/18)));t.strokeStyle=a.frame,t.lineWidth=i,t.strokeRect(e-i/2,r-i/2,s*n+i,o*n+i)}function zo({ctx:t,grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,
+Math.round(n/18)));t.strokeStyle=a.frame,t.lineWidth=i,t.strokeRect(e-i/2,r-i/2,s*n+i,o*n+i)}function Do({ctx:t,grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,
 cols:l}=e,d=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.
 textAlign="center";let u=5*n+a/40;for(let c=0;c<l;c+=d)t.fillText(String(c),o+(c+.5)*a,s-u);t.textAlign="right",t.textBaseline="middle";for(let c=0;c<i;c+=d)t.fillText(
-String(c),o-u,s+(c+.5)*a)}function Do({grid:t},e,r,n){let o=Math.floor(e.fov/2)+.5,[s,a]=[Math.max(0,r-o),Math.min(t.cols,r+o)],[i,l]=[Math.max(0,n-o),Math.min(
+String(c),o-u,s+(c+.5)*a)}function zo({grid:t},e,r,n){let o=Math.floor(e.fov/2)+.5,[s,a]=[Math.max(0,r-o),Math.min(t.cols,r+o)],[i,l]=[Math.max(0,n-o),Math.min(
 t.rows,n+o)];return[re(t,s),ne(t,i),(a-s)*t.cell,(l-i)*t.cell]}function Wo(t,e,r,n){let{ctx:o,grid:s,colors:a}=t;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,
-o.canvas.height),o.rect(...Do(t,e,r,n)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,
+o.canvas.height),o.rect(...zo(t,e,r,n)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,
 s.rows*s.cell),o.restore(),Fo(t)}function Ho({ctx:t,grid:e,colors:r},{x:n,y:o,alpha:s},a){let i=Math.max(e.cell,16*a)*1.06,[l,d]=[re(e,n),ne(e,o)];t.globalAlpha=
 Math.max(s,.6),t.beginPath(),t.roundRect(l-i/2,d-i/2,i,i,i*.2),t.strokeStyle=r.focus,t.lineWidth=Math.max(2,2.5*a),t.stroke();let u=Math.max(11*a,Math.min(18*a,
 e.cell*.5));t.font=`700 ${Math.round(u)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let c=d-i/2<u*1.2,m=d+(c?1:-1)*(i/2+u*.7);t.strokeStyle=
 r.paper,t.lineJoin="round",t.lineWidth=u*.35,t.strokeText("You",l,m),t.fillStyle=r.ink,t.fillText("You",l,m),t.globalAlpha=1}function Go(t,e,r,n,o){let{ctx:s,grid:a}=t,
-i=Do(t,e,n,o),l=Ye(t,e,r);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
-s.globalAlpha=1}function jo(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Bi,
+i=zo(t,e,n,o),l=Ye(t,e,r);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
+s.globalAlpha=1}function jo(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Ui,
 Math.max(1,a.cell*Ni));for(let d=Math.max(1,Math.floor(r-n)+1);d<=i;d++){let[u,c]=[e.moments[d-1],e.moments[d]],m=Math.max(0,Math.min(1,(r-d)/n));s.globalAlpha=
-No+(Fi-No)*m;for(let h=0;h<c.alive.length;h++){let y=d===i&&r<i;if(!u.alive[h]||!(l.alive[h]||y))continue;let f=(ke(e,h)?-1:1)*Ui,[g,v]=L(u,h),[S,b]=L(c,h);if(g===
+No+(Fi-No)*m;for(let h=0;h<c.alive.length;h++){let y=d===i&&r<i;if(!u.alive[h]||!(l.alive[h]||y))continue;let f=(ke(e,h)?-1:1)*Bi,[g,v]=L(u,h),[S,b]=L(c,h);if(g===
 S&&v===b)continue;let w=y?o[h].x:b+.5,A=y?o[h].y:S+.5;s.strokeStyle=Ye(t,e,h),s.beginPath(),s.moveTo(re(a,v+.5+f),ne(a,g+.5+f)),s.lineTo(re(a,w+f),ne(a,A+f)),s.
 stroke()}}s.globalAlpha=1}function Vo(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Io+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
-i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Io,l=yt(e,s,a);for(let d of Gt(s,a))l.includes(d)||Di(t,L(a,d),i);for(let d of l)zi(t,L(a,d),i)}t.ctx.globalAlpha=1}function zi({
+i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Io,l=yt(e,s,a);for(let d of Gt(s,a))l.includes(d)||zi(t,L(a,d),i);for(let d of l)Di(t,L(a,d),i)}t.ctx.globalAlpha=1}function Di({
 ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Po(t,re(e,o+.5),ne(e,n+.5),Math.max(8,e.cell*Pi)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
-Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Di({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Oo(t,re(e,o+.5),ne(e,n+.5),Math.max(7,e.cell*Li)),
+Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function zi({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Oo(t,re(e,o+.5),ne(e,n+.5),Math.max(7,e.cell*Li)),
 t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function qo({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);
 t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)
 continue;let l=[re(e,i)+s,ne(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=
@@ -348,8 +348,8 @@ l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=
 s*u),t.lineTo(i(d)+a*u,l(d)-s*u),t.stroke()}function Xo(t,e,r,n,o,s){let a=qe[s];if(!s||!a)return;let{ctx:i,grid:l,colors:d}=t,u=jr(e,[n[0]+a[0],n[1]+a[1]])?Yi:
 Zi,c=Ki*o.size,m=[re(l,o.x+a[1]*c),ne(l,o.y+a[0]*c),re(l,o.x+a[1]*u),ne(l,o.y+a[0]*u)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[
 d.paper,h*2.1],[Ye(t,e,r),h]])i.strokeStyle=y,i.lineWidth=f,Lo(i,...m,l.cell*.2),i.stroke()}var qt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Kt(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
-Math.ceil(r),e.moments.length-1),d=e.moments[l],u=r===l,c=jt(e,r),m=u?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Bo(t);for(let f of n.
-viewers)c[f]?.alpha&&Go(t,e,f,...Kr(e,f,r));Uo(t,e),n.axes&&zo(t,o),jo(t,e,r,n.trail,c),qo(t,d.contested??[],m),Vo(t,e,r),Jo(t,e,l,m),c.forEach(({x:f,y:g,size:v},S)=>{
+Math.ceil(r),e.moments.length-1),d=e.moments[l],u=r===l,c=jt(e,r),m=u?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Uo(t);for(let f of n.
+viewers)c[f]?.alpha&&Go(t,e,f,...Kr(e,f,r));Bo(t,e),n.axes&&Do(t,o),jo(t,e,r,n.trail,c),qo(t,d.contested??[],m),Vo(t,e,r),Jo(t,e,l,m),c.forEach(({x:f,y:g,size:v},S)=>{
 let b=Mo(d,S)?.4:0,w=qr(d,S)?1:b;w&&Ko(t,f,g,v,w*m)});let h=u?d:e.moments[Math.max(0,l-1)];if(Yo(t,e,h,c,n.numbers,o),u&&n.plan)for(let[f,g]of c.entries())g.alpha&&
 Xo(t,e,f,L(d,f),g,n.plan[f]??0);n.you!==null&&(n.fog&&Wo(t,e,...Kr(e,n.you,r)),Ho(t,c[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===
 null?void 0:c[n.selected];y?.alpha&&Qo(t,y.x,y.y,y.size*.96),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Qo(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash(
@@ -391,16 +391,16 @@ t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length)
 `${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,s.value=String(t.speed)};return t.addEventListener("step",u),t.addEventListener("s\
 tate",u),t.addEventListener("state",d),i.addEventListener("keydown",c=>{!(c.target instanceof HTMLSelectElement||c.key===" "&&c.target!==r)&&Me(t,c)&&c.preventDefault()}),
 u(),i}function ol(t){let e=p("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
-Number(e.value))}),e}function sl(t){let e=`Steps a second, or the whole in ${Bt} s (+ and -)`,r=p("select",{class:"player-speed","aria-label":"Speed",title:e},p(
-"option",{value:je},`in ${Bt} s`),...ht.map(n=>p("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var B=(t,e=2)=>t==null?"-":t.toFixed(e);function ns(t,e,r){return e===null||r===null?B(t):`${B(t)} (${B(e)} to ${B(r)})`}var os=t=>t.toLocaleString("en-GB"),_e=t=>t.
+Number(e.value))}),e}function sl(t){let e=`Steps a second, or the whole in ${Ut} s (+ and -)`,r=p("select",{class:"player-speed","aria-label":"Speed",title:e},p(
+"option",{value:je},`in ${Ut} s`),...ht.map(n=>p("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var U=(t,e=2)=>t==null?"-":t.toFixed(e);function ns(t,e,r){return e===null||r===null?U(t):`${U(t)} (${U(e)} to ${U(r)})`}var os=t=>t.toLocaleString("en-GB"),_e=t=>t.
 charAt(0).toUpperCase()+t.slice(1);function wt(t,e,r,n=!1){let o=(e-t)/Math.max(1,r),s=10**Math.floor(Math.log10(o||1)),a=[1,2,5,10].map(d=>d*s).find(d=>d>=o)??
 10*s;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(d,u)=>(i+u)*a)}var al=40,Jt=class{element;#e;#r=p("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#t=p("p",{class:"check small numbers","aria-live":"\
 polite"});constructor(e){this.#e=e,this.element=p("div",{class:"strip-of-episodes"},this.#r,this.#t)}show(e,r){let{pursuer:n,evader:o,episode:s,seed:a}=this.#e.
 selected,i=Ge(e,n,o);this.#r.replaceChildren(...(i?.rates??[]).slice(0,al).map((m,h)=>this.#n(m,h)));let l=a===null?i?.rates[s]:void 0,d=r.statistics.capture_rate,
 u=l!==void 0&&Math.abs(d-l)<1e-6&&r.length===i?.lengths[s],c=i?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";this.#t.dataset.
 equal=String(u),this.#t.textContent=u?"As in the evaluation":l===void 0?c:`Episode ${s+1} differs from the evaluation.`,this.#t.title=`Played here: capture rate\
- ${B(d,3)} in ${r.length} steps.${i?` The cell says ${B(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,o=p("span",{class:"bar"});return o.style.height=`${Math.
-round(100*e)}%`,p("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${B(e)}`,"aria-label":`Episode ${r+1}, capture rate ${B(e)}`,"aria\
+ ${U(d,3)} in ${r.length} steps.${i?` The cell says ${U(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,o=p("span",{class:"bar"});return o.style.height=`${Math.
+round(100*e)}%`,p("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${U(e)}`,"aria-label":`Episode ${r+1}, capture rate ${U(e)}`,"aria\
 -pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},o,p("span",{class:"count"},r+1))}};var ss=0,as=1,il=2,ll=176;function ls(t,e,r,n){let o=devicePixelRatio||1,s=Ze(t);t.width=t.height=ll*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
 i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let u=0;r&&u<i*i;u++){let[c,m]=[(u%i+.5)*l,(Math.floor(u/i)+.5)*l],h=f=>!!r[f*i*i+u];h(il)&&(a.fillStyle=
 s.obstacle,a.fillRect(c-l/2,m-l/2,l,l));let y=h(ss)&&h(as)?l*.18:0;h(ss)&&is(a,Re,c+y,m+y,l*.74,s.evader),h(as)&&is(a,Vt,c-y,m-y,l*.86,s.pursuer)}a.strokeStyle=
@@ -484,18 +484,18 @@ select({pursuer:Es(c+u*a,l),evader:Es(m+u*i,d)}),o.preventDefault(),o.stopPropag
 min(or,s)],u=[];for(let y=a+l-1;y>=a;y--){u.push(p("span",{class:"pursuer"},y));for(let f=i;f<i+d;f++)u.push(Rl(t,y,f,n))}let c=Array.from({length:d},(y,f)=>p("\
 span",{class:"evader"},i+f)),m=p("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),h=p("div",{class:"loupe numbers",role:"grou\
 p","aria-label":"Cells around the tap"},...u,m,...c);return h.style.gridTemplateColumns=`2.4rem repeat(${d}, minmax(0, 1fr))`,h.addEventListener("click",y=>y.stopPropagation()),
-h}function Rl(t,e,r,n){let o=Ge(t,e,r)?.rate,s=p("button",{type:"button","aria-label":`${B(o)}: ${j("pursuer",e)} against ${j("evader",r)}`,onclick:()=>n({pursuer:e,
-evader:r})},B(o));return o!==void 0&&([s.style.backgroundColor,s.style.color]=[Ft(o),Ut(o)]),s}var Ts=(t,e)=>Math.max(0,Math.min(e-or,t-Math.floor(or/2)));var oe={left:52,bottom:46,top:76,right:84},de=10,_l=160,Mt=oe.right-de-14,Oe=oe.top-de-14,sr=class{element;#e;#r;#t=p("canvas",{"aria-hidden":"true"});#n=M("svg",
+h}function Rl(t,e,r,n){let o=Ge(t,e,r)?.rate,s=p("button",{type:"button","aria-label":`${U(o)}: ${j("pursuer",e)} against ${j("evader",r)}`,onclick:()=>n({pursuer:e,
+evader:r})},U(o));return o!==void 0&&([s.style.backgroundColor,s.style.color]=[Ft(o),Bt(o)]),s}var Ts=(t,e)=>Math.max(0,Math.min(e-or,t-Math.floor(or/2)));var oe={left:52,bottom:46,top:76,right:84},de=10,_l=160,Mt=oe.right-de-14,Oe=oe.top-de-14,sr=class{element;#e;#r;#t=p("canvas",{"aria-hidden":"true"});#n=M("svg",
 {"aria-hidden":"true"});#a=M("g");#s;#l=p("h2");#p=p("strong",{class:"rate numbers"});#c=p("span",{class:"small muted"});#m=p("p",{class:"of-both-teams small mu\
 ted numbers"});#d=null;constructor(e,r){[this.#r,this.#e]=[e,r],this.#s=p("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
 ch, Enter plays it."},this.#t,this.#n);let n=p("header",{class:"readout","aria-live":"polite"},p("div",{},this.#l,this.#m),p("div",{class:"of-cell"},this.#p,this.#c));
-this.element=p("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,Dt("0 all escape","1 all caught")),this.#f(),new ResizeObserver(()=>this.#h()).
+this.element=p("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,zt("0 all escape","1 all caught")),this.#f(),new ResizeObserver(()=>this.#h()).
 observe(this.#s),this.#s.addEventListener("pointermove",o=>this.#v(o)),this.#s.addEventListener("pointerleave",()=>r.point({})),this.#s.addEventListener("click",
 o=>this.#w(o)),this.#s.addEventListener("mousedown",o=>{o.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),$e(this.#s,
 r,()=>this.#i.payoff.shape),this.#s.addEventListener("keydown",o=>{o.key==="Enter"&&this.#x()}),r.on("run",()=>this.#h()),r.on("match",()=>this.#g()),r.on("hove\
 r",()=>this.#g())}get#i(){return this.#r[this.#e.selected.run]}#h(){let[e,r]=this.#i.payoff.shape,{clientWidth:n,clientHeight:o}=this.#s;if(n<50)return;let a=Math.
 max(_l,Math.min(n-oe.left-oe.right,o-oe.top-oe.bottom))/Math.max(e,r),i=Math.max(oe.left,(n-r*a-oe.right+oe.left)/2),l=oe.top+Math.max(0,(o-oe.top-oe.bottom-e*a)/
-2),d={width:n,height:o,left:i,top:l,cell:a,rows:e,columns:r};this.#d=d,zt(this.#t,this.#i.payoff,{left:i,top:l,width:r*a,height:e*a});for(let[u,c,m]of[["left",i,
+2),d={width:n,height:o,left:i,top:l,cell:a,rows:e,columns:r};this.#d=d,Dt(this.#t,this.#i.payoff,{left:i,top:l,width:r*a,height:e*a});for(let[u,c,m]of[["left",i,
 n],["top",l,o],["width",r*a,n],["height",e*a,o]])this.#t.style.setProperty(u,`${100*c/m}%`);this.#s.style.setProperty("--shape",`${n} / ${o}`),this.#n.setAttribute(
 "viewBox",`0 0 ${n} ${o}`),this.#n.replaceChildren($l(d),...Ol(d),...this.#o(d),this.#a),this.#g()}#u(e){let r=this.#i.findings?.generalization;if(!r)return[];let{
 selected:n,hover:o}=this.#e,[s,a]=[o.pursuer??n.pursuer,o.evader??n.evader],[i,l]=Rs(e,r.pursuers.mean[s]??0,s),[d,u]=_s(e,r.evaders.mean[a]??0,a);return[M("cir\
@@ -509,7 +509,7 @@ d=y=>s+(i-1-y)*a,u=[],c=(y,f)=>M("rect",{class:f,x:o,y:d(y),width:l*a+de+Mt,heig
 push(c(r.pursuer,"strip pursuer"),m(r.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&u.push(c(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&u.push(
 m(n.evader,"strip hover")),u.push(...this.#u(e));let h={x:o+r.evader*a,y:d(r.pursuer),width:a,height:a};u.push(M("rect",{class:"chosen under",...h}),M("rect",{class:"\
 chosen",...h})),this.#a.replaceChildren(...u),this.#f()}#f(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,o=r.evader??e.evader,s=Ge(this.#i,n,o);this.#l.
-replaceChildren(p("span",{class:"pursuer"},_e(j("pursuer",n)))," against ",p("span",{class:"evader"},j("evader",o))),this.#p.textContent=s?B(s.rate,3):"-",this.#c.
+replaceChildren(p("span",{class:"pursuer"},_e(j("pursuer",n)))," against ",p("span",{class:"evader"},j("evader",o))),this.#p.textContent=s?U(s.rate,3):"-",this.#c.
 textContent=s?`capture rate, mean of ${s.rates.length} episodes`:"no episodes were played",this.#m.textContent=this.#y(n,o)}#y(e,r){let n=this.#i.findings?.generalization;
 if(!n)return"";let o=(s,a)=>ns(s.mean[a]??null,s.low?.[a]??null,s.high?.[a]??null);return`Against all: captures ${o(n.pursuers,e)}, escapes ${o(n.evaders,r)}`}#b(e){
 let r=this.#d;if(!r)return null;let n=this.#s.getBoundingClientRect(),o=Math.floor((e.clientX-n.left-r.left)/r.cell),s=r.rows-1-Math.floor((e.clientY-n.top-r.top)/
@@ -530,13 +530,13 @@ l)},a=n.checkerboards.map(i=>Pl(t,i,s));return{element:ie("Checkerboards","Two g
 er one of the evaders. Click one: its four matches side by side.",a.length?p("div",{class:"boards"},...a):p("p",{},`No four cells differ by more than ${n.margin}\
  in this way.`),a.length?p("p",{class:"small muted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether th\
 ere are more than noise makes."):null,o)}}var Ps=({pursuers:[t,e],evaders:[r,n]})=>[[t,r],[t,n],[e,r],[e,n]];function Pl(t,e,r){let[n,o]=e.pursuers,[s,a]=e.evaders,
-i=Ps(e).map(([l,d])=>{let u=t.payoff.capture_rate[l][d],c=p("span",{class:"cell"},B(u));return c.style.backgroundColor=Ft(u),c.style.color=Ut(u),c});return p("b\
+i=Ps(e).map(([l,d])=>{let u=t.payoff.capture_rate[l][d],c=p("span",{class:"cell"},U(u));return c.style.backgroundColor=Ft(u),c.style.color=Bt(u),c});return p("b\
 utton",{type:"button",class:"miniature numbers",onclick:()=>r(e)},p("span",{},p("span",{class:"heard"},`Four matches of generations ${n} and ${o} of the pursuer\
 s, ${s} and ${a} of the evaders:`)),p("span",{class:"evader"},s),p("span",{class:"evader"},a),p("span",{class:"pursuer"},n),i[0],i[1],p("span",{class:"pursuer"},
 o),i[2],i[3])}function Ll(t,e,r,n,o){let s=Ps(r).filter(([m,h])=>!Ce(e,"pursuer",m)&&!Ce(e,"evader",h)),a=s.map(([m,h])=>Xe(o,e,{run:n.selected.run,pursuer:m,evader:h,
 episode:0,seed:null})),i=new Se(Math.max(0,...a.map(m=>m.length)),{speed:je,still:ge()}),l=a.map((m,h)=>{let[y,f]=s[h],g=p("canvas",{"aria-label":`${j("pursuer",
 y)} against ${j("evader",f)}`}),v=p("span",{class:"numbers"}),S=()=>{t.close(),n.select({pursuer:y,evader:f})},b=p("figure",{},g,p("figcaption",{class:"small"},
-v,p("span",{class:"muted"},`cell ${B(e.payoff.capture_rate[y][f])}`),p("button",{type:"button",title:"Show this match alone",onclick:S},"open")));return b.style.
+v,p("span",{class:"muted"},`cell ${U(e.payoff.capture_rate[y][f])}`),p("button",{type:"button",title:"Show this match alone",onclick:S},"open")));return b.style.
 gridArea=`${r.pursuers.indexOf(y)+2} / ${r.evaders.indexOf(f)+2}`,{element:b,match:m,recording:Zt(m),board:new Ae(g,{numbers:!1}),tally:v}}),d=()=>l.forEach(m=>m.
 board.show(m.recording,i.time)),u=()=>l.forEach(({recording:m,match:h,tally:y})=>{let f=m.moments[Math.min(i.step,h.length)];y.textContent=`${Array.from(f.everCaptured).
 filter(Boolean).length} of ${h.config.n_evaders} captured`});i.addEventListener("frame",d),i.addEventListener("step",u),t.replaceChildren(p("header",{},p("h2",{},
@@ -545,9 +545,9 @@ filter(Boolean).length} of ${h.config.n_evaders} captured`});i.addEventListener(
 element)),Je(i));let c=m=>{!(m.target instanceof HTMLSelectElement||m.target instanceof HTMLButtonElement&&m.key===" ")&&!m.defaultPrevented&&Me(i,m)&&m.preventDefault()};
 t.addEventListener("keydown",c),t.addEventListener("close",()=>{t.removeEventListener("keydown",c),i.pause(),l.forEach(m=>m.board.close()),t.replaceChildren()},
 {once:!0}),n.dispatchEvent(new Event("rest")),t.showModal(),d(),u(),ge()||i.play()}var ar={pursuer:"evader",evader:"pursuer"};function Ls(t,e){let r=t.findings?.ciao;if(!r)return null;let n=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=r[`${o}\
-s`],l=`fading ${B(s)}, stripes ${B(a)}${i===null?"":` every ${i} generations`}`;return Il(t,o,l,e)});return{element:ie("CIAO: current individuals against ancest\
+s`],l=`fading ${U(s)}, stripes ${U(a)}${i===null?"":` every ${i} generations`}`;return Il(t,o,l,e)});return{element:ie("CIAO: current individuals against ancest\
 ral opponents","The team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier str\
-ategies is recurrence, under What happened. Darker away from the diagonal: forgetting.",p("div",{class:"triangles"},...n.map(o=>o.element)),Dt("0 loses","1 wins")),
+ategies is recurrence, under What happened. Darker away from the diagonal: forgetting.",p("div",{class:"triangles"},...n.map(o=>o.element)),zt("0 loses","1 wins")),
 update:()=>n.forEach(o=>o.update())}}function Il(t,e,r,n){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(b,w)=>e==="pursuer"?t.payoff.
 capture_rate[b][w]:1-t.payoff.capture_rate[w][b],l=p("canvas",{width:a,height:s,"aria-hidden":"true"}),d=l.getContext("2d"),u=d?.createImageData(a,s);for(let b=0;u&&
 b<s;b++)for(let w=0;w<=Math.min(b,a-1);w++)u.data.set([...Ve(i(b,w)),255],4*((s-1-b)*a+w));u&&d?.putImageData(u,0,0);let c=M("rect",{class:"chosen",width:1,height:1}),
@@ -565,35 +565,35 @@ Math.abs(f):f)));return h.append(M("line",{x1:o,x2:a,y1:i,y2:i,class:"axis"}),M(
 {transform:`translate(12 ${(s+i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),m.append(h,c),{root:m,marks:c,left:o,right:a,top:s,bottom:i,x:d,
 y:u,at:f=>{let g=f-m.getBoundingClientRect().left;return r.low+(g-o)/(a-o)*(r.high-r.low)}}}var Ns=t=>String(Number(t.toPrecision(6))).replace("-","−");function on(t,e,r,n){
 let o="",s="M";r.forEach((a,i)=>{a===null?s="M":(o+=`${s}${t.x(e[i]).toFixed(1)} ${t.y(a).toFixed(1)}`,s="L")}),t.root.insertBefore(M("path",{d:o,class:`line ${n}`}),
-t.marks)}function Bs(t,{low:e,high:r},n){if(!e||!r)return;let o=s=>s.map((a,i)=>`${t.x(i).toFixed(1)} ${t.y(a??0).toFixed(1)}`);t.root.insertBefore(M("path",{d:`\
+t.marks)}function Us(t,{low:e,high:r},n){if(!e||!r)return;let o=s=>s.map((a,i)=>`${t.x(i).toFixed(1)} ${t.y(a??0).toFixed(1)}`);t.root.insertBefore(M("path",{d:`\
 M${[...o(r),...o(e).reverse()].join("L")}Z`,class:`band ${n}`}),t.marks)}function sn(t,e,r,n=null){let o=t.x(e);t.marks.append(M("line",{x1:o,x2:o,y1:t.top,y2:t.
 bottom,class:`mark ${r}`})),n!==null&&t.marks.append(M("circle",{cx:o,cy:t.y(n),r:5,class:`dot ${r}`}))}function an(...t){return p("p",{class:"legend small"},...t.
 map(([e,r])=>p("span",{class:`key ${r}`},e)))}function ln(t,e,r,n){let o=p("div",{class:"chart chooses",role:"img","aria-label":t}),s=null,a=()=>{s?.marks.replaceChildren(),
 s&&r(s)};o.addEventListener("click",l=>s&&n(s.at(l.clientX),s,l));let i=()=>{let{clientWidth:l,clientHeight:d}=o;l<50||d<50||(s=e(l,d),o.replaceChildren(s.root),
-a())};return new ResizeObserver(i).observe(o),{element:o,update:a,redraw:i}}var cn=["of-pursuers","of-evaders","of-both"],Nl=2500,Us="Arrow keys choose generations.",Bl={low:0,high:1,label:"capture rate"};function Fs(t,e){let{training:r}=t,
-{capture_rate:n,generation:o,learner:s,epochs:a}=r,i=n.map((y,f)=>(f+1)*a),l=Ul(n,r.window),d=i.at(-1)??1,u=i.length>Nl?"dense":"",c=(y,f)=>{let g=o.flatMap((v,S)=>v===
-y&&(s[S]===f||s[S]===2)?[S]:[]);return g.length?[i[g[0]],i[g.at(-1)]]:null},m=ln(`Capture rate in ${d} epochs of training. ${Us}`,(y,f)=>{let g=nn(y,f,{low:0,high:d,
-label:"epoch",whole:!0},Bl);for(let[v,S]of[["raw",n],[u,l]])for(let[b,w]of cn.entries()){let A=S.map((C,E)=>s[E]===b||s[E+1]===b?C:null);A.some(C=>C!==null)&&on(
+a())};return new ResizeObserver(i).observe(o),{element:o,update:a,redraw:i}}var cn=["of-pursuers","of-evaders","of-both"],Nl=2500,Bs="Arrow keys choose generations.",Ul={low:0,high:1,label:"capture rate"};function Fs(t,e){let{training:r}=t,
+{capture_rate:n,generation:o,learner:s,epochs:a}=r,i=n.map((y,f)=>(f+1)*a),l=Bl(n,r.window),d=i.at(-1)??1,u=i.length>Nl?"dense":"",c=(y,f)=>{let g=o.flatMap((v,S)=>v===
+y&&(s[S]===f||s[S]===2)?[S]:[]);return g.length?[i[g[0]],i[g.at(-1)]]:null},m=ln(`Capture rate in ${d} epochs of training. ${Bs}`,(y,f)=>{let g=nn(y,f,{low:0,high:d,
+label:"epoch",whole:!0},Ul);for(let[v,S]of[["raw",n],[u,l]])for(let[b,w]of cn.entries()){let A=S.map((C,E)=>s[E]===b||s[E+1]===b?C:null);A.some(C=>C!==null)&&on(
 g,i,A,`${w} ${v}`)}return g},y=>ae.forEach((f,g)=>{let v=c(e.hover[f]??e.selected[f],g);v&&sn(y,(v[0]+v[1])/2,cn[g])}),y=>{let f=Math.min(i.length-1,Math.max(0,
 Math.round(y/a)-1)),g=o[f];s[f]!==1&&e.select({pursuer:Math.min(g,t.payoff.shape[0]-1)}),s[f]!==0&&e.select({evader:Math.min(g,t.payoff.shape[1]-1)})});$e(m.element,
 e,()=>t.payoff.shape);let h=[...new Set(s)].sort().map(y=>[["pursuers learn","evaders learn","both teams learn"][y],cn[y]]);return{element:ie("Training",`${os(r.
-matches)} training matches. Lines: the generations that are selected.`,an(...h),m.element),update:m.update}}function zs(t,e){let r=t.findings?.ratings;if(!r)return null;
+matches)} training matches. Lines: the generations that are selected.`,an(...h),m.element),update:m.update}}function Ds(t,e){let r=t.findings?.ratings;if(!r)return null;
 let n={pursuer:r.pursuers,evader:r.evaders},o={pursuer:n.pursuer.mean,evader:n.evader.mean},s=ae.flatMap(c=>[n[c].mean,n[c].low??[],n[c].high??[]]).flat().map(c=>c??
-0),[a,i]=[Math.min(...s),Math.max(...s)],l=.06*(i-a||1),d=Math.max(...t.payoff.shape)-1,u=ln(`Elo ratings by generation. ${Us}`,(c,m)=>{let h=nn(c,m,{low:0,high:d,
-label:"generation",whole:!0},{low:a-l,high:i+l,label:"Elo points"});for(let y of ae)Bs(h,n[y],`of-${y}s`),on(h,o[y].map((f,g)=>g),o[y],`of-${y}s`);return h},c=>{
+0),[a,i]=[Math.min(...s),Math.max(...s)],l=.06*(i-a||1),d=Math.max(...t.payoff.shape)-1,u=ln(`Elo ratings by generation. ${Bs}`,(c,m)=>{let h=nn(c,m,{low:0,high:d,
+label:"generation",whole:!0},{low:a-l,high:i+l,label:"Elo points"});for(let y of ae)Us(h,n[y],`of-${y}s`),on(h,o[y].map((f,g)=>g),o[y],`of-${y}s`);return h},c=>{
 for(let m of ae){let h=e.hover[m]??e.selected[m];sn(c,h,`of-${m}s`,o[m][h]??null)}},(c,m,h)=>{let y=Math.round(c),f=h.clientY-m.root.getBoundingClientRect().top,
 g=S=>Math.abs(m.y(o[S][y]??1/0)-f),v=g("pursuer")<=g("evader")?"pursuer":"evader";y>=0&&y<o[v].length&&e.select({[v]:y})});return $e(u.element,e,()=>t.payoff.shape),
-{element:ie("Ratings",`One number for each generation, which cycles do not fit, with 95 % intervals over episodes. The game itself: ${B(r.offset,0)} points for \
-the pursuers.`,an(["pursuers","of-pursuers"],["evaders","of-evaders"]),u.element),update:u.update}}function Ul(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);
-return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}var Fl={present:"●",absent:"○","cannot tell":"?"};function Ds(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([s,a,i,l],d)=>{
-let u=zl(e.reasons[d]??"");return p("li",{class:`finding ${a.replace(" ","-")}`},p("span",{class:"sign","aria-hidden":"true"},Fl[a]??""),p("div",{},p("p",{},p("\
+{element:ie("Ratings",`One number for each generation, which cycles do not fit, with 95 % intervals over episodes. The game itself: ${U(r.offset,0)} points for \
+the pursuers.`,an(["pursuers","of-pursuers"],["evaders","of-evaders"]),u.element),update:u.update}}function Bl(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);
+return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}var Fl={present:"●",absent:"○","cannot tell":"?"};function zs(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([s,a,i,l],d)=>{
+let u=Dl(e.reasons[d]??"");return p("li",{class:`finding ${a.replace(" ","-")}`},p("span",{class:"sign","aria-hidden":"true"},Fl[a]??""),p("div",{},p("p",{},p("\
 strong",{},s),` ${a}`,p("span",{class:"muted"},` · ${l}`)),u?p("p",{class:"small"},`${u}.`):null,p("p",{class:"small muted numbers"},i)))}),o=ie("What happened",
 "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",p("p",{class:"headline"},e.sentence),p("p",{},e.headline),
 ...e.numbers.map(s=>p("p",{class:"numbers"},`${_e(s)}.`)),p("ul",{class:"findings"},...n),t.limits?p("p",{class:"small"},t.limits):null);return o.classList.add(
-"diagnosis"),{element:o}}function zl(t){let[,e=""]=t.split(/, because (.*)/s);return _e(e.replace(/\.$/,""))}function Ws({settings:t,schedule:e,seed:r}){let n=t.map(({name:a,value:i,help:l})=>p("tr",{},p("th",{scope:"row"},`--${a.replaceAll("_","-")}`),p("td",{class:"n\
+"diagnosis"),{element:o}}function Dl(t){let[,e=""]=t.split(/, because (.*)/s);return _e(e.replace(/\.$/,""))}function Ws({settings:t,schedule:e,seed:r}){let n=t.map(({name:a,value:i,help:l})=>p("tr",{},p("th",{scope:"row"},`--${a.replaceAll("_","-")}`),p("td",{class:"n\
 umbers"},i),p("td",{class:"muted"},l))),o=p("table",{class:"small"},p("caption",{class:"heard"},"Settings other than the default"),...n),s=ie("Settings",`${e}, \
-seed ${r}; all others are the defaults of matrixworld evolve.`,n.length?p("div",{class:"wide-table"},o):null);return s.classList.add("settings"),{element:s}}function Hs(t,e,r){let n=new Map,o=p("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??Dl(l,e,r),n.set(l,
-s),o.replaceChildren(...s.map(d=>d.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function Dl(t,e,r){return[Ds(t),Fs(t,e),Os(t,e,r),zs(
+seed ${r}; all others are the defaults of matrixworld evolve.`,n.length?p("div",{class:"wide-table"},o):null);return s.classList.add("settings"),{element:s}}function Hs(t,e,r){let n=new Map,o=p("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??zl(l,e,r),n.set(l,
+s),o.replaceChildren(...s.map(d=>d.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function zl(t,e,r){return[zs(t),Fs(t,e),Os(t,e,r),Ds(
 t,e),Ls(t,e),Ws(t)].filter(o=>o!==null)}var dr=Pa(ra(),1);var hn=125,cc=80,uc=10,na=480,dc=[1,.8,.6,.4,.2],pc=5;async function oa(t,e){let r=Math.min(1,bt(t.rows,t.cols)),[n,o]=[Math.round(na*r),Math.round(na*r/bt(t.rows,
 t.cols))],s=document.createElement("canvas");[s.width,s.height]=[n,o];let a=s.getContext("2d",{willReadFrequently:!0}),i=Ze(document.documentElement),l={ctx:a,colors:i,
 grid:Yt(t.rows,t.cols,!1,n,o,1)},[d,u]=[mc(i,a),(0,dr.GIFEncoder)()];for(let c=0;c<hn;c++){let m=Math.min(1,c/(hn-uc))*(t.moments.length-1);Kt(l,t,m,{...qt,numbers:!1},

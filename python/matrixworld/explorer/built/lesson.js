@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 76a0f49e1581dab5406fe58f6dde32de3bcca4a56e8c8496b1f93a1fcc0c812a */
+/* built from web/ by "npm run build"; sources 7135964938b05a4197fe44ab37a32bccaaae4ea4ade19f51f76b6886a8e8e14e */
 "use strict";(()=>{var ms={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},gt={DISAPPEAR:0,REACH:1,BOUNCE:2},ps={OCCUPATION:0,SURROUND:1},hs={FAULT:0,INVOLVED:1};var Xr=["obstacle","teammate","adversary"],Qr=["vertex","edge","chain"],fs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],en=["p\
 ursuer_{number}","evader_{number}"],ys={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},vt={"both held":"both bounce","both doomed":"\
@@ -100,7 +100,7 @@ return an(this.compiled,{config:e,pursuers:r,evaders:n},s,o)}},Fs;function Zt(t=
 "matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new un(await t({wasmBinary:e}))}var P=Uint8Array,J=Uint16Array,bn=Int32Array,Qt=new P([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),er=new P([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),hn=new P([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Hs=function(t,e){for(var r=new J(31),n=0;n<31;++n)r[n]=e+=
 1<<t[n-1];for(var s=new bn(r[30]),n=1;n<30;++n)for(var o=r[n];o<r[n+1];++o)s[o]=o-r[n]<<5|n;return{b:r,r:s}},js=Hs(Qt,2),Gs=js.b,fn=js.r;Gs[28]=258,fn[258]=28;var Vs=Hs(
-er,0),ul=Vs.b,Us=Vs.r,yn=new J(32768);for(T=0;T<32768;++T)ve=(T&43690)>>1|(T&21845)<<1,ve=(ve&52428)>>2|(ve&13107)<<2,ve=(ve&61680)>>4|(ve&3855)<<4,yn[T]=((ve&65280)>>
+er,0),ul=Vs.b,Ds=Vs.r,yn=new J(32768);for(T=0;T<32768;++T)ve=(T&43690)>>1|(T&21845)<<1,ve=(ve&52428)>>2|(ve&13107)<<2,ve=(ve&61680)>>4|(ve&3855)<<4,yn[T]=((ve&65280)>>
 8|(ve&255)<<8)>>1;var ve,T,ie=(function(t,e,r){for(var n=t.length,s=0,o=new J(e);s<n;++s)t[s]&&++o[t[s]-1];var a=new J(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-1]<<1;
 var i;if(r){i=new J(1<<e);var l=15-e;for(s=0;s<n;++s)if(t[s])for(var c=s<<4|t[s],d=e-t[s],m=a[t[s]-1]++<<d,p=m|(1<<d)-1;m<=p;++m)i[yn[m]>>l]=c}else for(i=new J(
 n),s=0;s<n;++s)t[s]&&(i[s]=yn[a[t[s]-1]++]>>15-t[s]);return i}),Me=new P(288);for(T=0;T<144;++T)Me[T]=8;var T;for(T=144;T<256;++T)Me[T]=9;var T;for(T=256;T<280;++T)
@@ -113,36 +113,36 @@ if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,V),!r)throw n;ret
 new P(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new P(s*3));var c=function(ft){var yt=r.length;if(ft>yt){var He=new P(Math.max(yt*2,ft));He.set(r),r=He}},d=e.f||0,m=e.
 p||0,p=e.b||0,h=e.l,f=e.d,y=e.m,g=e.n,x=s*8;do{if(!h){d=re(t,m,1);var v=re(t,m+1,3);if(m+=3,v)if(v==1)h=ml,f=hl,y=9,g=5;else if(v==2){var k=re(t,m,31)+257,C=re(
 t,m+10,15)+4,E=k+re(t,m+5,31)+1;m+=14;for(var M=new P(E),F=new P(19),N=0;N<C;++N)F[hn[N]]=re(t,m+N*3,7);m+=C*3;for(var B=dn(F),xe=(1<<B)-1,q=ie(F,B,1),N=0;N<E;){
-var H=q[re(t,m,xe)];m+=H&15;var w=H>>4;if(w<16)M[N++]=w;else{var U=0,$=0;for(w==16?($=3+re(t,m,3),m+=2,U=M[N-1]):w==17?($=3+re(t,m,7),m+=3):w==18&&($=11+re(t,m,
-127),m+=7);$--;)M[N++]=U}}var j=M.subarray(0,k),D=M.subarray(k);y=dn(j),g=dn(D),h=ie(j,y,1),f=ie(D,g,1)}else V(1);else{var w=wn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
+var H=q[re(t,m,xe)];m+=H&15;var w=H>>4;if(w<16)M[N++]=w;else{var D=0,$=0;for(w==16?($=3+re(t,m,3),m+=2,D=M[N-1]):w==17?($=3+re(t,m,7),m+=3):w==18&&($=11+re(t,m,
+127),m+=7);$--;)M[N++]=D}}var j=M.subarray(0,k),U=M.subarray(k);y=dn(j),g=dn(U),h=ie(j,y,1),f=ie(U,g,1)}else V(1);else{var w=wn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
 s){l&&V(0);break}i&&c(p+S),r.set(t.subarray(w,A),p),e.b=p+=S,e.p=m=A*8,e.f=d;continue}if(m>x){l&&V(0);break}}i&&c(p+131072);for(var ht=(1<<y)-1,X=(1<<g)-1,ye=m;;ye=
-m){var U=h[mn(t,m)&ht],Y=U>>4;if(m+=U&15,m>x){l&&V(0);break}if(U||V(2),Y<256)r[p++]=Y;else if(Y==256){ye=m,h=null;break}else{var K=Y-254;if(Y>264){var N=Y-257,_=Qt[N];
-K=re(t,m,(1<<_)-1)+Gs[N],m+=_}var ae=f[mn(t,m)&X],ze=ae>>4;ae||V(3),m+=ae&15;var D=ul[ze];if(ze>3){var _=er[ze];D+=mn(t,m)&(1<<_)-1,m+=_}if(m>x){l&&V(0);break}i&&
-c(p+131072);var Be=p+K;if(p<D){var jt=o-D,Gt=Math.min(D,Be);for(jt+p<0&&V(3);p<Gt;++p)r[p]=n[jt+p]}for(;p<Be;++p)r[p]=r[p-D]}}e.l=h,e.p=ye,e.b=p,e.f=d,h&&(d=1,e.
+m){var D=h[mn(t,m)&ht],Y=D>>4;if(m+=D&15,m>x){l&&V(0);break}if(D||V(2),Y<256)r[p++]=Y;else if(Y==256){ye=m,h=null;break}else{var K=Y-254;if(Y>264){var N=Y-257,_=Qt[N];
+K=re(t,m,(1<<_)-1)+Gs[N],m+=_}var ae=f[mn(t,m)&X],ze=ae>>4;ae||V(3),m+=ae&15;var U=ul[ze];if(ze>3){var _=er[ze];U+=mn(t,m)&(1<<_)-1,m+=_}if(m>x){l&&V(0);break}i&&
+c(p+131072);var Be=p+K;if(p<U){var jt=o-U,Gt=Math.min(U,Be);for(jt+p<0&&V(3);p<Gt;++p)r[p]=n[jt+p]}for(;p<Be;++p)r[p]=r[p-U]}}e.l=h,e.p=ye,e.b=p,e.f=d,h&&(d=1,e.
 m=y,e.d=f,e.n=g)}while(!d);return p!=r.length&&a?xn(r,0,p):r.subarray(0,p)},be=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},St=function(t,e,r){r<<=
 e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},pn=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var s=r.length,o=r.slice();if(!s)
 return{t:Ys,l:0};if(s==1){var a=new P(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(A,k){return A.f-k.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],c=0,
 d=1,m=2;for(r[0]={s:-1,f:i.f+l.f,l:i,r:l};d!=s-1;)i=r[r[c].f<r[m].f?c++:m++],l=r[c!=d&&r[c].f<r[m].f?c++:m++],r[d++]={s:-1,f:i.f+l.f,l:i,r:l};for(var p=o[0].s,n=1;n<
 s;++n)o[n].s>p&&(p=o[n].s);var h=new J(p+1),f=gn(r[d-1],h,0);if(f>e){var n=0,y=0,g=f-e,x=1<<g;for(o.sort(function(k,C){return h[C.s]-h[k.s]||k.f-C.f});n<s;++n){
 var v=o[n].s;if(h[v]>e)y+=x-(1<<f-h[v]),h[v]=e;else break}for(y>>=g;y>0;){var w=o[n].s;h[w]<e?y-=1<<e-h[w]++-1:++n}for(;n>=0&&y;--n){var S=o[n].s;h[S]==e&&(--h[S],
-++y)}f=e}return{t:new P(h),l:f}},gn=function(t,e,r){return t.s==-1?Math.max(gn(t.l,e,r+1),gn(t.r,e,r+1)):e[t.s]=r},Ds=function(t){for(var e=t.length;e&&!t[--e];)
+++y)}f=e}return{t:new P(h),l:f}},gn=function(t,e,r){return t.s==-1?Math.max(gn(t.l,e,r+1),gn(t.r,e,r+1)):e[t.s]=r},Us=function(t){for(var e=t.length;e&&!t[--e];)
 ;for(var r=new J(++e),n=0,s=t[0],o=1,a=function(l){r[n++]=l},i=1;i<=e;++i)if(t[i]==s&&i!=e)++o;else{if(!s&&o>2){for(;o>138;o-=138)a(32754);o>2&&(a(o>10?o-11<<5|
 28690:o-3<<5|12305),o=0)}else if(o>3){for(a(s),--o;o>6;o-=6)a(8304);o>2&&(a(o-3<<5|8208),o=0)}for(;o--;)a(s);o=1,s=t[i]}return{c:r.subarray(0,n),n:e}},At=function(t,e){
 for(var r=0,n=0;n<e.length;++n)r+=t[n]*e[n];return r},qs=function(t,e,r){var n=r.length,s=wn(e+2);t[s]=n&255,t[s+1]=n>>8,t[s+2]=t[s]^255,t[s+3]=t[s+1]^255;for(var o=0;o<
-n;++o)t[s+o+4]=r[o];return(s+4+n)*8},Ws=function(t,e,r,n,s,o,a,i,l,c,d){be(e,d++,r),++s[256];for(var m=pn(s,15),p=m.t,h=m.l,f=pn(o,15),y=f.t,g=f.l,x=Ds(p),v=x.c,
-w=x.n,S=Ds(y),A=S.c,k=S.n,C=new J(19),E=0;E<v.length;++E)++C[v[E]&31];for(var E=0;E<A.length;++E)++C[A[E]&31];for(var M=pn(C,7),F=M.t,N=M.l,B=19;B>4&&!F[hn[B-1]];--B)
-;var xe=c+5<<3,q=At(s,Me)+At(o,Mt)+a,H=At(s,p)+At(o,y)+a+14+3*B+At(C,F)+2*C[16]+3*C[17]+7*C[18];if(l>=0&&xe<=q&&xe<=H)return qs(e,d,t.subarray(l,l+c));var U,$,j,
-D;if(be(e,d,1+(H<q)),d+=2,H<q){U=ie(p,h,0),$=p,j=ie(y,g,0),D=y;var ht=ie(F,N,0);be(e,d,w-257),be(e,d+5,k-1),be(e,d+10,B-4),d+=14;for(var E=0;E<B;++E)be(e,d+3*E,
+n;++o)t[s+o+4]=r[o];return(s+4+n)*8},Ws=function(t,e,r,n,s,o,a,i,l,c,d){be(e,d++,r),++s[256];for(var m=pn(s,15),p=m.t,h=m.l,f=pn(o,15),y=f.t,g=f.l,x=Us(p),v=x.c,
+w=x.n,S=Us(y),A=S.c,k=S.n,C=new J(19),E=0;E<v.length;++E)++C[v[E]&31];for(var E=0;E<A.length;++E)++C[A[E]&31];for(var M=pn(C,7),F=M.t,N=M.l,B=19;B>4&&!F[hn[B-1]];--B)
+;var xe=c+5<<3,q=At(s,Me)+At(o,Mt)+a,H=At(s,p)+At(o,y)+a+14+3*B+At(C,F)+2*C[16]+3*C[17]+7*C[18];if(l>=0&&xe<=q&&xe<=H)return qs(e,d,t.subarray(l,l+c));var D,$,j,
+U;if(be(e,d,1+(H<q)),d+=2,H<q){D=ie(p,h,0),$=p,j=ie(y,g,0),U=y;var ht=ie(F,N,0);be(e,d,w-257),be(e,d+5,k-1),be(e,d+10,B-4),d+=14;for(var E=0;E<B;++E)be(e,d+3*E,
 F[hn[E]]);d+=3*B;for(var X=[v,A],ye=0;ye<2;++ye)for(var Y=X[ye],E=0;E<Y.length;++E){var K=Y[E]&31;be(e,d,ht[K]),d+=F[K],K>15&&(be(e,d,Y[E]>>5&127),d+=Y[E]>>12)}}else
-U=dl,$=Me,j=pl,D=Mt;for(var E=0;E<i;++E){var _=n[E];if(_>255){var K=_>>18&31;St(e,d,U[K+257]),d+=$[K+257],K>7&&(be(e,d,_>>23&31),d+=Qt[K]);var ae=_&31;St(e,d,j[ae]),
-d+=D[ae],ae>3&&(St(e,d,_>>5&8191),d+=er[ae])}else St(e,d,U[_]),d+=$[_]}return St(e,d,U[256]),d+$[256]},gl=new bn([65540,131080,131088,131104,262176,1048704,1048832,
+D=dl,$=Me,j=pl,U=Mt;for(var E=0;E<i;++E){var _=n[E];if(_>255){var K=_>>18&31;St(e,d,D[K+257]),d+=$[K+257],K>7&&(be(e,d,_>>23&31),d+=Qt[K]);var ae=_&31;St(e,d,j[ae]),
+d+=U[ae],ae>3&&(St(e,d,_>>5&8191),d+=er[ae])}else St(e,d,D[_]),d+=$[_]}return St(e,d,D[256]),d+$[256]},gl=new bn([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),Ys=new P(0),vl=function(t,e,r,n,s,o){var a=o.z||t.length,i=new P(n+a+5*(1+Math.ceil(a/7e3))+s),l=i.subarray(n,i.length-s),c=o.l,d=(o.r||0)&7;if(e){
 d&&(l[0]=o.r>>3);for(var m=gl[e-1],p=m>>13,h=m&8191,f=(1<<r)-1,y=o.p||new J(32768),g=o.h||new J(f+1),x=Math.ceil(r/3),v=2*x,w=function(Zr){return(t[Zr]^t[Zr+1]<<
-x^t[Zr+2]<<v)&f},S=new bn(25e3),A=new J(288),k=new J(32),C=0,E=0,M=o.i||0,F=0,N=o.w||0,B=0;M+2<a;++M){var xe=w(M),q=M&32767,H=g[xe];if(y[q]=H,g[xe]=q,N<=M){var U=a-
-M;if((C>7e3||F>24576)&&(U>423||!c)){d=Ws(t,l,0,S,A,k,E,F,B,M-B,d),F=C=E=0,B=M;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)k[$]=0}var j=2,D=0,ht=h,X=q-H&32767;
-if(U>2&&xe==w(M-X))for(var ye=Math.min(p,U)-1,Y=Math.min(32767,M),K=Math.min(258,U);X<=Y&&--ht&&q!=H;){if(t[M+j]==t[M+j-X]){for(var _=0;_<K&&t[M+_]==t[M+_-X];++_)
-;if(_>j){if(j=_,D=X,_>ye)break;for(var ae=Math.min(X,_-2),ze=0,$=0;$<ae;++$){var Be=M-X+$&32767,jt=y[Be],Gt=Be-jt&32767;Gt>ze&&(ze=Gt,H=Be)}}}q=H,H=y[q],X+=q-H&
-32767}if(D){S[F++]=268435456|fn[j]<<18|Us[D];var ft=fn[j]&31,yt=Us[D]&31;E+=Qt[ft]+er[yt],++A[257+ft],++k[yt],N=M+j,++C}else S[F++]=t[M],++A[t[M]]}}for(M=Math.max(
+x^t[Zr+2]<<v)&f},S=new bn(25e3),A=new J(288),k=new J(32),C=0,E=0,M=o.i||0,F=0,N=o.w||0,B=0;M+2<a;++M){var xe=w(M),q=M&32767,H=g[xe];if(y[q]=H,g[xe]=q,N<=M){var D=a-
+M;if((C>7e3||F>24576)&&(D>423||!c)){d=Ws(t,l,0,S,A,k,E,F,B,M-B,d),F=C=E=0,B=M;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)k[$]=0}var j=2,U=0,ht=h,X=q-H&32767;
+if(D>2&&xe==w(M-X))for(var ye=Math.min(p,D)-1,Y=Math.min(32767,M),K=Math.min(258,D);X<=Y&&--ht&&q!=H;){if(t[M+j]==t[M+j-X]){for(var _=0;_<K&&t[M+_]==t[M+_-X];++_)
+;if(_>j){if(j=_,U=X,_>ye)break;for(var ae=Math.min(X,_-2),ze=0,$=0;$<ae;++$){var Be=M-X+$&32767,jt=y[Be],Gt=Be-jt&32767;Gt>ze&&(ze=Gt,H=Be)}}}q=H,H=y[q],X+=q-H&
+32767}if(U){S[F++]=268435456|fn[j]<<18|Ds[U];var ft=fn[j]&31,yt=Ds[U]&31;E+=Qt[ft]+er[yt],++A[257+ft],++k[yt],N=M+j,++C}else S[F++]=t[M],++A[t[M]]}}for(M=Math.max(
 M,N);M<a;++M)S[F++]=t[M],++A[t[M]];d=Ws(t,l,c,S,A,k,E,F,B,M-B,d),c||(o.r=d&7|l[d/8|0]<<3,d-=7,o.h=g,o.p=y,o.i=M,o.w=N)}else{for(var M=o.w||0;M<a+c;M+=65535){var He=M+
 65535;He>=a&&(l[d/8|0]=c,He=a),d=qs(l,d+1,t.subarray(M,He))}o.i=a}return xn(i,0,n+wn(d)+s)},bl=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,
 n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),wl=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=bl[r&255^e[n]]^r>>>8;t=r},d:function(){
@@ -260,9 +260,9 @@ o||(o=!0,a.port2.postMessage(null))},l=async d=>{if(d.type==="start")r=new et(aw
 counters:y,finished:g}=r;t({type:"saved",race:{settings:m,archive:p,rows:h,cells:f,counters:y,finished:g}})}},c=d=>{Promise.resolve().then(d).catch(m=>{n=null,t(
 {type:"failed",message:String(m)})})};a.port1.onmessage=()=>{o=!1,c(i)},globalThis.onmessage=({data:d})=>c(()=>l(d))}var Fl="http://www.w3.org/2000/svg";function u(t,e={},...r){return yo(document.createElement(t),e,r)}function b(t,e={},...r){return yo(document.createElementNS(
 Fl,t),e,r)}function yo(t,e,r){for(let[n,s]of Object.entries(e))s==null||s===!1||(typeof s=="function"?t.addEventListener(n.slice(2),s):t.setAttribute(n,s===!0?"":
-String(s)));return t.append(...r.filter(Ul).map(n=>typeof n=="number"?String(n):n)),t}function Ul(t){return t!=null&&t!==!1}var go=()=>["file:","http:","https:"].
-includes(location.protocol);function Dl(){let t=document.documentElement.dataset.theme;return t?t==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function Wl(){document.documentElement.
-dataset.theme=Dl()?"light":"dark"}if(typeof document<"u"){let t=document.documentElement.dataset,e=t.theme;addEventListener("beforeprint",()=>{e=t.theme,t.theme=
+String(s)));return t.append(...r.filter(Dl).map(n=>typeof n=="number"?String(n):n)),t}function Dl(t){return t!=null&&t!==!1}var go=()=>["file:","http:","https:"].
+includes(location.protocol);function Ul(){let t=document.documentElement.dataset.theme;return t?t==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function Wl(){document.documentElement.
+dataset.theme=Ul()?"light":"dark"}if(typeof document<"u"){let t=document.documentElement.dataset,e=t.theme;addEventListener("beforeprint",()=>{e=t.theme,t.theme=
 "light"}),addEventListener("afterprint",()=>{e?t.theme=e:delete t.theme})}function vo(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"\
 Light or dark",onclick:Wl},"◐")}var lr=(t,e,...r)=>u("header",{class:"top"},u("div",{},u("h1",{},t),e?u("p",{class:"lead"},e):null),u("div",{class:"tools"},...r,vo()));var cr=t=>t!==void 0&&"predict"in t,ur=({sections:t})=>new Map(t.flatMap(({parts:e})=>e.filter(cr).map(r=>[r.predict,r]))),bo=()=>JSON.parse(we("data"));var Ot=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function dr(t){let e=Math.min(1,Math.max(0,t))*(Ot.length-1),r=Math.min(Ot.length-2,Math.floor(e)),[n,s]=[Ot[r],
@@ -315,14 +315,14 @@ x:a+.5,y:o+.5,size:1,alpha:0}});for(let n of _t(t,e).values()){let s=Oo[Math.min
 c=r[o];c.x+=i,c.y+=l,c.size=s.size,c.alpha=1})}return r}var $o=t=>t*t*(3-2*t),rt=(t,e,r)=>t+(e-t)*r,_o=t=>Math.min(1,Math.max(0,t));function Po(t,e,r,n){let s={
 SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(s===1)return $o(n);let o=s===r?e:+!Pe(t,e),a=Math.max(1/s,Yl);return $o(_o((n-o/(s-1)*(1-a))/a))}function br(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),s=t.moments[n],o=Ro(t,s);if(n===r||e===n)return o;let a=t.moments[n+1],i=Ro(t,a);return o.map((l,c)=>{let d=Po(
-t,c,o.length,e-n);return Jl(s,a,c,l,i[c],d)})}function Un(t,e,r){let n=t.moments.length-1,s=Math.min(Math.floor(r),n),[o,a]=[t.moments[s],t.moments[Math.min(s+1,
+t,c,o.length,e-n);return Jl(s,a,c,l,i[c],d)})}function Dn(t,e,r){let n=t.moments.length-1,s=Math.min(Math.floor(r),n),[o,a]=[t.moments[s],t.moments[Math.min(s+1,
 n)]],i=Po(t,e,o.alive.length,r-s),[[l,c],[d,m]]=[R(o,e),R(a,e)];return[rt(c,m,i)+.5,rt(l,d,i)+.5]}function Jl(t,e,r,n,s,o){let a=n.alpha>s.alpha,i={x:rt(n.x,s.x,
 o),y:rt(n.y,s.y,o),size:a?n.size:rt(n.size,s.size,o),alpha:a?_o((1-o)/(1-Kl)):rt(n.alpha,s.alpha,o)};if(fr(t,e,r)){let[l,c]=R(t,r),[d,m]=yr(t,e,r),p=ql*Math.sin(
 Math.PI*o);i.x+=(m-c)*p,i.y+=(d-l)*p}return i}var Lo=2*Math.PI;function Le(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Lo)}function wr(t,e,r,n){let s=n/2,o=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*s,r+i*
 s]);t.beginPath(),t.moveTo((o[2][0]+o[0][0])/2,(o[2][1]+o[0][1])/2),o.forEach(([a,i],l)=>{let[c,d]=o[(l+1)%3];t.arcTo(a,i,c,d,n*.09)}),t.closePath()}function No(t,e,r,n){
 let s=n*.32;t.beginPath(),t.moveTo(e-s,r-s),t.lineTo(e+s,r+s),t.moveTo(e+s,r-s),t.lineTo(e-s,r+s)}function Io(t,e,r,n){t.beginPath();for(let s=0;s<16;s++){let o=n/
 2*(s%2?.6:.95),a=Lo*s/16;t.lineTo(e+o*Math.sin(a),r-o*Math.cos(a))}t.closePath()}function Fo(t,e,r,n,s,o){let a=Math.atan2(s-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,s);for(let i of[-1,1])t.moveTo(n,s),t.lineTo(n-o*Math.cos(a+i*.6),s-o*Math.sin(a+i*.6))}var Uo=4,Zl=1.6,Xl=.95,Ql=5,ec=.16,tc=9,rc=.09,nc=.2,Do=.75,Q=(t,e)=>t.left+e*t.cell,ee=(t,e)=>t.top+e*t.cell;function nt(t,e,r){return Pe(e,r)?t.colors.pursuer:
+t.lineTo(n,s);for(let i of[-1,1])t.moveTo(n,s),t.lineTo(n-o*Math.cos(a+i*.6),s-o*Math.sin(a+i*.6))}var Do=4,Zl=1.6,Xl=.95,Ql=5,ec=.16,tc=9,rc=.09,nc=.2,Uo=.75,Q=(t,e)=>t.left+e*t.cell,ee=(t,e)=>t.top+e*t.cell;function nt(t,e,r){return Pe(e,r)?t.colors.pursuer:
 t.colors.evader}function Wo({ctx:t,grid:e,colors:r}){let{left:n,top:s,cell:o,rows:a,cols:i}=e,[l,c]=[i*o,a*o];if(t.fillStyle=r.paper,t.fillRect(n,s,l,c),o<Ql)return;
 t.fillStyle=r.line;let d=Math.max(1,Math.round(o/60));for(let m=1;m<i;m++)t.fillRect(n+m*o,s,d,c);for(let m=1;m<a;m++)t.fillRect(n,s+m*o,l,d)}function zo({ctx:t,
 grid:e,colors:r},n){let{left:s,top:o,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let c=0;c<i*l;c++){if(!n.obstacles[c])continue;let[d,m]=[Math.floor(c/l),
@@ -340,18 +340,18 @@ r.paper,t.lineJoin="round",t.lineWidth=d*.35,t.strokeText("You",l,p),t.fillStyle
 i=jo(t,e,n,s),l=nt(t,e,r);o.globalAlpha=.11,o.fillStyle=l,o.fillRect(...i),o.globalAlpha=.8,o.strokeStyle=l,o.lineWidth=Math.max(1,a.cell/24),o.strokeRect(...i),
 o.globalAlpha=1}function Yo(t,e,r,n,s){let{ctx:o,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];o.lineCap="round",o.lineWidth=Math.min(tc,
 Math.max(1,a.cell*ec));for(let c=Math.max(1,Math.floor(r-n)+1);c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));o.globalAlpha=
-Do+(nc-Do)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&r<i;if(!d.alive[h]||!(l.alive[h]||f))continue;let y=(Pe(e,h)?-1:1)*rc,[g,x]=R(d,h),[v,w]=R(m,h);if(g===
+Uo+(nc-Uo)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&r<i;if(!d.alive[h]||!(l.alive[h]||f))continue;let y=(Pe(e,h)?-1:1)*rc,[g,x]=R(d,h),[v,w]=R(m,h);if(g===
 v&&x===w)continue;let S=f?s[h].x:w+.5,A=f?s[h].y:v+.5;o.strokeStyle=nt(t,e,h),o.beginPath(),o.moveTo(Q(a,x+.5+y),ee(a,g+.5+y)),o.lineTo(Q(a,S+y),ee(a,A+y)),o.stroke()}}
-o.globalAlpha=1}function Ko(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let s=Math.max(1,n-Uo+1);s<=n;s++){let[o,a]=[e.moments[s-1],e.moments[s]],
-i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/Uo,l=$t(e,o,a);for(let c of vr(o,a))l.includes(c)||oc(t,R(a,c),i);for(let c of l)sc(t,R(a,c),i)}t.ctx.globalAlpha=1}function sc({
+o.globalAlpha=1}function Ko(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let s=Math.max(1,n-Do+1);s<=n;s++){let[o,a]=[e.moments[s-1],e.moments[s]],
+i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/Do,l=$t(e,o,a);for(let c of vr(o,a))l.includes(c)||oc(t,R(a,c),i);for(let c of l)sc(t,R(a,c),i)}t.ctx.globalAlpha=1}function sc({
 ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Io(t,Q(e,s+.5),ee(e,n+.5),Math.max(8,e.cell*Zl)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
 Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function oc({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,No(t,Q(e,s+.5),ee(e,n+.5),Math.max(7,e.cell*Xl)),
 t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Jo({ctx:t,grid:e,colors:r},n,s){let o=Math.max(1,e.cell*.07);
 t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)
 continue;let l=[Q(e,i)+o,ee(e,a)+o,e.cell-2*o,e.cell-2*o];t.globalAlpha=.2*s,t.fillRect(...l),t.globalAlpha=s,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=
 1}function Zo({ctx:t,grid:e,colors:r},n,s,o,a){t.globalAlpha=a,Le(t,Q(e,n),ee(e,s),Math.max(8,e.cell*o*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,
-e.cell*.085*Math.sqrt(o)),t.stroke(),t.globalAlpha=1}var ac=.8,ic=.92,lc=15,cc=7,Dn=9;function Xo(t,e,r,n,s,o){n.forEach((a,i)=>{a.alpha>0&&uc(t,e,r,i,a,s,o)}),t.ctx.globalAlpha=1;for(let a of _t(e,r).values())a.length>
-Dn&&dc(t,n[a[Dn-1]],a.length-Dn+1)}function uc(t,e,r,n,s,o,a){let{ctx:i,grid:l,colors:c}=t,d=Pe(e,n),[m,p]=[l.left+s.x*l.cell,l.top+s.y*l.cell],h=Math.max(4,l.cell*
+e.cell*.085*Math.sqrt(o)),t.stroke(),t.globalAlpha=1}var ac=.8,ic=.92,lc=15,cc=7,Un=9;function Xo(t,e,r,n,s,o){n.forEach((a,i)=>{a.alpha>0&&uc(t,e,r,i,a,s,o)}),t.ctx.globalAlpha=1;for(let a of _t(e,r).values())a.length>
+Un&&dc(t,n[a[Un-1]],a.length-Un+1)}function uc(t,e,r,n,s,o,a){let{ctx:i,grid:l,colors:c}=t,d=Pe(e,n),[m,p]=[l.left+s.x*l.cell,l.top+s.y*l.cell],h=Math.max(4,l.cell*
 s.size*(d?ic:ac)),f=nt(t,e,n),y=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=s.alpha,(d?wr:Le)(i,m,p,h),h>cc*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(
 2,h*.1),i.stroke()),i.fillStyle=y?c.paper:f,i.fill(),y&&(Le(i,m,p,h*.82),i.strokeStyle=f,i.lineWidth=h*.18,i.stroke()),!o||h<lc*a)return;let g=String(d?n:n-e.nPursuers);
 i.font=`700 ${Math.round(h*(d?.4:.5)*(g.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=y?f:c.paper,i.fillText(
@@ -365,9 +365,9 @@ o*d),t.lineTo(i(c)+a*d,l(c)-o*d),t.stroke()}function ta(t,e,r,n,s,o){let a=tt[o]
 hc,m=mc*s.size,p=[Q(l,s.x+a[1]*m),ee(l,s.y+a[0]*m),Q(l,s.x+a[1]*d),ee(l,s.y+a[0]*d)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[f,y]of[[c.
 paper,h*2.1],[nt(t,e,r),h]])i.strokeStyle=f,i.lineWidth=y,Fo(i,...p,l.cell*.2),i.stroke()}var na={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function sa(t,e,r,n,s){let{ctx:o,grid:a,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),c=e.moments[l],d=r===l,m=br(e,r),p=d?1:Math.max(0,1-2*(l-r));o.clearRect(0,0,o.canvas.width,o.canvas.height),Wo(t);for(let y of n.
-viewers)m[y]?.alpha&&qo(t,e,y,...Un(e,y,r));zo(t,e),n.axes&&Ho(t,s),Yo(t,e,r,n.trail,m),Jo(t,c.contested??[],p),Ko(t,e,r),ea(t,e,l,p),m.forEach(({x:y,y:g,size:x},v)=>{
+viewers)m[y]?.alpha&&qo(t,e,y,...Dn(e,y,r));zo(t,e),n.axes&&Ho(t,s),Yo(t,e,r,n.trail,m),Jo(t,c.contested??[],p),Ko(t,e,r),ea(t,e,l,p),m.forEach(({x:y,y:g,size:x},v)=>{
 let w=ko(c,v)?.4:0,S=Fn(c,v)?1:w;S&&Zo(t,y,g,x,S*p)});let h=d?c:e.moments[Math.max(0,l-1)];if(Xo(t,e,h,m,n.numbers,s),d&&n.plan)for(let[y,g]of m.entries())g.alpha&&
-ta(t,e,y,R(c,y),g,n.plan[y]??0);n.you!==null&&(n.fog&&Go(t,e,...Un(e,n.you,r)),Vo(t,m[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=i.focus;let f=n.selected===
+ta(t,e,y,R(c,y),g,n.plan[y]??0);n.you!==null&&(n.fog&&Go(t,e,...Dn(e,n.you,r)),Vo(t,m[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=i.focus;let f=n.selected===
 null?void 0:m[n.selected];f?.alpha&&ra(t,f.x,f.y,f.size*.96),n.cursor&&(o.setLineDash([a.cell*.12,a.cell*.08]),ra(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),o.setLineDash(
 []))}function ra({ctx:t,grid:e},r,n,s){let o=s*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-o/2,e.top+n*e.cell-o/2,o,o,o*.1),t.stroke()}var oa=(t,e)=>(e+.24)/(t+.24);function aa(t,e,r,n,s,o){let a=r?28*o:0,i=(c,d)=>(c-a)/(d+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(s,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((s-t*l+a)/2)}}function ia(t,e,r){let n=Math.floor((r-t.top)/t.cell),s=Math.floor((e-t.left)/t.cell);return n>=
@@ -470,24 +470,24 @@ rsuers wins ${z(jn(a.pursuers[g]))}.`]:[]),m.update()},h=()=>{o=Cr(r,s,Ce(Vn)),a
 "step",p),h();let f=t.at(-1),y=Fe("memory (hands)",t,e,g=>g===f?"all":String(g),g=>{s=g,h()});return u("div",{class:"widget"},t.length>1&&y,u("div",{class:"two"},
 u("div",{},c),t.length>1&&u("div",{},st(["pursuers' hands","of-pursuers"],["evaders' hands","of-evaders"]),m.element)),d,Te(n))}function Ta({generations:t=30}){
 let{pursuers:e,evaders:r}=Cr(t,1,Ce(Vn)),n=e.map(o=>r.map(a=>Bn[o][a])),s=n.at(-1);return u("div",{class:"widget"},u("div",{class:"matrices"},Ie(n,`The last pur\
-suers score ${z(s.reduce((o,a)=>o+a,0)/s.length)} against all evaders.`)),ke("0 loses","1 wins"))}var Ft=600,lt=20,qn=5,Ut=10,Yn={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},Oa={low:0,high:Ft,label:"generation",whole:!0},Ra={low:0,high:It,
-label:"ones of side 1"},Ue=()=>{},Tc=()=>new Promise(t=>setTimeout(t));async function Kn(t,e,r){for(e();t.generation<Ft&&r();e()){for(let n=0;n<lt;n++)t.step();
+suers score ${z(s.reduce((o,a)=>o+a,0)/s.length)} against all evaders.`)),ke("0 loses","1 wins"))}var Ft=600,lt=20,qn=5,Dt=10,Yn={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},Oa={low:0,high:Ft,label:"generation",whole:!0},Ra={low:0,high:It,
+label:"ones of side 1"},De=()=>{},Tc=()=>new Promise(t=>setTimeout(t));async function Kn(t,e,r){for(e();t.generation<Ft&&r();e()){for(let n=0;n<lt;n++)t.step();
 await Tc()}}var $r=new Map,$a=[];async function kc(){for(let t of Object.keys(Yn))$r.set(t,[]);for(let t=0;t<qn;t++)for(let[e,r]of Object.entries(Yn)){let n={score:[],
 ones:[]};$r.get(e).push(n);let s=new at(r,it,Ce(t));await Kn(s,()=>{n.score.push(Gn(r,s.ones(0),s.ones(1))),n.ones.push(s.objective(0))},()=>!0),$a.forEach(o=>o())}}
 function _a({shows:t="score"}){$r.size||kc();let e=t==="score"?{low:0,high:1,label:"score of side 1"}:Ra,r=Object.entries(Yn).map(([n,s])=>{let o=t==="score"?n:
 `${n}: ${s}`,a=me(`${o}: ${e.label} in ${qn} races`,(i,l)=>{let c=ue(i,l,Oa,e);for(let d of $r.get(n))de(c,d[t].map((m,p)=>p*lt),d[t],"of-both dense");return c},
-Ue,Ue);return $a.push(a.redraw),u("figure",{},u("figcaption",{},o),a.element)});return u("div",{class:"widget"},u("div",{class:"matrices"},...r),u("p",{class:"s\
+De,De);return $a.push(a.redraw),u("figure",{},u("figcaption",{},o),a.element)});return u("div",{class:"widget"},u("div",{class:"matrices"},...r),u("p",{class:"s\
 mall muted"},`Each line is a race; there are ${qn} of each game, played now, in this page.`))}var Cc=[5,10,15,25,40,60],Oc=[5e-4,.001,.002,.005,.01,.02,.05],Rc=[
 0,1,5,15,30],ka=15,$c=Array.from({length:20},(t,e)=>e);function Pa({hall:t=!1}){let[e,r,n]=["scalar",0,{...it,hall:t?ka:0}],s=0,o=v=>{n={...n,...v}},a=[[],[]],i=[
 Ie(a[0],"Score of side 1",Ft/lt+1),Ie(a[1],"Score of side 2",Ft/lt+1)];i.forEach(v=>v.querySelector("p").replaceChildren(`↑ generation, → opponent (${lt} a \
 cell)`));let l=[[],[]],c=me("Ones of both sides by generation",(v,w)=>{let S=ue(v,w,Oa,{...Ra,label:"ones"});return l.forEach((A,k)=>de(S,A.map((C,E)=>E*lt),A,k?
-"of-evaders":"of-pursuers")),S},Ue,Ue),d=u("p",{class:"numbers",role:"status"}),m=v=>{d.textContent=v},p=async()=>{let v=++s;for(let A of[...a,...l])A.length=0;
+"of-evaders":"of-pursuers")),S},De,De),d=u("p",{class:"numbers",role:"status"}),m=v=>{d.textContent=v},p=async()=>{let v=++s;for(let A of[...a,...l])A.length=0;
 let w=[[],[]],S=new at(e,n,Ce(r));await Kn(S,()=>{for(let A of[0,1])w[A].push(S.ones(A)),l[A].push(S.objective(A));for(let A of[0,1])a[A].push(w[1-A].map(k=>Gn(
 S.game,w[A].at(-1),k)));i.forEach(A=>A.draw?.()),c.redraw()},()=>s===v),s===v&&m(`${Ca(S.game)} game, seed ${r}: after ${Ft} generations side 1 has ${l[0].at(-1).
-toFixed(0)} ones, side 2 ${l[1].at(-1).toFixed(0)}.`)},h=[],f=me("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>_c(h,v,w),Ue,
-Ue);f.element.classList.add("dots");let y=async v=>{let w=++s,S=[],{population:A,mutation:k}=v,C=`${e}${A===it.population?"":`, ${A} players`}${k===it.mutation?
-"":`, mutation ${k}`}, hall ${v.hall}`;h=[...h.filter(E=>E.ends.length===Ut&&E.text!==C).slice(1-Jn),{text:C,ends:S}];for(let E=0;E<Ut&&s===w;E++){let M=new at(
-e,v,Ce(E));await Kn(M,Ue,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${Ca(C)}: side 1 ends with ${La(S)} ones in the mean of ${Ut} races.`)},g=(v,w,S="")=>u(
+toFixed(0)} ones, side 2 ${l[1].at(-1).toFixed(0)}.`)},h=[],f=me("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>_c(h,v,w),De,
+De);f.element.classList.add("dots");let y=async v=>{let w=++s,S=[],{population:A,mutation:k}=v,C=`${e}${A===it.population?"":`, ${A} players`}${k===it.mutation?
+"":`, mutation ${k}`}, hall ${v.hall}`;h=[...h.filter(E=>E.ends.length===Dt&&E.text!==C).slice(1-Jn),{text:C,ends:S}];for(let E=0;E<Dt&&s===w;E++){let M=new at(
+e,v,Ce(E));await Kn(M,De,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${Ca(C)}: side 1 ends with ${La(S)} ones in the mean of ${Dt} races.`)},g=(v,w,S="")=>u(
 "button",{type:"button",class:S,onclick:()=>{v()}},w),x=u("div",{class:"sliders"},va("game",Object.keys(Or),v=>e=v),Fe("population",Cc,n.population,String,v=>o(
 {population:v})),Fe("mutation",Oc,n.mutation,String,v=>o({mutation:v})),...t?[Fe("hall of fame",Rc,ka,String,v=>o({hall:v}))]:[Fe("seed",$c,0,String,v=>r=v)]);return t?
 (y(it).then(()=>s===1?y(n):void 0),u("div",{class:"widget"},x,u("div",{class:"buttons"},g(()=>y(n),"Play ten races","primary")),d,f.element)):u("div",{class:"wi\
@@ -495,7 +495,7 @@ dget"},x,u("div",{class:"buttons"},g(p,"Play a race","primary"),g(async()=>{s++}
 ruth: ones"),st(["side 1","of-pursuers"],["side 2","of-evaders"]),c.element)),ke("0 loses","1 wins"),d)}var Jn=6,La=t=>(t.reduce((e,r)=>e+r,0)/t.length).toFixed(
 1),Ca=t=>t.charAt(0).toUpperCase()+t.slice(1);function _c(t,e,r){let n=ue(e,r,{low:0,high:It,label:"ones of side 1 at the end",whole:!0},{low:0,high:Jn,label:""});
 return n.root.querySelectorAll(".axes .grid, .axes [text-anchor=end]").forEach(s=>s.remove()),t.forEach(({text:s,ends:o},a)=>{let i=n.y(Jn-a-.7);n.marks.before(
-b("text",{class:"label",x:n.left,y:i-12},`${s}: ${o.length<Ut?`${o.length} of ${Ut} races`:`mean ${La(o)}`}`)),o.forEach(l=>n.marks.before(b("circle",{class:"do\
+b("text",{class:"label",x:n.left,y:i-12},`${s}: ${o.length<Dt?`${o.length} of ${Dt} races`:`mean ${La(o)}`}`)),o.forEach(l=>n.marks.before(b("circle",{class:"do\
 t of-both",cx:n.x(l),cy:i,r:5})))}),n}var Pc=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function _r(){let t=[["pursu\
 er",b("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",b("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",b("polygon",{points:Pc,class:"\
 filled-capture"})],["captured evader",b("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",b("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
@@ -505,7 +505,7 @@ positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captur
 fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Pr(t){let e=Array.from({length:t.length+1},(r,n)=>Lc(t,n));return Zn(t.config,t.map,e)}function Lc(t,e){
 let r=t.n_agents,n=t.config.n_evaders,s=(a,i,l)=>a.subarray(i*l,(i+1)*l),o={positions:s(t.last_positions,e,2*r),alive:s(t.alive,e,r),captured:s(t.captured,e,n),
 everCaptured:s(t.ever_captured,e,n)};return e===0?o:{...o,actions:s(t.actions,e-1,r),involved:s(t.involved,e-1,3*r),fault:s(t.fault,e-1,3*r),get contested(){return t.
-conflicts(e).map(a=>a.cell)}}}var Nc=8,Ic=700,Na=1400,De=class{element;player=new ce(0,{speed:Nc,still:oe()});title=u("figcaption");generation=0;#e=u("canvas");#t;#r=u("p",{class:"small mute\
+conflicts(e).map(a=>a.cell)}}}var Nc=8,Ic=700,Na=1400,Ue=class{element;player=new ce(0,{speed:Nc,still:oe()});title=u("figcaption");generation=0;#e=u("canvas");#t;#r=u("p",{class:"small mute\
 d numbers"});#n=u("p",{class:"small",role:"status"});#o;#s=null;#l=0;#u=0;#a=!oe();constructor(e){this.#o=e,this.#t=new Ee(this.#e,{numbers:!1}),this.element=u(
 "figure",{class:"chase"},this.title,this.#e,this.#r,this.#n),this.player.addEventListener("frame",()=>this.#c()),this.player.addEventListener("step",()=>this.#h()),
 this.player.addEventListener("state",()=>{this.#a&&!this.player.playing&&this.player.length&&this.player.step===this.player.length&&this.#m()})}set label(e){this.#e.
@@ -521,21 +521,21 @@ return;l.preventDefault();let d=(h,f)=>Math.min(f-1,Math.max(0,h)),{rows:m,cols:
 {active:l=>{r=l,this.#e.classList.toggle("drawn-on",l),this.#e.tabIndex=l?0:-1,this.#e.setAttribute("role",l?"application":"img"),this.#t.look={cursor:null}}}}show(e){
 this.#s&&(this.#s={...this.#s,obstacles:e},this.#c())}};var Ia={"specialist-specialist":"Specialists: both teams meet only the newest opponent","generalist-specialist":"Pursuers meet all earlier evaders, evaders only\
  the newest pursuers","generalist-generalist":"Generalists: both teams meet all earlier opponents","hall-of-fame":"Halls of fame: both teams learn at once, and \
-meet earlier champions"};function Dt({schedule:t}){if(t.kind==="hall-of-fame")return t.kind;let e={latest:"specialist","round-robin":"generalist",uniform:"unifo\
-rm"};return`${e[t.pursuers_meet.rule]}-${e[t.evaders_meet.rule]}`}var Lr=t=>Ia[Dt(t)]??Dt(t);function Fa(t){let e=Object.values(t.races.es).find(a=>Dt(a)==="generalist-generalist"),{n_pursuers:r,n_evaders:n,fov:s,max_steps:o}=e.world;return{schedule:Dt(
-e),beside:null,learner:"es",seed:e.seed,way:!1,population:0,pursuers:r,evaders:n,view:s,steps:o,walls:[]}}var Fc=t=>Object.values(t.races.es)[0].world;function Ua(t,e,r=e.
+meet earlier champions"};function Ut({schedule:t}){if(t.kind==="hall-of-fame")return t.kind;let e={latest:"specialist","round-robin":"generalist",uniform:"unifo\
+rm"};return`${e[t.pursuers_meet.rule]}-${e[t.evaders_meet.rule]}`}var Lr=t=>Ia[Ut(t)]??Ut(t);function Fa(t){let e=Object.values(t.races.es).find(a=>Ut(a)==="generalist-generalist"),{n_pursuers:r,n_evaders:n,fov:s,max_steps:o}=e.world;return{schedule:Ut(
+e),beside:null,learner:"es",seed:e.seed,way:!1,population:0,pursuers:r,evaders:n,view:s,steps:o,walls:[]}}var Fc=t=>Object.values(t.races.es)[0].world;function Da(t,e,r=e.
 schedule){let n=t.races[e.learner][r],s=Fc(t),{rows:o,cols:a}=s,i=new Set(e.walls),l=Array.from({length:o},(d,m)=>Array.from({length:a},(p,h)=>i.has(m*a+h)?"#":
 ".").join("")),c={...s,n_pursuers:e.pursuers,n_evaders:e.evaders,fov:e.view,max_steps:e.steps,obstacles:i.size?l:s.obstacles};return{...n,world:c,train_steps:e.
-steps,seed:e.seed,policy:{...n.policy,mask:e.way?"right-of-way":"none"},learner:{...n.learner,population:e.population||n.learner.population}}}var Uc=40,Nr=class{element;#e;#t=u("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#r=u("p",{class:"check small numbers","aria-live":"\
+steps,seed:e.seed,policy:{...n.policy,mask:e.way?"right-of-way":"none"},learner:{...n.learner,population:e.population||n.learner.population}}}var Dc=40,Nr=class{element;#e;#t=u("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#r=u("p",{class:"check small numbers","aria-live":"\
 polite"});constructor(e){this.#e=e,this.element=u("div",{class:"strip-of-episodes"},this.#t,this.#r)}show(e,r){let{pursuer:n,evader:s,episode:o,seed:a}=this.#e.
-selected,i=Ze(e,n,s);this.#t.replaceChildren(...(i?.rates??[]).slice(0,Uc).map((p,h)=>this.#n(p,h)));let l=a===null?i?.rates[o]:void 0,c=r.statistics.capture_rate,
+selected,i=Ze(e,n,s);this.#t.replaceChildren(...(i?.rates??[]).slice(0,Dc).map((p,h)=>this.#n(p,h)));let l=a===null?i?.rates[o]:void 0,c=r.statistics.capture_rate,
 d=l!==void 0&&Math.abs(c-l)<1e-6&&r.length===i?.lengths[o],m=i?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";this.#r.dataset.
 equal=String(d),this.#r.textContent=d?"As in the evaluation":l===void 0?m:`Episode ${o+1} differs from the evaluation.`,this.#r.title=`Played here: capture rate\
  ${z(c,3)} in ${r.length} steps.${i?` The cell says ${z(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,s=u("span",{class:"bar"});return s.style.height=`${Math.
 round(100*e)}%`,u("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${z(e)}`,"aria-label":`Episode ${r+1}, capture rate ${z(e)}`,"aria\
--pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},s,u("span",{class:"count"},r+1))}};var Da=0,Wa=1,Dc=2,Wc=176;function Ba(t,e,r,n){let s=devicePixelRatio||1,o=xr(t);t.width=t.height=Wc*s;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
-i;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=y=>!!r[y*i*i+d];h(Dc)&&(a.fillStyle=
-o.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let f=h(Da)&&h(Wa)?l*.18:0;h(Da)&&za(a,Le,m+f,p+f,l*.74,o.evader),h(Wa)&&za(a,wr,m-f,p-f,l*.86,o.pursuer)}a.strokeStyle=
+-pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},s,u("span",{class:"count"},r+1))}};var Ua=0,Wa=1,Uc=2,Wc=176;function Ba(t,e,r,n){let s=devicePixelRatio||1,o=xr(t);t.width=t.height=Wc*s;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
+i;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=y=>!!r[y*i*i+d];h(Uc)&&(a.fillStyle=
+o.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let f=h(Ua)&&h(Wa)?l*.18:0;h(Ua)&&za(a,Le,m+f,p+f,l*.74,o.evader),h(Wa)&&za(a,wr,m-f,p-f,l*.86,o.pursuer)}a.strokeStyle=
 n<e.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let c=Math.floor(i/2)*l;a.strokeRect(c,c,l,l)}function za(t,e,r,n,s,o){e(t,r,n,s),t.fillStyle=o,t.fill()}var Ha="What it remembers: a number for each unit, from -1 to 1",Ir=class{element;#e;#t=u("canvas",{class:"seen",role:"img"});#r=u("h3");#n=u("p",{class:"small \
 muted"});#o=u("div",{class:"answers"});#s=u("div",{title:Ha});#l=null;#u=null;#a=null;#m=null;#d=null;#c=null;#h=0;constructor(e){this.#e=e,this.element=u("div",
 {class:"inspector","data-open":"false"},u("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its network answers."),u("div",{class:"\
@@ -571,9 +571,9 @@ o);window.open(`${URL.createObjectURL(new Blob([s],{type:"text/html"}))}#${n}`)}
 c=s*r.n_evaders+i-r.n_pursuers,d=m=>i>=r.n_pursuers&&!!m[c];return{cell:[t.last_positions[2*l],t.last_positions[2*l+1]],gone:!t.alive[l],captured:d(t.captured),
 everCaptured:d(t.ever_captured)}},a=Array.from({length:n},(i,l)=>o(l));return{rules:r.rules,others:null,rewards:r.rewards,rows:r.rows,cols:r.cols,diagonal:r.diagonal,
 fov:r.fov,maxSteps:r.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:s,ended:s===t.length,walls:Array.from(t.map.keys()).filter(i=>t.map[i]),pursuers:a.slice(
-0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(s*n,(s+1)*n))}}var rs=.005,Qa=.05,Xc=["pursuer","evader"],Qc=4,ct=new Map;function Ur(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),s=ct.get(n)??(Jt(e)?Promise.
+0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(s*n,(s+1)*n))}}var rs=.005,Qa=.05,Xc=["pursuer","evader"],Qc=4,ct=new Map;function Dr(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),s=ct.get(n)??(Jt(e)?Promise.
 resolve(null):eu(t,e,r));return ct.delete(n),ct.set(n,s),ct.size>Qc&&ct.delete([...ct.keys()][0]),s}var ei=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
-Xa=()=>new Promise(t=>setTimeout(t));async function eu(t,e,r){await Xa();let n=t.solution(e,r);for(;n.goBack();)await Xa();return n}function Dr(t,e,r){let{payoff:n}=t;
+Xa=()=>new Promise(t=>setTimeout(t));async function eu(t,e,r){await Xa();let n=t.solution(e,r);for(;n.goBack();)await Xa();return n}function Ur(t,e,r){let{payoff:n}=t;
 return r.flatMap((s,o)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(s).forEach((c,d)=>a[d]+=c),e.playTurn(s);let i=n==="capture-rate"?rs:Qa;
 return Xc.map((l,c)=>({step:o+1,team:l,lost:a[c],payoff:n})).filter(l=>l.lost>=i)})}var Wr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
 ({lost:r})=>r)),text:zt(e)})),ti=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,zt=t=>`The ${t.team}s los\
@@ -601,7 +601,7 @@ this.#b();let{selected:e}=this.#r,r=Je.map(o=>tr(this.#i,o,e[o])).find(Boolean)?
 let[n,s]=this.names(e);this.#m={pursuer:{name:n,policy:Z(this.#i,"pursuer",e.pursuer)},evader:{name:s,policy:Z(this.#i,"evader",e.evader)}},this.recording=Pr(this.
 match),this.#n.show(this.#i,this.match),this.inspector.show(this.#a,this.#i,this.match,e),this.player.length=this.match.length,this.player.marks=gr(this.recording),
 this.#p=this.player.ticks=[],this.player.jump(this.#h),this.#h=0,this.#w(),this.#g(this.#a,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
- ${e.episode} ${e.seed??""}`,this.#v()}async#g(e,r){let n=await Ur(e,r.config);if(this.match!==r||!n)return;let s=e.world(r.config);r.seek(s,0),this.#p=Dr(n,s,su(
+ ${e.episode} ${e.seed??""}`,this.#v()}async#g(e,r){let n=await Dr(e,r.config);if(this.match!==r||!n)return;let s=e.world(r.config);r.seek(s,0),this.#p=Ur(n,s,su(
 r)),s.free(),this.player.ticks=Wr(this.#p),this.inspector.solution=n,this.#w()}names({run:e,pursuer:r,evader:n}){let{teams:s}=this.#t[e];return[s.pursuer.script??
 ne("pursuer",r),s.evader.script??ne("evader",n)]}#b(){let{episode:e,seed:r}=this.#r.selected,{payoff:n}=this.#i,[s,o]=this.names(this.#r.selected),a=r===null?e<
 n.episodes?`episode ${e+1} of ${n.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${r}`;this.#o.replaceChildren(u("span",{class:"pursuer"},Ne(s))," agai\
@@ -715,8 +715,8 @@ this.#f]=[e,r],this.#n.textContent=n,this.#r.ariaLabel=`Board, ${e.config.rows} 
 u("span",{class:"at-length"},`W A S D or the arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the \
 board: swipe, or tap where to go."),this.#A(e),this.#c.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#S(){this.#t.look={you:this.#f,
 fog:this.#u.checked,viewers:this.#f===null?[]:[this.#f],plan:this.#C()}}#A(e){this.#y=null,this.#g=this.player.ticks=[],this.#m.hidden=this.#a.disabled=!!Jt(e.config),
-Ur(this.#e,e.config,ei(e.config)).then(r=>{this.#i===e&&(this.#y=r,this.#E(),this.#k())})}#E(){let[e,r]=[this.#i,this.#y];if(!r||this.element.dataset.state==="p\
-laying")return;let n=this.#e.world(e.config);n.reset(e.start),this.#g=Dr(r,n,e.actions),n.free(),this.player.ticks=Wr(this.#g)}get#M(){return this.#a.checked&&this.#p&&
+Dr(this.#e,e.config,ei(e.config)).then(r=>{this.#i===e&&(this.#y=r,this.#E(),this.#k())})}#E(){let[e,r]=[this.#i,this.#y];if(!r||this.element.dataset.state==="p\
+laying")return;let n=this.#e.world(e.config);n.reset(e.start),this.#g=Ur(r,n,e.actions),n.free(),this.player.ticks=Wr(this.#g)}get#M(){return this.#a.checked&&this.#p&&
 this.element.dataset.state==="playing"&&this.#y&&this.#i.game(this.#y)||null}#C(){let[e,r]=[this.#f,this.#f!==null&&this.#M?.marginal(this.#f)];return e!==null&&
 r?Object.assign(Array(e).fill(0),{[e]:r.indexOf(Math.max(...r))}):null}#T(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#l.value)?"off":"polit\
 e"}#O(){let[{policies:e,seat:r},n]=[this.#p.played,this.#i];n.step(e,r,this.#b),this.#v.push(this.#b),this.player.length=n.length,this.player.glide=Math.min(.22,
@@ -764,7 +764,7 @@ s.map(o=>is(n(e.map(a=>a[o])).map(a=>1-a))))}}};var ls=t=>t.reduce((e,r)=>e+r,0)
 t,e).map(s=>ls(s.map((o,a)=>(r[a]=Math.max(r[a]??0,o),r[a]-o))));return ls(n.slice(Math.floor(n.length/2)))}var Ht=t=>`${Math.round(100*t)} %`,Tu=100,ku=0,Yr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#t;#r;#n=u("h2",
 {class:"lane-title"});#o=u("p",{class:"facts numbers"});#s=u("div",{class:"lane-room",hidden:!0});#l=u("section",{class:"card measures",hidden:!0});#u=u("div");#a;#m={
 pursuer:[],evader:[]};#d=new Map;#c;#h;#p=()=>{};#i=0;#v=!0;#f=0;#y=null;constructor(e,r,n,s){super(),[this.#e,this.#t,this.#r,this.settings]=[e,r,n,s],this.newest=
-new De(()=>this.#A(this.#a.newest)),this.beginning=new De(()=>this.#A(0)),this.beginning.element.classList.add("beginning");let o=u("div",{class:"boards"},this.
+new Ue(()=>this.#A(this.#a.newest)),this.beginning=new Ue(()=>this.#A(0)),this.beginning.element.classList.add("beginning");let o=u("div",{class:"boards"},this.
 newest.element,this.beginning.element);this.element=u("section",{class:"lane"},this.#n,this.#o,o,this.#s,this.#l,this.#u),n.onmessage=({data:a})=>this.#b(a),this.
 reset(s)}reset(e){this.#g({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#S();let{archive:r}=new et(this.#t,e,this.#e.masks);this.#a.add(
 {pursuer:r.pursuer[0],evader:r.evader[0]}),this.#s.hidden=this.#l.hidden=!0,this.#E(!0),this.#M()}start(){this.#S(),[this.state,this.done]=["evolving",0],this.#s.
@@ -814,12 +814,12 @@ u("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and
 seed ${t.seed}`)));return{button:c,update:m=>{c.setAttribute("aria-current",String(m));let p=r.hover.pursuer??r.selected.pursuer,h=r.hover.evader??r.selected.evader;
 l.hidden=p>=n||h>=s,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-p-.5)*a}px`}}}var Pu=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Lu(t,e,r){
 let[n,s]=t.payoff.shape,{pursuer:o,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(o,n-1),evader:Math.min(a,s-1)})}var Ii=1;function Fi({runs:t},e){let r=t[Ii],{shape:[n,s],episodes:o}=r.payoff,a=null,i=0,l=()=>a&&Fr(a,r,{run:Ii,pursuer:n-1,evader:s-1,episode:i++%o,seed:null}),
-c=new De(l);return c.title.textContent=`Generation ${n-1} of both teams`,c.label=`A match. ${c.title.textContent}`,c.generation=n-1,e.then(d=>{a=d,c.renew(),Di(
-c)}),u("div",{class:"widget"},c.element,Te(c.player),_r())}function Ui({evolve:t},e,{grows:r=!1}){let n=u("button",{type:"button",class:"evolve",disabled:!0},"E\
-volve"),s=u("progress",{max:1,value:0,"aria-label":"Progress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let i=-1,l=()=>Ua(t,{...Fa(
+c=new Ue(l);return c.title.textContent=`Generation ${n-1} of both teams`,c.label=`A match. ${c.title.textContent}`,c.generation=n-1,e.then(d=>{a=d,c.renew(),Ui(
+c)}),u("div",{class:"widget"},c.element,Te(c.player),_r())}function Di({evolve:t},e,{grows:r=!1}){let n=u("button",{type:"button",class:"evolve",disabled:!0},"E\
+volve"),s=u("progress",{max:1,value:0,"aria-label":"Progress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let i=-1,l=()=>Da(t,{...Fa(
 t),seed:Math.max(0,i)}),c=new Yr(t,a,ho("lesson"),l()),d=()=>{n.textContent=c.state==="waiting"?"Evolve":c.state==="evolving"?"Stop":"Again, with other luck",s.
 value=c.done};n.addEventListener("click",()=>{if(c.state==="evolving")return c.stop();i++,c.settings=l(),c.start()}),c.addEventListener("state",d),o.append(c.element),
-[c.newest,c.beginning].forEach(Di),n.disabled=!1}),u("div",{class:`widget evolving ${r?"grows":"boards"}`},u("div",{class:"buttons"},n,s),o)}function Di(t){let e=t.
+[c.newest,c.beginning].forEach(Ui),n.disabled=!1}),u("div",{class:`widget evolving ${r?"grows":"boards"}`},u("div",{class:"buttons"},n,s),o)}function Ui(t){let e=t.
 runs;new IntersectionObserver(([r])=>{r.isIntersecting?e&&(t.runs=!0):(e=t.runs&&(t.player.playing||t.player.step===t.player.length),t.runs=!1)}).observe(t.element)}
 function Wi({runs:t,playground:e},r){let n=t[0].payoff.shape.map(c=>c-1),s=new mt({run:0,pursuer:n[0],evader:n[1],episode:0,seed:null}),[o,a]=[new ut(t,s,e),new dt(
 t,s)];o.actions.remove(),a.element.addEventListener("play",()=>{o.playSoon(),o.reveal()}),r.then(c=>o.start(c));let{seed:i,world:l}=t[0];return u("div",{class:"\
@@ -850,21 +850,21 @@ ed lines of one pupil`);n.has(c)||n.set(c,d)}),{pupil:s,choices:n}}function Fu(t
 var us=t=>t===void 0?"none":JSON.stringify(t).slice(0,40);function ji(t){let e={edition:t.edition,predictions:ur(t)},r=u("p",{role:"status"}),n=u("ul",{class:"left"}),s=u("div",{class:"questions"}),o=new Set,a=[],i=()=>{
 let p=Hi(a,e);r.textContent=a.length?`${a.length} ${a.length===1?"file":"files"}, ${p.pupils} ${p.pupils===1?"pupil":"pupils"}.${p.left.length?" Not counted:":""}`:
 "No files yet.",n.replaceChildren(...p.left.map(({file:h,reason:f})=>u("li",{},u("strong",{},h),` ${f}`))),s.replaceChildren(...[...e.predictions.values()].map(
-h=>Du(h,p,o,i)))},l=async p=>{let h=[...p].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(h)],i()},c=u("input",
+h=>Uu(h,p,o,i)))},l=async p=>{let h=[...p].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(h)],i()},c=u("input",
 {type:"file",multiple:!0,accept:".jsonl",id:"vote-files"});c.addEventListener("change",()=>{l(c.files).then(()=>c.value="")});let d=u("button",{type:"button",onclick:()=>{
 a=[],o.clear(),i()}},"Remove all files"),m=u("section",{class:"card drop","aria-label":"Files"},u("p",{},u("label",{for:"vote-files"},"Drop the files that your \
 pupils have saved anywhere on this page, or choose them: ")),c,u("div",{class:"buttons"},r,d),n,u("p",{class:"small muted"},"A pupil saves predictions.jsonl at \
 the end of the lesson. Names of files do not matter. Each pupil counts once: a second file of a pupil is named as double. Nothing leaves this computer."));document.
 addEventListener("dragover",p=>p.preventDefault()),document.addEventListener("drop",p=>{p.preventDefault(),l(p.dataTransfer?.files??[])}),document.getElementById(
 "page").replaceWith(lr("How the class voted",u("span",{},`${t.title} `,u("a",{href:"#"},"Back to the lesson"))),u("main",{},m,s),u("footer",{class:"small muted"},
-`matrixworld ${t.version}, edition ${t.edition} of the course`)),i()}function Du(t,e,r,n){let{predict:s,options:o,outcome:a}=t,i=e.counts.get(s),l=[...i.values()].
+`matrixworld ${t.version}, edition ${t.edition} of the course`)),i()}function Uu(t,e,r,n){let{predict:s,options:o,outcome:a}=t,i=e.counts.get(s),l=[...i.values()].
 reduce((h,f)=>h+f,0),c=r.has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.entries(o).map(([h,f])=>{let y=u("span",{class:"filled"});y.style.width=`${100*i.
 get(h)/Math.max(1,l)}%`;let g=c&&h===a;return u("li",{class:g?"vote right":"vote"},u("span",{},`${h}. ${f}`,g&&u("strong",{}," ✓ the outcome")),u("span",{class:"\
 bar","aria-hidden":"true"},y),u("span",{class:"numbers"},`${i.get(h)} of ${l}`,d&&u("span",{class:"muted"},`, at first ${d.get(h)}`)))}),p=u("button",{type:"but\
 ton",id:`outcome-${s}`,onclick:()=>{r.add(s),n()}},"Show the outcome");return u("section",{class:"card question",id:`votes-${s}`},u("h2",{},t.question),u("ul",{
 class:"of-votes"},...m),t.later?u("p",{class:"muted"},t.later):c?u("div",{class:"reply"},...Rt(t.explanation??"")):u("div",{},p))}var Gi="#votes",Wu=["explorer"],zu=t=>"needs"in t?t.needs:void 0,Jr=t=>"widget"in t;function Bu(t){let e=[];for(let r of t){let n=e.at(-1);!n||"text"in r||Jr(r)&&
 n.some(Jr)?e.push([r]):n.push(r)}return e}function Hu(t){let e=t.find(Jr);return e&&t.length>1&&!Wu.includes(e.widget)&&!e.grows?"block beside":"block"}var ds=class{#e;#t;#r=()=>{};#n=new Promise(
-e=>this.#r=e);#o={chase:()=>Fi(this.#e,this.#n),evolving:e=>Ui(this.#e,this.#n,e),"right-of-way":Bi,flat:ga,hands:Ea,"hands-matrix":Ta,games:_a,numbers:Pa,matrices:()=>fa(
+e=>this.#r=e);#o={chase:()=>Fi(this.#e,this.#n),evolving:e=>Di(this.#e,this.#n,e),"right-of-way":Bi,flat:ga,hands:Ea,"hands-matrix":Ta,games:_a,numbers:Pa,matrices:()=>fa(
 this.#e),explorer:()=>Wi(this.#e,this.#n),judgement:()=>zi(this.#e),"same-diagonal":ya,exit:e=>Eo(e,this.#t)};constructor(e){[this.#e,this.#t]=[e,new Kr(e.edition)];
 let r=this.#t,n=ur(e).size,s=u("span",{class:"small muted",role:"status"}),o=()=>{s.textContent=`${r.count} of ${n} predictions made. `+(r.keeps?"They stay in t\
 his browser.":"This browser keeps nothing: save before you close the page.")};r.addEventListener("choice",o);let a=()=>{confirm("Delete all predictions and answ\

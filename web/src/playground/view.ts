@@ -15,7 +15,7 @@ import { lossText, lossesOf, perfectText, scoreOf, solved, ticksOf, worstText, w
 import type { Loss } from "../page/solved.ts";
 import { actionOf, bearing, listenToPointer, pad } from "./controls.ts";
 import { episodeFile } from "./file.ts";
-import type { Live } from "./live.ts";
+import type { Live } from "../board/live.ts";
 import { isDone, liveOf, resultOf, teamOf } from "./played.ts";
 import type { Played } from "./played.ts";
 
