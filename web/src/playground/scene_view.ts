@@ -1,11 +1,11 @@
 // The parts that show a scene and what happens in it, put together.
 
 import { html } from "../page/dom.ts";
+import { shareDialog } from "./address.ts";
 import { agentsPanel } from "./agents_panel.ts";
 import { arena } from "./arena.ts";
-import { keysDialog, shareDialog } from "./dialogs.ts";
 import { gallery } from "./gallery.ts";
-import { listenToKeys } from "./keys.ts";
+import { keysDialog, listenToKeys } from "./keys.ts";
 import { perfectPanel } from "./perfect.ts";
 import { rulesPanel } from "./rules_panel.ts";
 import type { Store } from "./store.ts";
