@@ -25,8 +25,7 @@ from matrixworld.coevolution import open_run, start
 from matrixworld.explorer import Playground
 from matrixworld.explorer.evolve_page import evolve_page
 from matrixworld.explorer.page import BUILT, PAGES, render_page, write_page
-from matrixworld.explorer.play_page import play_page, shipped
-from matrixworld.explorer.playground import PIXELS
+from matrixworld.explorer.playground import PIXELS, playground_page, shipped
 from matrixworld.explorer.runs_page import explorer_page
 from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.world.render import rgb
@@ -57,8 +56,7 @@ MADE: dict[str, Callable[[Path], str]] = {
     "evolve": lambda folder: evolve_page(NAME),
     "explorer": page_of_a_run,
     "lesson": lambda folder: (REPOSITORY / "docs/lesson.html").read_text(encoding="utf-8"),
-    "play": lambda folder: play_page(NAME, *shipped("SD")),
-    "playground": lambda folder: Playground().html(),
+    "playground": lambda folder: playground_page("", shipped("SD"), NAME),
 }
 """Each page with texts that would do harm as markup."""
 FOLDERS = dict.fromkeys(PAGES, BUILT) | {"class": results.BUILT}
@@ -67,6 +65,8 @@ WATCHED = (
     "while (matrixworldPlay.element.dataset.state === 'playing') matrixworldPlay.act(1);"
     " document.querySelectorAll('.play-buttons button')[1].click();"
 )
+TAB = "[...document.querySelectorAll('.tabs button')].find((b) => b.textContent === '{}').click()"
+SCENE = TAB.format("Rules and conflicts") + "; "
 BUTTON = "[...document.querySelectorAll('.top button')].find((b) => b.textContent === '{}').click()"
 PRESS = "document.querySelector('{}').click()"
 OPENED: dict[str, list[str]] = {
@@ -80,8 +80,11 @@ OPENED: dict[str, list[str]] = {
     "explorer": [
         *(PRESS.format(name) for name in (".keys-button", ".miniature", ".to-share", ".to-play")),
     ],
-    "play": [WATCHED],
-    "playground": [BUTTON.format("Share"), BUTTON.format("?")],
+    "playground": [
+        WATCHED,
+        *map(TAB.format, ("One match", "A match from a file", "Rules and conflicts")),
+        *(SCENE + BUTTON.format(name) for name in ("Share", "?")),
+    ],
 }
 """What opens the dialogs of a page."""
 

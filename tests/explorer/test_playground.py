@@ -1,5 +1,9 @@
-"""The playground: scenes as text, and in a browser what the package's worlds do."""
+"""The playground: scenes as text, and in a browser what worlds do and what a person plays.
 
+The match that a person plays is that of `World`, of the file, and of the link.
+"""
+
+import dataclasses
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -8,12 +12,27 @@ from urllib.parse import quote
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import matrixworld as mw
 from browser import Browser
-from matrixworld.explorer import Playground
-from matrixworld.explorer.playground import GALLERY, page_data, scene_link
-from matrixworld.world.policy import SCRIPTS
+from command_line import matrixworld_command
+from matrixworld import Episode, World, WorldConfig, record
+from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run, start
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.explorer import Playground, explore
+from matrixworld.explorer.page import write_page
+from matrixworld.explorer.playground import (
+    GALLERY,
+    of_run,
+    page_data,
+    playground_page,
+    scene_link,
+    shipped,
+)
+from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
+from scripts import wait_until
+from tiny_race import tiny_race
 
 DOCS = Path(__file__).parents[2] / "docs"
 
@@ -238,3 +257,236 @@ def test_links_hold_the_whole_scene(page: PlaygroundPage, scene: str) -> None:
     page.browser.js("document.querySelector('dialog[open]').close()")
     assert [link.partition("#")[2] for link in links] == [scene] * 2
     assert page.text(".message") == ""
+
+
+# ---- A person plays ----------------------------------------------------------------------------
+
+PLAYED = "document.querySelector('#match').dataset.played"
+IN_EXPLORER, IN_PAGE = "window.matrixworldExplorer.playing", "window.matrixworldPlay"
+LETTERS = dict(enumerate(" wdsaeczq"))
+ARROWS = {0: " ", 1: "\ue013", 2: "\ue014", 3: "\ue015", 4: "\ue012"}
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
+    """A race with obstacles, and one in which the teams take turns and move diagonally."""
+    root = tmp_path_factory.mktemp("job")
+    settings = {
+        "race": tiny_race(obstacles=0.15, max_steps=30),
+        "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
+    }
+    for name, each in settings.items():
+        start(each, root / name, threads=1).run()
+    return [open_run(root / name) for name in settings]
+
+
+@pytest.fixture(scope="module")
+def races(job: list[SavedRun]) -> Path:
+    return explore(*(run.path for run in job)).path
+
+
+@pytest.fixture(scope="module")
+def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("play") / "playground.html"
+    write_page(file, playground_page("", shipped("SD")))
+    return file
+
+
+def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int = 0) -> None:
+    """Show a match, go to a step, and take an agent over."""
+    address = f"#run={run}&pursuers={g}&evaders={h}&step={step}"
+    browser.open(page)
+    browser.driver.execute_script(f"location.hash = '{address}'")
+    browser.wait(f"{PLAYED} === '{run} {g} {h} 0 ' && matrixworldExplorer.step === {step}")
+    browser.press("t")
+    browser.wait(f"{IN_EXPLORER} && document.querySelector('.take-over').open")
+
+
+def moves_until_done(
+    browser: Browser, keys: dict[int, str], seed: int, view: str = IN_EXPLORER
+) -> None:
+    """Press random keys until the match has ended for the person."""
+    rng = np.random.default_rng(seed)
+    while browser.js(f"{view}.element.dataset.state") == "playing":
+        browser.press(keys[int(rng.choice(list(keys)))])
+
+
+def shown(browser: Browser, view: str = IN_EXPLORER) -> dict[str, Any]:
+    """Return what the page has played."""
+    return browser.js(
+        f"(({{live, played}}) => ({{seat: played?.seat, moves: played?.moves,"
+        " actions: live.actions.map((each) => Array.from(each)),"
+        " positions: live.recording.moments.map((each) => Array.from(each.positions)),"
+        f" captured: live.recording.moments.map((each) => Array.from(each.captured))}}))({view})"
+    )
+
+
+def decided(
+    world: World, policies: dict[Team, TeamPolicy], seat: int, hand: int | TeamPolicy
+) -> NDArray[np.int64]:
+    """Play a round turn by turn, slowly, and return the actions of all agents."""
+    actions = np.zeros(world.config.n_agents, np.int64)
+    first = world.config.n_pursuers
+    while True:
+        for agent in world.actors:
+            own = hand if agent == seat else policies[TEAMS[agent >= first]]
+            if isinstance(own, int):
+                actions[agent] = own
+            else:
+                world.decide(own, range(agent, agent + 1), actions)
+        world.play_turn(actions)
+        if world.turn == 0:
+            return actions
+
+
+def generation(run: SavedRun, team: Team, number: int) -> Population:
+    population = run.teams[team]
+    assert isinstance(population, Population)
+    return Population(population.genomes[number], population.network)
+
+
+# ---- Taken over in the explorer ------------------------------------------------------------------
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(("run", "keys"), [(0, ARROWS), (1, LETTERS)])
+def test_a_match_played_by_keys_is_that_of_the_world(
+    browser: Browser, races: Path, job: list[SavedRun], run: int, keys: dict[int, str]
+) -> None:
+    """The person's keys are its actions; networks decide as `World.decide` does."""
+    g, h, step = 2, 1, 3
+    take_over(browser, races, run, g, h, step)
+    moves_until_done(browser, keys, run)
+    played = shown(browser)
+    world = World(job[run].settings.world)
+    world.reset(evaluation_seed(job[run].settings.seed, g, h))
+    before = job[run].record(g, h).actions[:step, played["seat"]]
+    assert played["moves"][:step] == before.tolist()
+    assert len(played["actions"]) == len(played["moves"]) > step
+    policies: dict[Team, TeamPolicy] = {
+        team: generation(job[run], team, number) for team, number in zip(TEAMS, (g, h), strict=True)
+    }
+    for moment, move in enumerate(played["moves"]):
+        alive = world.alive.copy()
+        actions = decided(world, policies, played["seat"], move)
+        assert np.array(played["actions"][moment])[alive].tolist() == actions[alive].tolist()
+        assert played["positions"][moment + 1] == world.last_positions.ravel().tolist()
+        assert played["captured"][moment + 1] == world.captured.astype(int).tolist()
+    assert browser.errors() == []
+
+
+@pytest.mark.nightly
+def test_files_and_links_hold_the_match(
+    browser: Browser, races: Path, own: Path, job: list[SavedRun], tmp_path: Path
+) -> None:
+    """And the page of its own opens files that it or Python saved, and no others."""
+    allow = {"behavior": "allow", "downloadPath": str(tmp_path)}
+    browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", allow)
+    take_over(browser, races, 1, 0, 2, 2)
+    moves_until_done(browser, LETTERS, 1)
+    played = shown(browser)
+    press_button(browser, "Save")
+    wait_until(lambda: [*tmp_path.glob("*.npz")], "a file of the match", 10)
+    [file] = tmp_path.glob("*.npz")
+    episode = Episode.load(file)
+    assert (episode.seat, episode.length) == (played["seat"], len(played["moves"]))
+    assert WorldConfig.from_json(episode.config) == job[1].settings.world
+    press_button(browser, "Link")
+    link = browser.js("document.querySelector('.play-ending input').value")
+    browser.driver.get("about:blank")
+    browser.driver.get(link)
+    browser.wait(f"{IN_EXPLORER} && {IN_EXPLORER}.element.dataset.state === 'ended'")
+    assert shown(browser) == played
+    browser.open(own)
+    press_button(browser, "A match from a file")
+    opens = browser.driver.find_element("css selector", "input[type=file]")
+    other = record(WorldConfig("SB", rows=9, cols=7, obstacles=0.2), "chaser", "fleer", seed=3)
+    other.save(tmp_path / "python.npz")
+    for path, expected in ((file, episode), (tmp_path / "python.npz", other)):
+        opens.send_keys(str(path))
+        browser.wait(f"{IN_PAGE}.live.length === {expected.length}")
+        positions = np.array(shown(browser, IN_PAGE)["positions"])
+        assert positions.tolist() == expected.last_positions.reshape(len(positions), -1).tolist()
+    (tmp_path / "cut.npz").write_bytes(file.read_bytes()[:-50])
+    dataclasses.replace(other, actions=np.zeros_like(other.actions)).save(tmp_path / "altered.npz")
+    for name in ("cut", "altered"):
+        opens.send_keys(str(tmp_path / f"{name}.npz"))
+        told = "document.querySelector('.setup .problem').innerText"
+        browser.wait(f"{told}.startsWith('{name}.npz holds no match: ')")
+    assert browser.errors() == []
+
+
+def press_button(browser: Browser, text: str) -> None:
+    browser.driver.find_element("xpath", f"//button[text()='{text}']").click()
+
+
+# ---- On the page itself -------------------------------------------------------------------------
+
+
+@pytest.mark.nightly
+def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> None:
+    browser.open(own)
+    lasted = []
+    for turn in range(3):
+        title = browser.js("document.querySelector('.play h2').innerText")
+        assert f"Round {turn + 1} of 3" in title
+        moves_until_done(browser, ARROWS, turn, IN_PAGE)
+        lasted.append(browser.js(f"{IN_PAGE}.live.length"))
+        press_button(browser, "Watch it")  # which counts nothing again
+        browser.press("\ue010")
+        browser.wait(f"{IN_PAGE}.player.step === {lasted[-1]}")
+        if turn < 2:
+            browser.click(".play-ending > .primary")
+    score = browser.js("document.querySelector('.play-score').textContent")
+    assert score == f"Your score: {sum(lasted)} of 180"
+    assert browser.errors() == []
+
+
+@pytest.mark.nightly
+def test_tabs_and_the_form_show_the_game_that_runs(browser: Browser, own: Path) -> None:
+    browser.open(own)
+    tab = "document.querySelector('.tabs [aria-pressed=true]').textContent"
+    chosen = (
+        "[...document.querySelectorAll('.setup select')]"
+        ".map((each) => each.offsetParent && each.selectedOptions[0].textContent)"
+    )
+    assert (browser.js(tab), browser.js(chosen)) == ("Can you escape it?", [None] * 3)
+    link = "pursuers=1&evaders=5&seed=7&seat=0&moves=12"
+    browser.js(f"location.hash = '#{link}'")
+    browser.wait(f"{IN_PAGE}.live.length === 2")
+    assert browser.js(tab) == "One match"
+    assert browser.js(chosen) == ["a pursuer", "clumsy chaser", "fleer"]
+    press_button(browser, "Rules and conflicts")
+    assert browser.js("document.querySelector('.layout').offsetParent !== null")
+    assert browser.js("document.querySelector('.play').offsetParent") is None
+    browser.press("w", "1")  # no move of the match, but a variant
+    browser.wait("location.hash.startsWith('#rules=D&')")
+    assert browser.js(f"{IN_PAGE}.live.length") == 2
+    press_button(browser, "Can you escape it?")
+    browser.press("w")
+    assert browser.js(f"{IN_PAGE}.live.length") == 1
+    assert browser.js("location.hash") == ""
+    assert browser.errors() == []
+
+
+def test_a_run_gives_its_generations_to_the_page(job: list[SavedRun]) -> None:
+    opponents = of_run(job[0])
+    assert opponents.world == job[0].settings.world
+    for team in TEAMS:
+        players = opponents.players[team]
+        assert [*players] == [f"generation {number}" for number in range(3)]
+        last = players["generation 2"]
+        assert np.array_equal(last.genomes, generation(job[0], team, 2).genomes)
+    assert '"usual":2' in playground_page("", opponents)
+
+
+def test_the_command_writes_the_page(
+    job: list[SavedRun], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert matrixworld_command("playground", "sb", "--no-open").output == "playground.html\n"
+    page = (tmp_path / "playground.html").read_text(encoding="utf-8")
+    assert page == playground_page("", shipped("SB"))
+    run = job[0].path
+    matrixworld_command("playground", run, "--no-open")
+    assert "generation 2" in (run / "playground.html").read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""``matrixworld explore``, ``play`` and ``playground``: pages and figures."""
+"""``matrixworld explore`` and ``playground``: pages and figures."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from matrixworld.cli.runs import common_directory, finished_groups, run_in, runs
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import SavedRun, open_run, open_runs
 from matrixworld.coevolution.groups import RunGroup
-from matrixworld.explorer import play_page, playground
+from matrixworld.explorer import playground
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page
 from matrixworld.world.rules import Rules
@@ -33,11 +33,11 @@ FIGURES = (
 """Figures of runs: the functions of `matrixworld.plots.saved` that draw them."""
 
 # \b keeps click from wrapping the lines.
-PLAY_EXAMPLES = """\b
+PLAYGROUND_EXAMPLES = """\b
 Examples:
-  matrixworld play
-  matrixworld play SB
-  matrixworld play runs/O-seed0 --race hall-of-fame
+  matrixworld playground
+  matrixworld playground SB
+  matrixworld playground runs/O-seed0 --race hall-of-fame
 """
 
 
@@ -204,52 +204,39 @@ def _draw(
         say(file)
 
 
-# Pages of the game:
+# The page of the game:
 
 
-@click.command("playground")
-@out_option(f"the page  [default: {playground.PAGE}]")
-@options("open", "force")
-def playground_command(out: Path | None, opens: bool, force: bool) -> None:
-    """Write the playground, one page that plays conflicts by hand, and open it.
-
-    Choose a variant or rules of your own, place agents and obstacles, give each agent a move or a
-    script, and read every conflict of a step in words. The page is a single file that needs no
-    network and no installation; it holds the engine.
-    """
-    page = out or Path(playground.PAGE)
-    check_outputs(page, force=force)
-    write_page(page, playground.Playground().html())
-    say(page)
-    open_page(page, opens)
-
-
-@click.command("play", epilog=PLAY_EXAMPLES)
+@click.command("playground", epilog=PLAYGROUND_EXAMPLES)
 @click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=source_of)
 @options("race")
-@out_option(f"the page  [default: {play_page.PAGE}, of a RUN in its directory]")
+@out_option(f"the page  [default: {playground.PAGE}, of a RUN in its directory]")
 @options("open", "force")
-def play_command(
+def playground_command(
     source: Path | Rules, race: str | None, out: Path | None, opens: bool, force: bool
 ) -> None:
-    """Write a page on which you play one agent of a match, and open it.
+    """Write a page on which you play, and open it.
 
-    With RUN, you play against its generations, in its world. With VARIANT (default O), you play
-    against scripts and the evolved opponents that come with the package, in a small world. "Can you
-    escape it?" is a game of three rounds: you are the only evader, and each round has stronger
-    pursuers.
+    "Can you escape it?" is a game of three rounds: you are the only evader, and each round has
+    stronger pursuers. In one match you play any agent: with RUN against its generations, in its
+    world; with VARIANT (default O) against scripts and the evolved opponents that come with the
+    package, in a small world. The page keeps a played match as a file; matrixworld replay FILE
+    shows it, and --out of that command makes a GIF of it.
 
-    The page keeps a played match as a file; matrixworld replay FILE shows it, and --out of that
-    command makes a GIF of it.
+    Rules and conflicts: choose a variant or rules of your own, place agents and obstacles, give
+    each agent a move or a script, and read every conflict of a step in words.
+
+    The page is a single file that needs no network and no installation; it holds the engine.
     """
+    title = "matrixworld playground"
     if isinstance(source, Rules):
-        directory, title, players = Path(), "", play_page.shipped(source)
+        directory, opponents = Path(), playground.shipped(source)
     else:
         directory = run_in(source, race=race)
         run = open_run(directory)
-        title, players = f"{run.title} - ", play_page.of_run(run)
-    page = out or directory / play_page.PAGE
+        title, opponents = f"{run.title} - {title}", playground.of_run(run)
+    page = out or directory / playground.PAGE
     check_outputs(page, force=force)
-    write_page(page, play_page.play_page(f"{title}matrixworld play", *players))
+    write_page(page, playground.playground_page("", opponents, title))
     say(page)
     open_page(page, opens)

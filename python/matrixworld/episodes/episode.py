@@ -77,8 +77,8 @@ class Episode:
         All conflicts: the step, from 1, and the numbers that
         `matrixworld.world.conflicts.CONFLICT_COLUMNS` names. The default is None: not recorded.
     seat : int, optional
-        The agent that a person has played, as on the page of ``matrixworld play``. The default is
-        None: nobody has.
+        The agent that a person has played, as on the page of ``matrixworld playground``. The
+        default is None: nobody has.
 
     Raises
     ------

@@ -26,7 +26,7 @@ EPISODES = 2
 """Episodes of each cell while a run goes on, the first ones of the evaluation."""
 SECONDS = 3.0
 """The least time between two pages."""
-SHARE = 0.05
+SHARE = 0.1
 """The most of the time that the page may take from the runs."""
 NOTE = (
     "The runs go on. This page shows what there was at {time}, and loads itself again when nobody "

@@ -1,4 +1,4 @@
-"""The playground: conflicts on a small board, step by step, under any rules.
+"""The playground: an agent to play, and conflicts on a small board, step by step, under any rules.
 
 >>> import matrixworld as mw
 >>> from matrixworld.explorer import Playground
@@ -40,17 +40,22 @@ from dataclasses import astuple, dataclass
 from enum import Enum
 from inspect import cleandoc
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from matrixworld._util.checks import check_choice, check_instance, check_integer
 from matrixworld._util.files import load_toml
+from matrixworld.coevolution.evaluation.scores import held_out
+from matrixworld.coevolution.storage import SavedRun
+from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.envs import VARIANT_TEXTS
 from matrixworld.explorer.page import check_new, mime_bundle, render_page, write_page
+from matrixworld.explorer.teams import kept_generations, packed, plain_network, step_of
+from matrixworld.version import __version__
 from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPT_TEXTS, SCRIPTS
+from matrixworld.world.policy import SCRIPT_TEXTS, SCRIPTS, Population, TeamPolicy
 from matrixworld.world.render import png
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
@@ -85,7 +90,7 @@ class Playground:
     ----------
     world : World, optional
         A world between two rounds; in the playground it goes on as it would here. By default the
-        page begins with its first example.
+        page begins with its game "Can you escape it?".
     actions : sequence, shape (A,), optional
         What each agent does next: an `Action`, or the name of a script. By default all stay.
     compare : Rules or str, optional
@@ -130,8 +135,8 @@ class Playground:
         return f"{os.fspath(page)}#{self.scene}"
 
     def html(self) -> str:
-        """Return the page, which begins with the scene."""
-        return render_page("playground", "matrixworld playground", page_data(self.scene))
+        """Return the page, which begins with the scene if there is one."""
+        return playground_page(self.scene, shipped("O"))
 
     def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
         """Write the page.
@@ -152,10 +157,98 @@ class Playground:
         write_page(path, self.html())
 
     def __repr__(self) -> str:
-        return f"<Playground: {self.scene or 'the first example'}>"
+        return f"<Playground: {self.scene or 'Can you escape it?'}>"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         return mime_bundle(self.html(), "playground", self.picture)
+
+
+def playground_page(
+    scene: str = "", opponents: Opponents | None = None, title: str = "matrixworld playground"
+) -> str:
+    """Return the page as HTML; it begins with the scene, if there is one.
+
+    Without opponents it has no games, as where the explorer opens a step of a match in it.
+    """
+    play, genomes = (None, {}) if opponents is None else plain_opponents(opponents)
+    data = {**page_data(scene), "title": title, "version": __version__, "play": play}
+    return render_page("playground", title, data, genomes)
+
+
+# ---- Opponents of a person -----------------------------------------------------------------------
+
+LIVELY = "clumsy-fleer"
+"""The evaders that a match begins with where they are there: the strongest are hardly caught."""
+NETWORK_TEXT = "a network that evolved in a race"
+
+
+class Opponents(NamedTuple):
+    """A world, and what plays for each team in it, by name, roughly from weak to strong.
+
+    Populations have one genome.
+    """
+
+    world: WorldConfig
+    players: Mapping[Team, Mapping[str, TeamPolicy]]
+
+
+def shipped(variant: Rules | str) -> Opponents:
+    """Return a world that suits a person, and the opponents that come with the package."""
+    rules = rules_of(variant)
+    # It takes up to four pursuers to surround an evader.
+    sizes = (8, 4) if rules.capture is Capture.SURROUND else (4, 6)
+    config = WorldConfig(
+        rules, rows=20, cols=20, n_pursuers=sizes[0], n_evaders=sizes[1], max_steps=200
+    )
+    return Opponents(config, {team: _by_strength(held_out(team, rules)) for team in TEAMS})
+
+
+def _by_strength(players: Mapping[str, TeamPolicy]) -> dict[str, TeamPolicy]:
+    """Return players with the networks between weak and strong scripts (see docs/held_out.md)."""
+    networks = [name for name, each in players.items() if isinstance(each, Population)]
+    scripts = [name for name in players if name not in networks]
+    return {name: players[name] for name in [*scripts[:2], *networks, *scripts[2:]]}
+
+
+def of_run(run: SavedRun) -> Opponents:
+    """Return the world of a run and its generations, as many as a page can hold."""
+    step = step_of([run])
+    players = {team: _generations(run.teams[team], step) for team in TEAMS}
+    return Opponents(run.settings.world, players)
+
+
+def _generations(team: TeamPolicy, step: int) -> dict[str, TeamPolicy]:
+    if isinstance(team, str):
+        return {team: team}
+    kept = kept_generations(len(team.genomes), step)
+    return {f"generation {g}": Population(team.genomes[g], team.network) for g in kept}
+
+
+def plain_opponents(opponents: Opponents) -> tuple[dict[str, Any], dict[str, bytes]]:
+    """Return opponents as plain values, and the genomes of each team, as `packed` does."""
+    teams, genomes = {}, dict[str, bytes]()
+    for team in TEAMS:
+        players = opponents.players[team]
+        networks = [each for each in players.values() if isinstance(each, Population)]
+        names = list(players)
+        teams[team] = {
+            "names": names,
+            "texts": [_text(name, each) for name, each in players.items()],
+            "usual": names.index(LIVELY) if LIVELY in names else len(names) - 1,
+            # None stands for the next genome.
+            "scripts": [each if isinstance(each, str) else None for each in players.values()],
+            "network": plain_network(networks[0]) if networks else None,
+        }
+        if networks:
+            genomes[team] = packed(np.concatenate([each.genomes for each in networks]))
+    return {"world": opponents.world.to_json(), "teams": teams}, genomes
+
+
+def _text(name: str, player: TeamPolicy) -> str:
+    """Return what a player does; the generations of a run need no words."""
+    if isinstance(player, str):
+        return SCRIPT_TEXTS[player]
+    return NETWORK_TEXT if name.startswith("evolved") else ""
 
 
 # ---- What the page knows of the package ----------------------------------------------------------

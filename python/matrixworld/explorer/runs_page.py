@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import json
 import os
-import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,7 +31,7 @@ from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
-from matrixworld.coevolution.types import TEAMS, Genomes, Payoff
+from matrixworld.coevolution.types import TEAMS, Payoff
 from matrixworld.episodes.episode import scene
 from matrixworld.explorer.page import (
     check_new,
@@ -41,9 +40,9 @@ from matrixworld.explorer.page import (
     without_engine,
     write_page,
 )
-from matrixworld.explorer.playground import Playground, page_data
+from matrixworld.explorer.playground import page_data, playground_page
+from matrixworld.explorer.teams import MOST_BYTES, plain_team, step_of
 from matrixworld.version import __version__
-from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.render import png
 from matrixworld.world.rules import variant_name
 
@@ -147,7 +146,7 @@ def explorer_page(
         "playground": page_data(),
         "runs": plain,
     }
-    playground = without_engine(Playground().html()).encode()
+    playground = without_engine(playground_page()).encode()
     blobs = {**genomes, "playground": playground}
     return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
 
@@ -162,8 +161,6 @@ def heading(runs: Sequence[SavedRun]) -> str:
 
 # ---- Runs ----------------------------------------------------------------------------------------
 
-MOST_BYTES = 48 * 2**20
-"""Genomes of a page, in bytes; base64 adds a third. A default race has 2.9 MB."""
 MOST_POINTS = 6000
 """The most points of a training curve; a longer one has means of neighbouring epochs."""
 
@@ -183,7 +180,7 @@ def runs_data(
     for n, (name, run) in enumerate(runs):
         shown = run_data(name, run, so_far.get(run.path))
         teams = {
-            team: _plain_team(run.teams[team], f"genomes-{n}-{team}", step, genomes)
+            team: plain_team(run.teams[team], f"genomes-{n}-{team}", step, genomes)
             for team in TEAMS
         }
         plain.append({**shown, "teams": teams})
@@ -373,59 +370,3 @@ def too_few_episodes(payoff: Payoff) -> str:
         f"Each cell has {episodes} episode{'' if episodes == 1 else 's'}; it takes at least "
         f"{EPISODES_TO_JUDGE} to tell all conditions from noise."
     )
-
-
-# ---- Teams ---------------------------------------------------------------------------------------
-
-
-def step_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> int:
-    """Return the step between generations of which all genomes fit into so many bytes.
-
-    It is the same for all runs, so that linked generations exist everywhere.
-    """
-    learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
-    longest = max(len(team.genomes) for team in learned)
-
-    def size(step: int) -> int:
-        kept = (len(kept_generations(len(team.genomes), step)) for team in learned)
-        return sum(n * team.genomes[0].nbytes for n, team in zip(kept, learned, strict=True))
-
-    return next((step for step in range(1, longest) if size(step) <= most), longest)
-
-
-def kept_generations(count: int, step: int) -> list[int]:
-    """Return every generation by a step, and the last one."""
-    return sorted({*range(0, count, step), count - 1})
-
-
-def _plain_team(
-    team: TeamPolicy, identifier: str, step: int, genomes: dict[str, bytes]
-) -> dict[str, Any]:
-    """Return a team as plain values, and add its genomes to the others."""
-    if isinstance(team, str):
-        return {"script": team, "network": None, "kept": [0], "genomes": ""}
-    kept = kept_generations(len(team.genomes), step)
-    genomes[identifier] = packed(team.genomes[kept])
-    return {
-        "script": None,
-        "network": plain_network(team),
-        "kept": kept,
-        "genomes": identifier,
-    }
-
-
-def plain_network(team: Population) -> dict[str, Any]:
-    """Return the network of a population as a page reads it."""
-    return {**plain_values(team.network), "genome_size": team.network.genome_size}
-
-
-def packed(genomes: Genomes) -> bytes:
-    """Return genomes (generations, genes) as bytes from which a page makes the very same numbers.
-
-    A generation differs from the one before it in the low bits of its numbers. So each is joined by
-    exclusive or with that one, equal places of the float32 come together, and are compressed.
-    """
-    bits = np.ascontiguousarray(genomes, dtype="<f4").view("<u4")
-    bits = np.concatenate([bits[:1], bits[1:] ^ bits[:-1]])
-    planes = bits.view(np.uint8).reshape(-1, bits.itemsize).T
-    return zlib.compress(planes.tobytes(), 9)

@@ -9,7 +9,7 @@ import type { Engine } from "../../../web/src/engine/engine.ts";
 import { rate } from "../../../web/src/explorer/format.ts";
 import { wordsOf } from "../../../web/src/explorer/words.ts";
 import { html } from "../../../web/src/page/dom.ts";
-import type { Live } from "../../../web/src/play/live.ts";
+import type { Live } from "../../../web/src/board/live.ts";
 import type { Data } from "./data.ts";
 import { Recordings } from "./recordings.ts";
 import type { Store } from "./store.ts";

@@ -4,8 +4,8 @@ import { unzlibSync } from "fflate";
 
 import type { Engine } from "../../../web/src/engine/engine.ts";
 import { bytesOf } from "../../../web/src/explorer/data.ts";
-import { replayed } from "../../../web/src/play/live.ts";
-import type { Live } from "../../../web/src/play/live.ts";
+import { replayed } from "../../../web/src/board/live.ts";
+import type { Live } from "../../../web/src/board/live.ts";
 import type { Data, Pair } from "./data.ts";
 
 /** The recordings of the page: an action a byte, one match after the other, row by row of the matrix. */

@@ -3,7 +3,8 @@
 import "./evolve.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
-import { copy, hasAddress, html } from "../page/dom.ts";
+import { copy, readOnly, saveFile } from "../page/dialog.ts";
+import { hasAddress, html } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import { top } from "../page/top.ts";
 import { legend } from "../board/legend.ts";
@@ -37,7 +38,7 @@ class Page {
   }, "Draw walls");
   readonly #noWalls = html("button", { type: "button", onclick: () => this.#ask({ walls: [] }) }, "No walls");
   readonly #rest = html("button", { type: "button", onclick: () => this.#toggleBoards() });
-  readonly #link = html("input", { type: "text", readonly: true, hidden: true, "aria-label": "Link to this race" });
+  readonly #link = readOnly("Link to this race");
   readonly #told = html("span", { class: "small muted", role: "status" });
   readonly #controls = controls((change, anew) => this.#ask(change, anew));
   readonly #save = html("button", { type: "button", onclick: () => void this.#saveRaces(), title: "An archive that matrixworld judge, explore and replay read" }, "Save");
@@ -47,6 +48,7 @@ class Page {
 
   constructor(data: EvolveData, engine: Engine) {
     [this.#data, this.#engine, this.#choice] = [data, engine, choiceOf(data, location.hash)];
+    this.#link.hidden = true;
     const tools = html("div", { class: "doings", role: "group", "aria-label": "What can be done" },
       this.#side,
       html("button", { type: "button", class: "to-play", title: "Play an evader against the newest pursuers", onclick: () => this.lanes[0]!.takeOver() }, "Take over"),
@@ -184,10 +186,8 @@ class Page {
       this.#told.textContent = "Wait for the next generation, and save then.";
       return;
     }
-    const archive = archiveOf(races, { format: this.#data.format, version: this.#data.version });
-    const file = new Blob([archive as BlobPart], { type: "application/zip" });
     const name = `${races.map((each) => each.name).join("-and-")}-seed-${this.#choice.seed}.zip`;
-    html("a", { href: URL.createObjectURL(file), download: name }).click();
+    saveFile(name, archiveOf(races, this.#data) as BlobPart);
     this.#told.textContent = `Saved as ${name}.`;
   }
 }

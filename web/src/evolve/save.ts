@@ -2,8 +2,8 @@
 // and `replay` read (docs/files.md). It has no checkpoint, so that Python does not continue it.
 
 import { strToU8, zipSync } from "fflate";
-import { writeNpz } from "../play/npz.ts";
-import type { NpyArray } from "../play/npz.ts";
+import { writeNpz } from "../page/npz.ts";
+import type { NpyArray } from "../page/npz.ts";
 import type { Cell, Race, Row } from "./race.ts";
 import { sha256 } from "./sha256.ts";
 import { TEAMS } from "./settings.ts";

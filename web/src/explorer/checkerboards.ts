@@ -6,24 +6,25 @@ import { recordingOf } from "../board/from_engine.ts";
 import { FITTING, Player, playerKey } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
 import type { Engine } from "../engine/engine.ts";
+import { dialog } from "../page/dialog.ts";
 import { html } from "../page/dom.ts";
 import { generationName } from "../page/names.ts";
 import { inkOn, viridisText } from "./colormap.ts";
-import { whyNot } from "./data.ts";
+import { playedMatch, whyNot } from "./data.ts";
 import type { Checkerboard, Run } from "./data.ts";
 import { rate } from "./format.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
-import { playedMatch } from "./play.ts";
 import type { Store } from "./store.ts";
 
 export function checkerboardPanel(run: Run, store: Store, engine: () => Engine | null): Panel | null {
   const { findings } = run;
   if (!findings?.table.length) return null; // they are shown beside the judgement
-  const dialog = html("dialog", { class: "four", "aria-label": "Four matches" });
+  const room = html("div");
+  const four = dialog("Four matches of a checkerboard", "four", room);
   const open = (board: Checkerboard): void => {
     const started = engine();
-    if (started) showFour(dialog, run, board, store, started);
+    if (started) showFour(four, room, run, board, store, started);
   };
   const boards = findings.checkerboards.map((board) => miniature(run, board, open));
   return {
@@ -33,7 +34,7 @@ export function checkerboardPanel(run: Run, store: Store, engine: () => Engine |
         ? html("div", { class: "boards" }, ...boards)
         : html("p", {}, `No four cells differ by more than ${findings.margin} in this way.`),
       boards.length ? html("p", { class: "small muted" }, "The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes.") : null,
-      dialog),
+      four),
   };
 }
 
@@ -57,7 +58,7 @@ function miniature(run: Run, board: Checkerboard, open: (board: Checkerboard) =>
 }
 
 /** Play the four matches of a checkerboard, step by step together. */
-function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, store: Store, engine: Engine): void {
+function showFour(dialog: HTMLDialogElement, room: HTMLElement, run: Run, board: Checkerboard, store: Store, engine: Engine): void {
   const playable = cellsOf(board).filter(([g, h]) => !whyNot(run, "pursuer", g) && !whyNot(run, "evader", h));
   const matches = playable.map(([pursuer, evader]) =>
     playedMatch(engine, run, { run: store.selected.run, pursuer, evader, episode: 0, seed: null }));
@@ -83,8 +84,7 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
   });
   player.addEventListener("frame", draw);
   player.addEventListener("step", tell);
-  dialog.replaceChildren(
-    html("header", {}, html("h2", {}, "Four matches of a checkerboard"), html("button", { type: "button", onclick: () => dialog.close() }, "Close")),
+  room.replaceChildren(
     html("div", { class: "grid-of-four" },
       html("span"), ...board.evaders.map((h) => html("h3", { class: "evader" }, generationName("evader", h))),
       ...board.pursuers.map((g, row) => {
@@ -103,7 +103,7 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
     dialog.removeEventListener("keydown", key);
     player.pause();
     views.forEach((view) => view.board.close());
-    dialog.replaceChildren();
+    room.replaceChildren();
   }, { once: true });
   store.dispatchEvent(new Event("rest"));
   dialog.showModal();

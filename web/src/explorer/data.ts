@@ -3,7 +3,9 @@
 import { unzlibSync } from "fflate";
 import { generationName } from "../page/names.ts";
 import type { PageData } from "../playground/data.ts";
+import type { Engine, Match } from "../engine/engine.ts";
 import type { Memory, NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type { Selection } from "./store.ts";
 
 export type Team = "pursuer" | "evader";
 export const TEAMS: readonly Team[] = ["pursuer", "evader"];
@@ -146,6 +148,14 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
   const genome = genomesOf(genomes, size).subarray(place * size, (place + 1) * size);
   const { hidden, activation, sampled, memory } = network;
   return { hidden, activation, sampled, memory, genome } satisfies NetworkPolicy;
+}
+
+/** Play a match with the engine: the very one of the evaluation, unless another seed is chosen. */
+export function playedMatch(engine: Engine, run: Run, { pursuer, evader, episode, seed }: Selection): Match {
+  const own = run.seeds[pursuer]![evader]!;
+  return engine.match(
+    run.world, policyOf(run, "pursuer", pursuer), policyOf(run, "evader", evader), BigInt(seed ?? own), episode,
+  );
 }
 
 /** Bytes of a number. */

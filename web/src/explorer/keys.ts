@@ -1,6 +1,8 @@
 // The keyboard of the page, and the dialog that lists it.
 
 import { playerKey } from "../board/player.ts";
+import { dialog, keyList } from "../page/dialog.ts";
+import type { Keys } from "../page/dialog.ts";
 import { html } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import type { Run } from "./data.ts";
@@ -8,8 +10,7 @@ import type { MatchPanel } from "./match.ts";
 import { choose } from "./races.ts";
 import type { Store } from "./store.ts";
 
-/** Keys and what they do, in the order of the dialog. */
-const KEYS: readonly (readonly [keys: readonly string[], text: string])[] = [
+const KEYS: Keys = [
   [["Space"], "play or pause"],
   [["←", "→"], "step back or forward; with Shift ten steps"],
   [["Home", "End"], "first or last step"],
@@ -30,18 +31,9 @@ const KEYS: readonly (readonly [keys: readonly string[], text: string])[] = [
 ];
 
 /** Return the dialog that lists the keys. */
-export function helpDialog(): HTMLDialogElement {
-  const rows = KEYS.map(([keys, text]) => html("div", { class: "key-row" },
-    html("dt", {}, ...keys.map((key) => html("kbd", {}, key))), html("dd", {}, text)));
-  const dialog = html("dialog", { class: "help", "aria-labelledby": "help-title" },
-    html("h2", { id: "help-title" }, "Keys"),
-    html("dl", { class: "keys" }, ...rows),
-    html("p", { class: "muted small" },
-      "The page holds the genomes and the engine of this run. A click on a cell plays that very match: same seed, same moves. The page loads nothing from elsewhere; share the file as it is."),
-    html("button", { type: "button", onclick: () => dialog.close() }, "Close"));
-  dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
-  return dialog;
-}
+export const helpDialog = (): HTMLDialogElement => dialog("Keys", "help", keyList(KEYS),
+  html("p", { class: "muted small" },
+    "The page holds the genomes and the engine of this run. A click on a cell plays that very match: same seed, same moves. The page loads nothing from elsewhere; share the file as it is."));
 
 /** Listen to the keys of the page. */
 export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPanel, help: HTMLDialogElement, takeOver: () => void, playground: () => void): void {

@@ -1,6 +1,8 @@
-// A panel of a run: what it is, and the card that it is drawn on.
+// A panel of a run: what it is, the card that it is drawn on, and those of words alone: what happened, and the settings.
 
 import { html } from "../page/dom.ts";
+import type { Run } from "./data.ts";
+import { capital } from "./format.ts";
 
 /** A panel of one run; `update` shows what is selected or under the pointer. */
 export interface Panel {
@@ -12,4 +14,50 @@ export interface Panel {
 export function card(title: string, hint: string, ...content: (Node | null)[]): HTMLElement {
   return html("section", { class: "card panel", "aria-label": title },
     html("header", {}, html("h2", {}, title), html("p", { class: "small muted" }, hint)), ...content);
+}
+
+// ---- What happened in the race, with the numbers that decide
+
+const SIGNS: Readonly<Record<string, string>> = { present: "●", absent: "○", "cannot tell": "?" };
+
+export function diagnosisPanel(run: Run): Panel | null {
+  const { findings } = run;
+  if (!findings?.table.length) return null; // there is no judgement while a run goes on
+  const [, ...rows] = findings.table;
+  const items = rows.map(([condition, verdict, numbers, window], row) => {
+    const reason = reasonOf(findings.reasons[row] ?? "");
+    return html("li", { class: `finding ${verdict.replace(" ", "-")}` },
+      html("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict] ?? ""),
+      html("div", {},
+        html("p", {}, html("strong", {}, condition), ` ${verdict}`, html("span", { class: "muted" }, ` · ${window}`)),
+        reason ? html("p", { class: "small" }, `${reason}.`) : null,
+        html("p", { class: "small muted numbers" }, numbers)));
+  });
+  const element = card(
+    "What happened", "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",
+    html("p", { class: "headline" }, findings.sentence),
+    html("p", {}, findings.headline),
+    ...findings.numbers.map((line) => html("p", { class: "numbers" }, `${capital(line)}.`)),
+    html("ul", { class: "findings" }, ...items),
+    run.limits ? html("p", { class: "small" }, run.limits) : null,
+  );
+  element.classList.add("diagnosis");
+  return { element };
+}
+
+/** Return the reason of a sentence "Cycling: absent, because ...". */
+function reasonOf(text: string): string {
+  const [, reason = ""] = text.split(/, because (.*)/s);
+  return capital(reason.replace(/\.$/, ""));
+}
+
+/** The settings of the run that differ from the defaults. */
+export function settingsPanel({ settings, schedule, seed }: Run): Panel {
+  const rows = settings.map(({ name, value, help }) => html("tr", {},
+    html("th", { scope: "row" }, `--${name.replaceAll("_", "-")}`), html("td", { class: "numbers" }, value), html("td", { class: "muted" }, help)));
+  const table = html("table", { class: "small" }, html("caption", { class: "heard" }, "Settings other than the default"), ...rows);
+  const element = card("Settings", `${schedule}, seed ${seed}; all others are the defaults of matrixworld evolve.`,
+    rows.length ? html("div", { class: "wide-table" }, table) : null);
+  element.classList.add("settings");
+  return { element };
 }

@@ -6,9 +6,8 @@ import { checkerboardPanel } from "./checkerboards.ts";
 import { ciaoPanel } from "./ciao.ts";
 import { ratingPanel, trainingPanel } from "./curves.ts";
 import type { Run } from "./data.ts";
-import { diagnosisPanel } from "./diagnosis.ts";
+import { diagnosisPanel, settingsPanel } from "./panel.ts";
 import type { Panel } from "./panel.ts";
-import { settingsPanel } from "./settings.ts";
 import type { Store } from "./store.ts";
 
 /** Return the panels of the selected run; those of the others are made when they are first shown. */

@@ -3,10 +3,10 @@
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
-import { playOn } from "../play/ending.ts";
-import { movesOf, teamOf } from "../play/played.ts";
-import type { Moves } from "../play/played.ts";
-import { PlayView } from "../play/view.ts";
+import { playOn } from "../playground/games.ts";
+import { movesOf, teamOf } from "../playground/played.ts";
+import type { Moves } from "../playground/played.ts";
+import { PlayView } from "../playground/view.ts";
 import { placeOf } from "./address.ts";
 import { TEAMS, policyOf, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";

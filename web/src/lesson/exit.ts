@@ -1,5 +1,6 @@
-// The exit question, and files of what a student wrote.
+// The exit question.
 
+import { saveFile } from "../page/dialog.ts";
 import { html } from "../page/dom.ts";
 import type { WidgetPart } from "./data.ts";
 import { inline } from "./parts.ts";
@@ -7,10 +8,6 @@ import type { Store } from "./store.ts";
 
 /** A shorter text answers no part of the question. */
 const SHORTEST = 40;
-
-export function saveFile(name: string, text: string): void {
-  html("a", { href: URL.createObjectURL(new Blob([text], { type: "text/plain" })), download: name }).click();
-}
 
 export function exitWidget({ question = "", points = [] }: WidgetPart, store: Store): HTMLElement {
   const field = html("textarea", { id: "exit-answer", rows: 8 });

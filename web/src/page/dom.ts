@@ -36,14 +36,3 @@ function isShown(child: Child): child is Node | string | number {
 
 /** Return whether the address of the page leads anywhere: that of a frame in a notebook does not. */
 export const hasAddress = (): boolean => ["file:", "http:", "https:"].includes(location.protocol);
-
-/** Copy the text of a field, and tell how it went. */
-export async function copy(field: HTMLInputElement, told: HTMLElement): Promise<void> {
-  field.select();
-  try {
-    await navigator.clipboard.writeText(field.value);
-    told.textContent = "Copied.";
-  } catch {
-    told.textContent = "Selected: copy it with Ctrl+C."; // browsers may refuse pages from files
-  }
-}

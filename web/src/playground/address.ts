@@ -1,7 +1,9 @@
-// The scene in the address of the page: a link to it, and what a reload shows.
+// The scene in the address of the page: what a reload shows, and a link to it.
 
 import { EngineError } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
+import { copyField, dialog, readOnly } from "../page/dialog.ts";
+import { hasAddress, html } from "../page/dom.ts";
 import type { Example, PageData } from "./data.ts";
 import { LinkError, linkOf, sceneOf } from "./link.ts";
 import { Store } from "./store.ts";
@@ -36,29 +38,53 @@ export function hash(): string {
   }
 }
 
+/** Return whether a link holds a match that a person has played, and not a scene. */
+export const isMatch = (link: string): boolean => new URLSearchParams(link).has("moves");
+
 /** Milliseconds between changes of the address: browsers refuse many in a short time. */
 const REST = 100;
 
-/** Keep the scene in the address, so that a reload shows it and the address is a link to it. */
-export function followAddress(store: Store): void {
+/** Keep the scene in the address while it is `shown`, so that a reload shows it; a link to another one calls `show`. */
+export function followAddress(store: Store, shown: () => boolean, show: () => void): void {
   let [own, written, due] = [linkOf(store.scene, store.data), hash(), 0];
   const write = (): void => {
     due = 0;
-    if (hash() !== written) return; // another link was followed meanwhile
+    if (hash() !== written || !shown()) return; // another link was followed meanwhile
     written = own;
     history.replaceState(null, "", `#${own}`);
   };
   store.addEventListener("change", () => {
     own = linkOf(store.scene, store.data);
+    if (!shown()) return;
+    written = hash();
     if (own !== written && !due) due = setTimeout(write, REST);
   });
   window.addEventListener("hashchange", () => {
     written = hash();
-    if (written === own) return;
+    if (!written || written === own || isMatch(written)) return;
+    if (!shown()) show();
     try {
       store.change(sceneOf(written, store.data), { example: exampleOf(store.data, written) });
     } catch (error) {
       store.say(problemOf(error), true);
     }
   });
+}
+
+/** Return the dialog with the link to the scene, and what opens it. */
+export function shareDialog(store: Store): { element: HTMLDialogElement; open: () => void } {
+  const [link, code] = [readOnly("Link"), readOnly("Scene")];
+  const told = html("p", { class: "muted small", role: "status" });
+  const element = dialog("Share this scene", "",
+    html("p", {}, "The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),
+    hasAddress() && copyField("Link to this page", link, told), copyField("Scene, for any copy of the playground", code, told), told);
+  return {
+    element,
+    open: () => {
+      code.value = `#${linkOf(store.scene, store.data)}`;
+      link.value = location.href.split("#")[0]! + code.value;
+      told.textContent = "";
+      element.showModal();
+    },
+  };
 }

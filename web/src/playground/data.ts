@@ -2,7 +2,7 @@
 // rewards and the gallery. The page adds nothing to it, so that page and package cannot diverge.
 
 import { html } from "../page/dom.ts";
-import type { Rewards, Rules, ScriptName, TeamPolicy } from "../engine/types.ts";
+import type { NetworkPolicy, Rewards, Rules, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
 export interface Field {
   readonly name: keyof Rules;
@@ -41,9 +41,35 @@ export interface PageData {
   readonly champions?: Champions;
 }
 
+/** What can play for a team. */
+export interface TeamData {
+  readonly names: readonly string[];
+  /** Of each name what it does. */
+  readonly texts: readonly string[];
+  /** The place of the one that a match begins with. */
+  readonly usual: number;
+  /** Of each name a script, or null: then the next genome plays. */
+  readonly scripts: readonly (ScriptName | null)[];
+  readonly network: (Omit<NetworkPolicy, "genome"> & { readonly genome_size: number }) | null;
+}
+
+/** A world, and what plays in it against a person. */
+export interface OpponentsData {
+  readonly world: WorldConfig;
+  readonly teams: Readonly<Record<"pursuer" | "evader", TeamData>>;
+}
+
+/** The data of the page itself. */
+export interface PlaygroundData extends PageData {
+  readonly title: string;
+  readonly version: string;
+  /** Null for a page without games. */
+  readonly play: OpponentsData | null;
+}
+
 /** Return the data that the page holds; the explorer adds its champions. */
-export function pageData(): PageData {
-  const data = JSON.parse(document.getElementById("data")!.textContent!) as PageData;
+export function pageData(): PlaygroundData {
+  const data = JSON.parse(document.getElementById("data")!.textContent!) as PlaygroundData;
   const champions = document.getElementById("champions")?.textContent;
   return champions ? { ...data, champions: JSON.parse(champions, revived) as Champions } : data;
 }

@@ -9,13 +9,14 @@ import { whyNotSolved } from "../engine/solution.ts";
 import type { TurnGame } from "../engine/solution.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { wordsOf } from "../explorer/words.ts";
+import { readOnly, saveFile } from "../page/dialog.ts";
 import { hasAddress, html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
 import { lossText, lossesOf, perfectText, scoreOf, solved, ticksOf, worstText, worthText } from "../page/solved.ts";
 import type { Loss } from "../page/solved.ts";
 import { actionOf, bearing, listenToPointer, pad } from "./controls.ts";
 import { episodeFile } from "./file.ts";
-import type { Live } from "./live.ts";
+import type { Live } from "../board/live.ts";
 import { isDone, liveOf, resultOf, teamOf } from "./played.ts";
 import type { Played } from "./played.ts";
 
@@ -243,9 +244,7 @@ export class PlayView {
   }
 
   #save(live: Live, seat: number): void {
-    const file = new Blob([episodeFile(this.#engine, live, seat) as BlobPart], { type: "application/octet-stream" });
-    // The address stays valid: browsers fetch what it names some time after the click.
-    html("a", { href: URL.createObjectURL(file), download: `${agentName(seat, live.config.n_pursuers)}-${live.length}-steps.npz` }).click();
+    saveFile(`${agentName(seat, live.config.n_pursuers)}-${live.length}-steps.npz`, episodeFile(this.#engine, live, seat) as BlobPart);
   }
 
   #tell(): void {
@@ -300,7 +299,8 @@ const evaders = ({ n_evaders }: WorldConfig): string => `${n_evaders} evader${n_
 
 /** Put a link beside what was pressed, and copy it where the browser allows it. */
 function copied(button: HTMLElement, link: string): void {
-  const field = html("input", { type: "text", readonly: true, value: link, "aria-label": "Link to this match" });
+  const field = readOnly("Link to this match");
+  field.value = link;
   button.replaceWith(field);
   field.select();
   void navigator.clipboard?.writeText(link).catch(() => {}); // it is selected: Ctrl+C copies it

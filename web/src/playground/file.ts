@@ -3,10 +3,10 @@
 import { EngineError } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import type { Cell, WorldArrays, WorldConfig } from "../engine/types.ts";
-import { replayed } from "./live.ts";
-import type { Live } from "./live.ts";
-import { readNpz, writeNpz } from "./npz.ts";
-import type { NpyArray } from "./npz.ts";
+import { replayed } from "../board/live.ts";
+import type { Live } from "../board/live.ts";
+import { readNpz, writeNpz } from "../page/npz.ts";
+import type { NpyArray } from "../page/npz.ts";
 
 /** As in `matrixworld.episodes.episode`. */
 const FORMAT = "matrixworld episode 3";

@@ -5,7 +5,7 @@ import { MOVES, towards } from "../board/recording.ts";
 import type { Cell } from "../board/recording.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS } from "../page/names.ts";
-import { ARROWS } from "../playground/words.ts";
+import { ARROWS } from "./words.ts";
 
 /** W A S D as in most games, with the diagonals around them; where Y and Z are exchanged, Y as well. */
 const KEYS: Readonly<Record<string, number>> = {

@@ -4,7 +4,7 @@ import type { Engine } from "../engine/engine.ts";
 import type { TeamPolicy, WorldConfig } from "../engine/types.ts";
 import { TEAMS } from "../explorer/data.ts";
 import type { Team } from "../explorer/data.ts";
-import { Live } from "./live.ts";
+import { Live } from "../board/live.ts";
 
 /** What a person did: the agent in the seat and its moves. Those before `from` were its team's own. */
 export interface Moves {

@@ -1,0 +1,43 @@
+// Dialogs with a head, keys in a list, texts to copy, and files to save.
+
+import { html } from "./dom.ts";
+import type { Child } from "./dom.ts";
+
+/** Return a dialog with a title and a button that closes it; so does a press on the ground around it. */
+export function dialog(title: string, style: string, ...children: Child[]): HTMLDialogElement {
+  const made = html("dialog", { class: style, "aria-label": title },
+    html("div", { class: "dialog-head" }, html("h2", {}, title),
+      html("button", { type: "button", class: "close", "aria-label": "Close", onclick: () => made.close() }, "✕")), ...children);
+  made.addEventListener("click", (event) => event.target === made && made.close());
+  return made;
+}
+
+/** Keys and what they do. */
+export type Keys = readonly (readonly [keys: readonly string[], text: string])[];
+
+export const keyList = (keys: Keys): HTMLElement =>
+  html("dl", { class: "keys" }, ...keys.flatMap(([names, text]) => [html("dt", {}, ...names.map((name) => html("kbd", {}, name))), html("dd", {}, text)]));
+
+/** Copy the text of a field, and tell how it went. */
+export async function copy(field: HTMLInputElement, told: HTMLElement): Promise<void> {
+  field.select();
+  try {
+    await navigator.clipboard.writeText(field.value);
+    told.textContent = "Copied.";
+  } catch {
+    told.textContent = "Selected: copy it with Ctrl+C."; // browsers may refuse pages from files
+  }
+}
+
+/** Return a field that cannot be changed, with its name and a button that copies its text. */
+export const copyField = (name: string, field: HTMLInputElement, told: HTMLElement): HTMLElement =>
+  html("label", { class: "copy" }, html("span", {}, name), field, html("button", { type: "button", onclick: () => copy(field, told) }, "Copy"));
+
+export const readOnly = (label: string): HTMLInputElement => html("input", { type: "text", readonly: true, "aria-label": label });
+
+/** Let the browser save a file. */
+export function saveFile(name: string, content: BlobPart): void {
+  const place = URL.createObjectURL(new Blob([content], { type: "application/octet-stream" }));
+  html("a", { href: place, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(place), 60_000); // the browser has read it by then
+}

@@ -1,0 +1,83 @@
+// What a person plays: "Can you escape it?", and one match, at whose end others take the same seat.
+
+import type { Live } from "../board/live.ts";
+import type { Engine } from "../engine/engine.ts";
+import type { WorldConfig } from "../engine/types.ts";
+import { html } from "../page/dom.ts";
+import { ladder, linkTo, randomSeed, resultInSeat, resultOf, teamOf } from "./played.ts";
+import type { Played, Player, Result } from "./played.ts";
+import type { PlayView } from "./view.ts";
+
+const SIDE = 20;
+const STEPS = 60;
+
+/** Return the world of "Can you escape it?": small, and with as few pursuers as can capture. */
+function escapeWorld(world: WorldConfig): WorldConfig {
+  const most = world.rules.capture === "SURROUND" ? 8 : 4;
+  const mapped = typeof world.obstacles !== "number";
+  const side = (own: number): number => (mapped ? own : Math.min(own, SIDE));
+  return {
+    ...world, rows: side(world.rows), cols: side(world.cols), max_steps: STEPS, n_evaders: 1, n_pursuers: Math.min(world.n_pursuers, most),
+  };
+}
+
+/** Play one evader in three rounds against stronger and stronger pursuers, for a score. */
+export function escapeGame(view: PlayView, world: WorldConfig, pursuers: readonly Player[]): void {
+  const [config, rivals, scores] = [escapeWorld(world), ladder(pursuers), [] as number[]];
+  const score = (): string => `${scores.reduce((sum, each) => sum + each, 0)} of ${STEPS * rivals.length}`;
+  const round = (): void => view.play({
+    title: `Can you escape it? Round ${scores.length + 1} of ${rivals.length}, pursuers: ${rivals[scores.length]!.name}`,
+    about: rivals[scores.length]!.text && `${rivals[scores.length]!.name}: ${rivals[scores.length]!.text}`,
+    played: {
+      config, seed: randomSeed(), episode: 0, seat: config.n_pursuers, from: 0, moves: [],
+      policies: { pursuer: rivals[scores.length]!.policy(), evader: "still" },
+    },
+    ending: (live) => {
+      scores.push(resultOf(live, config.n_pursuers).lasted);
+      const rows = rivals.map(({ name }, place) => html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, scores[place] ?? "")));
+      const left = scores.length < rivals.length;
+      return [
+        html("table", { class: "numbers" }, html("caption", {}, `Steps of ${STEPS} in each round`), ...rows),
+        html("p", { class: "play-score" }, left ? "Score so far: " : "Your score: ", html("strong", {}, score())),
+        left ? html("button", { type: "button", class: "primary", onclick: round }, "Next round") : "",
+      ];
+    },
+    again: () => escapeGame(view, world, pursuers),
+    link: () => null,
+  });
+  round();
+}
+
+/** Play a match on from its moves; `players` are compared at its end, and `place` names it in a link; null for none. */
+export function playOn(engine: Engine, view: PlayView, title: string, played: Played, players: readonly Player[], place: Parameters<typeof linkTo>[0] | null): void {
+  view.play({
+    title, played,
+    ending: (live, now) => [comparison(engine, live, now, ladder(players))],
+    again: () => playOn(engine, view, title, { ...played, moves: played.moves.slice(0, played.from) }, players, place),
+    link: (now) => place && linkTo(place, now),
+  });
+}
+
+/** Return a table of the person and of others in the same seat of the same match. */
+function comparison(engine: Engine, live: Live, played: Played, players: readonly Player[]): HTMLElement {
+  const evader = teamOf(played.config, played.seat) === "evader";
+  const most = evader ? played.config.max_steps : played.config.n_evaders;
+  const table = html("table", { class: "numbers" },
+    html("caption", {}, evader ? "Steps in your seat: same start, same others" : "Captures of your team: same start, same others"));
+  const row = (name: string): ((result: Result) => void) => {
+    const [bar, value] = [html("span", { class: evader ? "bar evader" : "bar pursuer" }), html("td", {}, "…")];
+    table.append(html("tr", {}, html("th", { scope: "row" }, name), html("td", { class: "track", "aria-hidden": "true" }, bar), value));
+    return ({ lasted, captured }) => {
+      bar.style.width = `${(100 * (evader ? lasted : captured)) / most}%`;
+      value.textContent = String(evader ? lasted : captured);
+    };
+  };
+  row("You")(resultOf(live, played.seat));
+  // Each is a whole match: the page shows the end before they are played.
+  for (const { name, policy } of players) {
+    const fill = row(name);
+    setTimeout(() => fill(resultInSeat(engine, played, policy())));
+  }
+  const began = played.from ? `You took over at step ${played.from}. ` : "";
+  return html("div", {}, table, html("p", { class: "small muted" }, `${began}One match: luck has its part in it.`));
+}

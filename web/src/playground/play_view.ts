@@ -1,0 +1,144 @@
+// The games of the page: "Can you escape it?", a match against any generation or script, and a match from a file.
+
+import type { Engine } from "../engine/engine.ts";
+import type { TeamPolicy } from "../engine/types.ts";
+import { TEAMS, genomesOf } from "../explorer/data.ts";
+import type { Team } from "../explorer/data.ts";
+import { html } from "../page/dom.ts";
+import { agentName } from "../page/names.ts";
+import type { OpponentsData } from "./data.ts";
+import { readEpisode } from "./file.ts";
+import { escapeGame, playOn } from "./games.ts";
+import { movesOf, randomSeed } from "./played.ts";
+import type { Moves, Player } from "./played.ts";
+import { PlayView } from "./view.ts";
+
+export const GAMES = { escape: "Can you escape it?", match: "One match", file: "A match from a file" } as const;
+export type GameName = keyof typeof GAMES;
+
+/** A match of the page: who plays for each team, and the seed. */
+interface Choice extends Readonly<Record<Team, number>> {
+  readonly seed: bigint;
+}
+
+/** The games, with what is chosen for them. It dispatches `game` when a link or a file begins another one. */
+export class Games extends EventTarget {
+  readonly element: HTMLElement;
+  readonly view: PlayView;
+  game: GameName = "escape";
+  readonly #engine: Engine;
+  readonly #data: OpponentsData;
+  readonly #players: Readonly<Record<Team, readonly Player[]>>;
+  readonly #you = select(["an evader", "a pursuer"], 0);
+  readonly #teams: Readonly<Record<Team, HTMLSelectElement>>;
+  readonly #ofMatch: HTMLElement;
+  readonly #ofFile: HTMLElement;
+  readonly #about = html("ul", { class: "small muted about" });
+  readonly #problem = html("p", { class: "problem", role: "alert" });
+  readonly #file = html("input", { type: "file", accept: ".npz", hidden: true });
+  readonly #card: HTMLElement;
+
+  constructor(engine: Engine, data: OpponentsData) {
+    super();
+    [this.#engine, this.#data, this.view] = [engine, data, new PlayView(engine)];
+    this.#players = { pursuer: playersOf(data, "pursuer"), evader: playersOf(data, "evader") };
+    const choice = (team: Team): HTMLSelectElement => select(this.#players[team].map(({ name }) => name), data.teams[team].usual);
+    this.#teams = { pursuer: choice("pursuer"), evader: choice("evader") };
+    for (const each of Object.values(this.#teams)) each.addEventListener("change", () => this.#explain());
+    this.#ofMatch = html("div", { class: "of-match" },
+      html("label", {}, "You are ", this.#you), html("label", {}, "Pursuers ", this.#teams.pursuer), html("label", {}, "Evaders ", this.#teams.evader),
+      html("button", { type: "button", class: "primary", onclick: () => this.#match() }, "Play"), this.#about);
+    this.#ofFile = html("div", { class: "of-match" },
+      html("button", { type: "button", class: "primary", onclick: () => this.#file.click() }, "Choose a file"), this.#file,
+      html("span", { class: "small muted" }, "A match that this page or matrixworld.Episode has saved (.npz)."), this.#problem);
+    this.#file.addEventListener("change", () => this.#read());
+    this.#card = html("section", { class: "card", "aria-label": "Match" }, this.view.element);
+    this.element = html("section", { class: "games", "aria-label": "Play" }, html("div", { class: "card setup" }, this.#ofMatch, this.#ofFile), this.#card);
+  }
+
+  /** Begin a game. */
+  begin(game: GameName): void {
+    this.#show(game);
+    if (game === "escape") escapeGame(this.view, this.#data.world, this.#players.pursuer);
+    else if (game === "match") this.#match();
+    else {
+      this.view.stop();
+      this.#card.hidden = true; // until there is a match
+    }
+  }
+
+  /** Play on where the match of a link ends; return whether the parts of an address hold one. */
+  follow(parts: URLSearchParams): boolean {
+    const moves = movesOf(parts, this.#data.world);
+    const [pursuer, evader] = [Number(parts.get("pursuers") ?? NaN), Number(parts.get("evaders") ?? NaN)];
+    const seed = /^\d{1,20}$/.test(parts.get("seed") ?? "") ? BigInt.asUintN(64, BigInt(parts.get("seed")!)) : null;
+    if (!moves || seed === null || !this.#players.pursuer[pursuer] || !this.#players.evader[evader]) return false;
+    [this.#teams.pursuer.selectedIndex, this.#teams.evader.selectedIndex] = [pursuer, evader];
+    this.#you.selectedIndex = Number(moves.seat < this.#data.world.n_pursuers);
+    this.#show("match");
+    this.#play({ pursuer, evader, seed }, moves);
+    return true;
+  }
+
+  #show(game: GameName): void {
+    this.game = game;
+    this.#ofMatch.hidden = game !== "match";
+    this.#ofFile.hidden = game !== "file";
+    this.#ofMatch.parentElement!.hidden = game === "escape";
+    this.#card.hidden = false;
+    this.#problem.textContent = "";
+    this.#explain();
+    this.dispatchEvent(new Event("game"));
+  }
+
+  /** Say what the chosen players do. */
+  #explain(): void {
+    this.#about.replaceChildren(...TEAMS.map((team) => {
+      const { name, text } = this.#players[team][this.#teams[team].selectedIndex]!;
+      return html("li", {}, html("span", { class: team }, name), text && `: ${text}`);
+    }));
+  }
+
+  #match(): void {
+    const { pursuer, evader } = this.#teams;
+    const seat = this.#you.selectedIndex ? 0 : this.#data.world.n_pursuers;
+    this.#play({ pursuer: pursuer.selectedIndex, evader: evader.selectedIndex, seed: randomSeed() }, { seat, from: 0, moves: [] });
+  }
+
+  #play(choice: Choice, moves: Moves): void {
+    const [config, players] = [this.#data.world, this.#players];
+    const team = TEAMS[Number(moves.seat >= config.n_pursuers)]!;
+    const [pursuer, evader] = [players.pursuer[choice.pursuer]!, players.evader[choice.evader]!];
+    const policies = { pursuer: pursuer.policy(), evader: evader.policy() };
+    const title = `You are ${agentName(moves.seat, config.n_pursuers)}. Pursuers: ${pursuer.name}; evaders: ${evader.name}`;
+    playOn(this.#engine, this.view, title, { config, seed: choice.seed, episode: 0, policies, ...moves }, players[team],
+      { pursuers: choice.pursuer, evaders: choice.evader, seed: choice.seed });
+  }
+
+  #read(): void {
+    const [given] = this.#file.files ?? [];
+    this.#problem.textContent = "";
+    void given?.arrayBuffer().then((buffer) => readEpisode(this.#engine, new Uint8Array(buffer)))
+      .then(({ live, seat }) => {
+        this.#show("file");
+        this.view.watch(live, seat, given.name);
+      })
+      .catch((error: Error) => (this.#problem.textContent = `${given.name} holds no match: ${error.message}`));
+    this.#file.value = "";
+  }
+}
+
+/** Return what can play for a team. */
+function playersOf({ teams }: OpponentsData, team: Team): Player[] {
+  const { names, texts, scripts, network } = teams[team];
+  const policy = (place: number): TeamPolicy => {
+    const script = scripts[place];
+    if (script || !network) return script!;
+    const [size, genome] = [network.genome_size, scripts.slice(0, place).filter((each) => each === null).length];
+    return { ...network, genome: genomesOf(team, size).subarray(genome * size, (genome + 1) * size) };
+  };
+  return names.map((name, place) => ({ name: name.replaceAll("-", " "), text: texts[place]!, policy: () => policy(place) }));
+}
+
+const select = (names: readonly string[], chosen: number): HTMLSelectElement =>
+  html("select", {}, ...names.map((name, place) => html("option", { value: place, selected: place === chosen }, name)));
