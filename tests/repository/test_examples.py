@@ -31,9 +31,9 @@ from notebooks import NOTEBOOKS
 from pages import ROOT, page_id, read
 
 ELSEWHERE = {
-    "docs/class.md": "tests/classroom/test_class.py",
     "docs/cluster.md": "needs several processes; tests/cli/test_cluster.py",
     "docs/maintainers/how_to_add.md": "tests/repository/test_how_to_add.py",
+    "tutorials/class_tournament/README.md": "the tests beside it",
 }
 """Pages whose examples another test runs."""
 PAGES = sorted({ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *ROOT.glob("*/*/README.md")})
@@ -153,7 +153,7 @@ def test_learners_of_other_libraries_run_with_few_steps(program: Path, tmp_path:
 WITH_COMMANDS = sorted(
     {*PAGES, *ROOT.glob("*.md"), *ROOT.glob("*/README.md"), *NOTEBOOKS}
     # The recipes of how_to_add.md add names of their own, and another test follows them.
-    - {ROOT / "docs/class.md", ROOT / "docs/maintainers/how_to_add.md", ROOT / "CHANGELOG.md"}
+    - {ROOT / "docs/maintainers/how_to_add.md", ROOT / "CHANGELOG.md"}
 )
 WAITING = (
     "matrixworld playground SB",
