@@ -209,7 +209,7 @@ def test_each_promise_of_the_security_page_has_a_test() -> None:
     promises = [row for row in rows if not row.startswith(("| Promise", "| ---"))]
     assert promises
     for promise in promises:
-        named = re.findall(r"`(tests/[\w/]+\.py)(?:::(\w+))?`", promise)
+        named = re.findall(r"`((?:[\w/]+/)?tests/[\w/]+\.py)(?:::(\w+))?`", promise)
         assert named, promise
         for file, test in named:
             assert f"def {test or 'test_'}" in read(file), (file, test)
