@@ -22,7 +22,6 @@ from matrixworld.world.render import MARK_STEPS, Scene, ansi, png, rgb
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
 
-
 FPS = 10.0
 """The most scenes per second that a place shows."""
 
