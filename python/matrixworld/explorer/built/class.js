@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4388922beffa57afb43d05b59eb2b2f7868708e883372583275ff43f6c4f1a6c */
+/* built from web/ by "npm run build"; sources c99b4cbc7e8f386e30086535a47dfe8b0750db1db9febff8e06f1c5f2b5c9625 */
 "use strict";(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,yn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
@@ -37,8 +37,8 @@ push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Mn(e))}arrays(e){
 return[this.text(a),i?Ot:xn(l),l.length,this.copy(He(l))]}),o=this.copy(He(Int32Array.from(n)));return this.copy(He(Int32Array.of(r.length,o)))}free(){for(let e of this.
 addresses)this.engine._free(e)}};function Nt(t,e){let r=t.HEAPU8;return wn.decode(r.subarray(e,r.indexOf(0,e)))}function q(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/It,n=e[r+1]/It,o={};for(let a=n;a<n+e[r]*Pt;a+=Pt){let s=Ge[e[a+1]],i=e[a+2]*s.BYTES_PER_ELEMENT,l=e[a+3];o[Nt(t,e[a])]=new s(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function z(t,e){let r=new je(t);try{let n=e(r);if(n===0)throw new F(Nt(t,t._last_error()));return n}finally{r.free()}}var An=2**31-1,Lt=["none","elman","gru"],Sn=2n**64n-1n,Tn=34028234663852886e22;function O(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>An)throw v(
-t,"an integer",e);return Int32Array.of(e)}function Me(t,e){if(typeof e!="boolean")throw v(t,"true or false",e);return new V(Uint8Array.of(Number(e)))}function D(t,e,r){
+l,l+i).buffer)}return o}function z(t,e){let r=new je(t);try{let n=e(r);if(n===0)throw new F(Nt(t,t._last_error()));return n}finally{r.free()}}var An=2**31-1,Lt=["none","gru"],Sn=2n**64n-1n,Tn=34028234663852886e22;function O(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>An)throw v(t,"an\
+ integer",e);return Int32Array.of(e)}function Me(t,e){if(typeof e!="boolean")throw v(t,"true or false",e);return new V(Uint8Array.of(Number(e)))}function D(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw v(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Ve(t,e){
 if(typeof e!="number"||!(Math.abs(e)<=Tn))throw v(t,"a finite number",e);return e}function K(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
 e)?BigInt(e):-1n;if(n<0n||n>Sn)throw v(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Cn(t){return{"rules.interaction":D("interaction",

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4388922beffa57afb43d05b59eb2b2f7868708e883372583275ff43f6c4f1a6c */
+/* built from web/ by "npm run build"; sources c99b4cbc7e8f386e30086535a47dfe8b0750db1db9febff8e06f1c5f2b5c9625 */
 "use strict";(()=>{var Oa=Object.create;var xn=Object.defineProperty;var La=Object.getOwnPropertyDescriptor;var Ia=Object.getOwnPropertyNames;var Na=Object.getPrototypeOf,Ba=Object.prototype.hasOwnProperty;var Fa=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Ua=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ia(e))!Ba.call(t,o)&&o!==r&&xn(t,o,{get:()=>e[o],enumerable:!(n=La(e,o))||n.enumerable});
 return t};var za=(t,e,r)=>(r=t!=null?Oa(Na(t)):{},Ua(e||!t||!t.__esModule?xn(r,"default",{value:t,enumerable:!0}):r,t));var ia=Fa(hn=>{var Xs=Object.defineProperty,Ql=t=>Xs(t,"__esModule",{value:!0}),ec=(t,e)=>{for(var r in e)Xs(t,r,{get:e[r],enumerable:!0})};Ql(hn);ec(hn,{GIFEncoder:()=>sa,
 applyPalette:()=>cc,default:()=>vc,nearestColor:()=>mc,nearestColorIndex:()=>na,nearestColorIndexWithDistance:()=>oa,prequantize:()=>lc,quantize:()=>ac,snapColorsToPalette:()=>pc});
@@ -82,8 +82,8 @@ push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Va(e))}arrays(e){
 a;return[this.text(s),i?$n:Ga(l),l.length,this.copy(kr(l))]}),o=this.copy(kr(Int32Array.from(n)));return this.copy(kr(Int32Array.of(r.length,o)))}free(){for(let e of this.
 addresses)this.engine._free(e)}};function Pn(t,e){let r=t.HEAPU8;return ja.decode(r.subarray(e,r.indexOf(0,e)))}function je(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/Rn,n=e[r+1]/Rn,o={};for(let s=n;s<n+e[r]*_n;s+=_n){let a=Rr[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[Pn(t,e[s])]=new a(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function xe(t,e){let r=new _r(t);try{let n=e(r);if(n===0)throw new we(Pn(t,t._last_error()));return n}finally{r.free()}}var qa=2**31-1,On=["none","elman","gru"],Ka=2n**64n-1n,Ya=34028234663852886e22;function ge(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>qa)throw U(
-t,"an integer",e);return Int32Array.of(e)}function Lt(t,e){if(typeof e!="boolean")throw U(t,"true or false",e);return new He(Uint8Array.of(Number(e)))}function ke(t,e,r){
+l,l+i).buffer)}return o}function xe(t,e){let r=new _r(t);try{let n=e(r);if(n===0)throw new we(Pn(t,t._last_error()));return n}finally{r.free()}}var qa=2**31-1,On=["none","gru"],Ka=2n**64n-1n,Ya=34028234663852886e22;function ge(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>qa)throw U(t,"a\
+n integer",e);return Int32Array.of(e)}function Lt(t,e){if(typeof e!="boolean")throw U(t,"true or false",e);return new He(Uint8Array.of(Number(e)))}function ke(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw U(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function $r(t,e){
 if(typeof e!="number"||!(Math.abs(e)<=Ya))throw U(t,"a finite number",e);return e}function Ge(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
 e)?BigInt(e):-1n;if(n<0n||n>Ka)throw U(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Za(t){return{"rules.interaction":ke("interactio\

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4388922beffa57afb43d05b59eb2b2f7868708e883372583275ff43f6c4f1a6c */
+/* built from web/ by "npm run build"; sources c99b4cbc7e8f386e30086535a47dfe8b0750db1db9febff8e06f1c5f2b5c9625 */
 "use strict";(()=>{var ps={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},wt={DISAPPEAR:0,REACH:1,BOUNCE:2},hs={OCCUPATION:0,SURROUND:1},fs={FAULT:0,INVOLVED:1};var Qr=["obstacle","teammate","adversary"],en=["vertex","edge","chain"],ys=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],tn=["p\
 ursuer_{number}","evader_{number}"],gs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},xt={"both held":"both bounce","both doomed":"\
@@ -25,8 +25,8 @@ push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Qi(e))}arrays(e){
 a;return[this.text(o),l?Ss:Xi(i),i.length,this.copy(nn(i))]}),s=this.copy(nn(Int32Array.from(n)));return this.copy(nn(Int32Array.of(r.length,s)))}free(){for(let e of this.
 addresses)this.engine._free(e)}};function As(t,e){let r=t.HEAPU8;return Zi.decode(r.subarray(e,r.indexOf(0,e)))}function Ye(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/ws,n=e[r+1]/ws,s={};for(let o=n;o<n+e[r]*xs;o+=xs){let a=sn[e[o+1]],l=e[o+2]*a.BYTES_PER_ELEMENT,i=e[o+3];s[As(t,e[o])]=new a(t.HEAPU8.slice(
-i,i+l).buffer)}return s}function Ae(t,e){let r=new on(t);try{let n=e(r);if(n===0)throw new Se(As(t,t._last_error()));return n}finally{r.free()}}var el=2**31-1,Ms=["none","elman","gru"],tl=2n**64n-1n,rl=34028234663852886e22;function ge(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>el)throw I(
-t,"an integer",e);return Int32Array.of(e)}function Kt(t,e){if(typeof e!="boolean")throw I(t,"true or false",e);return new qe(Uint8Array.of(Number(e)))}function $e(t,e,r){
+i,i+l).buffer)}return s}function Ae(t,e){let r=new on(t);try{let n=e(r);if(n===0)throw new Se(As(t,t._last_error()));return n}finally{r.free()}}var el=2**31-1,Ms=["none","gru"],tl=2n**64n-1n,rl=34028234663852886e22;function ge(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>el)throw I(t,"a\
+n integer",e);return Int32Array.of(e)}function Kt(t,e){if(typeof e!="boolean")throw I(t,"true or false",e);return new qe(Uint8Array.of(Number(e)))}function $e(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw I(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function an(t,e){
 if(typeof e!="number"||!(Math.abs(e)<=rl))throw I(t,"a finite number",e);return e}function Ke(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
 e)?BigInt(e):-1n;if(n<0n||n>tl)throw I(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function nl(t){return{"rules.interaction":$e("interactio\

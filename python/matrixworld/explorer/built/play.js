@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4388922beffa57afb43d05b59eb2b2f7868708e883372583275ff43f6c4f1a6c */
+/* built from web/ by "npm run build"; sources c99b4cbc7e8f386e30086535a47dfe8b0750db1db9febff8e06f1c5f2b5c9625 */
 "use strict";(()=>{var lr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},$e={DISAPPEAR:0,REACH:1,BOUNCE:2},ur={OCCUPATION:0,SURROUND:1},cr={FAULT:0,INVOLVED:1};var wt=["obstacle","teammate","adversary"],xt=["vertex","edge","chain"],mr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],At=["p\
 ursuer_{number}","evader_{number}"],fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ue={"both held":"both bounce","both doomed":"\
@@ -25,8 +25,8 @@ push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy($o(e))}arrays(e){
 a;return[this.text(s),i?gr:Lo(l),l.length,this.copy(Mt(l))]}),o=this.copy(Mt(Int32Array.from(n)));return this.copy(Mt(Int32Array.of(r.length,o)))}free(){for(let e of this.
 addresses)this.engine._free(e)}};function vr(t,e){let r=t.HEAPU8;return Io.decode(r.subarray(e,r.indexOf(0,e)))}function Me(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/dr,n=e[r+1]/dr,o={};for(let s=n;s<n+e[r]*yr;s+=yr){let a=Tt[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[vr(t,e[s])]=new a(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function ue(t,e){let r=new Ct(t);try{let n=e(r);if(n===0)throw new Y(vr(t,t._last_error()));return n}finally{r.free()}}var Uo=2**31-1,br=["none","elman","gru"],zo=2n**64n-1n,Fo=34028234663852886e22;function se(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Uo)throw P(
-t,"an integer",e);return Int32Array.of(e)}function Qe(t,e){if(typeof e!="boolean")throw P(t,"true or false",e);return new Se(Uint8Array.of(Number(e)))}function he(t,e,r){
+l,l+i).buffer)}return o}function ue(t,e){let r=new Ct(t);try{let n=e(r);if(n===0)throw new Y(vr(t,t._last_error()));return n}finally{r.free()}}var Uo=2**31-1,br=["none","gru"],zo=2n**64n-1n,Fo=34028234663852886e22;function se(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Uo)throw P(t,"a\
+n integer",e);return Int32Array.of(e)}function Qe(t,e){if(typeof e!="boolean")throw P(t,"true or false",e);return new Se(Uint8Array.of(Number(e)))}function he(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw P(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Et(t,e){
 if(typeof e!="number"||!(Math.abs(e)<=Fo))throw P(t,"a finite number",e);return e}function Te(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
 e)?BigInt(e):-1n;if(n<0n||n>zo)throw P(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Wo(t){return{"rules.interaction":he("interactio\

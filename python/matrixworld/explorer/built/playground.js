@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4388922beffa57afb43d05b59eb2b2f7868708e883372583275ff43f6c4f1a6c */
+/* built from web/ by "npm run build"; sources c99b4cbc7e8f386e30086535a47dfe8b0750db1db9febff8e06f1c5f2b5c9625 */
 "use strict";(()=>{var xt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ie={DISAPPEAR:0,REACH:1,BOUNCE:2},At={OCCUPATION:0,SURROUND:1},Ct={FAULT:0,INVOLVED:1};var le=["obstacle","teammate","adversary"],je=["vertex","edge","chain"],Mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ge=["p\
 ursuer_{number}","evader_{number}"],Et={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ce={"both held":"both bounce","both doomed":"\
@@ -24,8 +24,8 @@ push(n),this.engine.HEAPU8.set(t,n),n}text(t){return this.copy(jr(t))}arrays(t){
 return[this.text(s),i?Ot:Hr(l),l.length,this.copy(Ke(l))]}),o=this.copy(Ke(Int32Array.from(r)));return this.copy(Ke(Int32Array.of(n.length,o)))}free(){for(let t of this.
 addresses)this.engine._free(t)}};function Lt(e,t){let n=e.HEAPU8;return Br.decode(n.subarray(t,n.indexOf(0,t)))}function J(e){let t=new Int32Array(e.HEAPU8.buffer),
 n=e._last_outputs()/kt,r=t[n+1]/kt,o={};for(let s=r;s<r+t[n]*Rt;s+=Rt){let a=Ve[t[s+1]],i=t[s+2]*a.BYTES_PER_ELEMENT,l=t[s+3];o[Lt(e,t[s])]=new a(e.HEAPU8.slice(
-l,l+i).buffer)}return o}function O(e,t){let n=new Ye(e);try{let r=t(n);if(r===0)throw new T(Lt(e,e._last_error()));return r}finally{n.free()}}var Gr=2**31-1,Nt=["none","elman","gru"],zr=2n**64n-1n,Kr=34028234663852886e22;function R(e,t){if(typeof t!="number"||!Number.isInteger(t)||Math.abs(t)>Gr)throw w(
-e,"an integer",t);return Int32Array.of(t)}function Ae(e,t){if(typeof t!="boolean")throw w(e,"true or false",t);return new Y(Uint8Array.of(Number(t)))}function U(e,t,n){
+l,l+i).buffer)}return o}function O(e,t){let n=new Ye(e);try{let r=t(n);if(r===0)throw new T(Lt(e,e._last_error()));return r}finally{n.free()}}var Gr=2**31-1,Nt=["none","gru"],zr=2n**64n-1n,Kr=34028234663852886e22;function R(e,t){if(typeof t!="number"||!Number.isInteger(t)||Math.abs(t)>Gr)throw w(e,"an\
+ integer",t);return Int32Array.of(t)}function Ae(e,t){if(typeof t!="boolean")throw w(e,"true or false",t);return new Y(Uint8Array.of(Number(t)))}function U(e,t,n){
 let r=typeof t=="string"&&Object.hasOwn(n,t)?n[t]:void 0;if(r===void 0)throw w(e,`one of ${Object.keys(n).join(", ")}`,t);return Int32Array.of(r)}function Je(e,t){
 if(typeof t!="number"||!(Math.abs(t)<=Kr))throw w(e,"a finite number",t);return t}function X(e,t){let r=typeof t=="bigint"||typeof t=="number"&&Number.isSafeInteger(
 t)?BigInt(t):-1n;if(r<0n||r>zr)throw w(e,"an integer from 0 to 2^64 - 1",t);return BigUint64Array.of(r)}function Vr(e){return{"rules.interaction":U("interaction",
