@@ -9,7 +9,7 @@ from matrixworld._util import colors as colors
 from matrixworld.coevolution import score_policy as score_policy
 from matrixworld.envs import aec_env as aec_env
 from matrixworld.envs import parallel_env as parallel_env
-from matrixworld.envs.agent import AgentEnv as AgentEnv
+from matrixworld.envs.single import AgentEnv as AgentEnv
 from matrixworld.envs.vector import AgentVectorEnv as AgentVectorEnv
 from matrixworld.envs.vector import VectorEnv as VectorEnv
 from matrixworld.episodes import replay as replay

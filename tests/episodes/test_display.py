@@ -6,7 +6,7 @@ from unittest.mock import Mock, call
 import pytest
 
 import matrixworld as mw
-from matrixworld.episodes.display import FPS, Drawing, Notebook
+from matrixworld.episodes.record import FPS, Drawing, Notebook
 from matrixworld.episodes.replay import CLEAR, HOME, WRAP_OFF, WRAP_ON
 from matrixworld.world.render import ansi, png
 from rows import config_of

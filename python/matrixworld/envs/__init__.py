@@ -96,7 +96,7 @@ for _variant in VARIANTS:
         gymnasium.register(
             f"matrixworld/{_each}",
             # Texts, not the functions: Gymnasium writes its specifications as JSON.
-            entry_point="matrixworld.envs.agent:AgentEnv",
+            entry_point="matrixworld.envs.single:AgentEnv",
             vector_entry_point="matrixworld.envs.vector:make_vec",
             kwargs=_settings,
         )

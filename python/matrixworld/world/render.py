@@ -28,7 +28,7 @@ from matrixworld._util.checks import (
 from matrixworld.world.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
 from matrixworld.world.conflicts import agent_name
 
-__all__ = ["MARK_STEPS", "Cell", "Scene", "ansi", "png", "rgb"]
+__all__ = ["Scene", "ansi", "png", "rgb"]
 
 Cell = tuple[int, int]
 

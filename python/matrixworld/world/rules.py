@@ -10,23 +10,12 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from matrixworld._core import Blame, Capture, Interaction, Outcome
+from matrixworld._core import Blame as Blame
+from matrixworld._core import Capture as Capture
+from matrixworld._core import Interaction as Interaction
+from matrixworld._core import Outcome as Outcome
 from matrixworld._util.checks import check_bool, check_instance, check_real, shown
-from matrixworld.world.conflicts import COLLISION_KINDS
-
-__all__ = [
-    "COLLISION_KINDS",
-    "VARIANTS",
-    "Action",
-    "Blame",
-    "Capture",
-    "Interaction",
-    "Outcome",
-    "Penalty",
-    "Rewards",
-    "Rules",
-    "rules_of",
-]
+from matrixworld.world.conflicts import COLLISION_KINDS as COLLISION_KINDS
 
 
 class Action(IntEnum):
