@@ -1,32 +1,47 @@
-"""Runs that are killed or cannot write end, when resumed, as if nothing had happened."""
+"""Runs and jobs that are killed or cannot write end, when repeated, as if nothing had happened."""
 
 import errno
 import signal
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import count
 
 import pytest
 
 import killed
-from killed import RUNS, SHORT_RUNS, Events, process, run_until_killed, start_or_resume, watched
-from matrixworld import coevolution
-from matrixworld.coevolution import LockedError, open_run
+from killed import JOB, RUNS, SHORT_RUNS, Events, play_run, process, watched
+from matrixworld.coevolution import LockedError, Run, create, evolve, open_run
+from matrixworld.coevolution.jobs import found_job
 from slow import quickly
 from tiny_race import directory_in_memory, results
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs signals and forks")
 
-DEATHS = -signal.SIGKILL
+DEATH = -signal.SIGKILL
 
 
 @cache
 def straight(kind):
     """Return the results of a run that is never disturbed."""
     with directory_in_memory() as directory:
-        start_or_resume(kind, directory / "run")
+        play_run(kind, directory / "run")
         return results(directory / "run")
+
+
+def deaths(target, *args):
+    """Do `target` in a process that is killed at its first event, then at its second, and so on.
+
+    Yields the number of each event, until one process comes to its end.
+    """
+    for at in count():
+        child = process(target, *(arg(at) if callable(arg) else arg for arg in args), at)
+        child.join()
+        if child.exitcode == 0:
+            return
+        assert child.exitcode == DEATH
+        yield at
 
 
 def check_readable(directory):
@@ -39,15 +54,10 @@ def check_readable(directory):
 @quickly("kind", SHORT_RUNS, lambda kind: kind == "short single")
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
     """Each event is tried, so that none depends on being hit at random."""
-    for at in count():
+    for at in deaths(killed.run_until_killed, kind, lambda at: tmp_path / str(at)):
         directory = tmp_path / str(at)
-        child = process(run_until_killed, kind, directory, at)
-        child.join()
-        if child.exitcode == 0:
-            break
-        assert child.exitcode == DEATHS
         check_readable(directory)
-        start_or_resume(kind, directory)
+        play_run(kind, directory)
         assert results(directory) == straight(kind)
         assert not list(directory.glob(".*.tmp"))
     assert at > 25
@@ -56,25 +66,35 @@ def test_killed_at_every_write_and_every_match(kind, tmp_path):
 @quickly("kind", RUNS, lambda kind: kind == "single")
 def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
     """Each process gets at most one event further than the one before: one run, killed often."""
-    directory = tmp_path / "run"
-    deaths = 0
-    for at in range(200):  # more than there are events: it ends at the break
-        child = process(run_until_killed, kind, directory, at)
-        child.join()
-        if child.exitcode == 0:
-            break
-        check_readable(directory)
-        deaths += 1
-    assert child.exitcode == 0
-    assert deaths >= 15
-    assert results(directory) == straight(kind)
+    for at in deaths(killed.run_until_killed, kind, tmp_path / "run"):
+        check_readable(tmp_path / "run")
+        assert at < 200  # more than there are events
+    assert at >= 15
+    assert results(tmp_path / "run") == straight(kind)
+
+
+def test_a_job_that_is_killed_while_it_is_made_is_none_or_whole(tmp_path):
+    """The temporary folder of a dead process may stay; it stands in the way of nothing."""
+    seen = set()
+    for at in deaths(killed.create_until_killed, lambda at: tmp_path / str(at) / "job"):
+        root = tmp_path / str(at) / "job"
+        made = found_job(root)
+        assert made in ({}, JOB)
+        assert root.exists() == bool(made)
+        seen.add(len(made))
+        if at % 7 == 0 or made:
+            runs = evolve([*JOB.values()], root, executor=ThreadPoolExecutor(1))
+            assert results(runs[0].path) == straight("single")
+            assert found_job(root) == JOB
+    assert seen == {0, len(JOB)}
+    assert at > 20
 
 
 def error_of(kind, directory, events):
     """Return the system error that stops a run; None if the run finishes."""
     try:
         with watched(events):
-            start_or_resume(kind, directory)
+            play_run(kind, directory)
     except OSError as error:
         return error
     return None
@@ -92,20 +112,20 @@ def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path)
             break
         assert raised.errno == errno.ENOSPC
         assert str(directory) in str(raised)
-        start_or_resume(kind, directory)
+        play_run(kind, directory)
         assert results(directory) == straight(kind)
     assert at > 25
 
 
 def test_killed_process_releases_the_lock(tmp_path):
     directory = tmp_path / "run"
-    coevolution.start(RUNS["race"], directory)
+    create(RUNS["race"], directory)
     child = process(killed.hold, directory, tmp_path / "held")
     while not (tmp_path / "held").exists():
         time.sleep(0.01)
     with pytest.raises(LockedError, match="run: another process is running there"):
-        coevolution.resume(directory)
+        Run(directory)
     open_run(directory)  # reading needs no lock
     child.kill()
     child.join()
-    assert coevolution.resume(directory).stage == 0
+    assert Run(directory).stage == 0

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from matrixworld import Matches, Population, rollout
-from matrixworld._util.files import read_npz
+from matrixworld._util.files import load_arrays
 from matrixworld.coevolution import (
     TEAMS,
     DisengagementWarning,
@@ -166,7 +166,7 @@ def test_every_cell_can_be_replayed_alone(race: Path) -> None:
 
 
 def test_the_files_hold_means_and_deviations(race: Path) -> None:
-    arrays, payoff = read_npz(race / "payoff.npz"), open_run(race).payoff()
+    arrays, payoff = load_arrays(race / "payoff.npz"), open_run(race).payoff()
     assert np.allclose(arrays["capture_rate"], payoff.capture_rates.mean(axis=2))
     assert np.allclose(arrays["capture_rate_std"], payoff.capture_rates.std(axis=2), atol=1e-6)
     assert (arrays["collisions"] >= arrays["faults"]).all()

@@ -40,8 +40,6 @@ SHORT_RUNS: dict[str, Any] = {
     "short hall-of-fame": tiny_race(**HALL, generations=1, joint_epochs=1),
     "short single": tiny_single(**SINGLE, epochs=2),
 }
-
-
 JOB = job_of([RUNS["single"], RUNS["race"]])
 
 
@@ -147,8 +145,10 @@ def run_until_killed(kind: str, directory: Path, at: int) -> None:
 
 def create_until_killed(directory: Path, at: int) -> None:
     """Make a job, but killed at an event."""
-    with killed(at) as events, mock.patch.object(os, "rename", events.before(os.rename)):
-        create_job(JOB, directory)
+    with killed(at) as events:
+        plain = {"rename": os.rename, "rmdir": os.rmdir}
+        with mock.patch.multiple(os, **{name: events.before(each) for name, each in plain.items()}):
+            create_job(JOB, directory)
 
 
 def hold(directory: Path, held: Path) -> None:

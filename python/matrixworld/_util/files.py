@@ -182,9 +182,14 @@ def parse_npz(path: Path, content: bytes) -> Arrays:
     """Return the arrays in the content of an npz file, as `load_arrays`."""
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            names = archive.namelist()
+            # An altered length in the directory of an archive swallows the entries behind it.
+            end = content.rfind(b"PK\5\6")
+            if len(names) != int.from_bytes(content[end + 10 : end + 12], "little"):
+                raise zipfile.BadZipFile(f"got {len(names)} arrays, not as many as it counts")
             return {
                 name.removesuffix(".npy"): np.lib.format.read_array(archive.open(name))
-                for name in archive.namelist()
+                for name in names
             }
     except UNREADABLE as error:
         problem = f"cut, altered or not an npz file ({error})"
