@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 03f0bb813b1ce780bddd535bf3469f0269faf1e7d1ce79b87ad0ec91b09256dd */
+/* built from web/ by "npm run build"; sources e1c98c28290429d58a0236efd715fcbd3950c82c86fd802c075bfe44fe7a9988 */
 "use strict";(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,yn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
