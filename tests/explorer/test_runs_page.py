@@ -20,13 +20,8 @@ from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
-from matrixworld.explorer.runs_page import (
-    explorer_page,
-    kept_generations,
-    packed,
-    run_data,
-    runs_data,
-)
+from matrixworld.explorer.runs_page import explorer_page, run_data, runs_data
+from matrixworld.explorer.teams import kept_generations, packed
 from slow import quickly
 from tiny_race import tiny_race, tiny_single
 

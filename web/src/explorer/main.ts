@@ -51,7 +51,7 @@ document.getElementById("page")!.replaceWith(
   ...(data.note ? [html("aside", { class: "note small muted" }, data.note)] : []),
   raceTabs(runs, store),
   html("main", { class: "stages" }, matrix.element, match.element),
-  panels(runs, store, () => engine),
+  panels(runs, store, playHere),
   html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`),
   takeOver.dialog, help, shareDialog,
 );

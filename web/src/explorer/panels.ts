@@ -1,6 +1,5 @@
 // What belongs to a run below its matrix: diagnosis, curves, checkerboards, settings.
 
-import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { checkerboardPanel } from "./checkerboards.ts";
 import { ciaoPanel } from "./ciao.ts";
@@ -11,14 +10,14 @@ import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
 
 /** Return the panels of the selected run; those of the others are made when they are first shown. */
-export function panels(runs: readonly Run[], store: Store, engine: () => Engine | null): HTMLElement {
+export function panels(runs: readonly Run[], store: Store, play: () => void): HTMLElement {
   const made = new Map<Run, readonly Panel[]>();
   const place = html("div", { class: "panels" });
   let shown: readonly Panel[] = [];
   const update = (): void => shown.forEach((panel) => panel.update?.());
   const change = (): void => {
     const run = runs[store.selected.run]!;
-    shown = made.get(run) ?? panelsOf(run, store, engine);
+    shown = made.get(run) ?? panelsOf(run, store, play);
     made.set(run, shown);
     place.replaceChildren(...shown.map((panel) => panel.element));
     update();
@@ -30,11 +29,11 @@ export function panels(runs: readonly Run[], store: Store, engine: () => Engine 
   return place;
 }
 
-function panelsOf(run: Run, store: Store, engine: () => Engine | null): Panel[] {
+function panelsOf(run: Run, store: Store, play: () => void): Panel[] {
   const all = [
     diagnosisPanel(run),
     trainingPanel(run, store),
-    checkerboardPanel(run, store, engine),
+    checkerboardPanel(run, store, play),
     ratingPanel(run, store),
     ciaoPanel(run, store),
     settingsPanel(run),

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 03f0bb813b1ce780bddd535bf3469f0269faf1e7d1ce79b87ad0ec91b09256dd */
+/* built from web/ by "npm run build"; sources e1c98c28290429d58a0236efd715fcbd3950c82c86fd802c075bfe44fe7a9988 */
 "use strict";(()=>{var pr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},tt={DISAPPEAR:0,REACH:1,BOUNCE:2},mr={OCCUPATION:0,SURROUND:1},hr={FAULT:0,INVOLVED:1};var nt=["obstacle","teammate","adversary"],hn=["vertex","edge","chain"],fr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],fn=["p\
 ursuer_{number}","evader_{number}"],yr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},rt={"both held":"both bounce","both doomed":"\
