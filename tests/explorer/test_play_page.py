@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from browser import Browser
 from command_line import matrixworld_command
 from matrixworld import Episode, World, WorldConfig, record
-from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run, start
+from matrixworld.coevolution import TEAMS, SavedRun, Team, evolve, open_run
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import explore
 from matrixworld.explorer.page import write_page
@@ -35,7 +35,7 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
         "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
     }
     for name, each in settings.items():
-        start(each, root / name, threads=1).run()
+        evolve(each, root / name, threads=1)
     return [open_run(root / name) for name in settings]
 
 

@@ -12,7 +12,7 @@ import pytest
 import matrixworld as mw
 from course.questions import Exercise, exercises
 from matrixworld import analysis
-from matrixworld.coevolution import start
+from matrixworld.coevolution import evolve
 from matrixworld.coevolution.storage import COLUMNS
 from notebooks import NOTEBOOKS
 from pages import DOCS, ROOT, page_id, read
@@ -180,7 +180,7 @@ def check_arrays(
 def test_the_files_of_a_run(tmp_path: Path) -> None:
     assert named("### `log.csv`") == {name: kind.__name__ for name, kind in COLUMNS.items()}
     run = tmp_path / "run"
-    start(tiny_race(), run, threads=1).run()
+    evolve(tiny_race(), run, threads=1)
     genomes = np.load(run / "pursuers.npy")
     assert genomes.ndim == 2
     assert f"(G, genes) and (H, genes) {genomes.dtype}" in FILES
