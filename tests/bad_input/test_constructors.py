@@ -12,8 +12,6 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import coevolution, solve
-from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
-from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
 from matrixworld.coevolution.sections import Section
 from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
@@ -42,16 +40,17 @@ SAID = "expected|iterable|null byte|string conversion|truth value|missing|update
 """What messages say: what was expected, or in Python's words what a value cannot do."""
 
 TEAM = mw.Population(GENOME, NETWORK)
-NOISE = coevolution.NoiseTable(2, np.random.default_rng(0), sigma=0.1)
 MATCH = mw.Matches.of(0, 0, 0)
 EPISODE = random_walks(steps=3)
 MONITOR = mw.SafetyMonitor()
 MONITOR.add_episode(EPISODE)
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
 
-GENETIC, GRADIENTS = GeneticAlgorithmSettings(), ActorCriticSettings()
-
-SECTIONS = (*vars(tiny_race()).values(), tiny_single().schedule, GENETIC, GRADIENTS)
+LEARNERS = (
+    coevolution.EvolutionStrategy(), coevolution.GeneticAlgorithm(), coevolution.CmaEs(),
+    coevolution.ActorCritic(),
+)  # fmt: skip
+SECTIONS = (*vars(tiny_race()).values(), tiny_single().schedule, *LEARNERS)
 TEAMS = {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
 PICTURE = {"episode": EPISODE, "cell": 4, "trail": 2, "fov": 3}
 
@@ -98,23 +97,12 @@ CALLS = [
     partial(MONITOR.summary, seed=0),
     partial(coevolution.RaceSettings, **vars(tiny_race())),
     *(partial(type(each), **vars(each)) for each in SECTIONS if isinstance(each, Section)),
-    partial(coevolution.start, settings=tiny_race(), directory="new", threads=1),
+    partial(coevolution.create, settings=tiny_race(), directory="new"),
     partial(coevolution.evolve, settings=tiny_race(), directory="new", threads=1),
-    partial(coevolution.check_learner, learner=coevolution.CmaEs, settings={"sigma": 0.1}),
-    partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform, count=1),
+    partial(coevolution.check_learner, learner=coevolution.CmaEs(sigma=0.1)),
+    partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform(), count=1),
     partial(coevolution.available, team="pursuer", k=1),
     partial(coevolution.competitive_sharing, wins=[[1.0]]),
-    partial(coevolution.reduced_virulence, wins=[1.0], virulence=1.0),
-    partial(coevolution.NoiseTable, size=2, rng=np.random.default_rng(0), sigma=0.1),
-    partial(
-        coevolution.EvolutionStrategy, genome=[0.0, 0.0], noise=NOISE, samples=2,
-        learning_rate=0.1, relative_sigma=0.0,
-    ),
-    partial(
-        coevolution.GeneticAlgorithm, population=np.zeros((3, 2)), noise=NOISE, tournament=2,
-        truncation=0.5, elites=1, crossover=0.5,
-    ),
-    partial(coevolution.CmaEs, genome=[0.0, 0.0], sigma=0.1, samples=4),
     partial(coevolution.tournament, **TEAMS, seed=0, episodes=1, threads=1),
     partial(
         coevolution.score_policy, policy=TEAM, team="pursuer", config=CONFIG, episodes=2,
@@ -166,13 +154,13 @@ ACCEPTED = {
     },
     **{
         (kind, f"{team}s_meet", "a dict"): "the default one"
-        for kind in ("Alternating", "Simultaneous")
+        for kind in ("InTurns", "AtOnce")
         for team in ("pursuer", "evader")
     },
     ("competitive_sharing", "wins", "an unhashable list"): "no opponents",
     ("Against", "opponent", "text with a null"): "read when the run starts",
     ("Against", "start", "text with a null"): "read when the run starts",
-    ("ActorCriticSettings", "device", "text with a null"): "read when the run starts",
+    ("ActorCritic", "device", "text with a null"): "read when the run starts",
 }
 """Values of the table that are legal, each with what they mean."""
 
@@ -199,7 +187,7 @@ def test_a_malformed_value_is_a_value_or_type_error(
         with pytest.raises((TypeError, ValueError)) as caught:
             call.func(**{**others, parameter: wrong})
         assert re.search(SAID, str(caught.value)), (what, caught.value)
-        # `start` and `save` write files if they are not refused.
+        # `create` and `save` write files if they are not refused.
         assert list(tmp_path.iterdir()) == [], what
 
 

@@ -61,7 +61,7 @@ def wrong_values(item: Field[Any], hint: Any) -> list[Any]:
         wrong = [*NO_FLOATS, *beyond(item, 1e-6)]
     else:
         wrong = [*NO_TEXTS, *(["no choice", ""] if item.metadata["choices"] else [])]
-    if type(None) in accepted or item.metadata.get("by"):
+    if type(None) in accepted or item.metadata["by_race"]:
         wrong = [value for value in wrong if value is not None]  # the default
     return wrong
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from browser import DESKTOP, READY, Browser, data_of
-from matrixworld.coevolution import TEAMS, SavedRun, evolve, finish, open_run, start
+from matrixworld.coevolution import TEAMS, SavedRun, create, evolve, open_run
 from matrixworld.explorer import explore, growing
 from matrixworld.explorer.growing import EPISODES, GrowingPage, extended
 from matrixworld.world.policy import Population
@@ -52,7 +52,7 @@ def test_runs_have_the_same_bytes_with_a_page_that_grows_with_them(
         shapes.append([run["payoff"]["shape"] for run in shown["runs"]])
 
     for name, settings in JOB.items():
-        finish(settings, root / name, threads=1, report=look)
+        evolve(settings, root / name, threads=1, report=look)
     assert shapes[0] == [[1, 1]]  # untrained teams, before anything is learned
     assert shapes[-1] == [[3, 3], [3, 3], [1, 4]]
     page.write()
@@ -116,13 +116,13 @@ def test_a_browser_follows_the_runs_and_ends_with_the_finished_page(
     browser: Browser, tmp_path: Path
 ) -> None:
     run = tmp_path / "run"
-    start(tiny_race(max_steps=20), run)
+    create(tiny_race(max_steps=20), run)
     page = GrowingPage(tmp_path, ["run"])
     page.write()
     browser.open(tmp_path / "explorer.html", DESKTOP)
     browser.wait("document.querySelector('#match').dataset.played === '0 0 0 0 '")
     assert browser.js("document.querySelector('.note').textContent").startswith("The runs go on.")
-    finish(tiny_race(max_steps=20), run, threads=1)
+    evolve(tiny_race(max_steps=20), run, threads=1)
     page.write()
     browser.wait("document.querySelector('#match').dataset.played === '0 2 2 0 '", 60)
     browser.js("(location.hash = '#run=0&pursuers=1&evaders=0&episode=1')")

@@ -21,7 +21,7 @@ from browser import DESKTOP, PHONE, Browser
 from class_submissions import write_genomes
 from class_tournament import results
 from class_tournament.round_robin import play_class
-from matrixworld.coevolution import open_run, start
+from matrixworld.coevolution import evolve, open_run
 from matrixworld.explorer import Playground
 from matrixworld.explorer.evolve_page import evolve_page
 from matrixworld.explorer.page import BUILT, PAGES, render_page, write_page
@@ -47,7 +47,7 @@ def page_of_a_class(folder: Path) -> str:
 
 
 def page_of_a_run(folder: Path) -> str:
-    start(tiny_race(obstacles=0.15, max_steps=30), folder / NAME, threads=1).run()
+    evolve(tiny_race(obstacles=0.15, max_steps=30), folder / NAME, threads=1)
     return explorer_page([open_run(folder / NAME)], note=f"Some runs are left out. {HOSTILE}")
 
 

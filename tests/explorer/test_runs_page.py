@@ -16,7 +16,7 @@ from browser import READY, Browser
 from matrixworld import World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis.judgement import summary
-from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
+from matrixworld.coevolution import TEAMS, SavedRun, create, evolve, open_run
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
@@ -62,7 +62,7 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
         "single": tiny_single(team="evader", opponent="chaser"),
     }
     for name, each in settings.items():
-        start(each, root / name, threads=1).run()
+        evolve(each, root / name, threads=1)
     return {name: open_run(root / name) for name in settings}
 
 
@@ -289,7 +289,7 @@ def test_a_notebook_writes_and_shows_the_page(job: Job) -> None:
 
 
 def test_an_unfinished_or_damaged_run_leaves_no_page(job: Job, tmp_path: Path) -> None:
-    start(tiny_race(), tmp_path / "unfinished")
+    create(tiny_race(), tmp_path / "unfinished")
     shutil.copytree(job["turns"].path, tmp_path / "damaged")
     genomes = tmp_path / "damaged" / "stage-0001.npz"
     genomes.write_bytes(genomes.read_bytes()[:-80])
@@ -303,7 +303,7 @@ def test_reading_a_run_imports_no_code_of_its_learner(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     settings = tiny_race(learner="own_code:HillClimber", settings={"sigma": 0.2})
-    start(settings, tmp_path / "run", threads=1).run()
+    evolve(settings, tmp_path / "run", threads=1)
     monkeypatch.delitem(sys.modules, "own_code")
     explore(tmp_path / "run")
     assert "own_code" not in sys.modules

@@ -8,7 +8,7 @@ import pytest
 from command_line import matrixworld_command
 from matrixworld import analysis
 from matrixworld.cli.pages import FIGURES
-from matrixworld.coevolution import finish, open_groups, open_run, open_runs
+from matrixworld.coevolution import evolve, open_groups, open_run, open_runs
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.plots.saved import OF_GROUPS, OF_RUN, collisions_per_1000, figures_of
 from tiny_race import tiny_race, tiny_single
@@ -27,11 +27,11 @@ def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two seeds of a race, and a baseline of each team: one for both seeds, one for each."""
     root = tmp_path_factory.mktemp("runs")
     for seed in (5, 6):
-        finish(tiny_race(seed=seed), root / "job" / f"seed-{seed}", threads=1)
+        evolve(tiny_race(seed=seed), root / "job" / f"seed-{seed}", threads=1)
         evaders = tiny_single(team="evader", seed=seed)
-        finish(evaders, root / "evaders" / f"seed-{seed}", threads=1)
-    finish(tiny_race(schedule="hall-of-fame"), root / "hall", threads=1)
-    finish(tiny_single(team="pursuer"), root / "pursuers", threads=1)
+        evolve(evaders, root / "evaders" / f"seed-{seed}", threads=1)
+    evolve(tiny_race(schedule="hall-of-fame"), root / "hall", threads=1)
+    evolve(tiny_single(team="pursuer"), root / "pursuers", threads=1)
     return root
 
 
@@ -111,8 +111,8 @@ def test_baselines_are_level_lines_with_intervals_over_seeds(runs):
     pairs = [(job / f"seed-{n}", runs / "evaders" / f"seed-{n}") for n in (5, 6)]
     assert lines["others"] == pytest.approx(np.mean([mean_score(*pair) for pair in pairs]))
     assert intervals == 1  # one run for both seeds has none
-    finish(tiny_single(seed=7), "others/seed-7")
-    finish(tiny_single(seed=8), "others/seed-8")
+    evolve(tiny_single(seed=7), "others/seed-7")
+    evolve(tiny_single(seed=8), "others/seed-8")
     with pytest.raises(ValueError, match="baseline x: expected one run of seed 5, or one in all"):
         levels(runs, "hall", x=str(Path("others").absolute()))
 

@@ -19,14 +19,11 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import coevolution, explorer
-from matrixworld.analysis.games import META_SOLVERS
-from matrixworld.coevolution import opponents, resume, start
+from matrixworld.coevolution import Run, SavedRun, create, evolve
 from rows import random_walks
 from tiny_race import results, tiny_race, tiny_single
 
-INTERFACES = ("Archive", "Learner", "OpponentSampler", "Run", "Stateless")
 NOT_COPIED = {
-    **dict.fromkeys(INTERFACES, "an interface or a base class, which has no instances"),
     "Batch": "its buffers belong to the caller",
     "VectorEnv": "it holds a batch",
     "AgentVectorEnv": "it holds a `VectorEnv`",
@@ -91,7 +88,6 @@ def content(value: Any) -> bytes:
 def examples(directory: Path) -> Iterator[Any]:
     """Yield objects before and after their use; one that is yielded again has changed."""
     yield from _of_worlds()
-    yield from _of_learning()
     yield from _of_runs(directory)
 
 
@@ -122,34 +118,14 @@ def _of_worlds() -> Iterator[Any]:
     yield from (env, env.status, aec.unwrapped)
 
 
-def _of_learning() -> Iterator[Any]:
-    rng, first = np.random.default_rng(0), np.zeros(12, np.float32)
-    table = coevolution.NoiseTable(12, rng, sigma=0.1)
-    yield table
-    for learner in (
-        coevolution.EvolutionStrategy(first, table, samples=4),
-        coevolution.GeneticAlgorithm(np.zeros((4, 12)), table),
-        coevolution.CmaEs(first, samples=4, sigma=0.1),
-    ):
-        yield learner
-        asked = learner.ask(rng)
-        yield learner
-        learner.tell(np.arange(len(asked)))
-        yield learner
-    yield [archive(3) for archive in coevolution.schedules.ARCHIVES.values()]
-    yield opponents.ArchiveSampler(opponents.MaxSolve(3))
-    yield [opponents.MetaStrategy(solver) for solver in META_SOLVERS.values()]
-    yield from (opponents.Prioritized(), opponents.SharedSampling(2), opponents.Uniform(3))
-    yield opponents.Generalist(np.zeros(3, np.intp), sample_size=3)
-
-
 def _of_runs(directory: Path) -> Iterator[Any]:
     for name, settings in (
         ("single", tiny_single()),
         ("joint", tiny_race(schedule="hall-of-fame")),
         ("race", tiny_race()),
     ):
-        run = start(settings, directory / name, threads=1)
+        create(settings, directory / name)
+        run = Run(directory / name, threads=1)
         yield from (settings, run)
         yield from (run.run(), run)
     saved = coevolution.open_run(directory / "race")
@@ -185,12 +161,12 @@ def test_a_changed_copy_is_not_equal() -> None:
 
 
 def test_a_copied_run_continues_from_the_last_stage(tmp_path: Path) -> None:
-    straight = start(tiny_race(), tmp_path / "straight", threads=1)
-    straight.run()
+    evolve(tiny_race(), tmp_path / "straight", threads=1)
+    create(tiny_race(), tmp_path / "copied")
     # The copy writes where the original would.
-    pickled(start(tiny_race(), tmp_path / "copied", threads=1)).run()
+    pickled(Run(tmp_path / "copied", threads=1)).run()
     assert results(tmp_path / "straight") == results(tmp_path / "copied")
-    assert resume(tmp_path / "copied").files.finished
+    assert SavedRun(tmp_path / "copied").finished
 
 
 @pytest.mark.parametrize("copied", [pickle.dumps, copy.deepcopy])

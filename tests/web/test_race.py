@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from matrixworld.coevolution.runs import run as run_module
 
 from browser import data_of
 from command_line import matrixworld_command
@@ -16,9 +15,10 @@ from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import judge
 from matrixworld.analysis.strength import late_forgetting
 from matrixworld.cli.runs import unpacked
-from matrixworld.coevolution import RaceSettings, finish, open_run, seeding
-from matrixworld.coevolution import settings as settings_module
+from matrixworld.coevolution import RaceSettings, evolve, open_run, seeding
+from matrixworld.coevolution import run as run_module
 from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.learners import learner as learner_module
 from matrixworld.coevolution.storage import FORMAT
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.evolve_page import masks_of
@@ -87,10 +87,11 @@ def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
         name = " ".join([purpose.name.lower(), *map(str, key)])
         return Recorder(seeding.keyed_generator(seed, purpose, *key), draws[name])
 
-    for module in (run_module, settings_module):
+    for module in (run_module, learner_module):
         monkeypatch.setattr(module, "keyed_generator", recorded)
+    learner_module._table.cache_clear()  # or its numbers would not be drawn again
     settings = RaceSettings.of({**SMALL, **changes})
-    run = finish(settings, tmp_path, threads=1)
+    run = evolve(settings, tmp_path, threads=1)
     given = {"settings": settings.to_json(), "masks": masks_of(settings.world), "draws": draws}
     told = run_node("race.mjs", given)
     for team in TEAMS:
@@ -162,7 +163,7 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
     assert "pursuer" in explorer_page([run])
     assert len(run.log()["epoch"]) == len(told["rows"])
     with pytest.raises(DamagedFileError):  # Python does not continue it
-        finish(last, unpacked(archive), threads=1)
+        evolve(last, unpacked(archive), threads=1)
 
 
 @pytest.mark.slow

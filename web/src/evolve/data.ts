@@ -29,7 +29,7 @@ export const SCHEDULES: Readonly<Record<string, string>> = {
 export function scheduleOf({ schedule }: RaceSettings): string {
   if (schedule.kind === "hall-of-fame") return schedule.kind;
   const names = { latest: "specialist", "round-robin": "generalist", uniform: "uniform" } as const;
-  return `${names[schedule.pursuers_meet.rule]}-${names[schedule.evaders_meet.rule]}`;
+  return `${names[schedule.pursuers_meet]}-${names[schedule.evaders_meet]}`;
 }
 
 /** Return the schedule in plain words. */

@@ -169,7 +169,7 @@ export class Race {
   *#learn(team: Team, generation: number): Generator<RaceEvent, void> {
     for (let epoch = 0; epoch < this.#epochs(team); epoch++) {
       const available = this.archive[otherOf(team)].length;
-      const rule = this.settings.schedule[`${team}s_meet`].rule;
+      const rule = this.settings.schedule[`${team}s_meet`];
       const opponent = rule === "latest" ? available - 1 : rule === "round-robin" ? epoch % available
         : this.#source("opponents", TEAMS.indexOf(team), generation, epoch).choice(available, 1)[0]!;
       const pair = team === "pursuer" ? [generation, opponent] : [opponent, generation];

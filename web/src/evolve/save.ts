@@ -26,8 +26,8 @@ function sortedJson(value: unknown): string {
   return `{${entries.map(([name, each]) => `${JSON.stringify(name)}: ${sortedJson(each)}`).join(", ")}}`;
 }
 
-function json(values: object, owner = ""): Uint8Array {
-  return strToU8(JSON.stringify({ ...values, sha256: sha256(strToU8(owner + sortedJson(values))) }, null, 2));
+function json(values: object): Uint8Array {
+  return strToU8(JSON.stringify({ ...values, sha256: sha256(strToU8(sortedJson(values))) }, null, 2));
 }
 
 const doubles = (data: readonly number[], ...shape: number[]): NpyArray => ({ dtype: "<f8", shape, data: Float64Array.from(data) });
@@ -90,7 +90,7 @@ function filesOf(race: Finished, { format, version }: Format): Record<string, Ui
     "config.json": json(config),
     ...Object.fromEntries(stages.map((name, number) => [name, writeNpz(stage(race, number))])),
     "payoff.npz": writeNpz(payoff(race)),
-    "summary.json": json(summary, `${sha256(strToU8(sortedJson(config)))}/summary.json`),
+    "summary.json": json(summary),
   };
 }
 

@@ -9,15 +9,12 @@ export const TEAMS = ["pursuer", "evader"] as const;
 export const otherOf = (team: Team): Team => (team === "pursuer" ? "evader" : "pursuer");
 
 /** Which generations of the other team a team meets. */
-export interface Drawn {
-  readonly kind: "drawn";
-  readonly rule: "latest" | "round-robin" | "uniform";
-}
+export type Opponents = "latest" | "round-robin" | "uniform";
 
 interface AnySchedule {
   readonly generations: number;
-  readonly pursuers_meet: Drawn;
-  readonly evaders_meet: Drawn;
+  readonly pursuers_meet: Opponents;
+  readonly evaders_meet: Opponents;
 }
 
 /** The teams learn in turns. */
@@ -45,15 +42,12 @@ export interface RaceSettings {
   };
   readonly learner: LearnerSettings;
   readonly schedule: Alternating | Simultaneous;
-  /** Null for the usual penalty of evaders that share a cell. */
-  readonly fitness: { readonly overlap_penalty: number | null };
   readonly train_steps: number;
   readonly evaluation_episodes: number;
   readonly seed: number;
 }
 
-/** The usual penalty, where teammates may share a cell. */
+/** Penalty of evaders that share a cell, where teammates may. */
 const OVERLAP_PENALTY = 0.2;
 
-export const overlapPenalty = ({ world, fitness }: RaceSettings): number =>
-  fitness.overlap_penalty ?? (world.rules.teammate === "REACH" ? OVERLAP_PENALTY : 0);
+export const overlapPenalty = ({ world }: RaceSettings): number => (world.rules.teammate === "REACH" ? OVERLAP_PENALTY : 0);
