@@ -112,31 +112,6 @@ class OtherVersionError(ValueError):
     """A file of a run is complete, but of another version of the package."""
 
 
-def load_format(path: Path, expected: int) -> dict[str, Any]:
-    """Return a JSON object; OtherVersionError if its format is another than expected."""
-    values = load_json(path)
-    # Before any other entry is read: another format may not have it.
-    if values.get("format") != expected:
-        raise OtherVersionError(
-            f"{path}: expected format {expected}, got {one_line(values.get('format'))} "
-            f"(written by matrixworld {one_line(values.get('matrixworld', 'unknown'))})"
-        )
-    return values
-
-
-@contextmanager
-def settings_of_this_version(path: Path, values: Mapping[str, Any]) -> Iterator[None]:
-    """Turn errors of settings that `load_format` has read into OtherVersionError."""
-    try:
-        yield
-    except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
-        version = one_line(values.get("matrixworld", "unknown"))
-        raise OtherVersionError(
-            f"{path}: expected settings of matrixworld {__version__}, got those of {version}: "
-            f"{one_line(error)}"
-        ) from error
-
-
 class SavedRun:
     """A run in a directory, finished or still training.
 
@@ -191,13 +166,28 @@ class SavedRun:
         """The content of config.json; OtherVersionError if it has another format."""
         if not self.exists:
             raise FileNotFoundError(f"{self.path}: holds no run, expected a file {CONFIG}")
-        return load_format(self.path / CONFIG, FORMAT)
+        values = load_json(self.path / CONFIG)
+        # Before any other entry is read: another format may not have it.
+        if values.get("format") != FORMAT:
+            raise OtherVersionError(
+                f"{self.path / CONFIG}: expected format {FORMAT}, got "
+                f"{one_line(values.get('format'))} (written by matrixworld "
+                f"{one_line(values.get('matrixworld', 'unknown'))})"
+            )
+        return values
 
     @cached_property
     def settings(self) -> RaceSettings:
         """Settings of the run; OtherVersionError if this version cannot read them."""
-        with settings_of_this_version(self.path / CONFIG, self.config):
+        try:
             return RaceSettings.of(self.config["settings"])
+        except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
+            if isinstance(error, DamagedFileError | OtherVersionError):
+                raise
+            raise OtherVersionError(
+                f"{self.path / CONFIG}: expected settings of matrixworld {__version__}, got those "
+                f"of {one_line(self.config.get('matrixworld', 'unknown'))}: {one_line(error)}"
+            ) from error
 
     @property
     def title(self) -> str:
