@@ -22,12 +22,6 @@ def staircase(size: int) -> np.ndarray:
     return np.tri(size)
 
 
-def additive(rows: int, columns: int, seed: int = 0) -> np.ndarray:
-    rng = np.random.default_rng(seed)
-    # Within [0.1, 0.9], so that no rate has to be cut.
-    return 0.1 + rng.uniform(0, 0.4, (rows, 1)) + rng.uniform(0, 0.4, (1, columns))
-
-
 def circular(size: int, period: float = 5.0) -> np.ndarray:
     """Return a pure cycle: the rate depends on the difference of two positions on a circle."""
     generation = np.arange(size)

@@ -7,15 +7,9 @@ from pathlib import Path
 
 import click
 
+from matrixworld import analysis
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis import (
-    Judgement,
-    explain,
-    judge,
-    measure_all,
-    measure_table,
-    read_payoffs,
-)
+from matrixworld.analysis import Judgement
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, judgement_cells, summary
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
 from matrixworld.cli.console import TERMS, WIDEST, print_head, print_table, print_wrapped, say
@@ -94,7 +88,7 @@ def judge_command(
         parts: list[Path | list[Path]] = [files] if len(files) > 1 and not each else [*files]
         for part in parts:
             name = ", ".join(map(str, part)) if isinstance(part, list) else str(part)
-            judged[name] = read_payoffs(part, episodes=episodes), None
+            judged[name] = analysis.read_payoffs(part, episodes=episodes), None
     for payoffs, _ in judged.values():
         if everything and min(payoffs.shape) < 2:
             rows, columns = payoffs.shape
@@ -103,11 +97,11 @@ def judge_command(
             )
     found = {}
     for name, (payoffs, group) in judged.items():
-        judgement = judge(payoffs) if group is None else group.judgement
+        judgement = analysis.judge(payoffs) if group is None else group.judgement
         _print(name, payoffs, judgement, group, everything=everything, explained=explained)
         found[name] = judgement.to_json()
         if everything:
-            measures = plain_values(measure_all(payoffs))
+            measures = plain_values(analysis.measure_all(payoffs))
             found[name] = {"judgement": found[name], "measures": measures}
     say(f"\n{TERMS}")
     write_json(json_file, {"groups": found})
@@ -135,9 +129,9 @@ def _print(
         print_wrapped(group.runs[0].settings.schedule.limits)
     if explained:
         say()
-        print_wrapped(explain(judgement))
+        print_wrapped(analysis.explain(judgement))
     if everything:
-        say(f"\n{measure_table(payoffs)}")
+        say(f"\n{analysis.measure_table(payoffs)}")
 
 
 def counts(judgement: Judgement) -> str:
