@@ -211,7 +211,7 @@ def test_the_main_job_writes_figures_and_numbers(main_job):
 def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
     first = evolved(*one).stderr
-    assert re.match(r"O, 2 pursuers and \d evaders, 1 race, in runs/O-seed5\n", first)
+    assert re.search(r"^O, 2 pursuers and \d evaders, 1 race, in runs/O-seed5$", first, re.M)
     second = evolved(*one, code=2).stderr
     assert "--out: expected a new or empty directory, got 'runs/O-seed5'; " in second
     assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
