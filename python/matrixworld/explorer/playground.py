@@ -204,7 +204,7 @@ def shipped(variant: Rules | str) -> Opponents:
 
 
 def _by_strength(players: Mapping[str, TeamPolicy]) -> dict[str, TeamPolicy]:
-    """Return players with the networks between weak and strong scripts (see docs/held_out.md)."""
+    """Return players with the networks between weak and strong scripts (see docs/opponents.md)."""
     networks = [name for name, each in players.items() if isinstance(each, Population)]
     scripts = [name for name in players if name not in networks]
     return {name: players[name] for name in [*scripts[:2], *networks, *scripts[2:]]}
