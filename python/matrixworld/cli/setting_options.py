@@ -236,7 +236,7 @@ def _type(hint: Any) -> str:
 
 def _text(item: Field[Any]) -> str:
     usual = _shown(item.metadata["default"])
-    others = "; below: other defaults" if item.metadata["by_race"] else ""
+    others = "; others below" if item.metadata["by_race"] else ""
     return f"{item.metadata['help']}" + (f"  [default: {usual}{others}]" if usual else "")
 
 
