@@ -21,7 +21,7 @@ from matrixworld import analysis
 from matrixworld.analysis.cycles import (
     Checkerboard,
     strongest_checkerboards,
-    transitive_share_without_noise,
+    transitive_share_over_episodes,
 )
 from matrixworld.analysis.progress import Disengagement, lag_rise
 from matrixworld.analysis.ratings import ELO_POINTS, RIDGE
@@ -107,7 +107,7 @@ def test_the_transitive_share_is_that_of_an_additive_fit(matrix: np.ndarray) -> 
 def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray) -> None:
     share, rng = analysis.transitive_share(truth), np.random.default_rng(6)
     scores = [rng.random((15, 15, 10)) < truth[:, :, None] for _ in range(40)]
-    found = [transitive_share_without_noise(each.astype(float)) for each in scores]
+    found = [transitive_share_over_episodes(each.astype(float)).value for each in scores]
     measured = [analysis.transitive_share(each.mean(axis=2)) for each in scores]
     assert abs(np.mean(found) - share) < min(0.03, abs(np.mean(measured) - share))
 

@@ -31,7 +31,7 @@ from tqdm import tqdm
 import matrixworld as mw
 from matrixworld import analysis, coevolution
 from matrixworld._util.files import load_arrays, save_arrays
-from matrixworld.analysis.cycles import transitive_share_without_noise
+from matrixworld.analysis.cycles import transitive_share_over_episodes
 from matrixworld.coevolution import SavedRun
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
@@ -161,7 +161,7 @@ def chance(seed: int) -> Effects:
     truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
     one, ten = (play_episodes(truth, n, np.random.default_rng(seed)) for n in (1, 10))
     boards = analysis.checkerboards(one.mean(axis=2), margin=0.15, level=None).share
-    corrected = transitive_share_without_noise(ten)
+    corrected = transitive_share_over_episodes(ten).value
     return {
         "one half minus the share of one match": 0.5 - analysis.transitive_share(one.mean(axis=2)),
         "checkerboards of one match": boards,

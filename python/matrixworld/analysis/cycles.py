@@ -16,9 +16,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_number, check_real
-from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_quantile
+from matrixworld.analysis.intervals import (
+    BIASED,
+    LEVEL,
+    Estimate,
+    normal_quantile,
+    t_quantile,
+)
 from matrixworld.analysis.payoffs import Rates, check_payoff, require
 
+EPISODES_TO_SUBTRACT_NOISE = 4
+"""Fewest episodes for a transitive share without noise: the jackknife leaves out one of them."""
 MARGIN = 0.15
 """Margin of a checkerboard: an additive matrix with the noise of ten episodes of a default race has
 none above it. It does not tell cycles from noise in general; `judge` does."""
@@ -89,20 +97,25 @@ def transitive_share(payoff: ArrayLike) -> float:
     return min(1.0, max(0.0, 1.0 - float(np.sum(cyclic**2)) / total))
 
 
-def transitive_share_without_noise(scores: Rates) -> float:
-    """Return the transitive share of what is behind episodes (n, m, episodes), at least two.
+def transitive_share_over_episodes(scores: Rates) -> Estimate:
+    """Return the transitive share of what is behind episodes (n, m, episodes), without interval.
 
     Both sums of squares are estimated from products of different episodes of a cell, which hold no
-    noise (U statistics, Hoeffding 1948). NaN if the cells vary no more than noise does.
+    noise (U statistics, Hoeffding 1948). Of too few episodes, or if the cells vary no more than
+    noise does, it is the measured share.
     """
-    total, cyclic = map(_square_without_noise, _centred(scores))
-    return min(1.0, max(0.0, 1.0 - cyclic / total)) if total > 0.0 else math.nan
-
-
-def _square_without_noise(parts: Rates) -> float:
-    episodes = len(parts)
-    squares = (parts.sum(axis=0) ** 2).sum() - (parts**2).sum()
-    return float(squares) / (episodes * (episodes - 1))
+    measured, episodes = transitive_share(scores.mean(axis=2)), scores.shape[2]
+    if episodes < EPISODES_TO_SUBTRACT_NOISE:
+        note = f"{BIASED} below {EPISODES_TO_SUBTRACT_NOISE} episodes"
+        return Estimate(measured, samples=episodes, note=note)
+    total, cyclic = _centred(scores)
+    parts = np.stack([cyclic, total]).reshape(2, episodes, -1)
+    sums = _without_noise(parts @ parts.transpose(0, 2, 1))
+    ends = _ratio(*sums, float(t_quantile(LEVEL, episodes - 1)))
+    if ends is None:
+        return Estimate(measured, samples=episodes, note=f"{BIASED}, no variation beyond it")
+    share = min(1.0, max(0.0, 1.0 - ends[0]))
+    return Estimate(share, samples=episodes, note="episode noise subtracted: no interval")
 
 
 def _centred(scores: Rates) -> tuple[Rates, Rates]:

@@ -193,8 +193,7 @@ def _transitive_share(payoffs: Payoffs, window: Window, level: float) -> Estimat
     scores = _episodes(payoffs, window)
     if scores is None:
         return _mean(payoffs, window, level, cycles.transitive_share, UNIT)
-    share, note = cycles.transitive_share_without_noise(scores), "episode noise subtracted"
-    return Estimate(share, samples=scores.shape[2], note=f"{note}: no interval")
+    return cycles.transitive_share_over_episodes(scores)
 
 
 def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
