@@ -29,7 +29,7 @@ JUDGE = [
     (["race", "copy"], 2, "expected runs with different seeds, got the same run twice: race, copy"),
     (["alone"], 2, "alone: expected a race, got a run of one team"),
     (["stopped"], 2, "expected a finished run; matrixworld evolve --resume stopped"),
-    (["damaged"], 1, "payoff.npz: cut or altered"),
+    (["damaged"], 1, "payoff.npz: cut, altered or not an npz file"),
 ]
 REPLAY = [
     (["nothing"], 2, "nothing: no such file or directory; expected the directory of a run"),
@@ -48,9 +48,6 @@ REPLAY = [
     (["O", "--view", "pursuer_0"], 2, "--out writes no picture: expected no --view with it"),
     (["O", "--numbers", "--out", "x.npz"], 2, "--out writes no picture: expected no --numbers"),
     (["O", "--step", "3", "--out", "x.gif"], 2, "--out writes no .png: expected no --step"),
-    (["O", "--episodes", "3"], 2, "one episode is shown: expected no --episodes with it"),
-    (["O", "--minari", "a-v0", "--out", "x.gif"], 2, "--minari shows nothing: expected no --out"),
-    (["walks.npz", "--minari", "a-v0"], 2, "is a single episode: expected no --minari with it"),
     (["O", "--steps", "5", "--step", "6"], 2, "--step: expected -6 to 5, got 6"),
     (["O", "--out", "x.avi"], 2, "ends in .gif, .mp4, .png, .npz: x.avi"),
     (["O", "--seed", MOST_SEED + 1], 2, f"'--seed': expected 0 to {MOST_SEED}, got"),
