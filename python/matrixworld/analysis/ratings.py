@@ -41,6 +41,11 @@ def elo(payoff: ArrayLike) -> Elo:
 
     All matches enter at once, so their order does not matter.
 
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Capture rates in [0, 1].
+
     Notes
     -----
     The fit minimises the cross entropy of P with ``x = s + (1 - 2 s) M``, summed over cells, plus

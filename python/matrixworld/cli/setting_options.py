@@ -273,8 +273,9 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
         "sections of a name."
     )
     for title, rows in _help_sections().items():
-        with formatter.section(title):
-            formatter.write_dl(rows)
+        if rows:  # a sampler such as latest has no settings
+            with formatter.section(title):
+                formatter.write_dl(rows)
     for title, defaults in _other_defaults().items():
         with formatter.section(f"other defaults, {title}"):
             formatter.write_dl([(path, _shown(value)) for path, value in defaults.items()])

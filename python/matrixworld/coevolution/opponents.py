@@ -20,6 +20,18 @@ from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import FloatArray, Indices, State
 
+__all__ = [
+    "Latest",
+    "NashOpponents",
+    "NewestAndOlder",
+    "Opponents",
+    "Prioritized",
+    "RoundRobin",
+    "SharedSampling",
+    "Uniform",
+    "shared_sample",
+]
+
 PayoffFunction = Callable[[Indices, Indices], ArrayLike]
 """Generations (n,) of the team and (m,) of its opponents -> payoffs (n, m) to the team, in [0, 1].
 
