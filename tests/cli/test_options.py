@@ -16,23 +16,15 @@ from command_line import matrixworld_command
 from matrixworld.cli import COMMANDS, main
 from matrixworld.cli.options import seeds_of
 
-DIFFERENT = {"--episodes", "--explain", "--each", "--out", "--seed", "--generation"}
+DIFFERENT = {"--episodes", "--explain", "--each", "--out"}
 """Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
 many there were; `judge` explains a judgement, `replay` the steps; `--each` judges or draws
-each run; `--out` has another file by default. `class` draws a seed that nobody knows, and
-`class export` takes one generation."""
-
-
-def commands() -> dict[str, click.Command]:
-    """Return all commands, those of `class` by their own names."""
-    groups = {name: each for name, each in main.commands.items() if isinstance(each, click.Group)}
-    parts = {name: part for each in groups.values() for name, part in each.commands.items()}
-    return {name: each for name, each in main.commands.items() if name not in groups} | parts
+each run; `--out` has another file by default."""
 
 
 def test_options_of_one_name_are_equal_in_all_commands():
     found: dict[str, set[tuple[object, ...]]] = defaultdict(set)
-    for command in commands().values():
+    for command in main.commands.values():
         for option in command.params:
             if isinstance(option, click.Option):
                 meaning = (option.help, repr(option.default), repr(option.type), option.multiple)
@@ -45,10 +37,10 @@ def test_summaries_fit_into_the_list_of_commands():
 
 
 def test_every_command_that_names_an_output_file_has_force():
-    for name, command in commands().items():
+    for name, command in main.commands.items():
         flags = {flag for param in command.params for flag in param.opts}
-        # These name a directory; what the same command has begun goes on, and nothing is replaced.
-        if flags & {"--json", "--out"} and name not in ("evolve", "exploit"):
+        # It names a new directory, and replaces nothing.
+        if flags & {"--json", "--out"} and name != "evolve":
             assert "--force" in flags, name
 
 

@@ -52,7 +52,6 @@ def test_evolve(printed: dict[str, str], snapshot: SnapshotAssertion, job: str) 
         ["score", "seeds", "--episodes", 4],
         ["score", "alone", "--episodes", 4, "--generation", "all"],
         ["tournament", f"main job/{MAIN_JOB[0]}", "--episodes", 4, "--force"],
-        ["exploit", "seeds", "--champion", "evader", "--matches", 96, "--episodes", 4],
         ["explore", "seeds", "--figures", "--force"],
     ],
     ids=lambda command: " ".join(map(str, command[:3])),

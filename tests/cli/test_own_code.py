@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from matrixworld.coevolution.runs import check_own_code
 
 from command_line import MAIN_JOB, RACE, evolved, matrixworld_command, words
 from matrixworld.cli import evolve, main
@@ -17,6 +16,7 @@ from matrixworld.cli.setting_options import parsed, settings_of
 from matrixworld.coevolution import open_run
 
 PLACE = "alternating/seed-5"
+PLAIN = {name: value for name, value in RACE.items() if name != "population"}
 OWN = {
     "learner": "mine:Learner",
     "learner.settings.sigma": 0.2,
@@ -42,7 +42,7 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]
     sys.modules.pop("mine", None)
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(evolve, "draw", lambda groups, root: None)
+    monkeypatch.setattr(evolve, "draw", lambda *args: None)
     yield
     sys.modules.pop("mine", None)
 
@@ -60,51 +60,48 @@ def test_a_learner_of_the_current_folder(mine: Path) -> None:
     command = Path("bin", "matrixworld")
     command.parent.mkdir()
     command.write_text(COMMAND)
-    options = words({**RACE, "schedule": "alternating", "opponents": 2, **OWN})
+    options = words({**PLAIN, "schedule": "alternating", "opponents": 2, **OWN})
     paths = [str(Path(__file__).parents[1] / "support"), os.environ.get("PYTHONPATH", "")]
     subprocess.run(
         [sys.executable, command, "evolve", "--out", "job", *options, "--threads", "1"],
         env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
-        capture_output=True,
         check=True,
     )
     # A finished run is read, but not continued, without the code.
     mine.unlink()
     run = Path(shutil.copytree(Path("job") / PLACE, "run"))
     settings = open_run(run).settings
-    assert settings.learner.code == "mine:Learner"
-    assert settings.learner.settings == {"sigma": 0.2}
+    assert (settings.learner.code, settings.learner.settings) == ("mine:Learner", {"sigma": 0.2})
     assert settings.schedule.pursuers_meet.settings == {"forget": 0.25}
-    before = {path: path.read_bytes() for path in run.iterdir()}
     for words_of in (["judge"], ["score", "--episodes", "2"]):
         matrixworld_command(*words_of, run)
     assert "mine" not in sys.modules
-    assert "learner: expected a module that" in evolved("--resume", run, code=2).stderr
+    (run / "summary.json").unlink()
+    before = {path: path.read_bytes() for path in run.iterdir()}
+    assert "mine:Learner: expected a module that" in evolved("--resume", run, code=2).stderr
     assert {path: path.read_bytes() for path in run.iterdir()} == before
 
 
-def test_values_of_all_kinds(mine):
+def test_values_of_all_kinds(mine: Path) -> None:
     mine.write_text(
-        "import own_code\n"
-        "def Learner(genome, samples, *, n, x, on, word) -> own_code.HillClimber:\n"
-        "    assert (n, x, on, word) == (3, -0.5, True, 'fast'), (n, x, on, word)\n"
-        "    assert [type(each) for each in (n, x, on, word)] == [int, float, bool, str]\n"
-        "    return own_code.HillClimber(genome, samples)\n"
+        "from dataclasses import dataclass\n"
+        "from own_code import HillClimber\n"
+        "@dataclass(frozen=True)\n"
+        "class Learner(HillClimber):\n"
+        "    n: int = 0\n    x: float = 0.0\n    on: bool = False\n    word: str = ''\n"
     )
     values = {"n": "3", "x": "-.5", "on": "true", "word": "fast"}
     sets = [(f"learner.settings.{name}", parsed(value)) for name, value in values.items()]
-    [settings] = settings_of(
-        {
-            "learner": "mine:Learner",
-            "schedule": MAIN_JOB[:1],
-            "sets": [*sets, ("policy.hidden", [])],
-        }
-    )
-    check_own_code(settings)
+    options = {"learner": "mine:Learner", "schedule": MAIN_JOB[:1], "sets": sets}
+    [settings] = settings_of(options)
+    learner = settings.learner_of("pursuer")
+    given = [getattr(learner, name) for name in values]
+    assert given == [3, -0.5, True, "fast"]
+    assert [type(each) for each in given] == [int, float, bool, str]
 
 
-def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine):
-    options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Fails"})
+def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine: Path) -> None:
+    options = words({**PLAIN, "schedule": MAIN_JOB[0], "learner": "mine:Fails"})
     done = CliRunner().invoke(main, ["evolve", "--out", "out", *options])
     assert isinstance(done.exception, ZeroDivisionError)
     assert "matrixworld evolve --resume out" in done.stderr

@@ -12,7 +12,7 @@ import pytest
 
 from command_line import matrixworld_command, run_together
 from matrices import circular
-from matrixworld.coevolution import finish, open_run, start
+from matrixworld.coevolution import Run, create, evolve, open_run
 from matrixworld.coevolution.settings import MOST_SEED
 from matrixworld.play import save_genome
 from rows import random_walks
@@ -64,7 +64,30 @@ EXPLORE = [
     (["race", "--figures", "--baseline", "x=race"], 2, "expected finished runs of one team"),
     (["race", "--figures", "--baseline", "x=no"], 2, "no: no such file or directory"),
 ]
+ALONE = ["--schedule", "against"]
+EVOLVE = [
+    (["--n-pursuers", 30, "--rows", 6, "--cols", 6], 2, "--rows: expected at least "),
+    (["--set", "learner.population=7"], 2, "learner.population: expected an even number for es, g"),
+    (["--variant", "Q"], 2, "--variant: expected one of D, R, B, O, S, SB"),
+    (["--config", "q.toml"], 2, "--variant: expected one of D, R, B, O, S, SB"),
+    (["--set", "learner.sigma"], 2, "expected PATH=VALUE, such as learner.sigma=0.1, got 'learner"),
+    (["--set", "learner.sigmma=1"], 2, "; did you mean learner.sigma?"),
+    (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, actor-critic, or module:obje"),
+    (["--learner", "nowhere:Learner"], 2, "nowhere:Learner: expected a module that can be imported"),
+    (["--set", "learner.mutation=0.1"], 2, "; it is a setting of learner=ga"),
+    (["--set", "schedule.team=evader"], 2, "; it is a setting of schedule=against"),
+    ([*ALONE, "--generations", 3], 2, "--generations: expected one of the settings te"),
+    ([*ALONE, "--set", "schedule.opponent=nobody"], 2,
+     "schedule.opponent: nobody: no such file or directory; expected random, still, chaser, "),
+    ([*ALONE, "--set", "schedule.start=nobody"], 2, "schedule.start: nobody: no such file or dire"),
+    ([*ALONE, "--set", "schedule.opponent=several"], 2, "expected one run, got a directory of sev"),
+    (["--seeds", "0-3", "--seed", 1], 2, "--seeds: expected it without --seed, got both"),
+    (["SB"], 2, "unexpected extra argument (SB)"),
+    (["--resume", "race", "--seeds", 3], 2, "a run keeps its own, got --out, --seeds"),
+    (["--resume", "empty"], 2, "--resume: expected a directory that holds a run, got 'empty'"),
+]
 OTHERS = [
+    (["evolve", "--out", "race"], 2, "expected a new or empty directory, got 'race'; matrixworld e"),
     (["score", "race", "--generation", "x"], 2, "expected a generation or all, got 'x'"),
     (["score", "race", "--json", "no/a.json"], 2, "no/a.json: expected a directory in which files"),
     (["score", "race", "--json", "empty", "--force"], 2, "empty: expected a file, got a directory"),
@@ -74,8 +97,11 @@ OTHERS = [
     (["solve", "--rows", 30, "--cols", 30], 2, "cells would fit"),
     (["solve", "--rows", 4, "--cols", 4, "--obstacles", 0.1], 2, "expected none or a map"),
     (["solve", "--n-pursuers", 0], 2, "--n-pursuers"),
-    (["exploit", "race", "--champion", "evader", "--exact", "--matches", 9], 2, "no --matches"),
-    (["play", "walks.npz"], 2, "expected a directory that holds a run, got 'walks.npz'"),
+    (["solve", "--run", "race", "--rows", 4], 2, "--run: expected no --rows beside it"),
+    (["solve", "--run", "race"], 2, "states: expected at most "),
+    (["tournament", "race", "--cluster", "nowhere"], 2, "expected auto, an address such as tcp://"),
+    (["tournament", "race", "--cluster", "auto", "--threads", 2], 2, "expected it without --clust"),
+    (["tournament", "race", "--cluster", "scheduler.json"], 1, "scheduler.json: expected a sched"),
     (["playground", "--out", "bad.csv"], 2, "bad.csv: exists; give --force to replace it"),
 ]
 # fmt: on
@@ -83,6 +109,7 @@ TABLE = [
     *((["judge", *words, "--json", "x.json"], *rest) for words, *rest in JUDGE),
     *((["replay", *words], *rest) for words, *rest in REPLAY),
     *((["explore", *words], *rest) for words, *rest in EXPLORE),
+    *((["evolve", "--out", "out", *words], *rest) for words, *rest in EVOLVE),
     *OTHERS,
 ]
 
@@ -96,12 +123,18 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     payoff = root / "damaged" / "payoff.npz"
     payoff.write_bytes(payoff.read_bytes()[:99])
     (root / "empty").mkdir()
-    start(tiny_race(seed=1), root / "several" / "1")
-    start(tiny_race(seed=2), root / "several" / "2")
-    start(tiny_race(rows=7), root / "small")
-    finish(tiny_single(), root / "alone", threads=1)
+    for name, settings in (
+        ("several/1", tiny_race(seed=1)),
+        ("several/2", tiny_race(seed=2)),
+        ("small", tiny_race(rows=7)),
+        ("stopped", tiny_race()),
+    ):
+        create(settings, root / name)
+    evolve(tiny_single(), root / "alone", threads=1)
     with pytest.raises(KeyboardInterrupt):
-        start(tiny_race(), root / "stopped", threads=1, play=StopAt(2)).run()
+        Run(root / "stopped", threads=1, play=StopAt(2)).run()
+    (root / "scheduler.json").write_text('{"address": 3}')
+    (root / "q.toml").write_text('seed = 3\n[learner]\nkind = "ga"\n[world]\nrules = "Q"\n')
     (root / "bad.csv").write_text("0.5,2\n0.5,0.5\n")
     for name, size in (("small", 12), ("large", 14)):
         np.savez(root / f"{name}.npz", payoff=circular(size))
@@ -114,8 +147,7 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 MISSING = [
     *("judge no.csv", "explore no", "replay no.npz", "score no", "tournament no"),
-    *("exploit no --champion evader", "play no"),
-    *("evolve --resume no", "evolve --yoked no", "evolve --config no", "evolve --cluster no"),
+    *("evolve --resume no", "evolve --config no", "evolve --cluster no", "solve --run no"),
     *("replay O --pursuer no.npz", "solve --obstacles no.map", "tournament race no"),
     "evolve --set world.obstacles=no.map",
 ]

@@ -8,7 +8,7 @@ import pytest
 
 from command_line import GIF, PNG, matrixworld_command
 from matrixworld import Episode, WorldConfig, record
-from matrixworld.coevolution import open_run, start
+from matrixworld.coevolution import create, open_run
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.episodes import replay
 from matrixworld.play import save_genome
@@ -103,7 +103,7 @@ def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     assert str(open_run(run).payoff()) in said
     # Of several races each has its tournament; generations of two runs are not judged.
     shutil.copytree(run, "job/a")
-    start(tiny_race(seed=6), "job/b")
+    create(tiny_race(seed=6), Path("job/b"))
     shown = matrixworld_command("replay", "job", "--step", 1)
     assert "job/a: the first of 2 races; --race chooses another: a, b\n" in shown.stderr
     assert shown.stdout == replayed("job/a", "--step", 1)

@@ -13,7 +13,7 @@ from matrixworld.analysis.judgement import summary
 from matrixworld.cli.evolve import Whole, report
 from matrixworld.coevolution import Progress, SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
-from matrixworld.coevolution.jobs import job_of, save_job
+from matrixworld.coevolution.jobs import create_job, job_of
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import tiny_race
 
@@ -28,11 +28,11 @@ JOB = job_of(
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two schedules with four seeds each, of which the last one has not begun."""
-    root = tmp_path_factory.mktemp("made")
-    save_job(root, JOB)
+    root = tmp_path_factory.mktemp("made") / "job"
+    create_job(JOB, root)
     for name, settings in JOB.items():
         if settings.seed in SEEDS:
-            finish(settings, root / name, threads=1)
+            finish(root / name, threads=1)
     return root
 
 
@@ -105,7 +105,8 @@ def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     assert f"{FIRST}\n  0 of 4 seeds finished" in capsys.readouterr().out
 
 
-def test_a_schedule_of_which_no_seed_has_begun_is_named(job):
-    shutil.rmtree(job / SECOND)
+def test_a_schedule_of_which_no_seed_is_finished_is_named(job):
+    for seed in SEEDS:
+        (job / SECOND / f"seed-{seed}" / "summary.json").unlink()
     said = run_together(matrixworld_command("judge", job).stderr)
     assert f"{job / SECOND}: no seed is finished yet, and it is left out" in said

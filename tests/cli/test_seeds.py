@@ -1,16 +1,18 @@
 """``matrixworld evolve --seeds``: layout, what is printed, interruptions and failures."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from command_line import MAIN_JOB, RACE, WORLD, evolved, words
-from matrixworld.coevolution import finish
-from matrixworld.coevolution.jobs import open_job
+from matrixworld.coevolution import evolve
+from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.storage import find_runs
 from scripts import group_lives, wait_until
 from tiny_race import results, tiny_race
@@ -25,8 +27,8 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
     names = [f"{name}/seed-{n}" for name in (MAIN_JOB[0], MAIN_JOB[2]) for n in (2, 10)]
     assert find_runs(Path("out")) == [Path("out") / name for name in names]
     assert find_runs(Path("out") / MAIN_JOB[2]) == [Path("out") / name for name in names[2:]]
-    assert [*open_job("out")] == names
-    finish(tiny_race(seed=10, schedule=MAIN_JOB[2]), "alone")
+    assert [*found_job(Path("out"))] == names
+    evolve(tiny_race(seed=10, schedule=MAIN_JOB[2]), "alone")
     assert results(Path("out") / names[3]) == results(Path("alone"))
     assert "score, [4/4] evaders" in said.stderr
     before = {path: path.read_bytes() for path in Path("out").rglob("*.*") if path.is_file()}
@@ -36,12 +38,9 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
     assert {path: path.read_bytes() for path in before} == before
     refused = evolved("--out", "out", "--seeds", "2,10", *chosen, *words(ONE), code=2)
     assert "matrixworld evolve --resume out continues the run in it" in refused.stderr
-    part = evolved("--resume", f"out/{MAIN_JOB[0]}", code=2)
-    assert "expected a whole job, got a part of it; matrixworld evolve --resume out" in part.stderr
-    added = evolved("--resume", "out", "--seeds", "3", code=2)
-    assert (
-        "expected no settings beside it, because a run keeps its own, got --seeds" in added.stderr
-    )
+    part = evolved("--resume", f"out/{MAIN_JOB[0]}")
+    assert part.stdout.startswith("2 races done")
+    assert f"seed-2 {MAIN_JOB[2]}" not in part.stdout
 
 
 def test_a_failed_run_is_named_and_the_others_are_reported(monkeypatch):
@@ -77,20 +76,23 @@ def process_of(*args):
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
-def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
+@pytest.mark.parametrize("send", [os.killpg, os.kill], ids=["to all processes", "to the parent"])
+def test_stopped_and_killed_and_resumed_ends_the_same(
+    send: Callable[[int, int], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Ctrl-C in the first runs leaves no process; a kill loses nothing."""
     monkeypatch.setattr("matrixworld.cli.evolve.report", lambda *args, **timed: None)
     longer = {**ONE, "generations": 6, "pursuer_epochs": 40, "evader_epochs": 40}
     chosen = ["--seeds", "0-2", "--schedule", MAIN_JOB[0], *words(longer)]
     process = process_of("--out", "out", *chosen)
     wait_until(lambda: [*Path("out").glob("*/*/stage-0001.npz")], "a stage")
-    os.killpg(process.pid, signal.SIGINT)  # a terminal sends it to all processes
+    send(process.pid, signal.SIGINT)  # a terminal sends it to all
     _, errors = process.communicate(timeout=60)
     assert process.returncode == 130
     assert "matrixworld evolve --resume out\n" in errors
     assert "Traceback" not in errors
     wait_until(lambda: not group_lives(process.pid), "end of all processes", 10.0)
-    assert {path.name for path in Path("out").iterdir()} == {MAIN_JOB[0], "job.json", ".lock"}
+    assert {path.name for path in Path("out").iterdir()} <= {MAIN_JOB[0], "explorer.html"}
 
     process = process_of("--resume", "out")
     later = Path("out").glob  # a fast machine may end before the kill, which is no failure
@@ -100,17 +102,30 @@ def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
     wait_until(lambda: not group_lives(process.pid), "end of all processes", 10.0)
     evolved("--resume", "out")
     settings = tiny_race(**{**longer, "hidden": (4,)}, schedule=MAIN_JOB[0], seed=1)
-    finish(settings, "straight")
+    evolve(settings, "straight")
     assert results(Path(f"out/{MAIN_JOB[0]}/seed-1")) == results(Path("straight"))
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
+def test_a_worker_that_dies_ends_the_job_in_a_sentence() -> None:
+    """As for lack of memory."""
+    dies = {n: v for n, v in ONE.items() if n != "population"} | {"learner": "own_code:Dies"}
+    process = process_of("--out", "out", "--seeds", "0-1", "--schedule", MAIN_JOB[0], *words(dies))
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 1
+    assert re.search("Error: .*seed-.: expected a worker that plays it, got: BrokenProcess", errors)
+    assert "matrixworld evolve --resume out\n" in errors
+    assert "Traceback" not in errors
+    wait_until(lambda: not group_lives(process.pid), "end of all processes", 10.0)
 
 
 def test_runs_that_were_put_together_by_hand_are_continued(undrawn):
     for seed in (0, 1):
-        finish(tiny_race(seed=seed), f"mine/{seed}")
+        evolve(tiny_race(seed=seed), f"mine/{seed}")
     Path("mine/1/summary.json").unlink()
     before = Path("mine/0/summary.json").read_bytes()
     said = evolved("--resume", "mine").stdout
     assert Path("mine/1/summary.json").exists()
     assert Path("mine/0/summary.json").read_bytes() == before
-    assert not Path("mine/job.json").exists()
     assert "2 races done" in said

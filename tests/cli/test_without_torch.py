@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from command_line import READING, WORLD, evolved, matrixworld_command, words
-from matrixworld.coevolution import finish, start
+from matrixworld.coevolution import create, evolve
 from tiny_race import tiny_race, tiny_single
 
 HINT = "pip install 'matrixworld-pursuit[torch]'"
@@ -16,8 +16,8 @@ HINT = "pip install 'matrixworld-pursuit[torch]'"
 def runs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave a finished race and a run that has begun, both of actor-critic."""
     pytest.importorskip("torch")
-    finish(tiny_race(learner="actor-critic"), "RUN", threads=1)
-    start(tiny_single(learner="actor-critic"), "begun", threads=1)
+    evolve(tiny_race(learner="actor-critic"), "RUN", threads=1)
+    create(tiny_single(learner="actor-critic"), "begun")
     # As if it were not installed: `import torch` raises ModuleNotFoundError.
     monkeypatch.setitem(sys.modules, "torch", None)
 

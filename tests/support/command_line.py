@@ -34,7 +34,6 @@ READING = [
     ["explore", "RUN", "--out", "page.html", "--no-open"],
     ["score", "RUN", "--episodes", "2"],
     ["tournament", "RUN", "--episodes", "2"],
-    ["exploit", "RUN", "--champion", "evader", "--matches", "96", "--episodes", "2"],
 ]
 """Commands that read a finished race, RUN."""
 PNG, GIF = b"\x89PNG", b"GIF89a"

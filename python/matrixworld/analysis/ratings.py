@@ -44,6 +44,7 @@ def elo(payoff: ArrayLike) -> Elo:
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
+        Capture rates in [0, 1].
 
     Notes
     -----

@@ -273,7 +273,7 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
         "sections of a name."
     )
     for title, rows in _help_sections().items():
-        if rows:
+        if rows:  # a sampler such as latest has no settings
             with formatter.section(title):
                 formatter.write_dl(rows)
     for title, defaults in _other_defaults().items():

@@ -23,7 +23,7 @@ from concurrent.futures import (
     ProcessPoolExecutor,
     wait,
 )
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from multiprocessing import resource_tracker
 from pathlib import Path
@@ -489,12 +489,13 @@ def processes(count: int) -> Iterator[Executor]:
     """Yield an executor with processes, which end with the block, or if this process is killed."""
     # spawn: a fork would copy locks that other threads of this process hold.
     context = multiprocessing.get_context("spawn")
-    stop = context.Event()
-    with ProcessPoolExecutor(count, context, _begin, (stop,)) as pool:
+    # Not an Event: to set it waits for ever for a process that was killed while it waited for it.
+    alive, end = context.Pipe(duplex=False)
+    with alive, end, ProcessPoolExecutor(count, context, _begin, (alive,)) as pool:
         try:
             yield pool
         except BaseException:
-            stop.set()
+            end.close()
             pool.shutdown(wait=False, cancel_futures=True)
             raise
 
@@ -517,17 +518,15 @@ def without_interrupts() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _begin(stop: Any) -> None:
-    """Begin a process that ends when it is stopped, or with the process that has started it."""
+def _begin(alive: Any) -> None:
+    """Begin a process that ends when the other end of a pipe is closed, or its process has died."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The main process warns when a run has ended, with its name.
     warnings.simplefilter("ignore", DisengagementWarning)
-    threading.Thread(target=_end_with, args=(stop,), daemon=True).start()
+    threading.Thread(target=_end_with, args=(alive,), daemon=True).start()
 
 
-def _end_with(stop: Any) -> None:
-    parent = multiprocessing.parent_process()
-    assert parent is not None
-    while parent.is_alive() and not stop.wait(SECONDS):
-        pass
+def _end_with(alive: Any) -> None:
+    with suppress(EOFError, OSError):
+        alive.recv()  # nothing is ever sent
     os._exit(1)  # not sys.exit, which ends this thread only; files are safe at any moment

@@ -29,6 +29,7 @@ __all__ = [
     "RoundRobin",
     "SharedSampling",
     "Uniform",
+    "shared_sample",
 ]
 
 PayoffFunction = Callable[[Indices, Indices], ArrayLike]

@@ -594,7 +594,16 @@ def finish(
 ) -> SavedRun:
     """Return the finished run of a directory that `create` has made, which may have begun.
 
-    What an executor gets: a path, and wherever the directory is. For parameters and errors see
-    `Run` and `Run.run`.
+    An executor can call it wherever the directory has the same path. Errors are those of `Run` and
+    of `Run.run`.
+
+    Parameters
+    ----------
+    directory : str or Path
+        The directory of the run.
+    threads, play : optional
+        As for `Run`.
+    report, on_epoch : callable, optional
+        As for `Run.run`.
     """
     return Run(directory, threads=threads, play=play).run(report, on_epoch)

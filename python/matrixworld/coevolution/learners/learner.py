@@ -30,22 +30,36 @@ class DivergedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Task:
-    """What a learner starts from: a team of a run."""
+    """What a learner starts from: a team of a run.
+
+    Parameters
+    ----------
+    seed : int
+        Seed of the run.
+    team : int
+        Number of the team in `TEAMS`.
+    epochs : int
+        Epochs of the whole run in which the team learns.
+    untrained : callable
+        Returns a new untrained genome (genes,), drawn from a generator.
+    begin : ndarray of float32, shape (genes,), or None
+        A genome to start from instead of untrained ones.
+    world : WorldConfig
+        The world of the evaluation.
+    network : Network
+        The network of the team.
+    mask : FixedWeights, optional
+        Genes that do not change, and their values.
+    """
 
     seed: int
-    """Seed of the run."""
     team: int
-    """Number of the team in `TEAMS`."""
     epochs: int
-    """Epochs of the whole run in which the team learns."""
     untrained: Callable[[np.random.Generator], Genome]
-    """Returns a new untrained genome (genes,)."""
     begin: Genome | None
-    """A genome (genes,) to start from instead of untrained ones."""
     world: WorldConfig
     network: Network
     mask: FixedWeights | None = None
-    """Genes that do not change, and their values."""
 
     def genomes(self, count: int, sigma: float = MUTATION) -> Genomes:
         """Return genomes (count, genes) to start from: untrained ones, or `begin` and its mutants.
@@ -73,13 +87,20 @@ def _no_experience(*, states: bool = False) -> Experience:
 
 @dataclass(frozen=True)
 class Results:
-    """What came of the candidates of an epoch."""
+    """What came of the candidates of an epoch.
+
+    Parameters
+    ----------
+    fitness : ndarray of float64, shape (n,)
+        Fitness of each candidate; higher is better.
+    experience : callable, optional
+        Plays the matches of the epoch once more and returns what the agents of the team saw, did
+        and earned; where all candidates are equal. With ``states=True`` also the states of the
+        world.
+    """
 
     fitness: FloatArray
-    """(n,); higher is better."""
     experience: Callable[..., Experience] = _no_experience
-    """Plays the matches of the epoch once more and returns what the agents of the team saw, did and
-    earned; where all candidates are equal. With ``states=True`` also the states of the world."""
 
 
 @dataclass(frozen=True)
