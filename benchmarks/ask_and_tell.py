@@ -21,15 +21,21 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.coevolution import Against, RaceSettings, Team
-from matrixworld.coevolution.learners.cma_es import CmaEs
-from matrixworld.coevolution.learners.evolution_strategy import (
+import matrixworld as mw
+from matrixworld.coevolution import (
+    TEAMS,
+    Against,
+    CmaEs,
     EvolutionStrategy,
-    EvolutionStrategySettings,
-    centred_ranks,
+    GeneticAlgorithm,
+    Learner,
+    RaceSettings,
+    Results,
+    Task,
+    Team,
 )
-from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
-from matrixworld.coevolution.learners.learner import Adam, Learner, NoiseTable
+from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
+from matrixworld.coevolution.learners.learner import adam, adam_state
 
 Genomes = NDArray[np.float32]
 Fitness = NDArray[np.float64]
@@ -41,6 +47,8 @@ class Game(Protocol):
     seed: int
     matches: int
     team: Team
+    world: mw.WorldConfig
+    network: mw.Network
 
     def untrained(self, count: int) -> Genomes:
         """Return the first `count` untrained genomes, (count, genes)."""
@@ -59,17 +67,25 @@ Algorithm = Callable[..., None]
 
 
 def drive(game: Game, learner: Learner, groups: ArrayLike | None = None, matches: int = 1) -> None:
-    rng = np.random.default_rng([game.seed, 1])
+    rng, untrained = np.random.default_rng([game.seed, 1]), iter(game.untrained(learner.population))
     group = learner.seed_groups if groups is None else np.asarray(groups)
     # Match k of a candidate is in world k of its group.
     worlds = (matches * group[:, None] + np.arange(matches)).ravel()
-    while game.goes_on(learner.genome):
-        candidates = np.repeat(learner.ask(rng), matches, axis=0)
-        learner.tell(game.fitness(candidates, worlds).reshape(-1, matches).mean(axis=1))
-
-
-def noise(game: Game, sigma: float) -> NoiseTable:
-    return NoiseTable(game.untrained(1).size, np.random.default_rng([game.seed, 2]), sigma=sigma)
+    state = learner.start(
+        Task(
+            seed=game.seed,
+            team=TEAMS.index(game.team),
+            epochs=max(1, game.matches // learner.population),
+            untrained=lambda rng: next(untrained),
+            begin=None,
+            world=game.world,
+            network=game.network,
+        )
+    )
+    while game.goes_on(learner.genome(state)):
+        asked, state = learner.ask(state, rng)
+        fitness = game.fitness(np.repeat(asked, matches, axis=0), worlds)
+        state = learner.tell(state, Results(fitness.reshape(-1, matches).mean(axis=1)))
 
 
 def es(
@@ -83,11 +99,7 @@ def es(
     matches: int = 1,
 ) -> None:
     learner = EvolutionStrategy(
-        game.untrained(1)[0],
-        noise(game, sigma),
-        samples=population,
-        learning_rate=rate,
-        relative_sigma=relative,
+        population, sigma=sigma, learning_rate=rate, relative_sigma=relative
     )
     # Who plays in the same worlds: the two candidates of a pair, nobody, or all.
     groups = {
@@ -102,35 +114,26 @@ def default_es(game: Game) -> None:
     """Play the evolution strategy with the defaults of a team that learns alone."""
     usual = RaceSettings(schedule=Against(team=game.team)).learner
     epochs = max(1, game.matches // usual.population)
-    settings = RaceSettings(schedule=Against(team=game.team, epochs=epochs)).learner
-    assert isinstance(settings, EvolutionStrategySettings)
-    learner = EvolutionStrategy(
-        game.untrained(1)[0],
-        noise(game, settings.sigma),
-        samples=settings.population,
-        learning_rate=settings.learning_rate,
-        anneal_over=epochs if settings.anneal else None,
-        relative_sigma=settings.relative_sigma,
-    )
-    drive(game, learner)
+    drive(game, RaceSettings(schedule=Against(team=game.team, epochs=epochs)).learner)
 
 
 def unpaired_es(game: Game, *, population: int, sigma: float, rate: float) -> None:
     """Play the evolution strategy without mirrored pairs, with new noise, all in one world."""
     rng, genome = np.random.default_rng([game.seed, 1]), game.untrained(1)[0]
-    optimizer = Adam(genome.size)
+    state = adam_state(genome.size)
     while game.goes_on(genome):
         changes = sigma * rng.standard_normal((population, genome.size), dtype=np.float32)
         ranks = centred_ranks(game.fitness(genome + changes)).astype(np.float32)
-        genome = genome + optimizer.step(ranks @ changes / (population * sigma**2), rate)
+        step, state = adam(state, ranks @ changes / (population * sigma**2), rate)
+        genome = genome + step
 
 
 def ga(game: Game, *, population: int, sigma: float) -> None:
-    drive(game, GeneticAlgorithm(game.untrained(population), noise(game, sigma)))
+    drive(game, GeneticAlgorithm(population, mutation=sigma))
 
 
 def cma_es(game: Game, *, population: int, sigma: float) -> None:
-    drive(game, CmaEs(game.untrained(1)[0], sigma=sigma, samples=population))
+    drive(game, CmaEs(population, sigma=sigma))
 
 
 # ---- evosax ----------------------------------------------------------------------------------

@@ -175,14 +175,15 @@ class Run:
 
     def __init__(self, task: Task, seed: int, matches: int, parts: int, fresh: int) -> None:
         self.task, self.team, self.seed, self.matches = task, task.team, seed, matches
+        self.world, self.network = task.world, task.network
         self.played, self.epochs = 0, 0
         self.curve: list[tuple[int, float]] = []
         self.due, self.fresh = list(np.linspace(0, matches, parts + 1)), fresh
         self.in_rollouts, self.began, self.first = 0.0, time.process_time(), 0.0
 
     def untrained(self, count: int) -> NDArray[np.float32]:
-        rng, network = np.random.default_rng([self.seed, 0]), self.task.network
-        return np.stack([network.initial(rng, weight=WEIGHT, head=HEAD) for _ in range(count)])
+        rng = np.random.default_rng([self.seed, 0])
+        return np.stack([self.network.initial(rng, weight=WEIGHT, head=HEAD) for _ in range(count)])
 
     def goes_on(self, genome: ArrayLike) -> bool:
         if self.epochs == COMPILING:

@@ -15,11 +15,10 @@ escape over that part, against all opponents of the race.
 from __future__ import annotations
 
 import numpy as np
-from matrixworld.coevolution.schedules import SCHEDULES
 
 from common import Numbers, Runs, by_seed, experiment, kinds_in, markdown, written
 from matrixworld import analysis
-from matrixworld.coevolution import RaceSettings
+from matrixworld.coevolution import SCHEDULES, RaceSettings
 
 FULL = RaceSettings.of({
     "learner": "actor-critic", "learner.population": 4, "learner.actor_rate": 0.003,

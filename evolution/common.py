@@ -23,7 +23,7 @@ from matrixworld._util.checks import check_threads
 from matrixworld._util.files import load_json, save_json
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
-from matrixworld.coevolution import SavedRun, Team, finish, tournament
+from matrixworld.coevolution import SavedRun, Team, evolve, tournament
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
 
@@ -70,7 +70,7 @@ Numbers = Mapping[str, NDArray[Any]]
 Runs = Mapping[str, list[SavedRun]]
 """Runs of each kind, by seed."""
 Play = Callable[..., SavedRun]
-"""As `coevolution.finish`: settings, directory and ``threads=`` -> the finished run."""
+"""As `coevolution.evolve`: settings, directory and ``threads=`` -> the finished run."""
 
 
 def experiment(
@@ -80,7 +80,7 @@ def experiment(
     measure: Callable[[Runs, bool], Mapping[str, ArrayLike]],
     table: Callable[[Numbers], str],
     seeds: int | Mapping[str, int],
-    play: Play = finish,
+    play: Play = evolve,
     then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
     figures: Mapping[str, Callable[[Numbers], Figure]] | None = None,
 ) -> None:
@@ -226,7 +226,7 @@ def finish_all(
     settings: Mapping[str, Any],
     root: Path,
     *,
-    play: Play = finish,
+    play: Play = evolve,
     threads: int | None = None,
     where: str | None = None,
 ) -> dict[str, SavedRun]:

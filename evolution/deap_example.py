@@ -13,7 +13,7 @@ or call another function of ``deap.algorithms``. Three things are special in co-
 - at the start of a turn the fitness values are deleted, because they come from other opponents.
 
 `best_response` shows the opposite direction: a loop of DEAP drives a learner of matrixworld, or
-your own class with the methods ``ask`` and ``tell`` of ``coevolution.Learner``. It measures how far
+your own class derived from ``coevolution.Learner``. It measures how far
 the last champions can be beaten by an opponent that trains against them only. With
 ``docs/maintainers/how_to_add.md`` a toolbox becomes a learner by name: ``evolve --learner ...``.
 
@@ -25,7 +25,6 @@ responses, and at the figure of all champions against each other.
 
 from __future__ import annotations
 
-import itertools
 import random
 from typing import NamedTuple
 
@@ -193,17 +192,39 @@ def best_response(
 ) -> np.ndarray:
     """Evolve a response to one rival: an evolution strategy of matrixworld in a loop of DEAP."""
     network = mw.Network.for_config(budget.world)
-    noise = coevolution.NoiseTable(network.genome_size, rng, sigma=SIGMA)
-    learner = coevolution.EvolutionStrategy(network.initial(rng), noise, samples=budget.lambda_)
+    learner = coevolution.EvolutionStrategy(
+        budget.lambda_, sigma=SIGMA, learning_rate=0.02, relative_sigma=0.0
+    )
+    start = coevolution.Task(
+        seed=int(rng.integers(2**31)), team=coevolution.TEAMS.index(team), epochs=budget.response,
+        untrained=network.initial, begin=None, world=budget.world, network=network,
+    )  # fmt: skip
+    state = learner.start(start)
 
-    def evaluate(candidates: np.ndarray) -> np.ndarray:
+    def generate() -> list[Player]:
+        nonlocal state
+        candidates, state = learner.ask(state, rng)
+        return [Player(genome) for genome in candidates]
+
+    def evaluate(players: list[Player]) -> list[tuple[float]]:
         # Mirrored candidates share a match seed.
         seeds = rng.integers(2**63, size=budget.lambda_ // 2)[learner.seed_groups]
-        return score(team, budget.world, candidates, rival[np.newaxis], seeds[:, None])
+        genomes = np.stack([player.genome for player in players])
+        values = score(team, budget.world, genomes, rival[np.newaxis], seeds[:, None])
+        return [(float(value),) for value in values]
 
-    toolbox = coevolution.generate_update_toolbox(learner, evaluate, itertools.repeat(rng))
+    def update(players: list[Player]) -> None:
+        nonlocal state
+        fitness = np.array([player.fitness.values[0] for player in players])
+        state = learner.tell(state, coevolution.Results(fitness))
+
+    toolbox = base.Toolbox()
+    toolbox.register("generate", generate)
+    toolbox.register("evaluate", evaluate)
+    toolbox.register("map", lambda evaluate, players: evaluate(players))
+    toolbox.register("update", update)
     algorithms.eaGenerateUpdate(toolbox, ngen=budget.response, verbose=False)
-    return learner.genome
+    return learner.genome(state)
 
 
 def capture_rates(budget: Budget, pursuers: np.ndarray, evaders: np.ndarray) -> np.ndarray:

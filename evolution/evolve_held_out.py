@@ -32,7 +32,7 @@ import matrixworld as mw
 from common import executor_of, markdown, script_parser
 from matrixworld import coevolution
 from matrixworld._util.files import load_arrays, save_arrays
-from matrixworld.coevolution import RaceSettings, SingleTeam, Team
+from matrixworld.coevolution import RaceSettings, Team
 from matrixworld.coevolution.evaluation.scores import NETWORK, held_out_scripts
 from matrixworld.coevolution.types import other
 
@@ -43,7 +43,6 @@ LEARNER = {
     "policy.initial_weight": 0.2,
     "policy.initial_head": 0.09,
 }
-OVERLAP_PENALTY = 0.2  # of evaders, where they may share a cell
 QUICK_EPOCHS = 3
 EPISODES = 50  # of each pair in the table
 
@@ -80,21 +79,19 @@ def evolve(
     variant: str, team: Team, lesson: Lesson, start: np.ndarray | None, seed: int
 ) -> np.ndarray:
     """Return a team's genome after a lesson, rounded to float16; `start` None: untrained."""
-    may_share = team == "evader" and mw.VARIANTS[variant].teammate is mw.Outcome.REACH
     settings = RaceSettings.of({
         "schedule": "against", "schedule.team": team, "schedule.opponent": lesson.against,
         "schedule.epochs": lesson.epochs, "schedule.archive_every": lesson.epochs,
-        "fitness.overlap_penalty": OVERLAP_PENALTY if may_share else None,
         "world.rules": variant, "world.rows": lesson.side, "world.cols": lesson.side,
         "world.n_pursuers": lesson.pursuers, "world.n_evaders": lesson.evaders,
         "train_steps": lesson.steps, "evaluation_episodes": 1, "seed": seed, **LEARNER,
     })  # fmt: skip
     # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:
-        run = SingleTeam(settings, directory, start=start, threads=1)
-        run.run()
+        coevolution.create(settings, directory, start=start)
+        run = coevolution.finish(directory, threads=1)
         # Rounded already here: the next lesson starts from the genome that the file will hold.
-        return run.genomes(team)[-1].astype(np.float16).astype(np.float32)
+        return run.archive()[team][-1].astype(np.float16).astype(np.float32)
 
 
 def curriculum(variant: str, epochs: int | None, seed: int) -> dict[str, np.ndarray]:

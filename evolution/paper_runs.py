@@ -17,10 +17,9 @@ from matrixworld.coevolution import (
     Against,
     RaceSettings,
     SavedRun,
-    SingleTeam,
     Team,
-    open_run,
-    resume,
+    create,
+    finish,
     score_policy,
 )
 from matrixworld.coevolution.types import other
@@ -100,14 +99,7 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
 def alone(race: RaceSettings, team: Team) -> RaceSettings:
     """Return the settings of a baseline, with the matches and all settings of the race."""
     epochs = race.schedule.total_epochs(team)
-    # The penalty is one of evaders that evolve; others take no such setting.
-    penalised = team == "evader" and not race.learner.by_gradients
-    penalty = race.overlap_penalty if penalised else None
-    return replace(
-        race,
-        schedule=Against(team=team, epochs=epochs, archive_every=epochs // 2),
-        fitness=replace(race.fitness, overlap_penalty=penalty),
-    )
+    return replace(race, schedule=Against(team=team, epochs=epochs, archive_every=epochs // 2))
 
 
 def teach(runs: Runs) -> list[SavedRun]:
@@ -115,13 +107,12 @@ def teach(runs: Runs) -> list[SavedRun]:
     found = []
     for begun, rival in pairs(runs, EVADERS_ALONE, PURSUERS_ALONE):
         directory = begun.path.parents[1] / slug(EVADERS_TAUGHT) / str(begun.settings.seed)
-        if not (directory / "config.json").exists():
+        if not SavedRun(directory).exists:
             half = begun.settings.schedule.archive_every
             settings = begun.settings.changed({"schedule.epochs": half})
             genome = begun.teams["evader"].genomes[1]
-            SingleTeam(settings, directory, opponents=rival.last("pursuer"), start=genome)
-        resume(directory).run()
-        found.append(open_run(directory))
+            create(settings, directory, opponents=rival.last("pursuer"), start=genome)
+        found.append(finish(directory))
     return found
 
 

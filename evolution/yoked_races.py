@@ -24,7 +24,6 @@ interval lies within .05, the margin of the judgement.
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -48,16 +47,16 @@ from common import (
     written,
 )
 from matrixworld import analysis
-from matrixworld._util.files import DamagedFileError, load_toml
+from matrixworld._util.files import load_toml
 from matrixworld.coevolution import (
     SCHEDULES,
     TEAMS,
-    Race,
     RaceSettings,
+    Run,
     SavedRun,
     Team,
-    finish,
-    open_run,
+    create,
+    evolve,
     tournament,
 )
 from matrixworld.coevolution.types import other
@@ -112,17 +111,16 @@ NAMES = {
 }
 
 
-class YokedRace(Race):
+class YokedRace(Run):
     """A race in turns whose opponents are replayed from the finished race of another seed.
 
     ::
 
-        P, E the archives of the other race; all else as in `Race`
+        P, E the archives of the other race; all else as in `InTurns`
         p[k] = p[k-1], improved for some epochs against evaders that its sampler chooses in E
         e[k] = e[k-1], improved for some epochs against pursuers that its sampler chooses in P
 
-    The settings are those of the other race, but for the seed. config.json holds a digest of P and
-    E, so that no run goes on against others.
+    The settings are those of the other race, but for the seed.
     """
 
     def __init__(
@@ -133,20 +131,13 @@ class YokedRace(Race):
             told = "expected a finished race of these settings with another seed"
             raise ValueError(f"{replayed.path}: {told}")
         self.replayed = replayed.archive()
-        super().__init__(settings, directory, **options)
-        if self.files.config["replayed"] != self.extra_config()["replayed"]:
-            told = f"expected the race that {directory} has replayed so far, got another"
-            raise DamagedFileError(replayed.path, told)
-
-    def extra_config(self) -> dict[str, Any]:
-        """Return a digest of the opponents."""
-        content = b"".join(self.replayed[team].tobytes() for team in TEAMS)
-        return {"replayed": hashlib.sha256(content).hexdigest()}
+        create(settings, directory)
+        super().__init__(directory, **options)
 
     def opponents(self, team: Team) -> mw.Population:
         """Return as many generations of the other race as this one has itself."""
         replayed, own = self.replayed[other(team)], self.archive[other(team)]
-        return self.training.population(other(team), replayed[: len(own)])
+        return self.population(other(team), replayed[: len(own)])
 
 
 @dataclass(frozen=True)
@@ -165,9 +156,8 @@ class Yoked:
 def play(planned: RaceSettings | Yoked, directory: Path, *, threads: int) -> SavedRun:
     """Play what is left of a race, or of a yoked one."""
     if isinstance(planned, RaceSettings):
-        return finish(planned, directory, threads=threads)
-    YokedRace(planned.settings, directory, open_run(planned.race), threads=threads).run()
-    return open_run(directory)
+        return evolve(planned, directory, threads=threads)
+    return YokedRace(planned.settings, directory, SavedRun(planned.race), threads=threads).run()
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:

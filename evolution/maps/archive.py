@@ -23,13 +23,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
-from matrixworld.coevolution.types import TEAMS, FloatArray, Team
+from course.boards import playable
+from matrixworld.coevolution.types import TEAMS, FloatArray, State, Team
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.solve import States, best_response, solve
 from matrixworld.world.config import WorldConfig
@@ -46,26 +46,7 @@ MOST_EDITS = 10
 """Further edits of a child that is equal to another map."""
 
 
-# Making and editing maps:
-
-
-def playable(walls: Map, least: int) -> bool:
-    """Return whether at least so many cells are free, and all free cells are connected."""
-    return bool((~walls).sum() >= least and ndimage.label(~walls)[1] == 1)
-
-
-def random_map(shape: tuple[int, int], share: float, least: int, rng: np.random.Generator) -> Map:
-    """Return a map on whose cells a share of walls was placed one by one, wherever it fits."""
-    walls, left = np.zeros(shape, bool), round(share * shape[0] * shape[1])
-    for cell in rng.permutation(walls.size):
-        if not left:
-            break
-        walls.flat[cell] = True
-        if playable(walls, least):
-            left -= 1
-        else:
-            walls.flat[cell] = False
-    return walls
+# Editing maps:
 
 
 def edited(walls: Map, least: int, rng: np.random.Generator) -> Map:
@@ -252,13 +233,12 @@ class MapArchive:
         self.values: FloatArray = np.full(len(maps), np.nan)
         self.best: FloatArray = np.full((len(maps), len(TEAMS)), -np.inf)
 
-    def state(self) -> dict[str, NDArray[Any]]:
-        """Return the arrays of the archive by name."""
-        return dict(vars(self))
-
-    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take the arrays that `state` has returned."""
-        vars(self).update(state)
+    @classmethod
+    def of(cls, state: State) -> MapArchive:
+        """Return the archive of a state: its arrays by name, as `vars` returns them."""
+        archive = cls(state["maps"])
+        vars(archive).update(state)
+        return archive
 
     @property
     def weights(self) -> FloatArray:
@@ -289,11 +269,11 @@ class MapArchive:
         """Add maps behind its own, of which nothing is known."""
         if maps:
             new = vars(MapArchive(maps))
-            self.restore(
-                {name: np.concatenate([own, new[name]]) for name, own in vars(self).items()}
-            )
+            for name, own in [*vars(self).items()]:
+                setattr(self, name, np.concatenate([own, new[name]]))
 
     def keep_best(self, size: int) -> None:
         """Keep the maps of highest score; of equal ones the older ones."""
         best = np.argsort(-self.scores, kind="stable")[:size]
-        self.restore({name: own[best] for name, own in vars(self).items()})
+        for name, own in [*vars(self).items()]:
+            setattr(self, name, own[best])

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from maps.archive import Map, playable
+from course.boards import playable
+from maps.archive import Map
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 from matrixworld.play.rollout import Matches, rollout

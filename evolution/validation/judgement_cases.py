@@ -23,7 +23,7 @@ from judgement_truths import (
     truths_of_group,
 )
 from matrixworld.analysis import CONDITIONS
-from matrixworld.coevolution import RaceSettings, finish
+from matrixworld.coevolution import RaceSettings, evolve
 
 SIZES = (8, 15, 31, 60, 100)
 RUNS = (1, 1, 1, 3, 5, 10)
@@ -156,7 +156,7 @@ def real_case(kind: str, seed: int) -> Case:
     """Return a small real race, with its episodes."""
     settings = NO_LEARNING if kind == FROZEN else REAL
     with TemporaryDirectory() as place:
-        scores = finish(replace(settings, seed=seed), Path(place) / "race").payoff().capture_rates
+        scores = evolve(replace(settings, seed=seed), Path(place) / "race").payoff().capture_rates
     still = np.zeros(len(scores))
     if kind == FROZEN:
         # All generations are the same, so one rate holds for all pairs.

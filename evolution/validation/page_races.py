@@ -27,7 +27,7 @@ from tqdm import tqdm
 
 import _paths  # noqa: F401
 from common import markdown, script_parser
-from matrixworld.coevolution import RaceSettings, SavedRun, finish
+from matrixworld.coevolution import RaceSettings, SavedRun, evolve
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 from matrixworld.explorer.evolve_page import ES, GA, masks_of, race_of
 from matrixworld.play.rollout import Matches, match_seed, rollout
@@ -71,7 +71,7 @@ def against_scripts(run: SavedRun, team: Team) -> float:
 def of_python(race: RaceSettings) -> list[float]:
     """Play a race in Python and return its `SCORES`."""
     with tempfile.TemporaryDirectory() as folder:
-        run = finish(race, Path(folder) / "race", threads=1)
+        run = evolve(race, Path(folder) / "race", threads=1)
         capture = float(run.payoff().capture_rate.mean())
         return [capture, *(against_scripts(run, team) for team in TEAMS)]
 

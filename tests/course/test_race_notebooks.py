@@ -20,7 +20,7 @@ from course.chapter_9 import (
     play_masked,
 )
 from matrixworld import analysis
-from matrixworld.coevolution import finish
+from matrixworld.coevolution import evolve
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.masks import action_masks, forbidding_cells
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
@@ -216,7 +216,7 @@ PACKS = (*(f"penalty{number}" for number in range(7)), "mask", "late_mask")
 def test_the_kept_truth_is_that_of_its_races(tmp_path: Path) -> None:
     """Of one race. Run ``tutorials/make/chapter_10.py`` if it fails."""
     stored, maker = kept("chapter_10"), runpy.run_path(str(TUTORIALS / "make" / "chapter_10.py"))
-    run = finish(maker["settings"]("specialist-specialist", 3), tmp_path / "race", threads=1)
+    run = evolve(maker["settings"]("specialist-specialist", 3), tmp_path / "race", threads=1)
     numbers = maker["numbers"](run)
     assert numbers.pop("value") == stored["value"]
     for name, (of_pursuers, of_evaders) in numbers.items():

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from maps.archive import MAP_FITNESS, playable, symmetric
+from course.boards import playable
+from maps.archive import MAP_FITNESS, symmetric
 from maps.race import MapRace, MapSettings
 from matrixworld import rollout
 from matrixworld.coevolution import TEAMS
@@ -26,6 +27,15 @@ def settings_of(fitness: str, **changes: Any) -> MapSettings:
     return replace(small, **changes)
 
 
+class Watched(MapRace):
+    """A race that lists its maps generation by generation."""
+
+    def learn(self, stage: int) -> None:
+        super().learn(stage)
+        if stage % 2:
+            self.archives: list[Any] = [*getattr(self, "archives", []), vars(self.maps)]
+
+
 def played(settings: MapSettings, directory: Any) -> tuple[list[Any], list[Any], MapRace]:
     """Return the arguments and scores of all matches, the maps of each generation, and the race."""
     calls: list[Any] = []
@@ -35,15 +45,9 @@ def played(settings: MapSettings, directory: Any) -> tuple[list[Any], list[Any],
         calls.append((config, pursuers, evaders, scores))
         return scores
 
-    archives = []
-    race = MapRace(settings, directory, play=play)
-    for stage in range(race.n_stages):
-        race.learn(stage)
-        race.end_stage()
-        if stage % 2:
-            archives.append(race.maps.state())
+    race = Watched(settings, directory, play=play)
     race.run()
-    return calls, archives, race
+    return calls, race.archives, race
 
 
 @pytest.mark.parametrize("fitness", MAP_FITNESS)
@@ -105,7 +109,7 @@ def test_the_best_of_old_and_new_maps_are_kept(tmp_path, fitness):
 
 def test_regret_is_how_far_both_champions_fall_short(tmp_path):
     _, archives, race = played(settings_of("regret"), tmp_path / "run")
-    pair = [mw.Population(race.archive[team][-1][None], race.network) for team in TEAMS]
+    pair = [mw.Population(race.archive[team][-1][None], race.settings.network) for team in TEAMS]
     for walls, score in zip(archives[-1]["maps"], archives[-1]["scores"], strict=True):
         states = States(replace(RACE.training_world, obstacles=walls))
         low, high = (best_response(states, *each).value for each in zip(pair, TEAMS, strict=True))
@@ -137,7 +141,7 @@ def test_a_stopped_race_ends_as_if_never_stopped(tmp_path, fitness, call):
         MapRace(replace(settings, edits=9), tmp_path / "run")
     # Both ways to continue: by the same object, and by a new one.
     if call % 2:
-        race.training.rollout = rollout
+        race.rollout = rollout
         race.run()
     else:
         MapRace(settings, tmp_path / "run", threads=1).run()

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from maps.archive import MapArchive, edited, playable, random_map
+from course.boards import playable, random_map
+from maps.archive import MapArchive, edited
 from maps.held_out import GENERATORS, held_out_maps, score_on_maps
 from matrixworld.coevolution import TEAMS
 from matrixworld.solve import States, best_response, expected_payoff, solve

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matrixworld.coevolution.schedules import HIDES_CYCLING
 
 import actor_critic_baselines as baselines
 import actor_critic_claims
@@ -32,6 +31,7 @@ import yoked_races
 from evolution_scripts import RESULTS, read, run_quickly
 from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
 from matrixworld.analysis.judge import RULES
+from matrixworld.coevolution.race import HIDES_CYCLING
 
 # What is published follows from the numbers beside it
 

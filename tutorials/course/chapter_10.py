@@ -8,9 +8,9 @@ from itertools import permutations
 from typing import Any
 
 import numpy as np
-from matrixworld.coevolution.maps import playable
 from scipy.stats import spearmanr
 
+from course.boards import playable
 from course.checks import Mistake, array, comparison, described, function, near, number
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.types import BoolArray, FloatArray

@@ -16,6 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 import matrixworld as mw
 from course.checks import Mistake, array, function, near, number, whole
 from matrixworld import analysis
+from matrixworld.coevolution import EvolutionStrategy, Task
+from matrixworld.coevolution.types import State
 from matrixworld.world.arrays import MOVES
 
 # ---- Packs ---------------------------------------------------------------------------------------
@@ -51,6 +53,12 @@ def pack(weights: ArrayLike) -> mw.Population:
         raise ValueError(f"weights: expected shape (6,) or (n, 6), got {np.shape(weights)}")
     network = mw.Network.for_config(WORLD, hidden=())
     return mw.Population((given @ _genomes(network)).astype(np.float32), network)
+
+
+def idle_pack(learner: EvolutionStrategy, seed: int) -> State:
+    """Return the state of a learner whose six weights are 0, with the noise of a seed."""
+    network, weights = mw.Network.for_config(WORLD, hidden=()), np.zeros(len(WEIGHTS), np.float32)
+    return learner.start(Task(seed, 0, 0, lambda rng: weights, weights, WORLD, network))
 
 
 def _genomes(network: mw.Network) -> NDArray[np.float32]:

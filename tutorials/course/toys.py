@@ -31,12 +31,11 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from matrixworld.coevolution.runs.race import pairings
-from matrixworld.coevolution.schedules import SCHEDULES, available
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
+from matrixworld.coevolution.race import SCHEDULES, available, pairings
 from matrixworld.coevolution.types import (
     TEAMS,
     BoolArray,
@@ -87,12 +86,12 @@ def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Ha
     the first one.
     """
     rng = np.random.default_rng(seed)
-    samplers = {team: SCHEDULES[schedule].new_sampler(team) for team in TEAMS}
+    samplers = {team: SCHEDULES[schedule].sampler(team) for team in TEAMS}
     hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
     for k in range(1, generations + 1):
         for team in TEAMS:
             count = available(team, k)
-            chosen = [int(samplers[team].sample(count, i, rng)[0]) for i in range(epochs)]
+            chosen = [int(samplers[team].sample({}, count, 1, i, rng)[0]) for i in range(epochs)]
             opponents = [hands[other(team)][index] for index in chosen]
             hands[team].append(best_response(team, opponents, rng))
     return hands

@@ -46,7 +46,6 @@ def settings(seed: int) -> RaceSettings:
             "learner.relative_sigma": 0.0,
             "learner.learning_rate": 0.02,
             "learner.population": 32,
-            "fitness.overlap_penalty": 0.5,
             "train_steps": 100,
             "world.max_steps": 200,
             "seed": seed,
@@ -75,7 +74,7 @@ def main(directory: Path) -> None:
     counts, held_out = [], []
     for seed in SEEDS:
         print(f"seed {seed}", flush=True)
-        run = coevolution.finish(settings(seed), directory / str(seed))
+        run = coevolution.evolve(settings(seed), directory / str(seed))
         generations = np.arange(0, run.settings.schedule.generations + 1, EVERY)
         counts.append(captured(run))
         held_out.append(scores(run, generations))

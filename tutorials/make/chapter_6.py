@@ -50,7 +50,6 @@ SMALL = RaceSettings.of(
         "learner.relative_sigma": 0.0,
         "learner.learning_rate": 0.02,
         "learner.population": 32,
-        "fitness.overlap_penalty": 0.5,
         "train_steps": 100,
         "world.max_steps": 200,
     }

@@ -9,15 +9,16 @@ and writes ``tutorials/course/data/chapter_7.npz``. Finished races are not playe
 from __future__ import annotations
 
 import sys
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 from tqdm import tqdm
 
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import EvolutionStrategy, NoiseTable, RaceSettings, SavedRun, finish
-from matrixworld.coevolution.types import TEAMS, FloatArray, Genome
+from matrixworld.coevolution import EvolutionStrategy, RaceSettings, Results, SavedRun, evolve
+from matrixworld.coevolution.types import TEAMS, State
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
 from course.toys import reduced_virulence
@@ -40,50 +41,41 @@ EVEN = RaceSettings.of(
         "schedule.evader_epochs": 40,
         "learner.relative_sigma": 0.0,
         "learner.learning_rate": 0.02,
-        "fitness.overlap_penalty": 0.5,
         "train_steps": 80,
         "world.max_steps": 300,
         "evaluation_episodes": 40,
     }
 )
+STEPS = {name: value for name, value in vars(EVEN.learner).items() if value is not None}
 RACES = {
     "even": EVEN,
     "few evader epochs": EVEN.changed({"schedule.evader_epochs": 2}),
     "restrained pursuers": EVEN.changed(
         {
             "schedule.evader_epochs": 2,
-            "learner": "chapter_7:Restrained",
-            "learner.population": 24,
-            "evader_learner": vars(EVEN.learner) | {"kind": "es"},
+            "learner": {"kind": "chapter_7:Restrained", "settings": STEPS},
+            "evader_learner": EVEN.learner,
         }
     ),
 }
 """Settings of the races by name, without their seeds."""
 
 
+@dataclass(frozen=True)
 class Restrained(EvolutionStrategy):
     """The evolution strategy of the other races, of virulence 0.75."""
 
-    def __init__(self, genome: Genome, samples: int, rng: np.random.Generator) -> None:
-        how = EVEN.learner
-        noise = NoiseTable(genome.size, rng, sigma=how.sigma)
-        super().__init__(
-            genome,
-            noise,
-            samples=samples,
-            learning_rate=how.learning_rate,
-            relative_sigma=how.relative_sigma,
-        )
+    kind: ClassVar[str] = ""
 
-    def tell(self, fitness: FloatArray) -> None:
+    def tell(self, state: State, results: Results) -> State:
         """Take the captured fractions (n,) of the candidates, and select by reduced virulence."""
-        super().tell(reduced_virulence(fitness, 0.75))
+        return super().tell(state, Results(reduced_virulence(results.fitness, 0.75)))
 
 
 def race(name: str, seed: int, runs: Path) -> SavedRun:
     """Return one of `RACES`; play it if it is missing in the directory `runs`."""
     settings = replace(RACES[name], seed=seed)
-    return finish(settings, runs / name.replace(" ", "-") / str(seed), threads=1)
+    return evolve(settings, runs / name.replace(" ", "-") / str(seed), threads=1)
 
 
 def spread(run: SavedRun) -> np.ndarray:

@@ -19,7 +19,7 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import Against, RaceSettings, SavedRun, Team, finish, held_out
+from matrixworld.coevolution import Against, RaceSettings, SavedRun, Team, evolve, held_out
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.world.policy import TeamPolicy
 
@@ -61,12 +61,7 @@ def orders(team: Team) -> dict[str, tuple[str, ...]]:
 def alone(team: Team) -> RaceSettings:
     """Return the settings of one stage: a quarter of the epochs of the race, else the same."""
     epochs = RACE.schedule.total_epochs(team) // STAGES
-    penalty = RACE.overlap_penalty if team == "evader" else None
-    return replace(
-        RACE,
-        schedule=Against(team=team, epochs=epochs, archive_every=epochs),
-        fitness=replace(RACE.fitness, overlap_penalty=penalty),
-    )
+    return replace(RACE, schedule=Against(team=team, epochs=epochs, archive_every=epochs))
 
 
 def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
@@ -79,7 +74,7 @@ def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
         settings = alone(team).changed(
             {"seed": STAGES * seed + stage, "schedule.opponent": opponent, "schedule.start": start}
         )
-        run = finish(settings, directory, threads=1)
+        run = evolve(settings, directory, threads=1)
         archive = run.teams[team].genomes
         genomes += [archive[-1]] if genomes else [archive[0], archive[-1]]
         before = directory
@@ -105,7 +100,7 @@ def tested(team: Team, genomes: np.ndarray, opponent: TeamPolicy, episodes: int)
 
 def main(runs: Path) -> None:
     races: list[SavedRun] = [
-        finish(replace(RACE, seed=seed), runs / "races" / str(seed), threads=1)
+        evolve(replace(RACE, seed=seed), runs / "races" / str(seed), threads=1)
         for seed in tqdm(SEEDS, desc="races")
     ]
     arrays: dict[str, np.ndarray] = {}

@@ -25,12 +25,12 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.files import load_arrays, save_arrays
-from matrixworld.coevolution import EvolutionStrategy, NoiseTable
+from matrixworld.coevolution import EvolutionStrategy, Results
 from matrixworld.world.masks import action_masks, forbidding_cells
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
 
-from course.chapter_9 import WEIGHTS, WORLD, pack, play_masked
+from course.chapter_9 import WORLD, idle_pack, pack, play_masked
 from course.questions import DATA
 
 PENALTIES = (0.0, 0.1, 0.3, 1.0, 3.0, 12.0, 40.0)
@@ -42,12 +42,7 @@ EPISODES = 400  # of each final test
 
 Row = dict[str, NDArray[np.float64]]
 
-
-def learner_of(rng: np.random.Generator) -> EvolutionStrategy:
-    """Return a learner of six weights that begin at 0."""
-    start = np.zeros(len(WEIGHTS), np.float32)
-    noise = NoiseTable(len(WEIGHTS), rng, sigma=0.5)
-    return EvolutionStrategy(start, noise, samples=SAMPLES, learning_rate=0.3)
+LEARNER = EvolutionStrategy(SAMPLES, sigma=0.5, learning_rate=0.3, relative_sigma=0.0)
 
 
 def matches(rng: np.random.Generator) -> mw.Matches:
@@ -68,19 +63,23 @@ def fault_rate(faults: NDArray[np.int32], agent_steps: NDArray[np.int64]) -> NDA
 def evolve(seed: int, penalty: float, limit: float | None = None) -> Row:
     """Evolve a pack on rewards; with a limit, the penalty is adapted to it."""
     rng = np.random.default_rng(seed)
-    learner = learner_of(rng)
+    state = idle_pack(LEARNER, seed)
     curve, faults = [], np.zeros(3, np.int64)
     for _ in range(EPOCHS):
+        candidates, state = LEARNER.ask(state, rng)
         played = mw.rollout(
-            with_penalty(penalty), pack(learner.ask(rng)), "random", matches(rng), episodes=WORLDS
+            with_penalty(penalty), pack(candidates), "random", matches(rng), episodes=WORLDS
         )
-        learner.tell(played.pursuer_return.mean(axis=1))
+        state = LEARNER.tell(state, Results(played.pursuer_return.mean(axis=1)))
         rate = fault_rate(played.faults, played.agent_steps)
         faults += played.faults[:, :, 0].sum(axis=(0, 1))
         curve.append((played.capture_rate.mean(), rate.sum(), penalty))
         if limit is not None:
             penalty = max(0.0, penalty + RISE * (rate.sum() - limit))
-    return tested(learner.genome, seed) | {"curve": np.array(curve), "training_faults": faults}
+    return tested(LEARNER.genome(state), seed) | {
+        "curve": np.array(curve),
+        "training_faults": faults,
+    }
 
 
 def tested(weights: NDArray[np.float32], seed: int) -> Row:
@@ -106,20 +105,22 @@ def right_of_way(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
 def evolve_masked(seed: int) -> Row:
     """Evolve a pack without a penalty, under the mask in training and test."""
     rng = np.random.default_rng(seed)
-    learner = learner_of(rng)
+    state = idle_pack(LEARNER, seed)
     world = with_penalty(0.0)
     envs = mw.VectorEnv(
         world, n_worlds=SAMPLES * WORLDS, copy=False, autoreset_mode="Disabled", threads=1
     )
     curve, faults = [], np.zeros(3, np.int64)
     for _ in range(EPOCHS):
-        played = masked_epoch(envs, pack(learner.ask(rng)), rng)
-        learner.tell(played["return"][:, 0].reshape(SAMPLES, WORLDS).mean(axis=1))
+        candidates, state = LEARNER.ask(state, rng)
+        played = masked_epoch(envs, pack(candidates), rng)
+        earned = played["return"][:, 0].reshape(SAMPLES, WORLDS).mean(axis=1)
+        state = LEARNER.tell(state, Results(earned))
         at_fault = played["faults"][:, 0].sum(axis=0)
         rate = 1000 * at_fault.sum() / played["agent_steps"][:, 0].sum()
         faults += at_fault
         curve.append((played["capture_rate"].mean(), rate, 0.0))
-    return tested_masked(learner.genome, seed) | {
+    return tested_masked(LEARNER.genome(state), seed) | {
         "curve": np.array(curve),
         "training_faults": faults,
     }

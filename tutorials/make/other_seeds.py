@@ -101,7 +101,7 @@ def tournament_gain(seed: int) -> Effects:
 
 def red_queen(seed: int) -> Effects:
     """Changes of specialists in the world of notebook 4."""
-    run = coevolution.finish(chapter_4.settings(seed), RUNS / "chapter_4" / str(seed), threads=1)
+    run = coevolution.evolve(chapter_4.settings(seed), RUNS / "chapter_4" / str(seed), threads=1)
     pursuers, evaders = (each[[0, 2, 8]] for each in chapter_4.scores(run, np.arange(0, 25, 3)))
     diagonal = np.diag(run.payoff().capture_rate)[[0, 6, 24]]
     return {
@@ -186,7 +186,7 @@ def toy_cures(seed: int) -> Effects:
 @cache
 def cure(name: str, seed: int) -> SavedRun:
     place = RUNS / "chapter_6" / name / str(seed)
-    return coevolution.finish(chapter_6.race(name, seed), place, threads=1)
+    return coevolution.evolve(chapter_6.race(name, seed), place, threads=1)
 
 
 def cures(seed: int) -> Effects:
@@ -230,7 +230,7 @@ def halls(seed: int) -> Effects:
     forgetting, found = analysis.MEASURES["pursuer_forgetting"], []
     for name, settings in kinds(quick=False).items():
         folder = RUNS / "hall_of_fame" / slug(name) / str(seed)
-        run = coevolution.finish(replace(settings, seed=seed), folder, threads=1)
+        run = coevolution.evolve(replace(settings, seed=seed), folder, threads=1)
         found.append(forgetting.of(run.payoff().capture_rate, "whole").value)
     without, with_halls = found
     return {"pursuers forget": with_halls - without}
@@ -278,7 +278,7 @@ def schools(seed: int) -> Effects:
     """Return differences between schools. Races of all other seeds are the co-evolved examiners."""
     runs = RUNS / "chapter_8"
     races = {
-        each: coevolution.finish(
+        each: coevolution.evolve(
             replace(chapter_8.RACE, seed=each), runs / "races" / str(each), threads=1
         )
         for each in SOURCES["schools"].others

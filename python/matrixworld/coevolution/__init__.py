@@ -34,7 +34,6 @@ from matrixworld.coevolution.learners import (
     GeneticAlgorithm,
 )
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
-from matrixworld.coevolution.learners.toolbox import generate_update_toolbox
 from matrixworld.coevolution.own_code import check_learner, check_sampler
 from matrixworld.coevolution.progress import Progress, ProgressBar, StopRun
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns, available
@@ -86,7 +85,6 @@ __all__ = [
     "create",
     "evolve",
     "finish",
-    "generate_update_toolbox",
     "held_out",
     "open_groups",
     "open_run",

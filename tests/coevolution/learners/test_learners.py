@@ -1,11 +1,10 @@
 """Learners and their parts, on functions of known optimum; champions of a genetic algorithm."""
 
 import math
-from itertools import count
 
 import numpy as np
 import pytest
-from deap import algorithms, cma, tools
+from deap import cma
 from threadpoolctl import threadpool_limits
 
 from matrixworld.coevolution import (
@@ -13,7 +12,6 @@ from matrixworld.coevolution import (
     EvolutionStrategy,
     GeneticAlgorithm,
     NoiseTable,
-    generate_update_toolbox,
 )
 from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
 from matrixworld.coevolution.learners.genetic_algorithm import (
@@ -229,22 +227,6 @@ def test_genetic_algorithm_improves(options):
     learner = algorithm(sigma=0.1, **options)
     best_at_first = closeness(learner.ask(generator())).max()
     assert closeness(teach(learner, 150).genome) > best_at_first / 10
-
-
-@pytest.mark.parametrize("make", LEARNERS)
-def test_learners_work_with_deap_algorithms(make):
-    toolbox = generate_update_toolbox(make(), closeness, map(generator, count()))
-    best = tools.HallOfFame(1)
-    statistics = tools.Statistics(lambda individual: individual.fitness.values[0])
-    statistics.register("max", max)
-    population, logbook = algorithms.eaGenerateUpdate(
-        toolbox, ngen=30, halloffame=best, stats=statistics, verbose=False
-    )
-    assert len(logbook) == 30
-    assert logbook[-1]["max"] > logbook[0]["max"]
-    assert best[0].fitness.values[0] == closeness(best[0].genome) == max(logbook.select("max"))
-    last = np.array([individual.genome for individual in population])
-    assert np.array_equal(last, teach(make(), 29).ask(generator(29)))
 
 
 def test_selection_prefers_the_fitter():
