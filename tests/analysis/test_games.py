@@ -8,7 +8,7 @@ from scipy.optimize import linprog, minimize
 
 from matrices import ROCK_PAPER_SCISSORS, payoffs
 from matrixworld import analysis
-from matrixworld.analysis.games import META_SOLVERS, game_value
+from matrixworld.analysis.games import game_value, nash_averaging
 
 
 def entropy(p: np.ndarray) -> float:
@@ -118,10 +118,10 @@ def loss_limit(matrix: np.ndarray) -> float:
 @settings(max_examples=15)
 @given(payoffs(parts=10))
 def test_a_nash_meta_strategy_holds_every_row_to_the_value(matrix: np.ndarray) -> None:
-    weights = META_SOLVERS["nash"](matrix)
+    weights = nash_averaging(matrix).evaders
     assert (matrix @ weights).max() == pytest.approx(loss_limit(matrix), abs=1e-6)
     # The other team finds its own weights in its own payoffs.
-    swapped = META_SOLVERS["nash"](1.0 - matrix.T)
+    swapped = nash_averaging(1.0 - matrix.T).evaders
     np.testing.assert_allclose(swapped, analysis.nash_averaging(matrix).pursuers, atol=1e-6)
 
 
@@ -130,8 +130,8 @@ def loop(game: np.ndarray, rounds: int) -> tuple[list[float], np.ndarray]:
     rows, columns, gaps = [0], [0], []
     for _ in range(rounds):
         part = game[np.ix_(rows, columns)]
-        p = np.bincount(rows, META_SOLVERS["nash"](1.0 - part.T), len(game))
-        q = np.bincount(columns, META_SOLVERS["nash"](part), len(game.T))
+        p = np.bincount(rows, nash_averaging(1.0 - part.T).evaders, len(game))
+        q = np.bincount(columns, nash_averaging(part).evaders, len(game.T))
         p, q = p / p.sum(), q / q.sum()
         gaps.append(analysis.exploitability(game, p, q).total)
         rows.append(int((game @ q).argmax()))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -273,15 +273,3 @@ def check_mixture(weights: ArrayLike, length: int, team: str) -> Rates:
     total = float(mixture.sum())
     require(math.isclose(total, 1.0, abs_tol=_ROUNDING), f"weights of the {team} with sum 1", total)
     return mixture
-
-
-# ---- Meta-solvers of PSRO ------------------------------------------------------------------------
-
-
-def _nash(payoff: ArrayLike) -> Rates:
-    return nash_averaging(payoff).evaders
-
-
-META_SOLVERS: dict[str, Callable[[ArrayLike], Rates]] = {"nash": _nash}
-"""Name -> meta-solver: payoffs (n, m) of a team's generations against those of the other -> weights
-(m,) with which the next generation of the team meets these."""
