@@ -10,24 +10,16 @@ import numpy as np
 from deap import cma
 from threadpoolctl import ThreadpoolController
 
-from matrixworld.coevolution.learners.learner import (
-    DivergedError,
-    Learner,
-    Results,
-    Task,
-    checked_fitness,
-)
+from matrixworld.coevolution.learners.learner import Learner, Results, Task, checked_fitness
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import Genome, Genomes, State
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network
 
 MOST_GENES = 1000
-"""Largest number of genes: each update decomposes the full covariance matrix, in 0.15 s for so
-many, and to learn the matrix takes about genes^2 / population updates."""
+"""Largest number of genes: each update decomposes the covariance matrix, in 0.15 s for so many."""
 SAVED = ("centroid", "sigma", "pc", "ps", "C", "B", "diagD", "update_count")
-# Once for all calls: to search the loaded libraries takes milliseconds.
-blas = cache(ThreadpoolController)
+blas = cache(ThreadpoolController)  # to search the loaded libraries takes milliseconds
 
 
 class Sample(np.ndarray[Any, np.dtype[np.float64]]):
@@ -48,14 +40,10 @@ class CmaEs(Learner):
 
     LAPACK decomposes C in one thread, so that a run continues bit for bit with any number of
     threads on one machine; another processor or LAPACK may round differently.
-
-    References
-    ----------
-    Hansen & Ostermeier 2001, "Completely derandomized self-adaptation in evolution strategies",
-    Evolutionary Computation 9(2).
     """
 
     kind: ClassVar[str] = "cma"
+    steps: ClassVar[tuple[str, ...]] = ("sigma",)
 
     sigma: float = setting(0.8, "standard deviation of the first samples", positive=True)
 
@@ -71,54 +59,48 @@ class CmaEs(Learner):
     def start(self, task: Task) -> State:
         """Return the state of a new strategy."""
         mean = task.genomes(1)[0].astype(np.float64)
-        with blas().limit(limits=1, user_api="blas"):
-            strategy = cma.Strategy(mean, self.sigma, lambda_=self.population)
-        return {name: np.array(getattr(strategy, name)) for name in SAVED}
+        return _adapted(cma.Strategy, mean, self.sigma, lambda_=self.population)
 
     def genome(self, state: State) -> Genome:
         """Return the mean of the distribution."""
-        genome: Genome = state["centroid"].astype(np.float32)
+        with np.errstate(over="ignore"):  # a run reports genes that are not finite
+            genome: Genome = state["centroid"].astype(np.float32)
         return genome
 
     def ask(self, state: State, rng: np.random.Generator) -> tuple[Genomes, State]:
-        """Return the samples; DivergedError if they exceed the range of float32."""
-        with blas().limit(limits=1, user_api="blas"), np.errstate(over="ignore"):
+        """Return the samples."""
+        with blas().limit(limits=1, user_api="blas"), np.errstate(all="ignore"):
             # Column by column, as LAPACK returned it: BLAS rounds differently in another order.
             scaled = np.asfortranarray(state["B"]) * state["diagD"]
             normal = rng.standard_normal((self.population, len(scaled)))
             samples = state["centroid"] + state["sigma"] * np.dot(normal, scaled.T)
-            candidates: Genomes = samples.astype(np.float32)
-        if not np.isfinite(candidates).all():
-            raise self._diverged(state)
-        # In float64: the covariance adapts to the samples as drawn, not as rounded for the match.
-        return candidates, {**state, "samples": samples}
+            # In float64: C adapts to the samples as drawn, not as rounded for the match.
+            return samples.astype(np.float32), {**state, "samples": samples}
 
     def tell(self, state: State, results: Results) -> State:
         """Adapt mean, step size and covariance to the better samples."""
-        values = checked_fitness(results.fitness, self.population)
+        fitness = checked_fitness(results.fitness, self.population)
         # DEAP reads an attribute `fitness`, which a view has room for and a plain array has not.
         population = list(state["samples"].view(Sample))
-        for sample, value in zip(population, values, strict=True):
+        for sample, value in zip(population, fitness, strict=True):
             sample.fitness = float(value)
-        # The next `ask` reports a matrix that overflows or is no longer positive.
-        with blas().limit(limits=1, user_api="blas"), np.errstate(all="ignore"):
+
+        def updated() -> cma.Strategy:
             strategy = cma.Strategy(state["centroid"], 1.0, lambda_=self.population)
             for name in SAVED:
-                value = state[name]
-                setattr(strategy, name, value.copy() if value.ndim else value.item())
+                setattr(strategy, name, state[name].copy(order="A")[()])
             strategy.B = np.asfortranarray(strategy.B)
-            try:
-                strategy.update(population)
-            except np.linalg.LinAlgError as error:
-                raise self._diverged(state) from error
-        return {name: np.array(getattr(strategy, name)) for name in SAVED}
+            strategy.update(population)
+            return strategy
 
-    def _diverged(self, state: State) -> DivergedError:
-        # The largest deviation of a sample: where it is small, squares of the step size are 0.
-        sigma, axes = float(state["sigma"]), state["diagD"]
-        other = "larger" if sigma * axes[-1] < 1.0 else "smaller"
-        return DivergedError(
-            f"candidates: expected finite genes, got a step size of {sigma:g} and deviations along "
-            f"the axes from {axes[0]:g} to {axes[-1]:g}; start with a {other} sigma, or stop "
-            f"earlier"
-        )
+        try:
+            return _adapted(updated)
+        except np.linalg.LinAlgError as error:
+            raise self.diverged("learner") from error
+
+
+def _adapted(make: Any, *args: Any, **options: Any) -> State:
+    """Return the state of a strategy, which decomposes its covariance matrix when it is made."""
+    with blas().limit(limits=1, user_api="blas"), np.errstate(all="ignore"):
+        strategy = make(*args, **options)
+    return {name: np.array(getattr(strategy, name)) for name in SAVED}
