@@ -10,7 +10,7 @@ import warnings
 import numpy as np
 
 import matrixworld as mw
-from matrixworld.coevolution.learners.masked_network import mask_weights, masked_network
+from matrixworld.world.masks import mask_weights, masked_network
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.world.masks import forbidding_cells
 from reference import MOVES

@@ -14,11 +14,6 @@ from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.learner import Learner, Task
-from matrixworld.coevolution.learners.masked_network import (
-    FixedWeights,
-    mask_weights,
-    masked_network,
-)
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import (
     AnySection,
@@ -32,14 +27,8 @@ from matrixworld.coevolution.sections import (
     setting,
 )
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team
+from matrixworld.world import masks
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.masks import (
-    MASKS,
-    check_mask,
-    check_script,
-    forbidding_cells,
-    leaves_captures,
-)
 from matrixworld.world.policy import GATES, Network
 from matrixworld.world.rules import Outcome, Rewards, variant_name
 
@@ -78,7 +67,7 @@ class PolicySettings(Section):
         "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
         "world.fov of 3), right-of-way (all that could put it at fault; needs a world.fov of 5 and "
         "rules under which pursuers that learn can capture so), or none; not with every learner",
-        choices=MASKS,
+        choices=masks.MASKS,
     )
 
 
@@ -162,10 +151,10 @@ class RaceSettings(Section):
     def _check_mask(self) -> None:
         mask, rules = self.policy.mask, self.world.rules
         if isinstance(self.schedule, Against):
-            check_script("schedule.opponent", self.schedule.opponent, self.world)
-        check_mask("policy.mask", mask, self.world)
+            masks.check_script("schedule.opponent", self.schedule.opponent, self.world)
+        masks.check_mask("policy.mask", mask, self.world)
         masked = mask == "right-of-way" and "pursuer" in self.learning_teams
-        if masked and rules.captures and not leaves_captures(self.world):
+        if masked and rules.captures and not masks.leaves_captures(self.world):
             raise ValueError(
                 f"policy.mask: expected none or obstacles for pursuers whose captures are "
                 f"collisions at fault (capture {rules.capture.name}, evader {rules.evader.name}, "
@@ -279,7 +268,7 @@ class RaceSettings(Section):
         policy = self.policy
         shape = {"activation": policy.activation, "memory": policy.memory}
         network = Network.for_config(self.world, policy.hidden, **shape)
-        return network if policy.mask == "none" else masked_network(network)
+        return network if policy.mask == "none" else masks.masked_network(network)
 
     @property
     def overlap_penalty(self) -> float:
@@ -289,11 +278,12 @@ class RaceSettings(Section):
         alone = isinstance(self.schedule, Against) and self.schedule.start is None
         return OVERLAP_PENALTY_ALONE if alone else OVERLAP_PENALTY
 
-    def mask_weights(self, team: Team) -> FixedWeights | None:
+    def mask_weights(self, team: Team) -> masks.FixedWeights | None:
         """Return the weights of the mask of a team's network, None without a mask."""
         if self.policy.mask == "none":
             return None
-        return mask_weights(self.network, forbidding_cells(self.world, self.policy.mask, team))
+        cells = masks.forbidding_cells(self.world, self.policy.mask, team)
+        return masks.mask_weights(self.network, cells)
 
     def task(self, team: Team, begin: Genome | None = None) -> Task:
         """Return what the learner of a team starts from: untrained genomes, or `begin`."""

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats
-from matrixworld.coevolution.learners.masked_network import FixedWeights
 from matrixworld.coevolution.learners.transitions import Experience
 from matrixworld.coevolution.sections import Section, setting
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.masks import FixedWeights
 from matrixworld.world.policy import Network
 
 MUTATION = 0.05

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from matrixworld import coevolution
-from matrixworld.coevolution.learners.masked_network import FORBIDDEN, mask_weights, masked_network
+from matrixworld.world.masks import FORBIDDEN, mask_weights, masked_network
 from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.config import WorldConfig
