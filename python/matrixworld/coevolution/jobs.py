@@ -349,14 +349,14 @@ def _play_here(watch: _Watch, name: str, threads: int | None) -> None:
 
     Another process would take half a second to start, and hide where an error came from.
     """
-    on_epoch = watch.on_epoch
-    told = on_epoch and (lambda row: on_epoch({**row, "run": watch.name_of(name)}))
+    on_epoch = watch.on_epoch if len(watch.job) == 1 else None  # the watch tells of several runs
+    called = {} if name == ITSELF else {"run": name}
     try:
         finish(
             watch.root / name,
             threads=threads,
             report=lambda progress: watch.tell({name: progress}),
-            on_epoch=told,
+            on_epoch=on_epoch and (lambda row: on_epoch({**row, **called})),
         )
         watch.end(name)
     except StopRun:
@@ -411,8 +411,8 @@ class _Watch:
         self._report: Callable[[Progress], None] = report
         self.failures: dict[str, BaseException] = {}
         self.ended: set[str] = set()
-        # Of each run: the newest stage that was looked at, matches played now and at the begin.
-        self._stages = {name: SavedRun(root / name).newest() for name in job}
+        # Of each run: the newest stage that was looked at, and its progress.
+        self._stages: dict[str, int] = {}
         self._work: dict[str, Progress] = {}
         for name in job:
             self._begin(name)
@@ -420,16 +420,12 @@ class _Watch:
     def _begin(self, name: str) -> None:
         """Look at what a run has saved before this start."""
         try:
+            self._look_at(name)
             # A run that is a job of its own is restored in any case, to tell of any damage.
             if name != ITSELF and SavedRun(self.root / name).finished:
                 self.end(name)
-            self._work[name] = self._progress(name)
         except (DamagedFileError, OtherVersionError, OSError, ValueError) as error:
             self.fail(name, error)
-
-    def name_of(self, name: str) -> str:
-        """Return what a run is called for `on_epoch`."""
-        return self.root.absolute().name if name == ITSELF else name
 
     def fail(self, name: str, error: BaseException) -> None:
         """Count a run as failed."""
@@ -440,29 +436,28 @@ class _Watch:
         """Count a run as finished; return its summary."""
         numbers = SavedRun(self.root / name).summary()
         self.ended.add(name)
+        self._look_at(name)
         return numbers
 
-    def _progress(self, name: str) -> Progress:
-        """Return the progress of a run from its files."""
+    def _look_at(self, name: str) -> None:
+        """Take what a run has saved since the last look, and tell its epochs."""
         run, settings = SavedRun(self.root / name), self.job[name]
-        before = self._work[name].before if name in self._work else None
-        total = total_matches(settings, settings.schedule.entries**2 if settings.is_race else 1)
-        done = total if run.finished else settings.counted(run.matches(), 0)
         stage, stages = run.newest(), settings.schedule.n_stages
+        total = total_matches(settings, settings.schedule.entries**2 if settings.is_race else 1)
+        done = total if run.finished else min(settings.counted(run.matches(), 0), total)
+        before = self._work[name].before if name in self._work else done
         what = f"stage {stage} of {stages}" if stage < stages else "tournament"
-        return Progress(what, min(done, total), total, done if before is None else before)
+        self._work[name] = Progress(what, done, total, before)
+        if self.on_epoch is not None and len(self.job) > 1:
+            for row in run.rows(self._stages.get(name, stage)):
+                self.on_epoch({"run": name, "seed": settings.seed, **row})
+        self._stages[name] = stage
 
     def look(self) -> None:
-        """Tell what the runs have saved since the last look."""
-        for name in self.job.keys() - self.failures.keys():
-            run = SavedRun(self.root / name)
-            newest = run.newest()
-            if newest > self._stages[name] or name in self.ended:
-                self._work[name] = self._progress(name)
-            for row in run.rows(self._stages[name]) if self.on_epoch and len(self.job) > 1 else ():
-                assert self.on_epoch is not None
-                self.on_epoch({"run": name, "seed": self.job[name].seed, **row})
-            self._stages[name] = newest
+        """Tell what the runs that go on have saved since the last look."""
+        for name in self.job.keys() - self.ended:
+            if SavedRun(self.root / name).newest() > self._stages[name]:
+                self._look_at(name)
         self.tell({})
 
     def tell(self, told: Mapping[str, Progress]) -> None:
@@ -473,12 +468,10 @@ class _Watch:
         what = f"{len(self.ended) - len(self.failures)} of {len(self.job)} runs{failed}"
         if len(self.job) == 1 and work:
             what = work[0].what
-        numbers = [
+        done, total, before = (
             sum(getattr(each, part) for each in work) for part in ("done", "total", "before")
-        ]
-        done, total, before = numbers
-        going = {n: each for n, each in self._work.items() if n not in self.ended}
-        self._report(Progress(what, done, max(total, 1), before, going))
+        )
+        self._report(Progress(what, done, max(total, 1), before))
 
 
 # Processes of this machine:

@@ -6,7 +6,7 @@ import logging
 import sys
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, TextIO
 
 from tqdm import tqdm
@@ -36,18 +36,15 @@ class Progress:
         What the run is doing; of a job, how many runs have ended.
     done, total : int
         Training matches played, and all of them. A match of the evaluation counts as the training
-        matches that take as long. Until all runs of a job have begun, its `total` is an estimate.
+        matches that take as long.
     before : int, optional
         Matches of `done` that were played before this start: they do not count for the rate.
-    runs : mapping of str to Progress, optional
-        The runs of a job that are in work, by name.
     """
 
     what: str
     done: int
     total: int
     before: int = 0
-    runs: Mapping[str, Progress] = field(default_factory=dict)
 
     @property
     def share(self) -> float:
