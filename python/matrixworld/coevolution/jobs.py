@@ -25,7 +25,8 @@ from concurrent.futures import (
 )
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
-from multiprocessing import resource_tracker
+from multiprocessing import connection, resource_tracker
+from multiprocessing.connection import Connection
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -74,8 +75,6 @@ ITSELF = "."
 """Name of the only run of a job whose directory is that of the run."""
 FEW = 3
 """Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
-STOP_WAIT = 3.0
-"""Seconds for which runs that have been stopped are waited for."""
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""
@@ -466,9 +465,10 @@ class _Watch:
             newest = run.newest()
             if newest > self._stages[name] or name in self.ended:
                 self._work[name] = self._progress(name)
-            for row in run.rows(self._stages[name]) if self.on_epoch and len(self.job) > 1 else ():
-                assert self.on_epoch is not None
-                self.on_epoch({"run": name, "seed": self.job[name].seed, **row})
+            if self.on_epoch is not None and len(self.job) > 1:
+                for row in run.rows(self._stages[name]):
+                    newest = row["stage"]  # it may have saved one more meanwhile
+                    self.on_epoch({"run": name, "seed": self.job[name].seed, **row})
             self._stages[name] = newest
         self.tell({})
 
@@ -496,13 +496,16 @@ def processes(count: int) -> Iterator[Executor]:
     """Yield an executor with processes, which end with the block, or if this process is killed."""
     # spawn: a fork would copy locks that other threads of this process hold.
     context = multiprocessing.get_context("spawn")
-    stop = context.Event()
-    with ProcessPoolExecutor(count, context, _begin, (stop,)) as pool:
+    # A pipe that nothing is sent through: its end shows, also when either process is killed. An
+    # Event would wait for ever for a process that died while it waited for the Event.
+    reader, writer = context.Pipe(duplex=False)
+    with reader, writer, ProcessPoolExecutor(count, context, _begin, (reader,)) as pool:
         try:
             yield pool
         except BaseException:
-            stop.set()
-            pool.shutdown(wait=False, cancel_futures=True)
+            writer.close()
+            # Until they have ended, they hold the locks of their runs.
+            pool.shutdown(cancel_futures=True)
             raise
 
 
@@ -524,17 +527,14 @@ def without_interrupts() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _begin(stop: Any) -> None:
+def _begin(parent: Connection) -> None:
     """Begin a process that ends when it is stopped, or with the process that has started it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The main process warns when a run has ended, with its name.
     warnings.simplefilter("ignore", DisengagementWarning)
-    threading.Thread(target=_end_with, args=(stop,), daemon=True).start()
+    threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
 
 
-def _end_with(stop: Any) -> None:
-    parent = multiprocessing.parent_process()
-    assert parent is not None
-    while parent.is_alive() and not stop.wait(SECONDS):
-        pass
+def _end_with(parent: Connection) -> None:
+    connection.wait([parent])
     os._exit(1)  # not sys.exit, which ends this thread only; files are safe at any moment
