@@ -23,9 +23,10 @@ from concurrent.futures import (
     ProcessPoolExecutor,
     wait,
 )
-from contextlib import contextmanager, nullcontext, suppress
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
-from multiprocessing import resource_tracker
+from multiprocessing import connection, resource_tracker
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -74,8 +75,6 @@ ITSELF = "."
 """Name of the only run of a job whose directory is that of the run."""
 FEW = 3
 """Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
-STOP_WAIT = 3.0
-"""Seconds for which runs that have been stopped are waited for."""
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""
@@ -450,6 +449,7 @@ class _Watch:
         self._work[name] = Progress(what, done, total, before)
         if self.on_epoch is not None and len(self.job) > 1:
             for row in run.rows(self._stages.get(name, stage)):
+                stage = row["stage"]  # it may have saved one more meanwhile
                 self.on_epoch({"run": name, "seed": settings.seed, **row})
         self._stages[name] = stage
 
@@ -482,14 +482,16 @@ def processes(count: int) -> Iterator[Executor]:
     """Yield an executor with processes, which end with the block, or if this process is killed."""
     # spawn: a fork would copy locks that other threads of this process hold.
     context = multiprocessing.get_context("spawn")
-    # Not an Event: to set it waits for ever for a process that was killed while it waited for it.
-    alive, end = context.Pipe(duplex=False)
-    with alive, end, ProcessPoolExecutor(count, context, _begin, (alive,)) as pool:
+    # A pipe that nothing is sent through: its end shows, also when either process is killed. An
+    # Event would wait for ever for a process that died while it waited for the Event.
+    reader, writer = context.Pipe(duplex=False)
+    with reader, writer, ProcessPoolExecutor(count, context, _begin, (reader,)) as pool:
         try:
             yield pool
         except BaseException:
-            end.close()
-            pool.shutdown(wait=False, cancel_futures=True)
+            writer.close()
+            # Until they have ended, they hold the locks of their runs.
+            pool.shutdown(cancel_futures=True)
             raise
 
 
@@ -511,15 +513,14 @@ def without_interrupts() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _begin(alive: Any) -> None:
-    """Begin a process that ends when the other end of a pipe is closed, or its process has died."""
+def _begin(parent: Connection) -> None:
+    """Begin a process that ends when it is stopped, or with the process that has started it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The main process warns when a run has ended, with its name.
     warnings.simplefilter("ignore", DisengagementWarning)
-    threading.Thread(target=_end_with, args=(alive,), daemon=True).start()
+    threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
 
 
-def _end_with(alive: Any) -> None:
-    with suppress(EOFError, OSError):
-        alive.recv()  # nothing is ever sent
+def _end_with(parent: Connection) -> None:
+    connection.wait([parent])
     os._exit(1)  # not sys.exit, which ends this thread only; files are safe at any moment
