@@ -39,7 +39,6 @@ from matrixworld.cli.options import (
 from matrixworld.cli.pages import first_seeds, open_page, write_explorer
 from matrixworld.cli.runs import (
     MOST_NAMES,
-    can_resume,
     print_missing,
     resume_command,
     seeds_finished,
@@ -69,7 +68,7 @@ from matrixworld.coevolution.jobs import (
 from matrixworld.coevolution.progress import SECONDS, Report, silent
 from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
-from matrixworld.coevolution.storage import check_empty, place_in_job
+from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.growing import GrowingPage
@@ -221,17 +220,15 @@ def evolve_command(
         with usage_errors():
             check_job(job, root, threads, elsewhere=where is not None)
         create_job(job, root)
-        page = GrowingPage(root, _shown(job))
         note(f"{root / PAGE} shows the runs while they go on.")
         note(_plan(job, root))
         if resumed is None and not given:
             note(PAGE_HINT)
-        began = time.monotonic()
         with _resumable(root), progress() as bar:
-            whole = Whole(job, bar, page, root)
+            whole = Whole(job, root, bar)
             with on_cluster(where, threads) as executor:
                 results, failed = play_runs(job, root, threads, executor, whole.played)
-            report(job, results, root, failed, threads, began=began, whole=whole)
+            report(whole, results, failed, threads)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
@@ -242,7 +239,7 @@ def evolve_command(
 
 def _refuse_settings(resumed: Path, output: Path | None, given: dict[str, Any]) -> None:
     check_exists(resumed)
-    if not can_resume(resumed):
+    if not find_runs(resumed):
         raise click.UsageError(
             f"--resume: expected a directory that holds a run, got {str(resumed)!r}"
         )
@@ -261,7 +258,7 @@ def _resumable(root: Path) -> Iterator[None]:
         yield
     except (Exception, KeyboardInterrupt) as error:
         # Stopped before anything was made, the command itself is repeated.
-        if isinstance(error, click.ClickException | LockedError) or not can_resume(root):
+        if isinstance(error, click.ClickException | LockedError) or not find_runs(root):
             raise
         note(f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}")
         if isinstance(error, KeyboardInterrupt):
@@ -282,7 +279,7 @@ def _check_new(root: Path) -> None:
         check_empty(root)
     except FileExistsError as error:
         told = f"--out: expected a new or empty directory, got {str(root)!r}"
-        if can_resume(root):
+        if find_runs(root):
             again = "continues the run in it, or prints its result again"
             told = f"{told}; {resume_command(root)} {again}"
         raise click.UsageError(told) from error
@@ -335,9 +332,8 @@ class Whole:
     in the same time.
     """
 
-    def __init__(
-        self, job: Job, bar: ProgressBar, page: GrowingPage | None = None, root: Path | None = None
-    ) -> None:
+    def __init__(self, job: Job, root: Path, bar: ProgressBar) -> None:
+        self.job, self.root = job, root
         races = [settings for settings in job.values() if settings.is_race]
         # A match takes as long as its steps. Seeds have few figures of their own.
         self._score = sum(
@@ -345,10 +341,10 @@ class Whole:
         )
         groups = {settings.method for settings in job.values()}
         self._seconds = SECONDS_TO_DRAW * (len(groups) + min(len(job), MOST_RUNS))
-        self._bar, self._page, self._began = bar, page, time.monotonic()
+        self._bar, self._page, self._began = bar, GrowingPage(root, _shown(job)), time.monotonic()
         self._done, self._draw = Progress("", 0, 1), 0.0
         # Runs of which the first one that ends is told.
-        self._runs = [root / name for name in job] if root and len(job) > 1 else []
+        self._runs = [root / name for name in job] if len(job) > 1 else []
 
     def played(self, progress: Progress) -> None:
         """Show the progress of the runs."""
@@ -356,8 +352,7 @@ class Whole:
         if progress.what != self._done.what:
             self._tell_first()
         self._done, self._draw = progress, self._seconds * rate
-        if self._page is not None:
-            self._page.write()
+        self._page.write()
         self._show(f"evolve, {progress.what}", 0.0)
 
     def _tell_first(self) -> None:
@@ -374,9 +369,11 @@ class Whole:
         """Show the progress of figures and page, from 0 to 1."""
         self._show("draw figures and page", self._score + self._draw * share)
 
-    def close(self) -> None:
-        """End the bar's line."""
+    def end(self) -> str:
+        """End the bar's line, which text below would break; return how long it all took."""
         self._bar.__exit__()
+        took: str = tqdm.format_interval(time.monotonic() - self._began)
+        return took
 
     def _show(self, what: str, after: float) -> None:
         one, total = self._done, self._done.total + self._score + self._draw
@@ -410,22 +407,17 @@ SUMMARY = "summary.json"
 
 
 def report(
-    job: Job,
+    whole: Whole,
     results: Sequence[SavedRun],
-    root: Path,
     failed: Mapping[Path, str],
     threads: int | None = None,
-    *,
-    began: float | None = None,
-    whole: Whole | None = None,
 ) -> None:
     """Score and judge the finished runs of a job, draw figures, and print the results.
 
-    `failed` says why the other runs of the job failed, by their directories; `began` is when the
-    job began, by `time.monotonic`; `whole` shows the progress.
+    `failed` says why other runs of the job failed, by their directories.
     """
-    whole = whole or Whole(job, progress())
-    runs = {root / name: settings for name, settings in job.items()}
+    root = whole.root
+    runs = {root / name: settings for name, settings in whole.job.items()}
     groups = grouped(runs, finished=[run.path for run in results])
     groups = [group.inside(root) for group in groups]
     finished = [group for group in groups if group.runs]
@@ -433,15 +425,14 @@ def report(
     kept_scores([run for g in races for run in g.runs], threads=threads, report=whole.scored)
     if finished:
         draw(finished, root, whole.drawn)
-    whole.close()  # text below a bar would break it
+    took = whole.end()
     # The summary of a run that was started by itself lies in the same directory.
     if root not in [run.path for run in results]:
         _save(groups, root, failed)
     what = "races" if len(races) == len(finished) else "runs"
     done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
-    took = "" if began is None else f" in {tqdm.format_interval(time.monotonic() - began)}"
     page = f" Open {root / PAGE}" if finished else ""
-    say(f"{done}{took}.{page}", bold=True)
+    say(f"{done} in {took}.{page}", bold=True)
     for group in groups:
         print_head(group.name)
         print_wrapped("\n".join(_lines(group)))
