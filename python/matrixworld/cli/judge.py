@@ -8,14 +8,7 @@ from pathlib import Path
 import click
 
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis import (
-    Judgement,
-    explain,
-    judge,
-    measure_all,
-    measure_table,
-    read_payoffs,
-)
+from matrixworld.analysis import Judgement, explain, judge, measure_all, measure_table, read_payoffs
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, judgement_cells, summary
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
 from matrixworld.cli.console import TERMS, WIDEST, print_head, print_table, print_wrapped, say
