@@ -103,17 +103,6 @@ def test_the_message_begins_with_the_path(name: str) -> None:
 # Options and arguments of commands
 
 
-def commands(
-    group: click.Group = main, path: tuple[str, ...] = ()
-) -> Iterator[tuple[str, click.Command]]:
-    """Yield all commands, those of groups by both names."""
-    for name, each in group.commands.items():
-        if isinstance(each, click.Group):
-            yield from commands(each, (*path, name))
-        else:
-            yield " ".join((*path, name)), each
-
-
 def wrong_words(kind: click.ParamType) -> list[str]:
     """Return words that a parameter of a type must not have."""
     if isinstance(kind, click.Choice):
@@ -132,7 +121,7 @@ def wrong_words(kind: click.ParamType) -> list[str]:
 
 PARAMETERS = [
     pytest.param(command, param, id=f"{name} {param.opts[0]}")
-    for name, command in commands()
+    for name, command in main.commands.items()
     for param in command.params
     if wrong_words(param.type)
 ]

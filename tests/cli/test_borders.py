@@ -8,7 +8,6 @@ import json
 import re
 import shutil
 import unicodedata
-from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -30,11 +29,9 @@ Tree = dict[Path, bytes | None]
 
 PLACES = {"runs": "RUN", "sources": "RUN/payoff.npz"}
 """Values of arguments; that of others that are required is RUN."""
-REQUIRED = {"--champion": "evader", "--team": "pursuer", "--out": "champion.npz"}
 SMALL = {
     "--config": "tiny.toml",
     "--episodes": "3",  # what the run has
-    "--matches": "96",
     "--no-open": None,
     "--schedule": "generalist-generalist",
     "--threads": "1",
@@ -43,25 +40,14 @@ SMALL = {
 """Options that a command gets if it has them; None: a flag."""
 
 
-def commands(
-    group: click.Group = main, path: tuple[str, ...] = ()
-) -> Iterator[tuple[tuple[str, ...], click.Command]]:
-    for name, each in group.commands.items():
-        if isinstance(each, click.Group):
-            yield from commands(each, (*path, name))
-        else:
-            yield (*path, name), each
-
-
-def usual(path: tuple[str, ...], param: click.Parameter) -> list[str]:
+def usual(command: click.Command, param: click.Parameter) -> list[str]:
     """Return the words of a parameter that is not tried."""
     if isinstance(param, click.Argument):
         place = PLACES.get(param.name or "", "RUN" if param.required else None)
         return [place] if place else []
     for option in (*param.opts, *param.secondary_opts):
-        known = {**SMALL, **REQUIRED} if param.required else SMALL
-        if (key := (path[0], option)) in known or (key := option) in known:
-            return [option] if known[key] is None else [option, str(known[key])]
+        if (key := (command.name, option)) in SMALL or (key := option) in SMALL:
+            return [option] if SMALL[key] is None else [option, str(SMALL[key])]
     return []
 
 
@@ -82,8 +68,8 @@ FILES = [
 PATHS = ["", ".", "..", "-", "file.txt", "RUN", "/dev/null", "link", "empty", "RUN/payoff.npz"]
 
 
-def borders(path: tuple[str, ...], param: click.Parameter) -> list[list[str]]:
-    """Return the words to try for a parameter of a command."""
+def borders(param: click.Parameter) -> list[list[str]]:
+    """Return the words to try for a parameter."""
     flag = isinstance(param, click.Option) and param.is_flag
     if flag:
         return [[option] for option in (*param.opts, *param.secondary_opts)]
@@ -104,7 +90,7 @@ def borders(path: tuple[str, ...], param: click.Parameter) -> list[list[str]]:
     return [[param.opts[0], value] for value in values]
 
 
-CASES = [(path, command, param) for path, command in commands() for param in command.params]
+CASES = [(command, param) for command in main.commands.values() for param in command.params]
 
 
 @pytest.fixture(scope="module")
@@ -193,21 +179,22 @@ def here(template: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Pat
 
 @pytest.mark.usefixtures("here")
 def test_the_usual_words_of_all_commands_are_valid():
-    for path, command in commands():
-        words = [*path, *(word for param in command.params for word in usual(path, param))]
+    for command in main.commands.values():
+        words = [command.name, *(w for param in command.params for w in usual(command, param))]
         done = CliRunner().invoke(main, words)
         assert done.exit_code == 0, f"{words}: {done.output}"
 
 
 @pytest.mark.nightly
 @pytest.mark.parametrize(
-    ("path", "command", "param"), CASES, ids=[f"{' '.join(c[0])} {c[2].opts[0]}" for c in CASES]
+    ("command", "param"), CASES, ids=[f"{command.name} {param.opts[0]}" for command, param in CASES]
 )
-def test_all_is_written_or_nothing(path, command, param, template, here):
-    rest = [word for other in command.params if other is not param for word in usual(path, other)]
+def test_all_is_written_or_nothing(command, param, template, here):
+    others = [other for other in command.params if other is not param]
+    rest = [word for other in others for word in usual(command, other)]
     root, before, problems = here.parent, tree(here.parent), []
-    for words in borders(path, param):
-        typed = [*path, *rest, *words]
+    for words in borders(param):
+        typed = [command.name, *rest, *words]
         if problem := problem_of(typed, root, before):
             problems.append(f"{typed} {problem}")
         if tree(root) != before:

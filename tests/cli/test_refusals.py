@@ -73,7 +73,7 @@ EVOLVE = [
     (["--set", "learner.sigma"], 2, "expected PATH=VALUE, such as learner.sigma=0.1, got 'learner"),
     (["--set", "learner.sigmma=1"], 2, "; did you mean learner.sigma?"),
     (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, actor-critic, or module:obje"),
-    (["--learner", "nowhere:Learner"], 2, "nowhere:Learner: expected a module that can be imported"),
+    (["--learner", "nowhere:Learner"], 2, "nowhere:Learner: expected a module that can be impo"),
     (["--set", "learner.mutation=0.1"], 2, "; it is a setting of learner=ga"),
     (["--set", "schedule.team=evader"], 2, "; it is a setting of schedule=against"),
     ([*ALONE, "--generations", 3], 2, "--generations: expected one of the settings te"),
@@ -87,7 +87,7 @@ EVOLVE = [
     (["--resume", "empty"], 2, "--resume: expected a directory that holds a run, got 'empty'"),
 ]
 OTHERS = [
-    (["evolve", "--out", "race"], 2, "expected a new or empty directory, got 'race'; matrixworld e"),
+    (["evolve", "--out", "race"], 2, "expected a new or empty directory, got 'race'; matrixworld"),
     (["score", "race", "--generation", "x"], 2, "expected a generation or all, got 'x'"),
     (["score", "race", "--json", "no/a.json"], 2, "no/a.json: expected a directory in which files"),
     (["score", "race", "--json", "empty", "--force"], 2, "empty: expected a file, got a directory"),

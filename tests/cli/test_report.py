@@ -10,6 +10,7 @@ from scipy import stats
 from command_line import matrixworld_command, run_together
 from matrixworld._util.files import load_json
 from matrixworld.analysis.judgement import summary
+from matrixworld.cli.console import progress
 from matrixworld.cli.evolve import Whole, report
 from matrixworld.coevolution import Progress, SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
@@ -42,9 +43,9 @@ def job(made: Path) -> Path:
     return Path(shutil.copytree(made, "job"))
 
 
-def test_one_progress_counts_what_comes_after_the_runs():
+def test_one_progress_counts_what_comes_after_the_runs(tmp_path):
     told: list[Progress] = []
-    bar = Whole(JOB, told.append)
+    bar = Whole(JOB, tmp_path / "new", told.append)
     bar.played(Progress("0 of 8 runs", 100, 1000))
     bar.played(Progress("8 of 8 runs", 1000, 1000))
     for share in (0.5, 1.0):
@@ -65,7 +66,7 @@ def results(root: Path) -> list[SavedRun]:
 
 
 def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, undrawn):
-    report(JOB, results(job), job, {}, threads=1)
+    report(Whole(JOB, job, progress()), results(job), {}, threads=1)
     said = capsys.readouterr().out
     assert max(map(len, said.splitlines())) <= 80
     assert len(said.splitlines()) <= 24  # seen at once
@@ -94,14 +95,15 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, u
 def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     failed = job / FIRST / "seed-1"
     asked = {name: each for name, each in JOB.items() if FIRST in name}
-    report(asked, results(job)[:1], job, {failed: "payoff.npz: cut or altered"}, 1)
+    whole = Whole(asked, job, progress())
+    report(whole, results(job)[:1], {failed: "payoff.npz: cut or altered"}, 1)
     said = capsys.readouterr().out
     assert "Not finished: seeds 1, 2, 3." in said
     assert f"Failed: {failed}: payoff.npz: cut or altered" in run_together(said)
     kept = load_json(job / "summary.json")["failed"]
     assert kept == {f"{FIRST}/seed-1": "payoff.npz: cut or altered"}
     Path("none").mkdir()
-    report(asked, [], Path("none"), {})
+    report(Whole(asked, Path("none"), progress()), [], {})
     assert f"{FIRST}\n  0 of 4 seeds finished" in capsys.readouterr().out
 
 

@@ -46,7 +46,7 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
 def test_a_failed_run_is_named_and_the_others_are_reported(monkeypatch):
     reported = []
 
-    def keep(job, runs, *where, **timed):
+    def keep(whole, runs, *rest):
         reported.append([run.path for run in runs])
 
     monkeypatch.setattr("matrixworld.cli.evolve.report", keep)

@@ -10,9 +10,8 @@ import warnings
 import numpy as np
 
 import matrixworld as mw
-from matrixworld.world.masks import mask_weights, masked_network
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.world.masks import forbidding_cells
+from matrixworld.world.masks import forbidding_cells, mask_weights, masked_network
 from reference import MOVES
 
 EVADERS, PURSUERS, OBSTACLES = range(3)

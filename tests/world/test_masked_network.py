@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 
 from matrixworld import coevolution
-from matrixworld.world.masks import FORBIDDEN, mask_weights, masked_network
 from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.masks import forbidding_cells
+from matrixworld.world.masks import FORBIDDEN, forbidding_cells, mask_weights, masked_network
 from matrixworld.world.policy import Network, Population
 from reference import MOVES
 from right_of_way import OBSTACLES, forbidden_in_s

@@ -21,7 +21,7 @@ __all__ = ["main"]
 COMMANDS = {
     "evolve": ("evolve", "Start races, or continue them."),
     "explore": ("pages", "Show runs as a page or as figures."),
-    "judge": ("judge", "Say what happened in races, and what to try."),
+    "judge": ("judge", "Say what happened in races."),
     "playground": ("pages", "Play an agent or conflicts on a page."),
     "replay": ("replay", "Watch an episode, or write it to files."),
     "score": ("evaluate", "Play against held-out opponents."),

@@ -16,12 +16,7 @@ from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.console import TERMS, print_head, print_wrapped, progress, say
 from matrixworld.cli.judge import print_judgement
-from matrixworld.cli.options import (
-    check_outputs,
-    options,
-    out_option,
-    write_json,
-)
+from matrixworld.cli.options import check_outputs, options, out_option, write_json
 from matrixworld.cli.runs import (
     dashed_name,
     finished_groups,

@@ -16,18 +16,8 @@ from tqdm import tqdm
 
 from matrixworld._util.files import LockedError, save_json
 from matrixworld.analysis.judgement import summary
+from matrixworld.cli import console, setting_options
 from matrixworld.cli.cluster import on_cluster
-from matrixworld.cli.console import (
-    INTERRUPTED,
-    command,
-    note,
-    print_head,
-    print_table,
-    print_wrapped,
-    progress,
-    say,
-    warnings_as_notes,
-)
 from matrixworld.cli.options import (
     FAILURES,
     check_exists,
@@ -37,39 +27,14 @@ from matrixworld.cli.options import (
     options,
 )
 from matrixworld.cli.pages import first_seeds, open_page, write_explorer
-from matrixworld.cli.runs import (
-    MOST_NAMES,
-    can_resume,
-    print_missing,
-    resume_command,
-    seeds_finished,
-)
-from matrixworld.cli.setting_options import (
-    ALL,
-    HINTS,
-    MAIN_JOB,
-    config_option,
-    help_all,
-    set_option,
-    settings_of,
-    usage_errors,
-)
-from matrixworld.coevolution import Progress, ProgressBar, SavedRun
+from matrixworld.cli.runs import MOST_NAMES, print_missing, resume_command, seeds_finished
+from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.groups import RunGroup, grouped
-from matrixworld.coevolution.jobs import (
-    Job,
-    check_job,
-    create_job,
-    described,
-    found_job,
-    job_of,
-    play_job,
-)
 from matrixworld.coevolution.progress import SECONDS, Report, silent
 from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
-from matrixworld.coevolution.storage import check_empty, place_in_job
+from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.growing import GrowingPage
@@ -111,8 +76,8 @@ Other rules can be made in Python: matrixworld.Rules(...)."""
 def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     if value:
         rows = [[*RULES_HEAD], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
-        print_table(rows, "<" * len(RULES_HEAD))
-        say(f"\n{VARIANT_LEGEND}")
+        console.print_table(rows, "<" * len(RULES_HEAD))
+        console.say(f"\n{VARIANT_LEGEND}")
         ctx.exit()
 
 
@@ -121,7 +86,7 @@ def _write_page(ctx: click.Context, param: click.Parameter, value: bool) -> None
         page = Path(evolve_page.PAGE)
         check_outputs(page, force=False)
         write_page(page, evolve_page.evolve_page())
-        say(page)
+        console.say(page)
         open_page(page, opens=True)
         ctx.exit()
 
@@ -145,18 +110,18 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
 @options("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
-    type=click.Choice([*ALL_SCHEDULES, Against.kind, ALL]),
+    type=click.Choice([*ALL_SCHEDULES, Against.kind, setting_options.ALL]),
     multiple=True,
     metavar="NAME",
     help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; or {Against.kind}: one team evolves "
-    f"alone; may be given several times; {ALL}: the first "
-    f"three  [default: {', '.join(MAIN_JOB)}]",
+    f"alone; may be given several times; {setting_options.ALL}: the first "
+    f"three  [default: {', '.join(setting_options.MAIN_JOB)}]",
 )
 @click.option(
     "--learner",
     metavar="NAME",
-    help=f"{', '.join(kinds_in(HINTS['learner']))}, or one of your own, as module:object  "
-    "[default: es]",
+    help=f"{', '.join(kinds_in(setting_options.HINTS['learner']))}, or one of your own, as "
+    "module:object  [default: es]",
 )
 @click.option(
     "--generations",
@@ -172,13 +137,13 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     metavar="DIR",
     help="continue the run, or all runs, in this directory",
 )
-@set_option
-@config_option
+@setting_options.set_option
+@setting_options.config_option
 @_prints(
     "--page", _write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"
 )
 @_prints("--variants", _print_variants, "print the nine variants of the game as a table of rules")
-@_prints("--help-all", help_all, "print this page and all settings")
+@_prints("--help-all", setting_options.help_all, "print this page and all settings")
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
@@ -209,29 +174,27 @@ def evolve_command(
     must see the directory under the same path; docs/cluster.md says how to start them.
     """
     given = given_options(settings)
-    with warnings_as_notes():
+    with console.warnings_as_notes():
         if resumed is None:
             job = _new_job(given)
             root = output or _default_directory(job)
             _check_new(root)
         else:
             _refuse_settings(resumed, output, given)
-            root, job = resumed, found_job(resumed)
+            root, job = resumed, jobs.found_job(resumed)
         # Some settings can be checked only when opponents and start genomes have been read.
-        with usage_errors():
-            check_job(job, root, threads, elsewhere=where is not None)
-        create_job(job, root)
-        page = GrowingPage(root, _shown(job))
-        note(f"{root / PAGE} shows the runs while they go on.")
-        note(_plan(job, root))
+        with setting_options.usage_errors():
+            jobs.check_job(job, root, threads, elsewhere=where is not None)
+        jobs.create_job(job, root)
+        console.note(f"{root / PAGE} shows the runs while they go on.")
+        console.note(_plan(job, root))
         if resumed is None and not given:
-            note(PAGE_HINT)
-        began = time.monotonic()
-        with _resumable(root), progress() as bar:
-            whole = Whole(job, bar, page, root)
+            console.note(PAGE_HINT)
+        with _resumable(root), console.progress() as bar:
+            whole = Whole(job, root, bar)
             with on_cluster(where, threads) as executor:
                 results, failed = play_runs(job, root, threads, executor, whole.played)
-            report(job, results, root, failed, threads, began=began, whole=whole)
+            report(whole, results, failed, threads)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
@@ -242,7 +205,7 @@ def evolve_command(
 
 def _refuse_settings(resumed: Path, output: Path | None, given: dict[str, Any]) -> None:
     check_exists(resumed)
-    if not can_resume(resumed):
+    if not find_runs(resumed):
         raise click.UsageError(
             f"--resume: expected a directory that holds a run, got {str(resumed)!r}"
         )
@@ -261,15 +224,15 @@ def _resumable(root: Path) -> Iterator[None]:
         yield
     except (Exception, KeyboardInterrupt) as error:
         # Stopped before anything was made, the command itself is repeated.
-        if isinstance(error, click.ClickException | LockedError) or not can_resume(root):
+        if isinstance(error, click.ClickException | LockedError) or not find_runs(root):
             raise
-        note(f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}")
+        console.note(f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}")
         if isinstance(error, KeyboardInterrupt):
-            raise click.exceptions.Exit(INTERRUPTED) from None
+            raise click.exceptions.Exit(console.INTERRUPTED) from None
         raise
 
 
-def _shown(job: Job) -> list[str]:
+def _shown(job: jobs.Job) -> list[str]:
     """Return the runs that go on and are shown: those of the page of finished runs."""
     groups: dict[str, list[str]] = {}
     for name in job:
@@ -282,7 +245,7 @@ def _check_new(root: Path) -> None:
         check_empty(root)
     except FileExistsError as error:
         told = f"--out: expected a new or empty directory, got {str(root)!r}"
-        if can_resume(root):
+        if find_runs(root):
             again = "continues the run in it, or prints its result again"
             told = f"{told}; {resume_command(root)} {again}"
         raise click.UsageError(told) from error
@@ -291,7 +254,7 @@ def _check_new(root: Path) -> None:
 # What is announced:
 
 
-def _plan(job: Job, root: Path) -> str:
+def _plan(job: jobs.Job, root: Path) -> str:
     """Return what is going to be played, and where."""
     first, *_ = settings = [*job.values()]
     world, what = first.world, "race" if all(each.is_race for each in settings) else "run"
@@ -303,7 +266,7 @@ def _plan(job: Job, root: Path) -> str:
 # Jobs:
 
 
-def _default_directory(job: Job) -> Path:
+def _default_directory(job: jobs.Job) -> Path:
     """Return the directory named after a job's variant and seeds, such as ``runs/O-seeds0-9``."""
     settings = next(iter(job.values()))
     seeds = [*dict.fromkeys(each.seed for each in job.values())]
@@ -315,17 +278,19 @@ def _default_directory(job: Job) -> Path:
     return RUNS / f"{settings.variant}{what}-{seed}"
 
 
-def _new_job(given: dict[str, Any]) -> Job:
+def _new_job(given: dict[str, Any]) -> jobs.Job:
     """Return the job of the runs that options ask for, of several schedules and seeds."""
     seeds = given.get("seeds")
     if seeds is not None and "seed" in given:
         raise click.UsageError("--seeds: expected it without --seed, got both")
     # The order in which find_runs finds them, so that --resume prints and draws the same.
-    settings = sorted(settings_of(given), key=lambda each: place_in_job(each.schedule.name))
+    settings = sorted(
+        setting_options.settings_of(given), key=lambda each: place_in_job(each.schedule.name)
+    )
     if seeds is not None:
         settings = [replace(each, seed=seed) for each in settings for seed in seeds]
-    with usage_errors():
-        return job_of(settings)
+    with setting_options.usage_errors():
+        return jobs.job_of(settings)
 
 
 class Whole:
@@ -335,9 +300,8 @@ class Whole:
     in the same time.
     """
 
-    def __init__(
-        self, job: Job, bar: ProgressBar, page: GrowingPage | None = None, root: Path | None = None
-    ) -> None:
+    def __init__(self, job: jobs.Job, root: Path, bar: ProgressBar) -> None:
+        self.job, self.root = job, root
         races = [settings for settings in job.values() if settings.is_race]
         # A match takes as long as its steps. Seeds have few figures of their own.
         self._score = sum(
@@ -345,10 +309,10 @@ class Whole:
         )
         groups = {settings.method for settings in job.values()}
         self._seconds = SECONDS_TO_DRAW * (len(groups) + min(len(job), MOST_RUNS))
-        self._bar, self._page, self._began = bar, page, time.monotonic()
+        self._bar, self._page, self._began = bar, GrowingPage(root, _shown(job)), time.monotonic()
         self._done, self._draw = Progress("", 0, 1), 0.0
         # Runs of which the first one that ends is told.
-        self._runs = [root / name for name in job] if root and len(job) > 1 else []
+        self._runs = [root / name for name in job] if len(job) > 1 else []
 
     def played(self, progress: Progress) -> None:
         """Show the progress of the runs."""
@@ -356,14 +320,15 @@ class Whole:
         if progress.what != self._done.what:
             self._tell_first()
         self._done, self._draw = progress, self._seconds * rate
-        if self._page is not None:
-            self._page.write()
+        self._page.write()
         self._show(f"evolve, {progress.what}", 0.0)
 
     def _tell_first(self) -> None:
         ended = [path for path in self._runs if SavedRun(path).finished]
         if ended:
-            note(f"The first run has ended. A match of it: {command('replay', ended[0])}")
+            console.note(
+                f"The first run has ended. A match of it: {console.command('replay', ended[0])}"
+            )
             self._runs = []
 
     def scored(self, progress: Progress) -> None:
@@ -374,9 +339,11 @@ class Whole:
         """Show the progress of figures and page, from 0 to 1."""
         self._show("draw figures and page", self._score + self._draw * share)
 
-    def close(self) -> None:
-        """End the bar's line."""
+    def end(self) -> str:
+        """End the bar's line, which text below would break; return how long it all took."""
         self._bar.__exit__()
+        took: str = tqdm.format_interval(time.monotonic() - self._began)
+        return took
 
     def _show(self, what: str, after: float) -> None:
         one, total = self._done, self._done.total + self._score + self._draw
@@ -384,7 +351,7 @@ class Whole:
 
 
 def play_runs(
-    job: Job,
+    job: jobs.Job,
     root: Path,
     threads: int | None,
     executor: Executor | None = None,
@@ -394,13 +361,13 @@ def play_runs(
 
     The error of a single run is raised.
     """
-    errors = play_job(job, root, executor=executor, threads=threads, report=report)
+    errors = jobs.play_job(job, root, executor=executor, threads=threads, report=report)
     for error in errors.values():
         if len(job) == 1:
             raise error  # as it is: one sentence, or the traceback of the user's own code
         if not isinstance(error, FAILURES):  # such as of the user's own code
-            note("".join(traceback.format_exception(error)))
-    failed = {root / name: described(root / name, error) for name, error in errors.items()}
+            console.note("".join(traceback.format_exception(error)))
+    failed = {root / name: jobs.described(root / name, error) for name, error in errors.items()}
     return [SavedRun(root / name) for name in job if name not in errors], failed
 
 
@@ -410,22 +377,17 @@ SUMMARY = "summary.json"
 
 
 def report(
-    job: Job,
+    whole: Whole,
     results: Sequence[SavedRun],
-    root: Path,
     failed: Mapping[Path, str],
     threads: int | None = None,
-    *,
-    began: float | None = None,
-    whole: Whole | None = None,
 ) -> None:
     """Score and judge the finished runs of a job, draw figures, and print the results.
 
-    `failed` says why the other runs of the job failed, by their directories; `began` is when the
-    job began, by `time.monotonic`; `whole` shows the progress.
+    `failed` says why other runs of the job failed, by their directories.
     """
-    whole = whole or Whole(job, progress())
-    runs = {root / name: settings for name, settings in job.items()}
+    root = whole.root
+    runs = {root / name: settings for name, settings in whole.job.items()}
     groups = grouped(runs, finished=[run.path for run in results])
     groups = [group.inside(root) for group in groups]
     finished = [group for group in groups if group.runs]
@@ -433,27 +395,28 @@ def report(
     kept_scores([run for g in races for run in g.runs], threads=threads, report=whole.scored)
     if finished:
         draw(finished, root, whole.drawn)
-    whole.close()  # text below a bar would break it
+    took = whole.end()
     # The summary of a run that was started by itself lies in the same directory.
     if root not in [run.path for run in results]:
         _save(groups, root, failed)
     what = "races" if len(races) == len(finished) else "runs"
     done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
-    took = "" if began is None else f" in {tqdm.format_interval(time.monotonic() - began)}"
     page = f" Open {root / PAGE}" if finished else ""
-    say(f"{done}{took}.{page}", bold=True)
+    console.say(f"{done} in {took}.{page}", bold=True)
     for group in groups:
-        print_head(group.name)
-        print_wrapped("\n".join(_lines(group)))
+        console.print_head(group.name)
+        console.print_wrapped("\n".join(_lines(group)))
         print_missing(group)
     if races:
-        print_head("Score against opponents nobody trained on (from 0 to 1, more is better)")
-        print_table([("", "pursuers", "evaders"), *map(_held_out_row, races)], "<>>")
+        console.print_head(
+            "Score against opponents nobody trained on (from 0 to 1, more is better)"
+        )
+        console.print_table([("", "pursuers", "evaders"), *map(_held_out_row, races)], "<>>")
     for path, problem in failed.items():
-        print_wrapped(f"Failed: {path}: {problem}")
+        console.print_wrapped(f"Failed: {path}: {problem}")
     if finished:
         for why, typed in _hints(finished, root):
-            say(f"\n{why}\n  {typed}")
+            console.say(f"\n{why}\n  {typed}")
 
 
 def draw(groups: Sequence[RunGroup], root: Path, tell: Callable[[float], None]) -> None:
@@ -501,12 +464,14 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
     path = root if sum(len(group.runs) for group in groups) == 1 else last.path
     if isinstance(schedule, Against):
         team = f"--set schedule.team={other(schedule.team)}"
-        opponent = command("evolve --schedule against", team, f"--set schedule.opponent={path}")
-        return [("Watch it:", command("replay", path)), ("Its opponent learns:", opponent)]
-    more = ("Verdict on each seed:", command("judge --each", root))
+        met = f"--set schedule.opponent={path}"
+        opponent = console.command("evolve --schedule against", team, met)
+        return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]
+    more = ("Verdict on each seed:", console.command("judge --each", root))
     if not any(group.several for group in groups):
-        more = ("One seed proves little; with your other options:", command("evolve --seeds 0-9"))
-    return [more, ("Reasons and intervals:", command("judge --explain", root))]
+        why = "One seed proves little; with your other options:"
+        more = (why, console.command("evolve --seeds 0-9"))
+    return [more, ("Reasons and intervals:", console.command("judge --explain", root))]
 
 
 def _save(groups: Sequence[RunGroup], root: Path, failed: Mapping[Path, str]) -> None:

@@ -15,12 +15,7 @@ import click
 from click.core import ParameterSource
 
 from matrixworld._util.checks import INT_MAX, MOST_THREADS, OutOfMemoryError
-from matrixworld._util.files import (
-    DamagedFileError,
-    LockedError,
-    check_replaceable,
-    save_json,
-)
+from matrixworld._util.files import DamagedFileError, LockedError, check_replaceable, save_json
 from matrixworld.cli.cluster import cluster_option
 from matrixworld.cli.console import TO_STDOUT, say
 from matrixworld.coevolution.jobs import FailedRunsError

@@ -11,13 +11,7 @@ import click
 
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
 from matrixworld.cli.console import say
-from matrixworld.cli.options import (
-    check_exists,
-    check_outputs,
-    given_options,
-    option_name,
-    options,
-)
+from matrixworld.cli.options import check_exists, check_outputs, given_options, option_name, options
 from matrixworld.cli.runs import run_in, unpacked
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run

@@ -74,8 +74,8 @@ def finished_groups(directories: Sequence[Path], *, unfinished: bool = False) ->
     if unfinished and len(runs) == 1:
         return grouped({runs[0]: SavedRun(runs[0]).settings}, finished=runs)
     if not any(group.runs for group in groups):
-        again = resume_command(job_directory(runs[0]))
-        raise click.UsageError(f"{runs[0]}: expected a finished run; {again} continues it")
+        again = resume_command(directories[0])
+        raise click.UsageError(f"{directories[0]}: expected a finished run; {again} continues it")
     for group in groups:
         if not group.runs:
             note(f"{group.name}: no seed is finished yet, and it is left out")
@@ -128,11 +128,6 @@ def dashed_name(run: Path) -> str:
     """Return a name of a run for files: that of its job, and its own in the job."""
     path, job = run.absolute(), job_directory(run).absolute()
     return "-".join([job.name, *path.relative_to(job).parts])
-
-
-def can_resume(path: Path) -> bool:
-    """Return whether a directory holds runs."""
-    return bool(find_runs(path))
 
 
 def resume_command(root: Path) -> str:

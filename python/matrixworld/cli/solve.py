@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,14 @@ import click
 
 from matrixworld.analysis import interval_over_runs
 from matrixworld.cli.console import print_head, print_table, print_wrapped, say, warnings_as_notes
-from matrixworld.cli.options import Existing, check_outputs, given_options, options, write_json
+from matrixworld.cli.options import (
+    Existing,
+    check_outputs,
+    given_options,
+    option_name,
+    options,
+    write_json,
+)
 from matrixworld.cli.runs import finished_groups, print_missing
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Team
@@ -74,45 +82,49 @@ def solve_command(
     surpass. Its networks must see the whole board.
     """
     check_outputs(json_file, force=force)
-    if run is not None:
-        if given := given_options(dict.fromkeys(WORLD)):
-            names = ", ".join(f"--{name}".replace("_", "-") for name in given)
-            raise click.UsageError(f"--run: expected no {names} beside it: the run has a world")
-        with warnings_as_notes(), usage_errors():
-            exact = {
-                group.name: _solve_runs(group, threads)
-                for group in finished_groups([run], unfinished=True)
-            }
-        say()
-        print_wrapped(RUN_LEGEND)
-        write_json(json_file, {"groups": exact})
-        return
-    given = {name: value for name, value in world.items() if value is not None}
-    board = {} if "obstacles" in given else {"rows": 6, "cols": 6}
-    small = {"n_pursuers": 2, "n_evaders": 1, "max_steps": steps or 20}
-    with usage_errors():
-        config = WorldConfig(variant or "O", **board | small | given)
-        began = time.perf_counter()
-        solution = solve(States(config, threads=threads))
-        found: dict[str, Any] = {
-            "value": solution.value,
-            "value_by_step": solution.means.tolist(),
-            "states": solution.states.total,
-            "gap": solution.gap,
-        }
-        if solution.states.n_turns > 1:
-            needed = solution.capture_time
-            found["capture_time"] = None if math.isinf(needed) else int(needed)  # None: infinite
-        found["seconds"] = time.perf_counter() - began
+    given = given_options({"variant": variant, "steps": steps, **world})
+    if run is not None and given:
+        names = ", ".join(map(option_name, given))
+        raise click.UsageError(f"--run: expected no {names} beside it: the run has a world")
+    with warnings_as_notes(), usage_errors():
+        if run is None:
+            numbers = _solve_world(given, threads)
+        else:
+            groups = finished_groups([run], unfinished=True)
+            numbers = {"groups": {group.name: _solve_runs(group, threads) for group in groups}}
+    print_wrapped(SOLVE_LEGEND if run is None else f"\n{RUN_LEGEND}")
+    write_json(json_file, numbers)
+
+
+def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any]:
+    """Print the exact numbers of a small world; return them as JSON has them."""
+    options = {"variant": "O", "steps": 20, "n_pursuers": 2, "n_evaders": 1, **given}
+    if "obstacles" not in given:  # which have a size
+        options = {"rows": 6, "cols": 6, **options}
+    variant, steps = options.pop("variant"), options.pop("steps")
+    config = WorldConfig(variant, max_steps=steps, **options)
+    began = time.perf_counter()
+    solution = solve(States(config, threads=threads))
+    needed = solution.capture_time if solution.states.n_turns > 1 else None
+    seconds = time.perf_counter() - began
     size = f"{config.rows} x {config.cols} cells"
-    print_head(f"{variant or 'O'}, {size}, {config.n_pursuers} against {config.n_evaders}")
+    print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
     say(solution)
-    if "capture_time" in found:
-        rounds = found["capture_time"] or "never: the evaders can escape"
+    numbers: dict[str, Any] = {
+        "world": config.to_json(),
+        "value": solution.value,
+        "value_by_step": solution.means.tolist(),
+        "states": solution.states.total,
+        "gap": solution.gap,
+        "seconds": seconds,
+    }
+    if needed is not None:
+        is_finite = not math.isinf(needed)
+        rounds = int(needed) if is_finite else "never: the evaders can escape"
         say(f"rounds to capture from the best start: {rounds}")
-    say(f"It took {found['seconds']:.2f} seconds.\n")
-    print_wrapped(SOLVE_LEGEND)
-    write_json(json_file, {"world": config.to_json(), **found})
+        numbers["capture_time"] = int(needed) if is_finite else None
+    say(f"It took {seconds:.2f} seconds.\n")
+    return numbers
 
 
 # The teams of runs:
