@@ -40,9 +40,8 @@ LEARNER = {
     "learner.population": 32,
     "learner.learning_rate": 0.03,
     "learner.sigma": 0.15,
-    "policy.initial_weight": 0.2,
-    "policy.initial_head": 0.09,
 }
+UNTRAINED = {"policy.initial_weight": 0.2, "policy.initial_head": 0.09}
 QUICK_EPOCHS = 3
 EPISODES = 50  # of each pair in the table
 
@@ -85,6 +84,7 @@ def evolve(
         "world.rules": variant, "world.rows": lesson.side, "world.cols": lesson.side,
         "world.n_pursuers": lesson.pursuers, "world.n_evaders": lesson.evaders,
         "train_steps": lesson.steps, "evaluation_episodes": 1, "seed": seed, **LEARNER,
+        **(UNTRAINED if start is None else {}),
     })  # fmt: skip
     # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:
