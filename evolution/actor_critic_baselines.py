@@ -35,7 +35,7 @@ from typing import Any
 import numpy as np
 from scipy.stats import t
 
-from common import SMALL_STEPS, Numbers, Runs, by_seed, experiment, markdown, pairs, written
+from common import PPO, SMALL_STEPS, Numbers, Runs, by_seed, experiment, markdown, pairs, written
 from matrixworld.analysis import Estimate, interval_over_runs, mean_over_episodes
 from matrixworld.coevolution import RaceSettings, SavedRun, Team
 
@@ -87,10 +87,6 @@ GAMES = (
 GRADIENTS, STEPS, TIME = "actor-critic", "evolution, equal agent-steps", "evolution, equal time"
 LEARNERS = (GRADIENTS, STEPS, TIME)
 
-PPO = {
-    "learner": "actor-critic", "learner.population": 4, "learner.actor_rate": 0.003,
-    "learner.clip": 0.2, "learner.actor_updates": 5, "world.rewards": "published",
-}  # fmt: skip
 LONG = {"learner.population": 2, "train_steps": 500}
 """Evaders that learn in short episodes are captured later in long ones."""
 AFTERWARDS = {"learner.sigma": 0.8, "learner.learning_rate": 0.1}

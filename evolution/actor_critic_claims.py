@@ -12,7 +12,7 @@ their thresholds and their tests are those of `paper_claims.py`.
 from __future__ import annotations
 
 import paper_claims
-from common import Numbers, Runs, experiment
+from common import PPO, Numbers, Runs, experiment
 from matrixworld.coevolution import RaceSettings
 from paper_claims import OPPONENTS, PARTS
 from paper_runs import (
@@ -27,10 +27,8 @@ from paper_runs import (
 )
 
 RACE = RaceSettings.of({
-    "learner": "actor-critic", "learner.population": 4, "learner.actor_rate": 0.003,
-    "learner.clip": 0.2, "learner.actor_updates": 5, "policy.hidden": (32,),
-    "world.rewards": "published", "schedule": GENERALISTS, "train_steps": 200,
-    "schedule.generations": 30, "schedule.pursuer_epochs": 6, "schedule.evader_epochs": 9,
+    **PPO, "schedule": GENERALISTS, "train_steps": 200, "schedule.generations": 30,
+    "schedule.pursuer_epochs": 6, "schedule.evader_epochs": 9,
 })  # fmt: skip
 QUICK = {
     **TINY, "learner.population": 2, "policy.hidden": (4,), "world.n_pursuers": 3,

@@ -16,15 +16,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from common import Numbers, Runs, by_seed, experiment, kinds_in, markdown, written
+from common import PPO, Numbers, Runs, by_seed, experiment, kinds_in, markdown, written
 from matrixworld import analysis
 from matrixworld.coevolution import SCHEDULES, RaceSettings
 
 FULL = RaceSettings.of({
-    "learner": "actor-critic", "learner.population": 4, "learner.actor_rate": 0.003,
-    "learner.clip": 0.2, "learner.actor_updates": 5, "policy.hidden": (32,),
-    "world.rows": 20, "world.cols": 20, "world.n_pursuers": 3, "world.n_evaders": 8,
-    "world.rewards": "published", "world.max_steps": 100, "train_steps": 100,
+    **PPO, "world.rows": 20, "world.cols": 20, "world.n_pursuers": 3, "world.n_evaders": 8,
+    "world.max_steps": 100, "train_steps": 100,
     "schedule.generations": 20, "schedule.pursuer_epochs": 10, "schedule.evader_epochs": 20,
 })  # fmt: skip
 QUICK = {

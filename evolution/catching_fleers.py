@@ -22,29 +22,19 @@ from typing import Any
 
 import numpy as np
 
+import common
 import matrixworld as mw
-from common import (
-    SMALL_RACE,
-    SMALL_STEPS,
-    Numbers,
-    Runs,
-    by_seed,
-    experiment,
-    kinds_in,
-    markdown,
-    mean,
-)
 from matrixworld.coevolution import RaceSettings
 
 SCRIPTED = ("chaser", "hunter")
 EVADERS = ("fleer", "dodger")
 FULL = RaceSettings.of({
     "schedule": "against", "schedule.opponent": "fleer", "schedule.epochs": 300,
-    "schedule.archive_every": 300, "learner.population": 48, **SMALL_STEPS["pursuer"],
+    "schedule.archive_every": 300, "learner.population": 48, **common.SMALL_STEPS["pursuer"],
     "evaluation_episodes": 50,
 })  # fmt: skip
 QUICK = FULL.changed({
-    **SMALL_RACE, "schedule.epochs": 3, "schedule.archive_every": 3, "learner.population": 4,
+    **common.SMALL_RACE, "schedule.epochs": 3, "schedule.archive_every": 3, "learner.population": 4,
     "train_steps": 20, "world.max_steps": 30, "evaluation_episodes": 3,
 })  # fmt: skip
 BASES = {False: FULL, True: QUICK}
@@ -82,9 +72,9 @@ def captures(
     return np.array([[captured(each, size) for size in sizes or TEAMS[quick]] for each in EVADERS])
 
 
-def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+def measured(runs: common.Runs, quick: bool) -> dict[str, Any]:
     """Return what the last pursuers of each run and scripts capture, and the sizes of the teams."""
-    trained = by_seed(
+    trained = common.by_seed(
         runs,
         lambda run: {"captured": captures(run.last("pursuer"), quick, run.settings.world.fov)},
     )
@@ -92,19 +82,21 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     return {**trained, "sizes": TEAMS[quick], **scripted}
 
 
-def table(numbers: Numbers, trained: str = "trained against ") -> str:
+def table(numbers: common.Numbers, trained: str = "trained against ") -> str:
     """Return capture rates by pursuers, evaders and team size in Markdown."""
     rows = [
         [name, *(f"{rate:.2f}" for rate in numbers[f"captured by {name}"].ravel())]
         for name in SCRIPTED
     ]
-    for kind in kinds_in(numbers):
+    for kind in common.kinds_in(numbers):
         rates = numbers[f"{kind} / captured"]
         columns = rates.reshape(len(rates), -1).T
-        rows.append([f"{trained}{kind}", *(mean(each, 2, bounds=(0.0, 1.0)) for each in columns)])
+        rows.append(
+            [f"{trained}{kind}", *(common.mean(each, 2, bounds=(0.0, 1.0)) for each in columns)]
+        )
     heads = [f"{each}, {size} pursuers" for each in EVADERS for size in numbers["sizes"]]
-    return markdown(["pursuers", *heads], rows)
+    return common.markdown(["pursuers", *heads], rows)
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=3)
+    common.experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=3)

@@ -36,6 +36,12 @@ SMALL_STEPS: Mapping[Team, Mapping[str, float]] = {
 }
 """Steps of a team that learns alone that do not follow from its epochs, by team."""
 
+PPO = {
+    "learner": "actor-critic", "learner.population": 4, "learner.actor_rate": 0.003,
+    "learner.clip": 0.2, "learner.actor_updates": 5, "policy.hidden": (32,),
+    "world.rewards": "published",
+}  # fmt: skip
+"""Policy gradients with the clipped objective of PPO, and rewards of the authors' code."""
 
 SMALL_RACE = {
     "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
@@ -115,7 +121,6 @@ def experiment(
     parser.add_argument("--runs", type=Path, default=Path("runs", name), help="their directory")
     parser.add_argument("--results", type=Path, default=Path(name), help="where they go")
     parser.add_argument("--threads", type=int, help="for training; default: one for each core")
-    parser.add_argument("--device", help="of networks that learn by PyTorch, such as cuda")
     args = parser.parse_args()
     if args.seeds is not None and args.seeds < 1:
         parser.error(f"argument --seeds: expected at least 1, got {args.seeds}")
@@ -129,7 +134,7 @@ def experiment(
 
     def finished(planned: Mapping[str, list[Any]]) -> dict[str, list[SavedRun]]:
         settings = {
-            f"{slug(kind)}/{seed}": on_device(each, args.device)
+            f"{slug(kind)}/{seed}": each
             for kind, of_kind in planned.items()
             for seed, each in enumerate(of_kind)
         }
@@ -159,13 +164,6 @@ def by_seed(runs: Runs, measure: Callable[[SavedRun], Mapping[str, ArrayLike]]) 
 def pairs(runs: Runs, *kinds: str) -> Iterator[tuple[SavedRun, ...]]:
     """Return the runs of several kinds seed by seed; none if a kind has not been played."""
     return zip(*(runs.get(kind, []) for kind in kinds), strict=False)
-
-
-def on_device(settings: Any, device: str | None) -> Any:
-    """Return settings whose learner computes on a device, if it is one of PyTorch."""
-    if device is None or not hasattr(settings.learner, "device"):
-        return settings
-    return settings.changed({"learner.device": device})
 
 
 def _chosen(

@@ -37,20 +37,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
+import common
 import matrixworld as mw
-from common import (
-    SIGNIFICANCE,
-    Numbers,
-    Runs,
-    adjusted,
-    by_seed,
-    experiment,
-    kept,
-    kinds_in,
-    markdown,
-    mean,
-    shown_p,
-)
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team
@@ -158,14 +146,16 @@ def shortfalls(run: SavedRun) -> dict[Team, NDArray[np.float64]]:
     }
 
 
-def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+def measured(runs: common.Runs, quick: bool) -> dict[str, Any]:
     """Return the numbers of all races, and the value.
 
     A file beside a run keeps its numbers for the next call.
     """
     world = next(iter(runs.values()))[0].settings.world
     return {
-        **by_seed(runs, lambda run: kept(run.path.with_suffix(".json"), partial(numbers_of, run))),
+        **common.by_seed(
+            runs, lambda run: common.kept(run.path.with_suffix(".json"), partial(numbers_of, run))
+        ),
         "value": solved(world).value,
     }
 
@@ -197,13 +187,13 @@ Reached = Mapping[str, Mapping[str, NDArray[Any]]]
 """Kind -> name -> a number of each seed."""
 
 
-def within(numbers: Numbers, budget: float) -> Reached:
+def within(numbers: common.Numbers, budget: float) -> Reached:
     """Return the numbers of all seeds of each kind within a budget of steps of agents.
 
     ``flat`` is by how much the NashConv of the newest generations falls in the last quarter.
     """
     found = {}
-    for kind in kinds_in(numbers):
+    for kind in common.kinds_in(numbers):
         steps = numbers[f"{kind} / agent_steps"]
         most = np.minimum(steps[:, -1:], budget)
         ends, early = ((steps <= share * most).sum(axis=1) - 1 for share in (1.0, 0.75))
@@ -227,13 +217,15 @@ def differences(reached: Reached, labels: Mapping[str, str]) -> str:
         if kind != GENERALISTS
     }
     rows: dict[str, list[str]] = {}
-    for (kind, name), p in adjusted(found).items():
+    for (kind, name), p in common.adjusted(found).items():
         lower = found[kind, name].mean() < 0.0
-        verdict = "cannot tell" if p > SIGNIFICANCE else "lower" if lower else "higher"
-        cells = [mean(found[kind, name], sign="+"), f"{shown_p(p)}, {verdict}"]
+        verdict = "cannot tell" if p > common.SIGNIFICANCE else "lower" if lower else "higher"
+        cells = [common.mean(found[kind, name], sign="+"), f"{common.shown_p(p)}, {verdict}"]
         rows.setdefault(kind, [kind]).extend(cells)
     heads = ["race", *(head for label in labels.values() for head in (label, "Holm"))]
-    return f"Differences from generalists of the same seed:\n\n{markdown(heads, rows.values())}"
+    return (
+        f"Differences from generalists of the same seed:\n\n{common.markdown(heads, rows.values())}"
+    )
 
 
 def table_of_ends(reached: Reached) -> str:
@@ -244,13 +236,13 @@ def table_of_ends(reached: Reached) -> str:
         "evaders": "of it the best evaders",
         "flat": "newest: fall in the last quarter",
     }
-    rows = [[kind, *(mean(each[name]) for name in shown)] for kind, each in reached.items()]
-    return markdown(["race", *shown.values()], rows)
+    rows = [[kind, *(common.mean(each[name]) for name in shown)] for kind, each in reached.items()]
+    return common.markdown(["race", *shown.values()], rows)
 
 
-def table(numbers: Numbers) -> str:
+def table(numbers: common.Numbers) -> str:
     """Return the comparison of all kinds of race as tables in Markdown."""
-    kinds = kinds_in(numbers)
+    kinds = common.kinds_in(numbers)
     ends = [numbers[f"{kind} / agent_steps"][:, -1] for kind in kinds]
     budget = min(float(each.min()) for each in ends)
     longest = max(float(each.max()) for each in ends)
@@ -284,11 +276,11 @@ def draw_curve(
         axes.fill_between(at, band.low, band.high, color=color, alpha=0.12, lw=0)
 
 
-def figure(numbers: Numbers) -> Figure:
+def figure(numbers: common.Numbers) -> Figure:
     """Draw the curves of all kinds over the steps of agents."""
     drawn, panels = plt.subplots(1, 3, figsize=(11.0, 3.8), layout="constrained", sharey=True)
     for (name, label), axes in zip(CURVES.items(), panels, strict=True):
-        for kind in kinds_in(numbers):
+        for kind in common.kinds_in(numbers):
             steps = numbers[f"{kind} / agent_steps"].mean(axis=0) / 10**6
             draw_curve(axes, kind, steps, numbers[f"{kind} / {name}"])
         axes.set(title=label, xlabel="million steps of agents", ylim=(0.0, 1.0))
@@ -300,4 +292,6 @@ def figure(numbers: Numbers) -> Figure:
 
 if __name__ == "__main__":
     figures = {"curves.png": figure}
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures)
+    common.experiment(
+        __doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures
+    )

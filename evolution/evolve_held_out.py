@@ -4,7 +4,6 @@
     python evolution/evolve_held_out.py --processes 2     the same file, faster
     python evolution/evolve_held_out.py --quick           a tiny file, some seconds
     python evolution/evolve_held_out.py --table FILE.npz  rates of the opponents in a file
-    python evolution/evolve_held_out.py --difficulty      scores against the package's opponents
 
 There are two genomes of each team and variant. The first one evolves against a script. The second
 one starts from the first and evolves against a more skilled script or, for pursuers that surround,
@@ -40,9 +39,8 @@ LEARNER = {
     "learner.population": 32,
     "learner.learning_rate": 0.03,
     "learner.sigma": 0.15,
-    "policy.initial_weight": 0.2,
-    "policy.initial_head": 0.09,
 }
+UNTRAINED = {"policy.initial_weight": 0.2, "policy.initial_head": 0.09}
 QUICK_EPOCHS = 3
 EPISODES = 50  # of each pair in the table
 
@@ -85,6 +83,7 @@ def evolve(
         "world.rules": variant, "world.rows": lesson.side, "world.cols": lesson.side,
         "world.n_pursuers": lesson.pursuers, "world.n_evaders": lesson.evaders,
         "train_steps": lesson.steps, "evaluation_episodes": 1, "seed": seed, **LEARNER,
+        **(UNTRAINED if start is None else {}),
     })  # fmt: skip
     # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:
@@ -136,17 +135,6 @@ def table(genomes: dict[str, np.ndarray], variants: list[str], episodes: int) ->
     return "\n\n".join(tables)
 
 
-def difficulty(episodes: int) -> str:
-    """Return what chasers capture of evaders, and fleers escape from pursuers, by opponent."""
-    config = mw.WorldConfig("O", rows=10, cols=10, n_pursuers=4, n_evaders=4, max_steps=50)
-    rows = []
-    for team, script in (("pursuer", "fleer"), ("evader", "chaser")):
-        for name, player in coevolution.held_out(team, config.rules).items():
-            score = captured(other(team), config, script, player, episodes)
-            rows.append([team, name, f"{score:.2f}"])
-    return markdown(["team", "opponent", "score against it"], rows)
-
-
 def main() -> None:
     """Evolve and write the file, or print the table of a file."""
     parser = script_parser(__doc__, quick="a few epochs of two variants", cluster=True)
@@ -154,12 +142,9 @@ def main() -> None:
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path("held_out.npz"))
     parser.add_argument("--table", type=Path, metavar="FILE", help="print this file's table only")
-    parser.add_argument("--difficulty", action="store_true", help="print only how hard they are")
     args = parser.parse_args()
     variants = ["O", "SB"] if args.quick else list(mw.VARIANTS)
-    if args.difficulty:
-        print(difficulty(20 if args.quick else 4000))
-    elif args.table is not None:
+    if args.table is not None:
         print(table(load_arrays(args.table), variants, 2 if args.quick else EPISODES))
     else:
         epochs = QUICK_EPOCHS if args.quick else None

@@ -23,24 +23,12 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from common import (
-    SIGNIFICANCE,
-    SMALL_RACE,
-    Numbers,
-    Runs,
-    adjusted,
-    by_seed,
-    experiment,
-    long_race,
-    markdown,
-    mean,
-    shown_p,
-)
+import common
 from matrixworld import analysis, plots
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 
-FULL = RaceSettings.of(long_race("hall-of-fame"))
-QUICK = {**SMALL_RACE, "schedule.generations": 8, "schedule.joint_epochs": 3}
+FULL = RaceSettings.of(common.long_race("hall-of-fame"))
+QUICK = {**common.SMALL_RACE, "schedule.generations": 8, "schedule.joint_epochs": 3}
 LIVING, HALL = "living opponents only", "halls of fame"
 
 MEASURES = {
@@ -68,9 +56,9 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     }
 
 
-def measured(runs: Runs, quick: bool) -> Numbers:
+def measured(runs: common.Runs, quick: bool) -> common.Numbers:
     """Return the numbers of `numbers_of` of all races."""
-    return by_seed(runs, numbers_of)
+    return common.by_seed(runs, numbers_of)
 
 
 def numbers_of(run: SavedRun) -> dict[str, Any]:
@@ -89,38 +77,40 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
 
 def verdict(p: float, difference: float, expected: int) -> str:
     """Return whether a difference lies on the expected side of 0, by its adjusted p-value."""
-    if p > SIGNIFICANCE:
+    if p > common.SIGNIFICANCE:
         return "cannot tell"
     return "as expected" if np.sign(difference) == expected else "the opposite"
 
 
-def table(numbers: Numbers) -> str:
+def table(numbers: common.Numbers) -> str:
     """Return the comparison of both kinds of race as a table in Markdown."""
     values = {name: [numbers[f"{kind} / {name}"] for kind in (LIVING, HALL)] for name in MEASURES}
     # Pairs of the same seed: both races start with the same genomes.
     differences = {name: hall - living for name, (living, hall) in values.items()}
     rows = []
-    for name, p in adjusted(differences).items():
+    for name, p in common.adjusted(differences).items():
         label, expected = MEASURES[name]
         rows.append(
             [
                 label,
                 "higher" if expected > 0 else "lower",
-                *map(mean, (*values[name], differences[name])),
-                shown_p(p),
+                *map(common.mean, (*values[name], differences[name])),
+                common.shown_p(p),
                 f"**{verdict(p, differences[name].mean(), expected)}**",
             ]
         )
     count = len(differences["lag_rise"])
     heads = [f"mean over {count} seeds [95%]", "expected", LIVING, HALL, "difference", "Holm |"]
-    return markdown(heads, rows)
+    return common.markdown(heads, rows)
 
 
-def figure(numbers: Numbers) -> Figure:
+def figure(numbers: common.Numbers) -> Figure:
     """Draw the first race of each kind: a mean would hide cycles of different phase."""
     return plots.comparison({kind: numbers[f"{kind} / payoff"][0] for kind in (LIVING, HALL)})
 
 
 if __name__ == "__main__":
     figures = {"seed_0.png": figure}
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures)
+    common.experiment(
+        __doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures
+    )

@@ -12,16 +12,8 @@ import numpy as np
 
 import matrixworld as mw
 from common import SAME_STEPS, SMALL_STEPS, Runs, long_race, pairs, scores_against, slug
+from matrixworld import coevolution
 from matrixworld.analysis import team_phase_rates
-from matrixworld.coevolution import (
-    Against,
-    RaceSettings,
-    SavedRun,
-    Team,
-    create,
-    finish,
-    score_policy,
-)
 from matrixworld.coevolution.types import other
 
 SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"
@@ -37,7 +29,7 @@ SURROUNDING = {
 RACES = (SPECIALISTS, MIXED, GENERALISTS)
 LONG = {race: f"long, {race}" for race in (SPECIALISTS, GENERALISTS)}
 """Kinds of the races of more generations, by schedule."""
-CANDIDATES: dict[Team, tuple[str, ...]] = {
+CANDIDATES: dict[coevolution.Team, tuple[str, ...]] = {
     "pursuer": (*RACES, PURSUERS_ALONE),
     "evader": (*RACES, EVADERS_ALONE, EVADERS_TAUGHT),
 }
@@ -58,7 +50,7 @@ QUICK_RACE = {
     **SAME_STEPS, **TINY, "world.n_pursuers": 3, "world.n_evaders": 6, "schedule.generations": 6,
     "schedule.pursuer_epochs": 4, "schedule.evader_epochs": 4,
 }  # fmt: skip
-SURROUND = RaceSettings.of({
+SURROUND = coevolution.RaceSettings.of({
     "schedule": "against", "schedule.epochs": 1200, "schedule.archive_every": 200,
     "world.rules": "S", "learner.population": 48, **SMALL_STEPS["pursuer"],
 })  # fmt: skip
@@ -72,9 +64,9 @@ EVERY, EPISODES = {False: 5, True: 1}, {False: 10, True: 4}
 cross-play, and episodes of each pair; with ``--quick`` or not."""
 
 
-def kinds(quick: bool) -> dict[str, RaceSettings]:
+def kinds(quick: bool) -> dict[str, coevolution.RaceSettings]:
     """Return the settings of each kind of run."""
-    race = RaceSettings.of(QUICK_RACE if quick else long_race(GENERALISTS))
+    race = coevolution.RaceSettings.of(QUICK_RACE if quick else long_race(GENERALISTS))
     surround = SURROUND.changed(QUICK_SURROUND if quick else {})
     few = {
         f"schedule.{team}_epochs": max(1, race.schedule.epochs(team) // FEWER)
@@ -96,33 +88,35 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     }
 
 
-def alone(race: RaceSettings, team: Team) -> RaceSettings:
+def alone(race: coevolution.RaceSettings, team: coevolution.Team) -> coevolution.RaceSettings:
     """Return the settings of a baseline, with the matches and all settings of the race."""
     epochs = race.schedule.total_epochs(team)
-    return replace(race, schedule=Against(team=team, epochs=epochs, archive_every=epochs // 2))
+    return replace(
+        race, schedule=coevolution.Against(team=team, epochs=epochs, archive_every=epochs // 2)
+    )
 
 
-def teach(runs: Runs) -> list[SavedRun]:
+def teach(runs: Runs) -> list[coevolution.SavedRun]:
     """Return evaders after half of their baseline, then trained against trained pursuers."""
     found = []
     for begun, rival in pairs(runs, EVADERS_ALONE, PURSUERS_ALONE):
         directory = begun.path.parents[1] / slug(EVADERS_TAUGHT) / str(begun.settings.seed)
-        if not SavedRun(directory).exists:
+        if not coevolution.SavedRun(directory).exists:
             half = begun.settings.schedule.archive_every
             settings = begun.settings.changed({"schedule.epochs": half})
             genome = begun.teams["evader"].genomes[1]
-            create(settings, directory, opponents=rival.last("pursuer"), start=genome)
-        found.append(finish(directory))
+            coevolution.create(settings, directory, opponents=rival.last("pursuer"), start=genome)
+        found.append(coevolution.finish(directory))
     return found
 
 
-def last_of(team: Team, runs: Runs) -> mw.Population:
+def last_of(team: coevolution.Team, runs: Runs) -> mw.Population:
     """Return the last generation of each kind of `CANDIDATES` and seed as one population."""
     last = [run.last(team) for kind in CANDIDATES[team] for run in runs[kind]]
     return mw.Population(np.concatenate([each.genomes for each in last]), last[0].network)
 
 
-def cross_play(team: Team, runs: Runs, quick: bool) -> np.ndarray:
+def cross_play(team: coevolution.Team, runs: Runs, quick: bool) -> np.ndarray:
     """Play a team's candidates against the opponents of all races.
 
     Returns the payoff (kinds, seeds, races, seeds, generations) of each kind of `CANDIDATES` and
@@ -172,7 +166,7 @@ def generalization(runs: Runs, quick: bool) -> Numbers:
         # float32 halves the file and keeps far more digits than ten episodes give.
         numbers[f"cross-play of {team}s"] = cross_play(team, runs, quick).astype("f4")
         own, world = last_of(team, runs), runs[EVADERS_ALONE][0].settings.world
-        scores = score_policy(own, team, world, episodes=10 * EPISODES[quick])
+        scores = coevolution.score_policy(own, team, world, episodes=10 * EPISODES[quick])
         numbers[f"held-out of {team}s"] = scores.means.reshape(len(kinds), -1).astype("f4")
     return numbers
 
@@ -211,7 +205,7 @@ def _tenths(runs: Runs, quick: bool) -> Numbers:
         each = mw.Matches.of(0, np.arange(len(evaders.genomes)), FIRST_TEST_SEED)
         scores = mw.rollout(world, "random", evaders, each, episodes=episodes)
         found["random"].append(1.0 - scores.capture_rate.mean(axis=1))
-        against = score_policy(evaders, "evader", world, episodes=episodes)
+        against = coevolution.score_policy(evaders, "evader", world, episodes=episodes)
         found["held-out"].append(against.means)
     return {f"plateau: {name}": np.array(rates, np.float32) for name, rates in found.items()}
 

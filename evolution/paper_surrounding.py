@@ -14,8 +14,7 @@ right of way  the same, with the mask `policy.mask=right-of-way`
 Look at the captures in an episode's last step, and at the collisions: the log of the authors'
 training (every tenth epoch) stands beside the first kind. With the mask no pursuer is at fault in
 any step of training. Runs resume where they were interrupted. ``--results`` receives the numbers,
-the tables and a figure; numbers of other kinds that are there already are kept. ``--device cuda``
-learns on a GPU.
+the tables and a figure; numbers of other kinds that are there already are kept.
 
 Method: Sun et al. (2023), section on Pursuit-Evasion-S; policy gradients with the clipped objective
 of PPO (Schulman et al., 2017). Needs PyTorch.

@@ -147,11 +147,6 @@ class Yoked:
     settings: RaceSettings
     race: Path
 
-    @property
-    def learner(self) -> Any:
-        """How teams learn."""
-        return self.settings.learner
-
 
 def play(planned: RaceSettings | Yoked, directory: Path, *, threads: int) -> SavedRun:
     """Play what is left of a race, or of a yoked one."""

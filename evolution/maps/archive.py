@@ -74,36 +74,24 @@ def edited(walls: Map, least: int, rng: np.random.Generator) -> Map:
 
 @dataclass
 class Trial:
-    """What is found out about n maps, as soon as a fitness asks for it.
-
-    Parameters
-    ----------
-    maps : ndarray of bool, shape (n, rows, cols)
-        The maps.
-    world : WorldConfig
-        The world, on any map.
-    champions : mapping of str to Population
-        What each team plays: a population of one genome.
-    team : {"pursuer", "evader", "both"}
-        For whom regret is computed or estimated; of both it is the sum.
-    play : callable
-        Plays the champions' episodes in a world.
-    values : ndarray of float64, shape (n,)
-        Capture rates under perfect play; NaN where unknown.
-    best : ndarray of float64, shape (n, 2)
-        Highest return of each team so far; minus infinity where nothing was played.
-    threads : int, optional
-        Threads that solve a map.
-    """
+    """What is found out about n maps, as soon as a fitness asks for it."""
 
     maps: NDArray[np.bool_]
+    """(n, rows, cols)."""
     world: WorldConfig
+    """The world, on any map."""
     champions: Mapping[Team, TeamPolicy]
+    """What each team plays: a population of one genome."""
     team: MapTeam
+    """For whom regret is computed or estimated; of both it is the sum."""
     play: Callable[[WorldConfig], EpisodeStatistics]
+    """Plays the champions' episodes in a world."""
     values: FloatArray
+    """Capture rates (n,) under perfect play; NaN where unknown."""
     best: FloatArray
+    """Highest return (n, 2) of each team so far; minus infinity where nothing was played."""
     threads: int | None = None
+    """Threads that solve a map."""
 
     @property
     def teams(self) -> tuple[Team, ...]:

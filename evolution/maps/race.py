@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,47 +23,26 @@ matches that score them."""
 
 @dataclass(frozen=True)
 class MapSettings:
-    """A race, and how its maps evolve.
-
-    Parameters
-    ----------
-    race : RaceSettings
-        The race, in turns; all matches but those of epochs and of maps are played in its world.
-    fitness : str
-        What maps are selected by, a name in `MAP_FITNESS`.
-    team : {"pursuer", "evader", "both"}
-        Whose regret is computed or estimated.
-    maps, children, fresh : int
-        Maps in the archive, and in each generation edits of them and those that are drawn anew.
-    edits : int
-        Edits of each child: a wall added, removed or moved.
-    walls : float
-        Share of walls in maps that are drawn.
-    matches : int
-        Matches of the newest genomes on each map in a generation, by which it is scored.
-    seed : int
-        Seed of the run.
-    """
+    """A race, and how its maps evolve."""
 
     race: RaceSettings
+    """In turns; all matches but those of epochs and of maps are played in its world."""
     fitness: str = "learnability"
+    """What maps are selected by, a name in `MAP_FITNESS`."""
     team: MapTeam = BOTH
+    """Whose regret is computed or estimated."""
     maps: int = 16
+    """Maps in the archive."""
     children: int = 12
     fresh: int = 4
+    """New maps in each generation: edits of those of the archive, and maps that are drawn."""
     edits: int = 3
+    """Edits of each child: a wall added, removed or moved."""
     walls: float = 0.2
+    """Share of walls in maps that are drawn."""
     matches: int = 16
+    """Matches of the newest genomes on each map in a generation, by which it is scored."""
     seed: int = 0
-
-    @property
-    def learner(self) -> Any:
-        """How teams learn."""
-        return self.race.learner
-
-    def changed(self, changes: Mapping[str, Any]) -> MapSettings:
-        """Return these settings with changes of the race by their paths."""
-        return replace(self, race=self.race.changed(changes))
 
 
 class MapRace(Run):

@@ -148,14 +148,12 @@ def read_judgements(file: Path) -> dict[Task, dict[str, Any]]:
     return {Task(one["source"], one["kind"], one["seed"]): one for one in found}
 
 
-def chosen_tasks(
-    sources: Iterable[str], first: int, seeds: int, *, development: bool
-) -> Iterator[Task]:
-    """Yield the tasks of some sources, or those for development only."""
-    for name in sources:
+def chosen_tasks(seeds: int, *, development: bool) -> Iterator[Task]:
+    """Yield the tasks of all sources, or those for development only."""
+    for name, source in SOURCES.items():
         # Seeds outside: an interrupted script has judged as many of each kind.
-        for seed in range(first, first + math.ceil(SOURCES[name].share * seeds)):
-            for kind in SOURCES[name].kinds:
+        for seed in range(FIRST_SEED, FIRST_SEED + math.ceil(source.share * seeds)):
+            for kind in source.kinds:
                 if not development or (name == "synthetic" and KINDS[kind].development):
                     yield Task(name, kind, seed)
 
@@ -164,15 +162,13 @@ def main() -> None:
     """Judge all races, and write tables and a figure."""
     parser = script_parser(__doc__, quick="one seed of each kind", cluster=True)
     parser.add_argument("--seeds", type=int, help=f"of each synthetic kind; default {SEEDS}")
-    parser.add_argument("--first-seed", type=int, default=FIRST_SEED)
-    parser.add_argument("--sources", nargs="+", choices=SOURCES, default=list(SOURCES))
     parser.add_argument("--development", action="store_true", help="kinds for development only")
     parser.add_argument("--results", type=Path, default=Path("judgement"))
     parser.add_argument("--processes", type=int, default=1)
     args = parser.parse_args()
     args.results.mkdir(parents=True, exist_ok=True)
     seeds = args.seeds or (1 if args.quick else SEEDS)
-    tasks = list(chosen_tasks(args.sources, args.first_seed, seeds, development=args.development))
+    tasks = list(chosen_tasks(seeds, development=args.development))
     judgements = judge_all(tasks, args.results / "judgements.jsonl", args.processes, args.cluster)
     print(write_tables(judgements, args.results))
     print(

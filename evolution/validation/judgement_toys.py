@@ -12,18 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from course import toys
 from course.synthetic_races import SyntheticRace
-from course.toys import (
-    HOST_BIAS,
-    ROCK,
-    HandHistory,
-    History,
-    alternate,
-    best_response,
-    capture_probabilities,
-    hosts_and_parasites,
-    numbers_game,
-)
 from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
 from matrixworld.coevolution.types import TEAMS, FloatArray, Indices, other
 
@@ -60,7 +50,7 @@ def _race_of_strategies(pursuers: FloatArray, evaders: FloatArray, seed: int) ->
     """Play mixed hands (n, 3): no hand is better than another, so neither team gains by design."""
     # Another key than that of the race, so that luck and hands are independent.
     rng = np.random.default_rng([seed, 1])
-    chances = capture_probabilities(pursuers, evaders, luck=rng.uniform(0.0, MOST_LUCK))
+    chances = toys.capture_probabilities(pursuers, evaders, luck=rng.uniform(0.0, MOST_LUCK))
     # A draw is decided at random.
     wins = rng.random((*chances.shape, _episode_count(seed))) < chances[..., np.newaxis]
     still = np.zeros(len(chances))
@@ -68,13 +58,13 @@ def _race_of_strategies(pursuers: FloatArray, evaders: FloatArray, seed: int) ->
     return LabelledRace(wins.astype(float), {window: truths(race, window) for window in WINDOWS})
 
 
-def _race_of_hands(hands: HandHistory, seed: int) -> LabelledRace:
+def _race_of_hands(hands: toys.HandHistory, seed: int) -> LabelledRace:
     pursuers, evaders = (np.eye(3)[hands[team]] for team in TEAMS)
     return _race_of_strategies(pursuers, evaders, seed)
 
 
 def _scheduled_race(schedule: str, seed: int) -> LabelledRace:
-    return _race_of_hands(alternate(schedule, GENERATIONS - 1, GENERATIONS - 1, seed), seed)
+    return _race_of_hands(toys.alternate(schedule, GENERATIONS - 1, GENERATIONS - 1, seed), seed)
 
 
 def _fictitious_play_race(seed: int) -> LabelledRace:
@@ -91,13 +81,13 @@ def _averages_race(seed: int) -> LabelledRace:
     return _race_of_strategies(pursuers, evaders, seed)
 
 
-def fictitious_play(rounds: int, seed: int) -> HandHistory:
+def fictitious_play(rounds: int, seed: int) -> toys.HandHistory:
     """Play a race in which both teams respond to all past hands of the other, at the same time."""
     rng = np.random.default_rng(seed)
-    hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
+    hands: toys.HandHistory = {"pursuer": [toys.ROCK], "evader": [toys.ROCK]}
     for _ in range(rounds):
         # Both answers first, so that neither team sees the hand of this round.
-        answers = {team: best_response(team, hands[other(team)], rng) for team in TEAMS}
+        answers = {team: toys.best_response(team, hands[other(team)], rng) for team in TEAMS}
         for team in TEAMS:
             hands[team].append(answers[team])
     return hands
@@ -106,7 +96,7 @@ def fictitious_play(rounds: int, seed: int) -> HandHistory:
 # ---- Populations of bits -------------------------------------------------------------------------
 
 
-def chances_of_history(history: History, generations: Indices) -> FloatArray:
+def chances_of_history(history: toys.History, generations: Indices) -> FloatArray:
     """Return the exact mean score of each pair of generations (k,), over all pairs of individuals.
 
     The chances (k, k) are those of side 0 (rows) against side 1 (columns); half of a draw is a win.
@@ -123,7 +113,7 @@ def chances_of_history(history: History, generations: Indices) -> FloatArray:
 
 
 def truths_of_history(
-    history: History, generations: Indices, *, selected: bool = True
+    history: toys.History, generations: Indices, *, selected: bool = True
 ) -> dict[str, Truths]:
     """Return what is true of a race of populations, by chances and ones of some generations.
 
@@ -164,7 +154,7 @@ def _rises(ones: FloatArray) -> bool | None:
 
 
 def _evenly_spaced(
-    play: Callable[[int], History], first: int, last: int, *, selected: bool = True
+    play: Callable[[int], toys.History], first: int, last: int, *, selected: bool = True
 ) -> Callable[[int], LabelledRace]:
     """Return a race with matches of generations from `first` to `last`, evenly spaced."""
     generations = np.linspace(first, last, GENERATIONS).round().astype(int)
@@ -177,15 +167,15 @@ def _evenly_spaced(
     return race
 
 
-def _drift(seed: int) -> History:
+def _drift(seed: int) -> toys.History:
     """Play mutation without selection: tournaments of one."""
-    biases = HOST_BIAS, HOST_BIAS
-    return hosts_and_parasites(1.0, seed, tournament=1, biases=biases)
+    biases = toys.HOST_BIAS, toys.HOST_BIAS
+    return toys.hosts_and_parasites(1.0, seed, tournament=1, biases=biases)
 
 
-def _frozen(seed: int) -> History:
+def _frozen(seed: int) -> toys.History:
     """Play without mutation: all bits stay zero, and every match is a draw."""
-    return numbers_game("scalar", seed, generations=GENERATIONS, flips=0.0)
+    return toys.numbers_game("scalar", seed, generations=GENERATIONS, flips=0.0)
 
 
 RACES: Mapping[str, Callable[[int], LabelledRace]] = {
@@ -194,20 +184,22 @@ RACES: Mapping[str, Callable[[int], LabelledRace]] = {
     "rock-paper-scissors, fictitious play": _fictitious_play_race,
     "rock-paper-scissors, its averages": _averages_race,
     "scalar, climbing": _evenly_spaced(
-        lambda seed: numbers_game("scalar", seed, generations=150), 0, 150
+        lambda seed: toys.numbers_game("scalar", seed, generations=150), 0, 150
     ),
-    "scalar, at the top": _evenly_spaced(lambda seed: numbers_game("scalar", seed), 300, 600),
+    "scalar, at the top": _evenly_spaced(lambda seed: toys.numbers_game("scalar", seed), 300, 600),
     "scalar, without mutation": _evenly_spaced(_frozen, 0, GENERATIONS - 1),
     "focusing, climbing": _evenly_spaced(
-        lambda seed: numbers_game("focusing", seed, generations=150), 0, 150
+        lambda seed: toys.numbers_game("focusing", seed, generations=150), 0, 150
     ),
-    "focusing, later": _evenly_spaced(lambda seed: numbers_game("focusing", seed), 200, 600),
-    "intransitive": _evenly_spaced(lambda seed: numbers_game("intransitive", seed), 0, 600),
-    "virulence 1": _evenly_spaced(lambda seed: hosts_and_parasites(1.0, seed), 0, 600),
+    "focusing, later": _evenly_spaced(lambda seed: toys.numbers_game("focusing", seed), 200, 600),
+    "intransitive": _evenly_spaced(lambda seed: toys.numbers_game("intransitive", seed), 0, 600),
+    "virulence 1": _evenly_spaced(lambda seed: toys.hosts_and_parasites(1.0, seed), 0, 600),
     "virulence .75, climbing": _evenly_spaced(
-        lambda seed: hosts_and_parasites(0.75, seed, generations=60), 0, 60
+        lambda seed: toys.hosts_and_parasites(0.75, seed, generations=60), 0, 60
     ),
-    "virulence .75, later": _evenly_spaced(lambda seed: hosts_and_parasites(0.75, seed), 200, 600),
+    "virulence .75, later": _evenly_spaced(
+        lambda seed: toys.hosts_and_parasites(0.75, seed), 200, 600
+    ),
     "mutation without selection": _evenly_spaced(_drift, 200, 600, selected=False),
 }
 """Races by name: seed -> race."""
