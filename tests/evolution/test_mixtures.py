@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from mixtures import mixture_bounds
 
 import matrixworld as mw
 from matrixworld.solve import States, best_response, solve
-from mixtures import mixture_bounds
 
 
 def states_of(variant: str, **changes: int) -> States:
