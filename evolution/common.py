@@ -20,7 +20,7 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.checks import check_threads
-from matrixworld._util.files import load_json, save_json
+from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import SavedRun, Team, evolve, tournament
@@ -254,7 +254,7 @@ def kept(file: Path, measure: Callable[[], Mapping[str, Any]]) -> dict[str, Any]
     if not file.exists():
         file.parent.mkdir(parents=True, exist_ok=True)
         save_json(file, measure())
-    return load_json(file)
+    return read_json(file)
 
 
 def scores_against(

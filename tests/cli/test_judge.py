@@ -8,7 +8,7 @@ import pytest
 
 from command_line import RACE, evolved, judged_in, matrixworld_command, run_together, words
 from matrices import circular, logistic
-from matrixworld._util.files import load_json
+from matrixworld._util.files import read_json
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs
 from matrixworld.analysis.judgement import summary
@@ -31,7 +31,7 @@ def means_of(kind: str, episodes: int = 30) -> np.ndarray:
 def judged(*words: object) -> tuple[str, dict]:
     """Return what the command prints, and what it writes of each group."""
     told = matrixworld_command("judge", *words, "--json", "found.json", "--force").stdout
-    return told, load_json(Path("found.json"))["groups"]
+    return told, read_json(Path("found.json"))["groups"]
 
 
 def test_runs_of_several_seeds_and_files(tmp_path):
@@ -124,6 +124,6 @@ def test_all_commands_come_to_the_same_judgement():
         assert all(row in text for row in rows[1:7])  # verdicts and numbers
     said = run_together("\n".join(summary(expected)))
     assert all(said in run_together(text) for text in (*told.values(), told_by_evolve))
-    [reported] = load_json(Path("run/summary.json"))["runs"].values()
+    [reported] = read_json(Path("run/summary.json"))["runs"].values()
     assert reported["judgement"] == expected.to_json()
     assert set(reported["measures"]) == set(MEASURES)

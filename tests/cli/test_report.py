@@ -8,7 +8,7 @@ import pytest
 from scipy import stats
 
 from command_line import matrixworld_command, run_together
-from matrixworld._util.files import load_json
+from matrixworld._util.files import read_json
 from matrixworld.analysis.judgement import summary
 from matrixworld.cli.console import progress
 from matrixworld.cli.evolve import Whole, report
@@ -71,7 +71,7 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, u
     assert max(map(len, said.splitlines())) <= 80
     assert len(said.splitlines()) <= 24  # seen at once
     table = said.partition("nobody trained on")[2]
-    written = load_json(job / "summary.json")
+    written = read_json(job / "summary.json")
     groups: dict[str, RunGroup] = {each.inside(job).name: each for each in open_groups(job)}
     assert [*groups] == [*SCHEDULES]
     for name, group in groups.items():
@@ -100,7 +100,7 @@ def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     said = capsys.readouterr().out
     assert "Not finished: seeds 1, 2, 3." in said
     assert f"Failed: {failed}: payoff.npz: cut or altered" in run_together(said)
-    kept = load_json(job / "summary.json")["failed"]
+    kept = read_json(job / "summary.json")["failed"]
     assert kept == {f"{FIRST}/seed-1": "payoff.npz: cut or altered"}
     Path("none").mkdir()
     report(Whole(asked, Path("none"), progress()), [], {})

@@ -155,10 +155,10 @@ def test_ctrl_c_ends_all_runs_and_the_same_call_continues(tmp_path, monkeypatch)
 
     def report(progress):
         seen.append(progress)
-        if any(each.share >= share for each in progress.runs.values()):
+        if progress.share >= share:
             raise KeyboardInterrupt
 
-    for _ in range(2):
+    for share in (0.2, 0.5):  # noqa: B007, report reads it
         with pytest.raises(KeyboardInterrupt):
             evolve(settings, tmp_path, threads=4, report=report)
         for path in paths:
@@ -166,7 +166,6 @@ def test_ctrl_c_ends_all_runs_and_the_same_call_continues(tmp_path, monkeypatch)
                 assert len(open_run(path).archive()["pursuer"]) < 11
     # What the first call played does not count for the rate of the second.
     assert seen[-1].before > 0.05 * seen[-1].total
-    assert seen[-1].total == pytest.approx(2 * next(iter(seen[-1].runs.values())).total)
     evolve(settings, tmp_path, threads=1)
     assert results(paths[0]) == results(played(settings[0], tmp_path / "straight").path)
 

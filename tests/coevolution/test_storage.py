@@ -318,7 +318,7 @@ def everything(directory):
     return [*map(held, parts), held(restored.states), [*map(held, restored.stages)]]
 
 
-@pytest.mark.parametrize("name", FILES["straight"][1:])
+@pytest.mark.parametrize("name", [name for name in FILES["straight"] if name.endswith(".npz")])
 def test_an_altered_byte_of_a_run_is_found_or_changes_nothing(name, straight, tmp_path):
     """In each file; a checkpoint that is not needed any more need not be read."""
     copy = Path(shutil.copytree(straight, tmp_path / "run"))
@@ -361,8 +361,7 @@ def test_every_altered_byte_of_arrays_is_found_or_changes_nothing(tmp_path):
 )
 def test_another_version_s_files(copy, change, message):
     before = {path: path.read_bytes() for path in copy.iterdir() if path.name != "config.json"}
-    # As another version would have written it, with a correct checksum.
-    config = files.load_json(copy / "config.json")
+    config = files.read_json(copy / "config.json")
     change(config)
     files.save_json(copy / "config.json", config)
     for read in (Run, open_run):

@@ -2,13 +2,12 @@
 
 `replacing` writes a file under a temporary name in the same directory, syncs and renames it. After
 a crash the directory holds the old file or the new one, never a part of one. Arrays are npz files,
-whose zip format finds what is cut or altered; `save_json` adds a SHA-256 of the content and of the
-owner's name, such as a run. Nothing is pickled or unpickled.
+whose zip format finds what is cut or altered; a JSON file that is cut is no JSON any more. Nothing
+is pickled or unpickled.
 """
 
 from __future__ import annotations
 
-import hashlib
 import io
 import json
 import os
@@ -51,8 +50,6 @@ else:
 
 Arrays = dict[str, NDArray[Any]]
 
-CHECKSUM = "sha256"
-"""Key of the checksum in a JSON object."""
 TEMPORARY = ".tmp"
 """Suffix of a file that is being written."""
 
@@ -272,31 +269,12 @@ def save_arrays(path: Path, arrays: Mapping[str, ArrayLike]) -> None:
         np.savez(file, **plain)
 
 
-# JSON with a checksum:
-
-
-def save_json(path: Path, values: Mapping[str, Any], *, owner: str = "") -> None:
-    """Write a JSON object that carries its checksum, in which its owner counts, such as a run."""
+def save_json(path: Path, values: Mapping[str, Any]) -> None:
+    """Write a JSON object."""
     # NaN is not JSON: other programs could not read the file.
-    text = json.dumps({**values, CHECKSUM: json_digest(values, owner)}, indent=2, allow_nan=False)
+    text = json.dumps(values, indent=2, allow_nan=False)
     with replacing(path) as file:
         file.write(text.encode() + b"\n")
-
-
-def load_json(path: Path, *, owner: str = "") -> dict[str, Any]:
-    """Return the object that `save_json` wrote for the same owner, or raise DamagedFileError."""
-    values = read_json(path)
-    if values.pop(CHECKSUM, None) != json_digest(values, owner):
-        problem = "altered or from another run, its checksum does not match its content"
-        raise DamagedFileError(path, problem)
-    return values
-
-
-def json_digest(values: Mapping[str, Any], owner: str = "") -> str:
-    """Return the checksum, 64 hexadecimal digits, of a JSON object of `owner`."""
-    # Of the values only: their order and the layout of the file may change.
-    content = json.dumps(values, sort_keys=True).encode()
-    return hashlib.sha256(owner.encode() + content).hexdigest()
 
 
 # Locks:

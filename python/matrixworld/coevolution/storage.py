@@ -45,9 +45,9 @@ from matrixworld._util.files import (
     Arrays,
     DamagedFileError,
     load_arrays,
-    load_json,
     locked,
     one_line,
+    read_json,
     remove_temporary_files,
     replacing,
     save_arrays,
@@ -166,7 +166,7 @@ class SavedRun:
         """The content of config.json; OtherVersionError if it has another format."""
         if not self.exists:
             raise FileNotFoundError(f"{self.path}: holds no run, expected a file {CONFIG}")
-        values = load_json(self.path / CONFIG)
+        values = read_json(self.path / CONFIG)
         # Before any other entry is read: another format may not have it.
         if values.get("format") != FORMAT:
             raise OtherVersionError(
@@ -236,7 +236,7 @@ class SavedRun:
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
-        return load_json(self.path / SUMMARY)
+        return read_json(self.path / SUMMARY)
 
     def newest(self) -> int:
         """Return the number of the newest stage, 0 before the first."""

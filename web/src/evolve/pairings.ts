@@ -1,4 +1,4 @@
-// Who meets whom where both teams learn at once, as in `matrixworld.coevolution.runs.race`.
+// Who meets whom where both teams learn at once, as in `matrixworld.coevolution.race`.
 
 import type { Draws } from "./draws.ts";
 

@@ -1,4 +1,4 @@
-// A race of pursuers and evaders, as `matrixworld.coevolution.runs` plays it: the same matches, fitness
+// A race of pursuers and evaders, as `matrixworld.coevolution.race` plays it: the same matches, fitness
 // and learners, with random numbers of the learners from a source that the caller chooses.
 
 import type { Engine, Statistics } from "../engine/engine.ts";

@@ -5,7 +5,6 @@ import { strToU8, zipSync } from "fflate";
 import { writeNpz } from "../page/npz.ts";
 import type { NpyArray } from "../page/npz.ts";
 import type { Cell, Race, Row } from "./race.ts";
-import { sha256 } from "./sha256.ts";
 import { TEAMS } from "./settings.ts";
 import type { RaceSettings } from "./settings.ts";
 
@@ -18,18 +17,7 @@ export interface Format {
 /** What is saved of a race. */
 export type Finished = Pick<Race, "settings" | "archive" | "rows" | "cells" | "counters" | "finished">;
 
-/** Return values as Python's `json.dumps` writes them with sorted keys. */
-function sortedJson(value: unknown): string {
-  if (Array.isArray(value)) return `[${value.map(sortedJson).join(", ")}]`;
-  if (typeof value !== "object" || value === null) return JSON.stringify(value);
-  const entries = Object.entries(value).sort(([a], [b]) => (a < b ? -1 : 1));
-  return `{${entries.map(([name, each]) => `${JSON.stringify(name)}: ${sortedJson(each)}`).join(", ")}}`;
-}
-
-function json(values: object): Uint8Array {
-  return strToU8(JSON.stringify({ ...values, sha256: sha256(strToU8(sortedJson(values))) }, null, 2));
-}
-
+const json = (values: object): Uint8Array => strToU8(JSON.stringify(values, null, 2));
 const doubles = (data: readonly number[], ...shape: number[]): NpyArray => ({ dtype: "<f8", shape, data: Float64Array.from(data) });
 const average = (values: readonly number[]): number => values.reduce((sum, each) => sum + each, 0) / values.length;
 const spread = (values: readonly number[]): number => Math.sqrt(average(values.map((each) => (each - average(values)) ** 2)));

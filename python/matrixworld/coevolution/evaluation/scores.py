@@ -27,7 +27,7 @@ from matrixworld._util.checks import (
 from matrixworld._util.files import (
     DamagedFileError,
     load_arrays,
-    load_json,
+    read_json,
     save_json,
 )
 from matrixworld._util.readable import Parts, Readable
@@ -432,7 +432,7 @@ def kept_scores(
 def _kept(run: SavedRun) -> dict[str, Any] | None:
     """Return the scores in a run directory; None if none are kept there, or other ones."""
     try:
-        kept = load_json(run.path / SCORES)
+        kept = read_json(run.path / SCORES)
     except (FileNotFoundError, DamagedFileError):
         return None
     return kept if kept.items() >= SCORED_BY.items() else None
