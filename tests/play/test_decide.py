@@ -63,9 +63,6 @@ def test_networks_act_as_in_rollouts(
         same_as_recorded(config, pursuers, evaders, seed)
 
 
-# ---- Batches -----------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("name", ["D", "SB", "TO", "agents-R"])
 def test_worlds_of_a_batch_decide_as_single_worlds(name: str) -> None:
     """Each with the policy that was chosen for it, for any number of threads."""

@@ -53,9 +53,6 @@ def count(picture: NDArray[np.uint8], colour: str) -> int:
     return int((below == np.array(ImageColor.getrgb(colour))).all(axis=2).sum())
 
 
-# -- pictures ----------------------------------------------------------------------------------
-
-
 def test_each_agent_has_its_colour_at_the_centre_of_its_cell() -> None:
     drawn = scene()
     picture = rgb(drawn)
@@ -128,9 +125,6 @@ def test_viewers_are_given_by_number_or_name() -> None:
     for wrong in (5, -1, "pursuer_2", "evader_3"):
         with pytest.raises(ValueError, match="^viewers: expected"):
             rgb(scene(), viewers=[wrong])
-
-
-# -- text --------------------------------------------------------------------------------------
 
 
 def test_plain_text_of_several_agents_captures_and_deaths() -> None:
