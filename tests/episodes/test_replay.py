@@ -16,13 +16,7 @@ from PIL import Image, ImageColor
 import matrixworld as mw
 from matrixworld._util import colors
 from matrixworld.episodes import replay as term
-from matrixworld.episodes.replay import (
-    animate_terminal,
-    animation,
-    print_moment,
-    save,
-    scene,
-)
+from matrixworld.episodes.replay import animate_terminal, animation, print_moment, save, scene
 from matrixworld.world import render
 from rows import random_walks
 

@@ -95,13 +95,7 @@ def test_initial_genomes() -> None:
 
 
 # Every agent is walled in, so it stays where it is and sees the same at every step.
-CELLS = [
-    "##########",
-    "#.##.#.###",
-    "##########",
-    "#.###.####",
-    "##########",
-]
+CELLS = ["##########", "#.##.#.###", "##########", "#.###.####", "##########"]
 
 
 def sealed(steps: int, *, diagonal: bool = False) -> mw.WorldConfig:

@@ -143,12 +143,7 @@ def test_colours_are_codes_around_the_same_cells(color: str) -> None:
     text = ansi(scene(title="step 3"), color=color)
     bare = re.sub(r"\x1b\[[0-9;]*m", "", text).split("\n")
     assert bare[0] == "step 3   ▲ 2  ● 2"
-    assert bare[1:] == [
-        "▲ · · · · · ",
-        "· · ██· ● · ",
-        "· · · ▲ · · ",
-        "● · · · · ██",
-    ]
+    assert bare[1:] == ["▲ · · · · · ", "· · ██· ● · ", "· · · ▲ · · ", "● · · · · ██"]
     pursuer = "38;2;213;94;0" if color == "true" else "38;5;166"
     assert text.count(pursuer) == 3  # two agents and the legend
     assert all(line.endswith("\x1b[0m") for line in text.split("\n")[1:])
