@@ -86,10 +86,7 @@ def test_costs_are_not_all_zero(library: Any) -> None:
 
 
 OTHER = replace(played(n=1)[0], positions=played(n=1)[0].positions[:, ::-1].copy())
-REFUSED = {
-    "one world": [*played(n=1), *played(config_of("O"), n=1)],
-    "as it was recorded": [OTHER],
-}
+REFUSED = {"one world": [*played(n=1), *played(config_of("O"), n=1)], "as it was recorded": [OTHER]}
 
 
 @pytest.mark.parametrize("message", REFUSED)

@@ -24,9 +24,6 @@ def actions_of(env: mw.AgentVectorEnv, steps: int) -> np.ndarray:
     return random_actions(3, env.single_action_space.n, steps, env.num_envs)
 
 
-# ---- Arrays ------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("copied", [True, False])
@@ -61,9 +58,6 @@ def test_the_other_team_plays_the_worlds_actions() -> None:
         np.testing.assert_array_equal(env.worlds.observations, twin.observations)
 
 
-# ---- Ends of episodes --------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
 def test_masked_transitions_end_where_agents_disappear(mode: str) -> None:
     """Of the steps of an episode in which an agent acted, the last one is its end, and no other."""
@@ -80,9 +74,6 @@ def test_masked_transitions_end_where_agents_disappear(mode: str) -> None:
     assert all(steps == [False] * (len(steps) - 1) + [True] for steps in whole)
     assert len({len(steps) for steps in whole}) > 5  # some agents disappeared earlier than others
     assert len(whole) > 3 * env.num_envs
-
-
-# ---- Gymnasium's wrappers ----------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
@@ -108,9 +99,6 @@ def test_record_episode_statistics(team: str | None, mode: str) -> None:
             assert set(infos["episode"]["l"][of_world]) == {inside.infos["episode"]["length"][w]}
     assert episodes > 3
     assert len(env.return_queue) == episodes * env.num_envs // 3
-
-
-# ---- Bad input ---------------------------------------------------------------------------------
 
 
 def test_refuses() -> None:

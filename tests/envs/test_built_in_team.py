@@ -29,9 +29,6 @@ def same(played: mw.Episode, recorded: mw.Episode) -> None:
         assert np.array_equal(getattr(played, name), getattr(recorded, name)), name
 
 
-# ---- The same episodes as in rollouts ----------------------------------------------------------
-
-
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("name", [*TOGETHER, *IN_TURNS])
 def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
@@ -62,9 +59,6 @@ def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
             while env.agents:
                 env.step({agent: chosen(env, mine, agent) for agent in env.agents})
             same(env.recorded, recorded)
-
-
-# ---- What can play -----------------------------------------------------------------------------
 
 
 def test_held_out_genomes_runs_and_policies_are_opponents(race: Path) -> None:
@@ -125,9 +119,6 @@ def test_what_cannot_play_is_refused(
 ) -> None:
     with pytest.raises(error, match=f"^{field}: .*expected"):
         mw.parallel_env("O", **given)
-
-
-# ---- Leagues -----------------------------------------------------------------------------------
 
 
 def test_each_episode_draws_an_opponent_by_its_seed() -> None:

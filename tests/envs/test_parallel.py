@@ -61,9 +61,6 @@ def test_a_step_is_a_round_of_the_world(name: str) -> None:
     assert over
 
 
-# ---- Episodes ----------------------------------------------------------------------------------
-
-
 def test_options() -> None:
     env = mw.parallel_env("R", rows=3, cols=3, n_pursuers=1, n_evaders=1)
     ground = np.eye(3, dtype=bool)
@@ -97,9 +94,6 @@ def test_copies_continue_independently_and_identically(name: str, copied: Any) -
     left = copied(env)
     env.reset()
     assert left.world.episode == env.world.episode - 1
-
-
-# ---- Bad input ---------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -143,9 +137,6 @@ def test_calls_that_are_refused() -> None:
         env.recorded  # noqa: B018
     with pytest.raises(ValueError, match="^max_cycles, max_steps: expected one of them"):
         mw.parallel_env(max_cycles=3, max_steps=5)
-
-
-# ---- Keyword arguments of worlds and environments: their types, and unknown ones ----
 
 
 DOORS = {

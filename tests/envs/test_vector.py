@@ -54,9 +54,6 @@ def test_its_arrays_are_those_of_a_batch(name: str, mode: AutoresetMode) -> None
     assert written["episode"].all()  # each world began anew at least once
 
 
-# ---- Arrays ------------------------------------------------------------------------------------
-
-
 def leaves(value: Any) -> list[np.ndarray]:
     if not isinstance(value, dict):
         return [value]
@@ -94,9 +91,6 @@ def test_teams_are_parts_of_the_same_arrays() -> None:
             np.testing.assert_array_equal(part, getattr(env, name)[:, agents])
     for name in ("alive", "acted", "cost", "positions", "involved", "fault"):
         assert np.shares_memory(getattr(env.evaders, name), env.infos[name])
-
-
-# ---- Gymnasium's interface ----------------------------------------------------------------
 
 
 def test_seeds() -> None:
@@ -149,9 +143,6 @@ def test_make_vec(variant: str) -> None:
 def test_refuses(call: Any, error: type[Exception], field: str) -> None:
     with pytest.raises(error, match=f"^{field}"):
         call()
-
-
-# ---- Spaces ------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("team", [None, "pursuer"])

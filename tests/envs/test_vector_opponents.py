@@ -104,9 +104,6 @@ def test_a_league_changes_from_episode_to_episode() -> None:
     assert (infos["opponent"] == np.where(some, 0, kept)).all()
 
 
-# ---- Agents as sub-environments ----------------------------------------------------------------
-
-
 @pytest.mark.parametrize("mode", MODES)
 def test_functions_are_asked_for_agents_that_act_only(mode: AutoresetMode) -> None:
     asked = []

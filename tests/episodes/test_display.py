@@ -15,9 +15,6 @@ WORLD = mw.World(config_of("O"))
 SCENE = WORLD.scene("a title")
 
 
-# ---- Terminals ---------------------------------------------------------------------------------
-
-
 def test_without_display_or_terminal_it_is_plain_text(
     naps: list[float], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -48,9 +45,6 @@ def test_a_terminal_is_drawn_in_place(
     assert pieces[0] == pieces[1] == pieces[2] + WRAP_OFF
     assert pieces[2].endswith(WRAP_ON + "\n")
     assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
-
-
-# ---- Notebooks ---------------------------------------------------------------------------------
 
 
 def test_a_notebook_s_output_is_drawn_anew() -> None:

@@ -16,20 +16,11 @@ from PIL import Image, ImageColor
 import matrixworld as mw
 from matrixworld._util import colors
 from matrixworld.episodes import replay as term
-from matrixworld.episodes.replay import (
-    animate_terminal,
-    animation,
-    print_moment,
-    save,
-    scene,
-)
+from matrixworld.episodes.replay import animate_terminal, animation, print_moment, save, scene
 from matrixworld.world import render
 from rows import random_walks
 
 EPISODE = random_walks()
-
-
-# -- scenes ------------------------------------------------------------------------------------
 
 
 def test_scenes_follow_the_episode() -> None:
@@ -45,9 +36,6 @@ def test_scenes_follow_the_episode() -> None:
         scene(EPISODE, 31)
     with pytest.raises(ValueError, match="^trail: expected .*, got -1"):
         scene(EPISODE, 3, trail=-1)
-
-
-# -- GIF ---------------------------------------------------------------------------------------
 
 
 def test_a_gif_shows_every_step(tmp_path: Path) -> None:
@@ -89,9 +77,6 @@ def test_what_is_refused_leaves_no_file(
     with pytest.raises(TypeError, match=f"unexpected keyword argument .{name}s.; did you mean"):
         save(EPISODE, "no.gif", **{f"{name}s": 1})
     assert os.listdir(tmp_path) == []
-
-
-# -- films, pictures, notebooks ------------------------------------------------------------------
 
 
 def test_a_film_shows_every_step(tmp_path: Path) -> None:
@@ -154,8 +139,6 @@ def test_a_notebook_shows_an_animation() -> None:
     assert encoded is not None
     assert base64.b64decode(encoded[1]) == shown.data
 
-
-# -- terminal ----------------------------------------------------------------------------------
 
 Terminal = pytest.CaptureFixture[str]
 

@@ -58,9 +58,6 @@ def assert_same(one: mw.SafetyMonitor, other: mw.SafetyMonitor) -> None:
     assert_summary(one.summary(), vars(other.summary()))
 
 
-# ---- Where episodes come from --------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("max_steps", [1, 20])
 @pytest.mark.parametrize("name", NAMES)
 def test_recordings_agree_with_plain_counts(name: str, max_steps: int) -> None:
@@ -96,9 +93,6 @@ def test_vector_environments_agree_with_recordings(mode: str) -> None:
         recorded.add_episode(mw.record_actions(config, rows[:, w], seed=4 + w))
     assert vector.episodes == 3
     assert_same(vector, recorded)
-
-
-# ---- Numbers -----------------------------------------------------------------------------------
 
 
 def two_episodes() -> mw.SafetyMonitor:

@@ -14,10 +14,7 @@ def same_as_recorded(config: mw.WorldConfig, pursuers: Any, evaders: Any, seed: 
 
     Agents that a turn removed have no action after it.
     """
-    teams = {
-        range(config.n_pursuers): pursuers,
-        range(config.n_pursuers, config.n_agents): evaders,
-    }
+    teams = {range(config.n_pursuers): pursuers, range(config.n_pursuers, config.n_agents): evaders}
     world = mw.World(config)
     world.reset(seed, episode=3)
     recorder = mw.Recorder(world)
@@ -49,8 +46,7 @@ def test_scripts_act_as_in_rollouts(script: Any, name: str) -> None:
 
 @pytest.mark.parametrize("sampled", [True, False])
 @pytest.mark.parametrize(
-    ("activation", "memory"),
-    [("relu", "none"), ("tanh", "none"), ("tanh", "gru")],
+    ("activation", "memory"), [("relu", "none"), ("tanh", "none"), ("tanh", "gru")]
 )
 @pytest.mark.parametrize("name", ["D", "S", "SB", "TO", "swarm-D", "agents-SD"])
 def test_networks_act_as_in_rollouts(
@@ -61,9 +57,6 @@ def test_networks_act_as_in_rollouts(
     for seed in range(2):
         pursuers, evaders = (random_team(config, 2 * seed + team, **fields) for team in range(2))
         same_as_recorded(config, pursuers, evaders, seed)
-
-
-# ---- Batches -----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", ["D", "SB", "TO", "agents-R"])

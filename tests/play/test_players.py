@@ -196,9 +196,6 @@ def test_clumsy_scripts_slip_in_half_of_their_steps(script: str, sober: str) -> 
     assert abs(hits - expected) < 4 * math.sqrt(variance)
 
 
-# ---- Turns -----------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("name", ["TO", "swarm-S"])
 def test_fleers_flee_from_where_pursuers_went(name: str) -> None:
     """Pursuers act first; under these rules they never move or die in an evader's turn."""

@@ -52,9 +52,6 @@ def assert_same_bits(
         np.testing.assert_array_equal(expected, found, name)
 
 
-# ---- Episode statistics -------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
     config = config_of(name, max_steps=25, obstacles=0.1)
@@ -74,9 +71,6 @@ def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
                 for field, expected in statistics_of(episode, config).items():
                     found = getattr(statistics, field)[m, world]
                     np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6, err_msg=field)
-
-
-# ---- A pure function -------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module", params=["O", "SB", "TO", "swarm-D"])

@@ -9,14 +9,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import Team
-from matrixworld.solve import (
-    Solution,
-    States,
-    best_response,
-    expected_payoff,
-    guarantees,
-    solve,
-)
+from matrixworld.solve import Solution, States, best_response, expected_payoff, guarantees, solve
 from rows import CUSTOM
 
 ROWS = {**mw.VARIANTS, **CUSTOM}

@@ -24,8 +24,7 @@ N_WORLDS = 3
 
 
 @pytest.mark.parametrize(
-    ("specs", "table"),
-    [(mw.array_specs, WORLD_FIELDS), (mw.episode_specs, BATCH_FIELDS)],
+    ("specs", "table"), [(mw.array_specs, WORLD_FIELDS), (mw.episode_specs, BATCH_FIELDS)]
 )
 def test_every_field_is_described(
     specs: Callable[..., Specs], table: dict[str, OutputField]

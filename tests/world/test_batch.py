@@ -115,9 +115,6 @@ def test_each_world_is_a_single_world(name: str, autoreset: mw.Autoreset) -> Non
     assert batch.buffers["episode_length"].all()
 
 
-# ---- Resetting some ----------------------------------------------------------------------------
-
-
 def test_a_mask_selects_the_worlds_to_reset() -> None:
     config = config_of("O")
     batch = mw.Batch(4, config)
@@ -160,9 +157,6 @@ def test_threads_change_nothing(name: str) -> None:
             np.testing.assert_array_equal(array, other[what])
 
 
-# ---- Seeds -----------------------------------------------------------------------------------
-
-
 def test_an_int_seeds_consecutive_worlds() -> None:
     config = config_of("O")
     one, other, new = (mw.Batch(4, config) for _ in range(3))
@@ -175,9 +169,6 @@ def test_an_int_seeds_consecutive_worlds() -> None:
         other.reset(seeds)
         np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
     np.testing.assert_array_equal(new.buffers["positions"], one.buffers["positions"])
-
-
-# ---- Memory ----------------------------------------------------------------------------------
 
 
 def test_the_arrays_are_those_of_the_caller() -> None:

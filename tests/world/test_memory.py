@@ -21,9 +21,6 @@ from rows import config_of, random_genome, random_team
 GOLDEN = Path(__file__).parent / "golden_memory.txt"
 
 
-# ---- The formulas ------------------------------------------------------------------------------
-
-
 def logistic(x: float) -> float:
     return 1 / (1 + math.exp(-x)) if x > -700 else 0.0
 
@@ -93,9 +90,6 @@ def test_engine_and_numpy_agree_with_slow_loops(hidden: tuple[int, ...]) -> None
     assert not world.alive.all()
 
 
-# ---- Whose, and when -----------------------------------------------------------------------------
-
-
 def remembered(world: mw.World, size: int) -> np.ndarray:
     """Return what is kept for each agent, (A, 2, size): before and after its last decision."""
     snapshot = world._core.snapshot()
@@ -137,9 +131,6 @@ def test_memory_belongs_to_the_agents_of_a_world() -> None:
     kept = remembered_sizes(world)
     assert set(kept[:3][world.alive[:3]]) == {3}
     assert set(kept[3:][world.alive[3:]]) == {8}
-
-
-# ---- The same everywhere -------------------------------------------------------------------------
 
 
 def playthrough() -> Iterator[str]:

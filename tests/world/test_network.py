@@ -94,16 +94,8 @@ def test_initial_genomes() -> None:
     np.testing.assert_array_equal(genome, again)
 
 
-# ---- Choosing actions ------------------------------------------------------------------------
-
 # Every agent is walled in, so it stays where it is and sees the same at every step.
-CELLS = [
-    "##########",
-    "#.##.#.###",
-    "##########",
-    "#.###.####",
-    "##########",
-]
+CELLS = ["##########", "#.##.#.###", "##########", "#.###.####", "##########"]
 
 
 def sealed(steps: int, *, diagonal: bool = False) -> mw.WorldConfig:
@@ -148,9 +140,6 @@ def test_extreme_and_equal_outputs(outputs: list[float], sampled: bool, taken: s
     genome[-5:] = outputs  # the biases: whatever agents see, these are the outputs
     actions = mw.record(config, mw.Population(genome, network), "still", seed=0).actions[:, :4]
     assert set(np.unique(actions)) == taken
-
-
-# ---- Instruction sets ------------------------------------------------------------------------
 
 
 def hash_with_kernels(level: str) -> list[str]:

@@ -26,8 +26,6 @@ def test_philox_is_that_of_numpy(counter: tuple[int, ...], key: tuple[int, ...])
     assert _core.philox(counter, key) == by_numpy(counter, key)
 
 
-# ---- Resets ----------------------------------------------------------------------------------
-
 N_WORLDS = 6000
 
 

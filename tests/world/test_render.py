@@ -53,9 +53,6 @@ def count(picture: NDArray[np.uint8], colour: str) -> int:
     return int((below == np.array(ImageColor.getrgb(colour))).all(axis=2).sum())
 
 
-# -- pictures ----------------------------------------------------------------------------------
-
-
 def test_each_agent_has_its_colour_at_the_centre_of_its_cell() -> None:
     drawn = scene()
     picture = rgb(drawn)
@@ -130,9 +127,6 @@ def test_viewers_are_given_by_number_or_name() -> None:
             rgb(scene(), viewers=[wrong])
 
 
-# -- text --------------------------------------------------------------------------------------
-
-
 def test_plain_text_of_several_agents_captures_and_deaths() -> None:
     cells = [[0, 0], [0, 0], [0, 1], [0, 1], [0, 2], [0, 3], [0, 2], [0, 4]]
     captured = np.array([True, False, False, False, False])
@@ -149,12 +143,7 @@ def test_colours_are_codes_around_the_same_cells(color: str) -> None:
     text = ansi(scene(title="step 3"), color=color)
     bare = re.sub(r"\x1b\[[0-9;]*m", "", text).split("\n")
     assert bare[0] == "step 3   ▲ 2  ● 2"
-    assert bare[1:] == [
-        "▲ · · · · · ",
-        "· · ██· ● · ",
-        "· · · ▲ · · ",
-        "● · · · · ██",
-    ]
+    assert bare[1:] == ["▲ · · · · · ", "· · ██· ● · ", "· · · ▲ · · ", "● · · · · ██"]
     pursuer = "38;2;213;94;0" if color == "true" else "38;5;166"
     assert text.count(pursuer) == 3  # two agents and the legend
     assert all(line.endswith("\x1b[0m") for line in text.split("\n")[1:])

@@ -18,9 +18,6 @@ def small(**changes: object) -> mw.World:
     return mw.World(**({"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1} | changes))
 
 
-# ---- Episodes --------------------------------------------------------------------------------
-
-
 def test_the_same_seed_gives_the_same_episode_whatever_was_played_before() -> None:
     config = config_of("SDB", obstacles=0.1, max_steps=3)
     new, played = mw.World(config), mw.World(config)
@@ -38,9 +35,6 @@ def test_the_same_seed_gives_the_same_episode_whatever_was_played_before() -> No
     assert_same_worlds(new, played)
 
 
-# ---- Starts ----------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("always", "count"), [(["....", ".##.", "...."], 2), (0.5, 6)])
 def test_obstacles_for_one_episode(always: object, count: int) -> None:
     world = small(obstacles=always)
@@ -50,9 +44,6 @@ def test_obstacles_for_one_episode(always: object, count: int) -> None:
         np.testing.assert_array_equal(world.map, mw.read_map(once))
         world.reset()
     assert world.map.sum() == count
-
-
-# ---- Text, arrays, conflicts, drawings ---------------------------------------------------------
 
 
 def test_text() -> None:
@@ -95,9 +86,6 @@ def test_conflicts_in_words() -> None:
         turn=0,
         text="pursuer_0 and pursuer_1 both headed for (0, 1): both bounce",
     )
-
-
-# ---- Configurations --------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("of", [list, tuple, mw.read_map])
@@ -154,8 +142,6 @@ def test_plain_settings_are_checked(
         mw.WorldConfig.from_json(plain)
 
 
-# ---- Maps ------------------------------------------------------------------------------------
-
 MOVING_AI = """type octile
 height 3
 width 8
@@ -180,9 +166,6 @@ def test_a_movingai_map(tmp_path: Path) -> None:
     world.reset(obstacles=str(path))
     assert (world.config.rows, world.config.cols) == (3, 8)
     assert str(world).splitlines()[1].startswith("#####")
-
-
-# ---- Penalties by kind of collision, and the agents that pay them ------------------------------
 
 
 def penalties_only(**changes: object) -> mw.Rewards:
