@@ -180,11 +180,7 @@ def slug(kind: str) -> str:
     return re.sub("[ /]+", "-", re.sub("[,:;]", "", kind))
 
 
-def write(
-    results: Path,
-    numbers: Mapping[str, ArrayLike],
-    table: Callable[[Numbers], str],
-) -> None:
+def write(results: Path, numbers: Mapping[str, ArrayLike], table: Callable[[Numbers], str]) -> None:
     """Write numbers beside others that are kept, and what all of them say; print the table."""
     file = results / "numbers.npz"
     kept = dict(np.load(file)) if file.exists() else {}

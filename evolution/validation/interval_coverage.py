@@ -150,10 +150,7 @@ def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping
 
 # ---- Ratings, and pairs --------------------------------------------------------------------------
 
-RATED_MATRICES = {
-    **TRUE_MATRICES,
-    "steps": lambda lag, n: np.where(lag > 0, 0.9, 0.1),
-}
+RATED_MATRICES = {**TRUE_MATRICES, "steps": lambda lag, n: np.where(lag > 0, 0.9, 0.1)}
 
 
 def of_rating(kind: str, scores: str, size: int, episodes: int) -> Simulation:
