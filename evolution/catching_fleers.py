@@ -75,8 +75,7 @@ def captures(
 def measured(runs: common.Runs, quick: bool) -> dict[str, Any]:
     """Return what the last pursuers of each run and scripts capture, and the sizes of the teams."""
     trained = common.by_seed(
-        runs,
-        lambda run: {"captured": captures(run.last("pursuer"), quick, run.settings.world.fov)},
+        runs, lambda run: {"captured": captures(run.last("pursuer"), quick, run.settings.world.fov)}
     )
     scripted = {f"captured by {name}": captures(name, quick) for name in SCRIPTED}
     return {**trained, "sizes": TEAMS[quick], **scripted}

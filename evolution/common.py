@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 from tqdm import tqdm
@@ -88,11 +87,10 @@ def experiment(
     seeds: int | Mapping[str, int],
     play: Play = evolve,
     then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
-    figures: Mapping[str, Callable[[Numbers], Figure]] | None = None,
 ) -> None:
     """Play runs of several kinds and seeds, measure them, and write what the numbers say.
 
-    Numbers, table and figures are written to a directory that is named like the script.
+    Numbers and table are written to a directory that is named like the script.
 
     Parameters
     ----------
@@ -110,8 +108,6 @@ def experiment(
         Plays a run of races that are the script's own: of whatever `kinds` and `then` return.
     then : callable, optional
         Runs of `kinds` -> settings by seed of further kinds, which build on them.
-    figures : mapping of str to callable, optional
-        File -> figure of the numbers.
     """
     name = Path(sys.argv[0]).stem
     quick_help = "a small world and two seeds, some seconds"
@@ -148,7 +144,7 @@ def experiment(
     runs = finished(planned)
     if then is not None:
         runs |= finished(then(runs, args.quick))
-    write(results, measure(runs, args.quick), table, figures or {})
+    write(results, measure(runs, args.quick), table)
 
 
 def by_seed(runs: Runs, measure: Callable[[SavedRun], Mapping[str, ArrayLike]]) -> dict[str, Any]:
@@ -184,12 +180,7 @@ def slug(kind: str) -> str:
     return re.sub("[ /]+", "-", re.sub("[,:;]", "", kind))
 
 
-def write(
-    results: Path,
-    numbers: Mapping[str, ArrayLike],
-    table: Callable[[Numbers], str],
-    figures: Mapping[str, Callable[[Numbers], Figure]],
-) -> None:
+def write(results: Path, numbers: Mapping[str, ArrayLike], table: Callable[[Numbers], str]) -> None:
     """Write numbers beside others that are kept, and what all of them say; print the table."""
     file = results / "numbers.npz"
     kept = dict(np.load(file)) if file.exists() else {}
@@ -203,9 +194,7 @@ def write(
         return
     (results / "table.md").write_text(text + "\n", encoding="utf-8")
     print(text)
-    for name, draw in figures.items():
-        draw(known).savefig(results / name)
-    print(f"\nWritten: {', '.join(['numbers.npz', 'table.md', *figures])} in {results}")
+    print(f"\nWritten: numbers.npz, table.md in {results}")
 
 
 def kinds_in(numbers: Numbers) -> list[str]:

@@ -31,16 +31,12 @@ from collections.abc import Mapping
 from functools import cache, partial
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 import common
 import matrixworld as mw
 from matrixworld import analysis
-from matrixworld._util import colors
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team
 from matrixworld.solve import Solution, best_response, solve
 
@@ -180,7 +176,7 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
     }
 
 
-# Tables and figures
+# Tables
 
 
 Reached = Mapping[str, Mapping[str, NDArray[Any]]]
@@ -257,41 +253,5 @@ def table(numbers: common.Numbers) -> str:
     return "\n\n".join(parts)
 
 
-COLORS = {
-    "specialists": colors.MUTED,
-    GENERALISTS: colors.INK,
-    HALLS: colors.ORANGE,
-    "PSRO, Nash": colors.BLUE,
-    SELF_PLAY: colors.VERMILLION,
-}
-
-
-def draw_curve(
-    axes: Axes, kind: str, at: ArrayLike, values: NDArray[np.float64], marker: str = ""
-) -> None:
-    """Draw the mean of values (seeds, points) and its interval."""
-    color, band = COLORS.get(kind, colors.MUTED), analysis.band_over_runs(values)
-    axes.plot(at, band.mean, marker=marker, ms=4, color=color, label=kind, lw=1.5)
-    if band.low is not None:
-        axes.fill_between(at, band.low, band.high, color=color, alpha=0.12, lw=0)
-
-
-def figure(numbers: common.Numbers) -> Figure:
-    """Draw the curves of all kinds over the steps of agents."""
-    drawn, panels = plt.subplots(1, 3, figsize=(11.0, 3.8), layout="constrained", sharey=True)
-    for (name, label), axes in zip(CURVES.items(), panels, strict=True):
-        for kind in common.kinds_in(numbers):
-            steps = numbers[f"{kind} / agent_steps"].mean(axis=0) / 10**6
-            draw_curve(axes, kind, steps, numbers[f"{kind} / {name}"])
-        axes.set(title=label, xlabel="million steps of agents", ylim=(0.0, 1.0))
-    panels[0].set_ylabel("capture rate")
-    handles, labels = panels[0].get_legend_handles_labels()
-    drawn.legend(handles, labels, loc="outside lower center", ncols=3, frameon=False)
-    return drawn
-
-
 if __name__ == "__main__":
-    figures = {"curves.png": figure}
-    common.experiment(
-        __doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures
-    )
+    common.experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10)

@@ -35,11 +35,7 @@ from matrixworld.coevolution import RaceSettings, Team
 from matrixworld.coevolution.evaluation.scores import NETWORK, held_out_scripts
 from matrixworld.coevolution.types import other
 
-LEARNER = {
-    "learner.population": 32,
-    "learner.learning_rate": 0.03,
-    "learner.sigma": 0.15,
-}
+LEARNER = {"learner.population": 32, "learner.learning_rate": 0.03, "learner.sigma": 0.15}
 UNTRAINED = {"policy.initial_weight": 0.2, "policy.initial_head": 0.09}
 QUICK_EPOCHS = 3
 EPISODES = 50  # of each pair in the table

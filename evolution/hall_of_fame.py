@@ -21,10 +21,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 import common
-from matrixworld import analysis, plots
+from matrixworld import analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 
 FULL = RaceSettings.of(common.long_race("hall-of-fame"))
@@ -62,7 +61,7 @@ def measured(runs: common.Runs, quick: bool) -> common.Numbers:
 
 
 def numbers_of(run: SavedRun) -> dict[str, Any]:
-    """Return the numbers of `MEASURES` and the capture rates of one finished race."""
+    """Return the numbers of `MEASURES` of one finished race."""
     matrix, scores = run.payoff().capture_rate, score(run)
     return {
         **{
@@ -71,7 +70,6 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
             if name in analysis.MEASURES
         },
         **{f"{team}_score": float(scores[team].rates[-1].mean()) for team in TEAMS},
-        "payoff": matrix.astype(np.float32),
     }
 
 
@@ -104,13 +102,5 @@ def table(numbers: common.Numbers) -> str:
     return common.markdown(heads, rows)
 
 
-def figure(numbers: common.Numbers) -> Figure:
-    """Draw the first race of each kind: a mean would hide cycles of different phase."""
-    return plots.comparison({kind: numbers[f"{kind} / payoff"][0] for kind in (LIVING, HALL)})
-
-
 if __name__ == "__main__":
-    figures = {"seed_0.png": figure}
-    common.experiment(
-        __doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures
-    )
+    common.experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10)

@@ -42,7 +42,7 @@ import matrixworld as mw
 from common import Numbers, Runs, adjusted, by_seed, experiment, kinds_in, markdown, mean, shown_p
 from course.boards import random_map
 from maps.archive import BOTH, MAP_FITNESS, MAP_TEAMS, NONE, Trial
-from maps.held_out import held_out_maps, score_on_maps
+from maps.held_out import held_out_maps, regrets
 from maps.race import MapSettings, play
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team
 
@@ -165,8 +165,8 @@ def held_out(runs: Runs, quick: bool) -> dict[str, Any]:
         own = {team: last(run, team, budget) for team in TEAMS}
         if world.rows <= SIDE:
             maps = held_out_maps(world.rows, world.cols, HELD_OUT[quick])
-            scores = score_on_maps(own, world, maps, exact=True, episodes=1)
-            found |= {f"regret, {team}": scores.regret[team].mean() for team in TEAMS}
+            regret = regrets(own, world, maps)
+            found |= {f"regret, {team}": regret[team].mean() for team in TEAMS}
         rivals = [each for each in plain if each.settings.seed != run.settings.seed]
         for team in TEAMS:
             theirs = [last(each, TEAMS[1 - TEAMS.index(team)], budget) for each in rivals]

@@ -14,7 +14,7 @@ right of way  the same, with the mask `policy.mask=right-of-way`
 Look at the captures in an episode's last step, and at the collisions: the log of the authors'
 training (every tenth epoch) stands beside the first kind. With the mask no pursuer is at fault in
 any step of training. Runs resume where they were interrupted. ``--results`` receives the numbers,
-the tables and a figure; numbers of other kinds that are there already are kept.
+and the tables; numbers of other kinds that are there already are kept.
 
 Method: Sun et al. (2023), section on Pursuit-Evasion-S; policy gradients with the clipped objective
 of PPO (Schulman et al., 2017). Needs PyTorch.
@@ -27,12 +27,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 import matrixworld as mw
 from common import Numbers, Runs, by_seed, experiment, kinds_in, markdown, mean
-from matrixworld._util import colors
 from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -74,7 +72,6 @@ KINDS: Mapping[str, Mapping[str, Any]] = {
 }
 """Settings of each kind."""
 SEEDS = {"published": 2, "no mask": 3, "right of way": 5}
-DRAWN = {"published": colors.BLUE, "no mask": colors.VERMILLION, "right of way": colors.GREEN}
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
@@ -202,33 +199,5 @@ def course(numbers: Numbers) -> str:
     return told + markdown(heads, rows)
 
 
-def figure(numbers: Numbers) -> Figure:
-    """Draw reward, captures and collisions over epochs of all runs and of the authors' log."""
-    drawn = Figure(figsize=(13.0, 4.2), dpi=130, layout="constrained")
-    log, panels = published_log(), drawn.subplots(1, 3)
-    for axes, name in zip(panels, ("captured", "collisions", "reward"), strict=True):
-        style = {"color": colors.INK, "linestyle": "--", "label": "the authors' log"}
-        axes.plot(log["epoch"], log[name], **style)
-        axes.set_xlabel("epoch")
-        axes.grid(color=colors.GRID)
-    for kind in in_order(numbers):
-        curves = [windows(numbers[f"{kind} / {name}"]) for name in ("captured", "fault")]
-        if kind == "published":  # the other kinds have other rewards
-            curves.append(numbers[f"{kind} / reward"][:, 1:])
-        for axes, seeds in zip(panels, curves, strict=False):
-            epochs = WINDOW * (0.5 + np.arange(seeds.shape[1]))
-            labels = [kind] + [None] * (len(seeds) - 1)
-            axes.plot(epochs, seeds.T, color=DRAWN[kind], linewidth=1.2, label=labels)
-    panels[0].set(title="evaders captured in the last step", ylim=(-0.02, 1.02))
-    panels[1].set(title="collisions of the pursuers in an episode")
-    panels[1].set_yscale("symlog", linthresh=10.0)
-    panels[1].set_ylim(-1.0, 30_000.0)
-    panels[2].set(title="reward of a pursuer in an episode")
-    panels[2].set_yscale("symlog", linthresh=100.0)
-    panels[0].legend(loc="lower right", fontsize="small")
-    return drawn
-
-
 if __name__ == "__main__":
-    figures = {"training.png": figure}
-    experiment(__doc__, kinds=kinds, measure=measured, table=tables, seeds=SEEDS, figures=figures)
+    experiment(__doc__, kinds=kinds, measure=measured, table=tables, seeds=SEEDS)

@@ -13,8 +13,7 @@ candidates within a limit first (Deb, 2000); masks of actions (Huang and OntaÃ±Ã
 
 Look at the first figures of a row: a method is safe if it captures and does not collide. All
 methods are compared at the same number of agent-steps. The last table compares pairs of methods,
-with p-values that are adjusted for the number of its differences (Holm). ``--results`` receives the
-numbers, the tables and two figures. Needs PyTorch.
+with p-values that are adjusted for the number of its differences (Holm). Needs PyTorch.
 """
 
 from __future__ import annotations
@@ -22,8 +21,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from common import (
@@ -38,10 +35,8 @@ from common import (
     mean,
     shown_p,
 )
-from matrixworld._util import colors
-from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.world.rules import COLLISION_KINDS
-from safe_runs import FEW_SEEDS, LIMIT, budget, kinds, long_test, of_run, seeds
+from safe_runs import FEW_SEEDS, budget, kinds, long_test, of_run, seeds
 
 EVOLVED = " evolution: "
 LONG_TEST = 1e7
@@ -49,18 +44,8 @@ LONG_TEST = 1e7
 HEADS = (
     "capture rate", "steps", "collisions", *COLLISION_KINDS, "while training", "million steps",
 )  # fmt: skip
-NOTHING, TWELVE, ONE, LIMITED, WALLS, WAYS = (
-    colors.INK, colors.VERMILLION, colors.PURPLE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
-)  # fmt: skip
 FREELY, LIMIT_ALONE = "gradients: no penalty", "gradients: limit, by a multiplier"
 WALLED, MASKED = "gradients: mask of obstacles", "gradients: right of way"
-DRAWN = {
-    FREELY: NOTHING,
-    "gradients: penalty 12, as in the paper": TWELVE,
-    LIMIT_ALONE: LIMITED,
-    MASKED: WAYS,
-}
-"""Methods whose training is drawn, and their colours."""
 COMPARED = (
     ("capture rate", LIMIT_ALONE, FREELY),
     ("capture rate", MASKED, FREELY),
@@ -76,14 +61,6 @@ NUMBERS = {
     "all": "collisions",
     "training": "collisions while training",
 }
-STYLES = [
-    *({"color": color, "marker": "o"} for color in (NOTHING, TWELVE, LIMITED, WALLS, WAYS)),
-    *(
-        {"color": color, "marker": "s", "fillstyle": "none"}
-        for color in (NOTHING, ONE, LIMITED, WAYS)
-    ),
-]
-"""Marks of the methods: filled for gradients, hollow for evolution."""
 
 
 def variants_of(numbers: Numbers) -> list[str]:
@@ -136,7 +113,7 @@ def table(numbers: Numbers) -> str:
             *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
               for name in names if EVOLVED in name),
         ]  # fmt: skip
-        parts.append(markdown([f"{variant}", *HEADS], rows))
+        parts.append(markdown([variant, *HEADS], rows))
     steps, faults = numbers["long test"]
     tested = (
         f"With right of way, pursuers were at fault {faults:,} times in {steps:,} agent-steps of "
@@ -165,7 +142,7 @@ def comparisons(numbers: Numbers) -> str:
         return f"{mean(found[row, variant], digits, '+')}; {shown_p(p)}{unknown}"
 
     return markdown(
-        ["difference of", "between", *(f"{variant}" for variant in variants)],
+        ["difference of", "between", *variants],
         [
             [NUMBERS[row[0]], f"{row[1]}, minus {row[2]}", *(cell(row, v) for v in variants)]
             for row in COMPARED
@@ -186,79 +163,6 @@ def row(numbers: Numbers, name: str, label: str, budget: float) -> list[str]:
     ]
 
 
-def training_figure(numbers: Numbers) -> Figure:
-    """Draw capture rate and collisions by kind while training, for some methods."""
-    variants = variants_of(numbers)
-    drawn = Figure(figsize=(16.0, 3.5 * len(variants)), dpi=120, layout="constrained")
-    panels = drawn.subplots(len(variants), 1 + len(DRAWN), squeeze=False, sharex=True)
-    for variant, (captures, *faults) in zip(variants, panels, strict=True):
-        captures.set(title=f"{variant}", ylabel="capture rate", ylim=(-0.02, 1.02))
-        for (method, color), axes in zip(DRAWN.items(), faults, strict=True):
-            name, label = f"{variant} {method}", method.partition(": ")[2]
-            curve(captures, numbers, name, "capture rate", color=color, label=label)
-            axes.set_title(f"{variant}: {label}", color=color, fontsize="medium")
-            for k, (kind, of_kind) in enumerate(
-                zip(COLLISION_KINDS, colors.CONFLICTS, strict=True)
-            ):
-                curve(axes, numbers, name, "fault", k, color=of_kind, label=kind)
-            axes.set_yscale("symlog", linthresh=10.0)
-            axes.set_ylim(0.0, 1000.0)
-        faults[0].set_ylabel("collisions at fault per 1000 agent-steps")
-        for axes in faults[1:]:
-            axes.tick_params(labelleft=False)
-    for axes in panels.flat:
-        axes.grid(color=colors.GRID)
-    for axes in panels[-1]:
-        axes.set_xlabel("million agent-steps of training")
-    panels[0, 1].legend(loc="lower right")
-    return drawn
-
-
-def methods_figure(numbers: Numbers) -> Figure:
-    """Draw captures over collisions of all methods within the budget, with intervals."""
-    variants = variants_of(numbers)
-    drawn = Figure(figsize=(6.0 * len(variants) + 3.0, 5.0), dpi=120, layout="constrained")
-    panels = drawn.subplots(1, len(variants), squeeze=False, sharey=True)[0]
-    for variant, axes in zip(variants, panels, strict=True):
-        axes.axvline(LIMIT, color=colors.MUTED, linestyle=":", label=f"limit of {LIMIT:g}")
-        for name, style in zip(within(numbers, variant), STYLES, strict=False):
-            found = judged(numbers, name, budget=float(numbers["budget"]))
-            x = interval_over_runs(found["all"], bounds=(0.0, np.inf))
-            y = interval_over_runs(found["capture rate"], bounds=(0.0, 1.0))
-            axes.errorbar(
-                x.value, y.value, xerr=reach(x), yerr=reach(y), capsize=2, markersize=8,
-                label=name.removeprefix(f"{variant} "), **style,
-            )  # fmt: skip
-        axes.set_xscale("symlog", linthresh=1.0)
-        axes.set(title=f"{variant}", xlabel="collisions at fault per 1000 agent-steps")
-        axes.set(ylim=(-0.02, 1.02), xlim=(-0.2, 3000.0))
-        axes.grid(color=colors.GRID)
-    panels[0].set_ylabel("capture rate")
-    drawn.legend(*panels[0].get_legend_handles_labels(), loc="outside right center")
-    return drawn
-
-
-def reach(found: Estimate) -> list[list[float]] | None:
-    """Return how far an interval reaches from its mean, as Matplotlib takes it."""
-    if found.low is None or found.high is None:
-        return None
-    return [[found.value - found.low], [found.high - found.value]]
-
-
-def curve(
-    axes: Axes, numbers: Numbers, name: str, number: str, kind: int | None = None, **style: Any
-) -> None:
-    """Draw the mean of a number over seeds, and its range, over agent-steps of training."""
-    steps, values = numbers[f"{name} / agent-steps"] / 1e6, numbers[f"{name} / {number}"]
-    values = values if kind is None else values[..., kind]
-    # Seeds have played different numbers of steps: the mean is over equal ones.
-    grid = np.linspace(0.0, steps[:, -1].min(), 60)
-    seeds = [np.interp(grid, x, y) for x, y in zip(steps, values, strict=True)]
-    axes.plot(grid, np.mean(seeds, axis=0), **style)
-    low, high = np.min(seeds, axis=0), np.max(seeds, axis=0)
-    axes.fill_between(grid, low, high, color=style["color"], alpha=0.12, linewidth=0)
-
-
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     """Return numbers of all runs, the budget, and the ``long test``.
 
@@ -275,5 +179,4 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    figures = {"training.png": training_figure, "methods.png": methods_figure}
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=seeds(), figures=figures)
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=seeds())

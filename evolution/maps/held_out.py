@@ -1,9 +1,9 @@
-"""Held-out maps: rooms, mazes and caves on which no run has learned, and what teams do there."""
+"""Held-out maps: rooms, mazes and caves on which no run has learned, and regret there."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +11,7 @@ from scipy import ndimage
 
 from course.boards import playable
 from maps.archive import Map
-from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
-from matrixworld.play.rollout import Matches, rollout
 from matrixworld.solve import States, best_response, solve
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy
@@ -100,46 +98,17 @@ def _held_out(shape: tuple[int, int], number: int, seed: int) -> Map:
             return walls
 
 
-@dataclass(frozen=True, eq=False)
-class MapScores:
-    """What two teams do on n maps.
+def regrets(
+    teams: Mapping[Team, TeamPolicy], config: WorldConfig, maps: Sequence[Map] | NDArray[np.bool_]
+) -> dict[Team, FloatArray]:
+    """Return by how much each team falls short of perfect play on each map (n,), exactly.
 
-    `capture_rate` (n,) is that on each map; `regret` has by how much each team falls short of
-    perfect play on each map (n,), exactly, and is empty if the maps were not solved.
+    A team is a population of one genome, such as ``run.last("pursuer")``, or the name of a script.
     """
-
-    capture_rate: FloatArray
-    regret: Mapping[Team, FloatArray]
-
-
-def score_on_maps(
-    teams: Mapping[Team, TeamPolicy],
-    config: WorldConfig,
-    maps: Sequence[Map] | NDArray[np.bool_],
-    *,
-    exact: bool = False,
-    episodes: int = 100,
-    seed: int = 0,
-    threads: int | None = None,
-) -> MapScores:
-    """Play two teams against each other on maps, and if wanted compare them with perfect play.
-
-    A team is a population of one genome, such as ``run.last("pursuer")``, the name of a script, or
-    what `solve.Solution.policy` returns.
-    """
-    rates, regrets = [], []
-    for number, walls in enumerate(maps):
-        world = replace(config, obstacles=np.asarray(walls))
-        seeds = training_seeds(seed, number, number, Phase.HELD_OUT, 0, 1)
-        scores = rollout(
-            world, teams["pursuer"], teams["evader"], Matches.of(0, 0, seeds),
-            episodes=episodes, threads=threads,
-        )  # fmt: skip
-        rates.append(float(scores.capture_rate.mean(dtype=np.float64)))
-        if exact:
-            states = States(world, threads=threads)
-            value = solve(states).value
-            pursuers, evaders = (best_response(states, teams[team], team).value for team in TEAMS)
-            regrets.append((value - pursuers, evaders - value))
-    regret = dict(zip(TEAMS, np.array(regrets).T, strict=True)) if exact else {}
-    return MapScores(np.array(rates), regret)
+    found = []
+    for walls in maps:
+        states = States(replace(config, obstacles=np.asarray(walls)))
+        value = solve(states).value
+        pursuers, evaders = (best_response(states, teams[team], team).value for team in TEAMS)
+        found.append((value - pursuers, evaders - value))
+    return dict(zip(TEAMS, np.array(found).T, strict=True))

@@ -44,9 +44,7 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.figure import Figure
 from scipy import stats
 
 import _paths  # noqa: F401
@@ -456,40 +454,5 @@ def table(numbers: Numbers) -> str:
     return "\n\n".join([*parts, "## Errors of the judgement", table_of_errors(numbers)])
 
 
-def figure(numbers: Numbers) -> Figure:
-    """Draw score in the race, held-out score and truth of both teams in each world with turns."""
-    played = {kind.split(", ")[0] for kind in kinds_in(numbers)}
-    worlds = [world for world in WORLDS if world in played - {CONTROL}]
-    panels = {"all": "Score in the race", "held_out": "Held-out score", "truth": "Guaranteed score"}
-    drawn, axes = plt.subplots(
-        len(TEAMS) * len(worlds),
-        3,
-        figsize=(10, 4 * len(worlds)),
-        sharex=True,
-        layout="constrained",
-        dpi=90,
-    )
-    lines = [(world, t) for world in worlds for t in range(len(TEAMS))]
-    for (world, t), line in zip(lines, axes, strict=True):
-        for (name, title), axis in zip(panels.items(), line, strict=True):
-            for kind, curves in of_kinds(numbers, name, world).items():
-                band = analysis.band_over_runs(curves[:, t], bounds=(0.0, 1.0))
-                [drawn_line] = axis.plot(band.mean, label=kind.split(", ")[1])
-                if band.low is not None:
-                    at, color = np.arange(len(band.mean)), drawn_line.get_color()
-                    axis.fill_between(at, band.low, band.high, color=color, alpha=0.2)
-            if (world, t) == lines[0]:
-                axis.set_title(title)
-        line[0].set_ylabel(f"{world}:\n{TEAMS[t]}s")
-        value = float(next(iter(of_kinds(numbers, "value", world).values()))[0])
-        told = f"perfect play: {value if t == 0 else 1 - value:.2f}"
-        line[2].text(0.97, 0.06, told, transform=line[2].transAxes, ha="right", va="bottom")
-    for axis in axes[-1]:
-        axis.set_xlabel("generation")
-    drawn.legend(*axes[0, 0].get_legend_handles_labels(), ncols=5, loc="outside lower center")
-    return drawn
-
-
 if __name__ == "__main__":
-    figures = {"measures.png": figure}
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30, figures=figures)
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30)

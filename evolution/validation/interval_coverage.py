@@ -16,7 +16,6 @@ receives the table and the counts behind it.
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -27,6 +26,7 @@ from threadpoolctl import threadpool_limits
 from tqdm import tqdm
 
 import _paths  # noqa: F401
+import judgement_tables
 import matrixworld as mw
 from common import markdown, script_parser
 from coverage_of_runs import (
@@ -150,10 +150,7 @@ def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping
 
 # ---- Ratings, and pairs --------------------------------------------------------------------------
 
-RATED_MATRICES = {
-    **TRUE_MATRICES,
-    "steps": lambda lag, n: np.where(lag > 0, 0.9, 0.1),
-}
+RATED_MATRICES = {**TRUE_MATRICES, "steps": lambda lag, n: np.where(lag > 0, 0.9, 0.1)}
 
 
 def of_rating(kind: str, scores: str, size: int, episodes: int) -> Simulation:
@@ -314,18 +311,14 @@ def _case(row: Count) -> str:
 
 def read_counts(path: Path) -> list[Count]:
     """Return the counts of a file that this script wrote."""
-    with path.open(encoding="utf-8", newline="") as file:
-        rows = list(csv.reader(file))[1:]
-    return [Count(row[0], row[1], *map(int, row[2:])) for row in rows]
+    rows = judgement_tables.read_counts(path)
+    return [Count(r.pop("interval"), r.pop("data"), *map(int, r.values())) for r in rows]
 
 
 def write(counts: list[Count], results: Path) -> None:
     """Write the counts and the table."""
     results.mkdir(parents=True, exist_ok=True)
-    with (results / "coverage.csv").open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(Count.__dataclass_fields__)
-        writer.writerows(tuple(vars(row).values()) for row in counts)
+    judgement_tables.write_counts([vars(row) for row in counts], results / "coverage.csv")
     (results / "coverage.md").write_text(table(counts) + "\n", encoding="utf-8")
 
 

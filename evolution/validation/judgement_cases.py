@@ -15,13 +15,7 @@ from common import SAME_STEPS, SMALL_RACE
 from course.synthetic_races import Draws, SyntheticRace, play_episodes
 from judgement_races import KINDS, disengagement, synthetic_races
 from judgement_toys import RACES
-from judgement_truths import (
-    WINDOWS,
-    Truth,
-    Truths,
-    change_of_strength,
-    truths_of_group,
-)
+from judgement_truths import WINDOWS, Truth, Truths, change_of_strength, truths_of_group
 from matrixworld.analysis import CONDITIONS
 from matrixworld.coevolution import RaceSettings, evolve
 
