@@ -12,7 +12,7 @@ their thresholds and their tests are those of `paper_claims.py`.
 from __future__ import annotations
 
 import paper_claims
-from common import PPO, Numbers, Runs, experiment
+from common import PPO, Numbers, Runs, experiment, play_with_penalty_of_races
 from matrixworld.coevolution import RaceSettings
 from paper_claims import OPPONENTS, PARTS
 from paper_runs import (
@@ -67,4 +67,11 @@ def tables(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=tables, seeds=10)
+    experiment(
+        __doc__,
+        kinds=kinds,
+        play=play_with_penalty_of_races,
+        measure=measured,
+        table=tables,
+        seeds=10,
+    )

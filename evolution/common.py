@@ -22,7 +22,9 @@ from matrixworld._util.checks import check_threads
 from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
-from matrixworld.coevolution import SavedRun, Team, evolve, tournament
+from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create, finish, tournament
+from matrixworld.coevolution.fitness import Table
+from matrixworld.coevolution.settings import OVERLAP_PENALTY
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
 
@@ -75,7 +77,30 @@ Numbers = Mapping[str, NDArray[Any]]
 Runs = Mapping[str, list[SavedRun]]
 """Runs of each kind, by seed."""
 Play = Callable[..., SavedRun]
-"""As `coevolution.evolve`: settings, directory and ``threads=`` -> the finished run."""
+"""As `play`: settings, directory and ``threads=`` -> the finished run."""
+
+
+def play(settings: RaceSettings, directory: Path, *, threads: int | None = None) -> SavedRun:
+    """Return the finished run of these settings: begin it, go on with it, or only open it."""
+    create(settings, directory)
+    return finish(directory, threads=threads)
+
+
+class PenaltyOfRaces(Run):
+    """A run in which evaders that share cells lose as much as in races, if they learn alone."""
+
+    def fitness(self, team: Team, scores: mw.EpisodeStatistics, table: Table) -> NDArray[Any]:
+        """Return the fitness (n,) of the candidates."""
+        penalty = min(self.settings.overlap_penalty, OVERLAP_PENALTY)
+        return self.settings.fitness.fitness(scores, team, table, penalty)
+
+
+def play_with_penalty_of_races(
+    settings: RaceSettings, directory: Path, *, threads: int | None = None
+) -> SavedRun:
+    """Play what is left of a run with `PenaltyOfRaces`."""
+    create(settings, directory)
+    return PenaltyOfRaces(directory, threads=threads).run()
 
 
 def experiment(
@@ -85,7 +110,7 @@ def experiment(
     measure: Callable[[Runs, bool], Mapping[str, ArrayLike]],
     table: Callable[[Numbers], str],
     seeds: int | Mapping[str, int],
-    play: Play = evolve,
+    play: Play = play,
     then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
 ) -> None:
     """Play runs of several kinds and seeds, measure them, and write what the numbers say.
@@ -213,7 +238,7 @@ def finish_all(
     settings: Mapping[str, Any],
     root: Path,
     *,
-    play: Play = evolve,
+    play: Play = play,
     threads: int | None = None,
     where: str | None = None,
 ) -> dict[str, SavedRun]:

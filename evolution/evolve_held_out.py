@@ -28,10 +28,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import matrixworld as mw
-from common import executor_of, markdown, script_parser
+from common import PenaltyOfRaces, executor_of, markdown, script_parser
 from matrixworld import coevolution
 from matrixworld._util.files import load_arrays, save_arrays
-from matrixworld.coevolution import RaceSettings, Team
+from matrixworld.coevolution import RaceSettings, Team, create
 from matrixworld.coevolution.evaluation.scores import NETWORK, held_out_scripts
 from matrixworld.coevolution.types import other
 
@@ -83,10 +83,10 @@ def evolve(
     })  # fmt: skip
     # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:
-        coevolution.create(settings, directory, start=start)
-        run = coevolution.finish(directory, threads=1)
+        create(settings, f"{directory}/run", start=start)
+        run = PenaltyOfRaces(f"{directory}/run", threads=1).run()
         # Rounded already here: the next lesson starts from the genome that the file will hold.
-        return run.archive()[team][-1].astype(np.float16).astype(np.float32)
+        return run.teams[team].genomes[-1].astype(np.float16).astype(np.float32)
 
 
 def curriculum(variant: str, epochs: int | None, seed: int) -> dict[str, np.ndarray]:

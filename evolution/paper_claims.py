@@ -35,6 +35,7 @@ from common import (
     markdown,
     mean,
     p_value,
+    play_with_penalty_of_races,
     shown_p,
     written,
 )
@@ -540,4 +541,11 @@ def scores(numbers: Numbers) -> str:
 
 if __name__ == "__main__":
     seeds = {kind: 7 if kind in LONG.values() else 20 for kind in kinds(False)}
-    experiment(__doc__, kinds=kinds, measure=measured, table=tables, seeds=seeds)
+    experiment(
+        __doc__,
+        kinds=kinds,
+        play=play_with_penalty_of_races,
+        measure=measured,
+        table=tables,
+        seeds=seeds,
+    )

@@ -11,7 +11,16 @@ from dataclasses import replace
 import numpy as np
 
 import matrixworld as mw
-from common import SAME_STEPS, SMALL_STEPS, Runs, long_race, pairs, scores_against, slug
+from common import (
+    SAME_STEPS,
+    SMALL_STEPS,
+    PenaltyOfRaces,
+    Runs,
+    long_race,
+    pairs,
+    scores_against,
+    slug,
+)
 from matrixworld import coevolution
 from matrixworld.analysis import team_phase_rates
 from matrixworld.coevolution.types import other
@@ -106,7 +115,7 @@ def teach(runs: Runs) -> list[coevolution.SavedRun]:
             settings = begun.settings.changed({"schedule.epochs": half})
             genome = begun.teams["evader"].genomes[1]
             coevolution.create(settings, directory, opponents=rival.last("pursuer"), start=genome)
-        found.append(coevolution.finish(directory))
+        found.append(PenaltyOfRaces(directory).run())
     return found
 
 

@@ -6,14 +6,19 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from matrixworld.coevolution.runs.training_matches import TrainingMatches
 
 import matrixworld as mw
-from matrixworld.coevolution import competitive_sharing
-from matrixworld.coevolution.fitness import collisions, feasible_first, fitness
+from matrixworld.coevolution import FitnessSettings, competitive_sharing
+from matrixworld.coevolution.fitness import (
+    collisions,
+    feasible_first,
+    match_fitness,
+    mean_over_opponents,
+    shared_fitness,
+)
 from matrixworld.coevolution.seeding import Phase, evaluation_seed, training_seeds
 from matrixworld.coevolution.types import TEAMS
-from tiny_race import constant_scores, tiny_single
+from tiny_race import begun, constant_scores, tiny_single
 
 
 def scores():
@@ -39,7 +44,7 @@ def scores():
     ],
 )
 def test_fitness(measure, team, expected):
-    assert fitness(scores(), team, measure=measure, overlap_penalty=0.5) == pytest.approx(expected)
+    assert match_fitness(scores(), team, measure, 0.5) == pytest.approx(expected)
 
 
 def test_sharing_by_hand():
@@ -57,15 +62,18 @@ def test_each_beaten_opponent_is_worth_one(wins):
     assert fitness.sum() == pytest.approx(np.count_nonzero(np.any(np.array(wins) > 0, axis=0)))
 
 
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: competitive_sharing([1, 0]), r"wins: expected \(n, m\) numbers >= 0"),
-    ],
-)
-def test_bad_wins_are_refused(call, message):
-    with pytest.raises(ValueError, match=f"^{message}"):
-        call()
+def test_bad_wins_are_refused():
+    with pytest.raises(ValueError, match=r"^wins: expected \(n, m\) numbers >= 0"):
+        competitive_sharing([1, 0])
+
+
+def test_opponents_that_were_not_met_do_not_count():
+    nan = np.nan
+    payoff = np.array([[1.0, 0.0, nan], [1.0, nan, 0.5], [0.0, 0.0, nan]])
+    # Opponent 0 is shared by two, opponent 2 belongs to individual 1; n / m = 3 / 3.
+    assert shared_fitness(payoff) == pytest.approx([0.5, 1.5, 0.0])
+    assert mean_over_opponents(payoff).tolist() == [0.5, 0.75, 0.0]
+    assert mean_over_opponents(np.array([[1.0, 3.0]])).tolist() == [2.0]
 
 
 # Candidates within a limit of collisions come first:
@@ -89,19 +97,21 @@ def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
             assert found == pytest.approx(monitor.summary().fault_rate[t].sum())
 
 
-def test_a_limit_decides_the_fitness_of_a_run() -> None:
+def test_a_limit_decides_the_fitness_of_a_run(tmp_path) -> None:
     settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
     genomes = np.stack(
         [settings.network.initial(np.random.default_rng(k), head=2.0) for k in range(8)]
     )
+    run = begun(settings, tmp_path / "run", threads=1)
     seeds = np.zeros((8, 1), np.uint64)
-    plain = TrainingMatches(settings, mw.rollout, 1)
-    scores = plain.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)
+    scores = run.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)
     rates = collisions(scores, "pursuer")
     limit = float(np.sort(rates)[3:5].mean())  # between the fourth and the fifth of eight
-    limited = TrainingMatches(settings.changed({"fitness.cost_limit": limit}), mw.rollout, 1)
-    found = limited.fitness(scores, "pursuer", lambda values: values[:, None])
-    expected = plain.fitness(scores, "pursuer", lambda values: values[:, None])
+    plain, limited = settings.fitness, FitnessSettings(cost_limit=limit)
+    expected, found = (
+        each.fitness(scores, "pursuer", lambda values: values[:, None], 0.0)
+        for each in (plain, limited)
+    )
     within = rates <= limit
     assert within.sum() == 4
     np.testing.assert_array_equal(found[within], expected[within])

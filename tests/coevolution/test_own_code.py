@@ -1,27 +1,35 @@
 """Learners and samplers of your own: names as data, what an import finds, and kept promises."""
 
+import os
 import pickle
 import sys
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
-from matrixworld.coevolution.runs import check_own_code
 
 from matrixworld.coevolution import (
+    TEAMS,
     CmaEs,
     EvolutionStrategy,
     GeneticAlgorithm,
-    NoiseTable,
-    OwnLearnerSettings,
-    OwnOpponents,
     PluginError,
     RaceSettings,
+    Run,
     check_learner,
     check_sampler,
+    create,
+    finish,
+    open_run,
     opponents,
+    score,
 )
-from own_code import Crash, Fails, Fixed, Hardest, HillClimber, ReturnsViews
-from tiny_race import tiny_race
+from matrixworld.coevolution.learners import OwnLearner
+from matrixworld.coevolution.opponents import OwnOpponents
+from own_code import Crash, Fails, Hardest, HillClimber, InPlace, Oldest
+from tiny_race import StopAt, alternating, check_resumes, hall_of_fame, played, tiny_race
+from tiny_race import tiny_single as alone
 
 
 @pytest.fixture
@@ -45,6 +53,31 @@ def test_settings_import_nothing():
     assert "no" not in sys.modules
 
 
+def test_a_run_is_read_without_its_code(folder):
+    """What a stranger's run names is imported when it goes on, and not before."""
+    imported = folder / "imported"
+    (folder / "mine.py").write_text(
+        f"from pathlib import Path\nPath({str(imported)!r}).touch()\n"
+        "from own_code import Hardest, HillClimber\n"
+    )
+    settings = alternating(learner="mine:HillClimber", evaders_meet="mine:Hardest", generations=1)
+    assert not imported.exists()
+    played(settings, folder / "run")
+    assert imported.exists()
+    del sys.modules["mine"]
+    os.remove(imported)
+    (folder / "run" / "summary.json").unlink()
+    run = open_run(folder / "run")
+    assert len(run.log()["epoch"]) == 5
+    run.payoff(), run.record(), run.policy("evader"), score(run, episodes=2), repr(run)
+    create(settings, folder / "run")  # the same: it is left as it is
+    assert run.settings.learner == OwnLearner(code="mine:HillClimber")
+    assert "mine" not in sys.modules
+    assert not imported.exists()
+    finish(folder / "run")
+    assert imported.exists()
+
+
 @pytest.mark.parametrize("name", ["gaa", "mine.Hill", ":Hill", "mine:", "my pkg:Hill", "1:H", ""])
 def test_a_name_that_cannot_be_one_is_refused(name):
     for path in ("learner", "schedule.pursuers_meet"):
@@ -52,17 +85,27 @@ def test_a_name_that_cannot_be_one_is_refused(name):
             RaceSettings.of({path: name})
 
 
-def test_a_class_stands_for_its_name():
+def test_a_class_and_an_instance_stand_for_their_name_and_settings():
     given = {"sigma": np.float32(0.5), "shrink": 1}
-    named = OwnLearnerSettings(code="own_code:HillClimber", settings=given)
-    assert OwnLearnerSettings(code=HillClimber, settings={"shrink": 1, "sigma": 0.5}) == named
-    assert RaceSettings(learner=HillClimber) == RaceSettings.of({"learner": "own_code:HillClimber"})
-    met = RaceSettings.of({"schedule.evaders_meet": Fixed}).schedule.evaders_meet
-    assert met == OwnOpponents(code=Fixed)
+    named = OwnLearner(code="own_code:HillClimber", settings=given)
+    assert OwnLearner(code="own_code:HillClimber", settings={"shrink": 1, "sigma": 0.5}) == named
+    by_name = RaceSettings.of({"learner": "own_code:HillClimber"})
+    assert RaceSettings(learner=HillClimber) == by_name
+    assert RaceSettings.of({"learner": HillClimber}) == by_name
+    made = RaceSettings(learner=HillClimber(sigma=0.5)).learner
+    assert made.settings == {"population": 4, "shrink": 0.9, "sigma": 0.5}
+    assert made.load() == HillClimber(sigma=0.5)
+    for met in (Oldest, Oldest(), "own_code:Oldest"):
+        settings = RaceSettings.of({"schedule.evaders_meet": met})
+        assert settings.schedule.evaders_meet == OwnOpponents(code="own_code:Oldest")
     given["sigma"] = 7.0
     assert named.to_json()["settings"] == {"shrink": 1, "sigma": 0.5}
-    with pytest.raises(ValueError, match="^code: expected a class or function of a module, got <c"):
-        OwnLearnerSettings(code=climber())  # no import finds it again
+
+    class Inside(HillClimber):
+        """No import finds it again."""
+
+    with pytest.raises(ValueError, match="code: expected a class of a module, got <c"):
+        RaceSettings(learner=Inside)
 
 
 @pytest.mark.parametrize(
@@ -80,145 +123,131 @@ def test_bad_settings_are_refused(given):
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("nowhere.at:all", r"got 'nowhere.at:all' \(No .*; install .* folder on PYTHONPATH$"),
+        ("nowhere.at:all", r"expected a module .* \(No .*; install .* folder on PYTHONPATH$"),
         ("own_code.deeper:Hill", r"\(No module named 'own_code.deeper'; 'own_code' is not a pack"),
-        ("own_code:HillClimber.Inner", "expected the name of an object in own_code, got 'HillC"),
-        ("own_code:ANSWER", "expected a class with .*, or a function whose return .*, got own_c"),
-        ("os:system", "return annotation is one, got os:system"),
-        ("own_code:unannotated", "expected a class with .*, got own_code:unannotated"),
+        ("own_code:HillClimber.Inner", "expected the name of an object in own_code$"),
+        ("own_code:ANSWER", "expected a class derived from .*, got 42"),
+        ("os:system", "expected a class derived from .*, got <built-in function system>"),
+        ("own_code:np.ndarray", "expected a class derived from "),
     ],
 )
-def test_what_cannot_be_found_is_said(name, message):
-    for settings, field in [
-        (tiny_race(learner=name), "learner"),
-        (tiny_race(schedule="alternating", evaders_meet=name), "opponent sampler"),
-    ]:
-        with pytest.raises(ValueError, match=f"^{field}: .*{message}"):
-            check_own_code(settings)
+def test_what_cannot_be_found_is_said(name, message, tmp_path):
+    for settings in (tiny_race(learner=name), alternating(evaders_meet=name)):
+        with pytest.raises(ValueError, match=f"^{name}: .*{message}"):
+            create(settings, tmp_path / "run")
+    assert not (tmp_path / "run").exists()
 
 
-def test_a_module_or_a_constructor_that_fails_is_named_with_its_error(folder):
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        (
+            {"sgima": 0.1},
+            r"expected its settings \(population, sigma, shrink\), got {'sgima': 0.1}",
+        ),
+        ({"sigma": -1}, "sigma: expected a number above 0, got -1"),
+        (
+            {"sigma": "x"},
+            r"expected its settings .*, got {'sigma': 'x'} \(sigma: expected a number",
+        ),
+    ],
+)
+def test_settings_are_those_of_the_fields(settings, message):
+    with pytest.raises(ValueError, match=f"^own_code:HillClimber: {message}"):
+        OwnLearner(code="own_code:HillClimber", settings=settings).load()
+
+
+def test_a_module_or_a_class_that_fails_is_named_with_its_error(folder):
     (folder / "mine.py").write_text(
-        "from own_code import Fixed\ndef make(count, *, n=1) -> Fixed:\n    return [][n]\n"
+        "from own_code import HillClimber\n"
+        "class Hill(HillClimber):\n    def check(self):\n        [][1]\n"
+        "class Box:\n    Hill = HillClimber\n"
     )
-    settings = tiny_race(schedule="alternating", evaders_meet="mine:make")
-    with pytest.raises(PluginError, match="opponent sampler mine:make: IndexError: list index"):
-        check_own_code(settings)
+    with pytest.raises(PluginError, match="^mine:Hill: IndexError: list index"):
+        tiny_race(learner="mine:Hill").learner_of("pursuer")
+    assert tiny_race(learner="mine:Box.Hill").learner_of("evader") == HillClimber()
     del sys.modules["mine"]
     (folder / "mine.py").write_text("1 / 0\n")
-    with pytest.raises(PluginError, match="mine:Hill: import: ZeroDivisionError: d") as caught:
-        check_own_code(tiny_race(learner="mine:Hill"))
+    with pytest.raises(PluginError, match="^mine:Hill: import: ZeroDivisionError: d") as caught:
+        tiny_race(learner="mine:Hill").learner_of("pursuer")
     assert isinstance(caught.value.__cause__, ZeroDivisionError)
     # Workers send it to the main process.
     assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args  # noqa: S301
 
 
-def test_inner_classes_and_functions(folder):
-    (folder / "mine.py").write_text(
-        "import own_code\n"
-        "class Box:\n    Hill = own_code.HillClimber\n"
-        "def make(genome, samples, epochs, rng, tries: int) -> own_code.HillClimber:\n"
-        "    assert (samples, epochs) == (4, 4), (samples, epochs)\n"
-        "    return own_code.HillClimber(genome, samples, sigma=rng.random() + tries)\n"
-    )
-    check_own_code(tiny_race(learner="mine:Box.Hill"))
-    check_own_code(tiny_race(learner="mine:make", settings={"tries": 2}, evader_epochs=2))
-    with pytest.raises(ValueError, match=r"mine:make: .* \(tries\), got {} \(missing .* 'tries'\)"):
-        check_own_code(tiny_race(learner="mine:make"))
-
-
-# Checks before the first run: what passes, and what is found
-
-
-def strategy(genome, samples, rng, epochs, *, momentum=None):
-    noise = NoiseTable(genome.size, rng, sigma=0.1)
-    return EvolutionStrategy(genome, noise, samples=samples, anneal_over=epochs, momentum=momentum)
-
-
-def algorithm(genomes, rng, *, elites=2, mutation=0.05):
-    noise = NoiseTable(genomes.shape[1], rng, sigma=mutation)
-    return GeneticAlgorithm(genomes, noise, elites=elites)
-
-
-def climber(base=HillClimber, **methods):
-    class Changed(base):
-        pass
-
-    for name, method in methods.items():
-        setattr(Changed, name, method)
-    return Changed
+# Checks: what passes, and what is found
 
 
 @pytest.mark.parametrize(
-    ("learner", "settings"),
-    [
-        ("own_code:HillClimber", {"sigma": 0.3, "shrink": 0.5}),
-        (CmaEs, {"sigma": 0.1}),
-        (strategy, {"momentum": 0.9}),
-        (lambda genome, samples, **own: HillClimber(genome, samples, **own), {"sigma": 1}),
-        (algorithm, {"elites": 1}),
-    ],
+    "learner",
+    [HillClimber(sigma=0.3), CmaEs(sigma=0.1), EvolutionStrategy(), GeneticAlgorithm(elites=1)],
 )
-def test_a_learner_that_keeps_all_promises(learner, settings):
+def test_a_learner_that_keeps_all_promises(learner):
     # With numbers from the global generator a run would not be repeated by its seed.
     before = np.random.get_state()[1].copy()  # noqa: NPY002
-    check_learner(learner, settings)
+    if isinstance(learner, EvolutionStrategy):
+        learner = replace(learner, sigma=0.1, learning_rate=0.1, relative_sigma=0.4, momentum=0.9)
+    if isinstance(learner, GeneticAlgorithm):
+        learner = replace(learner, mutation=0.1)
+    check_learner(learner)
     assert np.array_equal(np.random.get_state()[1], before)  # noqa: NPY002
 
 
-@pytest.mark.parametrize(
-    ("sampler", "settings"),
-    [
-        ("own_code:Hardest", {"forget": 0.2}),
-        (opponents.Uniform, {}),
-        (opponents.SharedSampling, {}),
-        (opponents.Prioritized, {"decay": 0.9}),
-        (lambda count: opponents.ArchiveSampler(opponents.IPCA(), count), {}),
-    ],
-)
 @pytest.mark.parametrize("count", [1, 3])
-def test_a_sampler_that_keeps_all_promises(sampler, settings, count):
-    check_sampler(sampler, settings, count=count)
+def test_a_sampler_that_keeps_all_promises(count):
+    for sampler in (
+        Hardest(forget=0.2), opponents.Uniform(), opponents.SharedSampling(),
+        opponents.Prioritized(decay=0.9), opponents.RoundRobin(), opponents.NewestAndOlder(),
+    ):  # fmt: skip
+        check_sampler(sampler, count=count)
+
+
+def changed(base=HillClimber, **methods):
+    """Return an instance of a class with other methods."""
+    return dataclass(frozen=True)(type("Changed", (base,), methods))()
 
 
 def asks(change):
-    return climber(ask=lambda self, rng: change(HillClimber.ask(self, rng)))
+    def ask(self, state, rng):
+        candidates, asked = HillClimber.ask(self, state, rng)
+        return change(candidates), asked
+
+    return changed(ask=ask)
 
 
-def states(change):
-    return climber(state=lambda self: HillClimber.state(self) | change(self))
+def tells(change):
+    def tell(self, state, results):
+        return change(HillClimber.tell(self, state, results))
+
+    return changed(tell=tell)
 
 
-def tell_and_regroup(self, fitness):
-    HillClimber.tell(self, fitness)
-    self.seed_groups = np.arange(len(fitness))
+def forgets(self, state, results):
+    """Keep the step size in the class, as no checkpoint does."""
+    type(self).kept = 0.9 * getattr(type(self), "kept", 0.1)
+    return {**HillClimber.tell(self, state, results), "sigma": np.array(type(self).kept)}
 
 
-def begin_unevenly(self, genome, samples):
-    HillClimber.__init__(self, genome, samples)
-    self.seed_groups[0] = 1
-
-
-OTHER_NOISE = climber(ask=lambda self, rng: HillClimber.ask(self, np.random.default_rng()))
-FORGETS_SIGMA = climber(
-    state=lambda self: {"genome": self.genome},
-    restore=lambda self, state: setattr(self, "genome", state["genome"]),
+OTHER_NOISE = changed(
+    ask=lambda self, state, rng: HillClimber.ask(self, state, np.random.default_rng())
 )
 
 
 @pytest.mark.parametrize(
     ("learner", "message"),
     [
-        (OTHER_NOISE, "expected equal results from equal generators and results"),
-        (FORGETS_SIGMA, "expected equal results after restore in a (new|used) one"),
-        (ReturnsViews, "state: expected copies, got arrays that change afterwards"),
-        (asks(lambda asked: asked.astype(float)), r"ask: .*, got float64 \(8, 20\)"),
-        (asks(lambda asked: asked.repeat(2, axis=0)), r"ask: .*, got float32 \(16, 20\)"),
+        (OTHER_NOISE, "expected equal results from equal generators, got others in epoch 0"),
+        (changed(tell=forgets), "expected equal results from equal generators, got others in"),
+        (InPlace(), "state: expected arrays that stay as they were, got some that change"),
+        (asks(lambda asked: asked.astype(float)), r"ask: .*, got float64 \(4, "),
+        (asks(lambda asked: asked.repeat(2, axis=0)), r"ask: .*, got float32 \(8, "),
         (asks(lambda asked: asked + np.float32(np.inf)), "ask: expected finite numbers"),
-        (states(lambda self: {"self": np.array([self])}), "state: expected an array of numbers"),
-        (states(lambda self: {"a.mean": np.zeros(1)}), "state: expected names such as sigma"),
-        (climber(tell=tell_and_regroup), r"seed_groups: expected \[0 .* in all epochs, got"),
-        (climber(__init__=begin_unevenly), "seed_groups: expected 8 numbers of groups from 0"),
+        (tells(lambda state: {**state, "x": np.array([{}])}), "state: expected an array of numb"),
+        (tells(lambda state: {**state, "x": 3}), "state: expected an array of numbers or text"),
+        (tells(lambda state: {**state, "a.x": np.zeros(1)}), "state: expected names such as sig"),
+        (changed(genome=lambda self, state: state["genome"][:3]), "genome: expected an array of"),
+        (changed(seed_groups=np.arange(4) // 3), "seed_groups: expected 4 numbers of groups fr"),
+        (changed(start=lambda self, task: [1]), "state: expected a dict of arrays, got"),
     ],
 )
 def test_a_broken_promise_of_a_learner_is_named(learner, message):
@@ -227,10 +256,7 @@ def test_a_broken_promise_of_a_learner_is_named(learner, message):
 
 
 def samples(*chosen):
-    return type("Chosen", (Fixed,), {"sample": lambda *_: np.array(chosen, np.intp)})
-
-
-UNSAVED = type("Unsaved", (Hardest,), {"state": lambda _: {}, "restore": lambda *_: None})
+    return changed(Oldest, sample=lambda *_: np.array(chosen, np.intp))
 
 
 @pytest.mark.parametrize(
@@ -239,30 +265,91 @@ UNSAVED = type("Unsaved", (Hardest,), {"state": lambda _: {}, "restore": lambda 
         (samples(1), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[1\]"),
         (samples(0, 0), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[0 0\]"),
         (samples(), r"sample: expected .* got \[\]"),
-        (UNSAVED, "expected equal results after restore in a (new|used) one"),
+        (
+            changed(Hardest, tell=lambda self, state, met, won: state["scores"].sort() or state),
+            None,
+        ),
     ],
 )
 def test_a_broken_promise_of_a_sampler_is_named(sampler, message):
+    if message is None:  # it changes nothing: no scores are known
+        check_sampler(sampler)
+        return
     with pytest.raises(PluginError, match=f"^{message}"):
         check_sampler(sampler)
 
 
-def test_an_error_in_the_code_is_raised_as_it_is():
+def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
+    monkeypatch.setattr(Fails, "told", 0)
     with pytest.raises(ZeroDivisionError, match="^no luck$"):
-        check_learner(Fails)
+        check_learner(Fails())
     with pytest.raises(KeyError, match="generation"):
-        check_sampler(Crash)
+        check_sampler(Crash())
+    with pytest.raises(TypeError, match="^learner: expected a .*Learner, got 3"):
+        check_learner(3)
+    monkeypatch.setattr(Fails, "told", 0)
+    with pytest.raises(ZeroDivisionError, match="^no luck") as caught:
+        played(tiny_race(learner="own_code:Fails"), tmp_path / "run")
+    if sys.version_info >= (3, 11):
+        assert caught.value.__notes__ == [f"in stage 1 of the run {tmp_path / 'run'}"]
+    # The files hold the last finished stage, as after any other error.
+    assert Run(tmp_path / "run").stage == 0
+
+
+def test_a_learner_that_exits_does_not_end_the_program(tmp_path):
+    with pytest.raises(PluginError, match="called exit"):
+        played(tiny_race(learner="own_code:Exits"), tmp_path / "run")
+    assert Run(tmp_path / "run").stage == 0
+
+
+# Runs
+
+
+LEARNER = {"learner": "own_code:HillClimber", "settings": {"sigma": 0.2}}
+BOTH = {
+    "pursuers_meet": OwnOpponents(code="own_code:Hardest", settings={"forget": 0.25}),
+    "evaders_meet": "own_code:Oldest",
+}
+RUNS = {
+    "in turns": alternating(**LEARNER, **BOTH, generations=2),
+    "hall of fame": hall_of_fame(**LEARNER, **BOTH, generations=2),
+    "retest": tiny_race(**LEARNER, retest_episodes=2),
+    "evaders alone": alone(team="evader", **LEARNER),
+}
+
+
+@pytest.mark.parametrize("kind", RUNS)
+def test_each_interruption_is_resumed_bit_for_bit(kind: str, tmp_path: Path) -> None:
+    """Stopped at every call of `rollout`."""
+    calls = StopAt(1000)
+    run = played(RUNS[kind], tmp_path / "counted", play=calls)
+    for team in run.settings.learning_teams:
+        assert len(np.unique(run.archive()[team], axis=0)) > 1
+    for call in range(1000 - calls.left):
+        check_resumes(RUNS[kind], call, tmp_path / str(call))
+    assert call >= 4
 
 
 @pytest.mark.parametrize(
-    ("learner", "settings", "message"),
+    ("own", "built_in"),
     [
-        (HillClimber, {"sgima": 0.1}, r"expected its settings \(sigma, shrink\), got {'sg"),
-        (HillClimber, {"samples": 9}, "expected its settings .* 'samples'"),
-        (HillClimber, {"sigma": -1}, "expected settings that it accepts, got"),
-        (CmaEs, {}, r"expected its settings \(sigma\), got {} \(missing .* 'sigma'\)"),
+        (
+            alternating(evaders_meet="matrixworld.coevolution.opponents:SharedSampling"),
+            alternating(evaders_meet="shared-sampling"),
+        ),
+        (
+            tiny_race(
+                learner="matrixworld.coevolution:CmaEs",
+                settings={"sigma": 0.1, "population": 4},
+                hidden=(),
+            ),
+            tiny_race(learner="cma", sigma=0.1, hidden=()),
+        ),
     ],
+    ids=["sampler", "learner"],
 )
-def test_settings_are_those_of_the_signature(learner, settings, message):
-    with pytest.raises(ValueError, match=f"^learner {learner.__name__}: {message}"):
-        check_learner(learner, settings)
+def test_a_class_of_the_package_by_its_path_gives_the_same_run(own, built_in, tmp_path):
+    runs = [played(own, tmp_path / "own"), played(built_in, tmp_path / "built-in")]
+    assert (runs[0].path / "log.csv").read_bytes() == (runs[1].path / "log.csv").read_bytes()
+    for team in TEAMS:
+        assert np.array_equal(*(run.archive()[team] for run in runs))

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from matrixworld import coevolution
 from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.config import WorldConfig
@@ -14,7 +13,7 @@ from matrixworld.world.masks import FORBIDDEN, forbidding_cells, mask_weights, m
 from matrixworld.world.policy import Network, Population
 from reference import MOVES
 from right_of_way import OBSTACLES, forbidden_in_s
-from tiny_race import tiny_race
+from tiny_race import played, tiny_race
 
 
 def forbidden(views: np.ndarray, mask: str, team: Team, n_actions: int) -> np.ndarray:
@@ -80,7 +79,7 @@ def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
     if learner == "actor-critic":
         pytest.importorskip("torch")
     settings = tiny_race(mask="obstacles", learner=learner)
-    run = coevolution.finish(settings, tmp_path, threads=1)
+    run = played(settings, tmp_path)
     for team in TEAMS:
         weights, genomes = settings.mask_weights(team), run.teams[team].genomes
         assert weights is not None
@@ -101,7 +100,7 @@ def test_nobody_is_at_fault_in_training_however_large_the_weights(
     if learner == "es":  # samples that spread with the genome must not spread with the mask
         large |= {"learner.relative_sigma": 0.4, "learner.sigma": 1000.0}
     for number, changes in enumerate(({}, large, {**large, "policy.hidden": ()})):
-        run = coevolution.finish(settings.changed(changes), tmp_path / str(number), threads=1)
+        run = played(settings.changed(changes), tmp_path / str(number))
         log = run.log()
         assert log["matches"][-1] > 0
         assert not log["pursuer_faults"].any()

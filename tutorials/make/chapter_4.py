@@ -18,9 +18,9 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+from penalised import finish
 
 import matrixworld as mw
-from matrixworld import coevolution
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score_policy
 
@@ -74,7 +74,7 @@ def main(directory: Path) -> None:
     counts, held_out = [], []
     for seed in SEEDS:
         print(f"seed {seed}", flush=True)
-        run = coevolution.evolve(settings(seed), directory / str(seed))
+        run = finish(settings(seed), directory / str(seed))
         generations = np.arange(0, run.settings.schedule.generations + 1, EVERY)
         counts.append(captured(run))
         held_out.append(scores(run, generations))

@@ -17,19 +17,20 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import (
     TEAMS,
-    ProgressBar,
     RaceSettings,
     SavedRun,
-    evolve,
     tournament,
 )
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
+
+from penalised import finish
 
 from course.questions import DATA
 
@@ -66,9 +67,11 @@ def race(sampler: str, seed: int) -> RaceSettings:
 
 def races(directory: Path, threads: int | None) -> list[SavedRun]:
     """Return the finished races, sampler by sampler; play the missing ones."""
-    settings = {f"{name}/seed-{seed}": race(name, seed) for name in SAMPLERS for seed in SEEDS}
-    with ProgressBar() as bars:
-        return evolve(settings, directory, threads=threads, report=bars)
+    return [
+        finish(race(name, seed), directory / name / f"seed-{seed}", threads=threads)
+        for name in SAMPLERS
+        for seed in tqdm(SEEDS, desc=name)
+    ]
 
 
 def numbers_of(runs: list[SavedRun]) -> dict[str, np.ndarray]:

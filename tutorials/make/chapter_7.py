@@ -9,18 +9,21 @@ and writes ``tutorials/course/data/chapter_7.npz``. Finished races are not playe
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import ClassVar
+from typing import Any
 
 import numpy as np
 from tqdm import tqdm
 
+import matrixworld as mw
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import EvolutionStrategy, RaceSettings, Results, SavedRun, evolve
-from matrixworld.coevolution.types import TEAMS, State
+from matrixworld.coevolution import RaceSettings, SavedRun, Team, create
+from matrixworld.coevolution.types import TEAMS, FloatArray
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
+from penalised import Penalised
+
 from course.toys import reduced_virulence
 
 DATA = Path(__file__).parents[1] / "course" / "data"
@@ -46,36 +49,30 @@ EVEN = RaceSettings.of(
         "evaluation_episodes": 40,
     }
 )
-STEPS = {name: value for name, value in vars(EVEN.learner).items() if value is not None}
 RACES = {
     "even": EVEN,
     "few evader epochs": EVEN.changed({"schedule.evader_epochs": 2}),
-    "restrained pursuers": EVEN.changed(
-        {
-            "schedule.evader_epochs": 2,
-            "learner": {"kind": "chapter_7:Restrained", "settings": STEPS},
-            "evader_learner": EVEN.learner,
-        }
-    ),
+    "restrained pursuers": EVEN.changed({"schedule.evader_epochs": 2}),
 }
 """Settings of the races by name, without their seeds."""
 
 
-@dataclass(frozen=True)
-class Restrained(EvolutionStrategy):
-    """The evolution strategy of the other races, of virulence 0.75."""
+class Restrained(Penalised):
+    """A race whose pursuers are selected by reduced virulence."""
 
-    kind: ClassVar[str] = ""
-
-    def tell(self, state: State, results: Results) -> State:
-        """Take the captured fractions (n,) of the candidates, and select by reduced virulence."""
-        return super().tell(state, Results(reduced_virulence(results.fitness, 0.75)))
+    def fitness(self, team: Team, scores: mw.EpisodeStatistics, table: Any) -> FloatArray:
+        """Return the fitness (n,) of the candidates."""
+        found = super().fitness(team, scores, table)
+        return reduced_virulence(found, 0.75) if team == "pursuer" else found
 
 
 def race(name: str, seed: int, runs: Path) -> SavedRun:
     """Return one of `RACES`; play it if it is missing in the directory `runs`."""
     settings = replace(RACES[name], seed=seed)
-    return evolve(settings, runs / name.replace(" ", "-") / str(seed), threads=1)
+    directory = runs / name.replace(" ", "-") / str(seed)
+    create(settings, directory)
+    kind = Restrained if name == "restrained pursuers" else Penalised
+    return kind(directory, 0.5, threads=1).run()
 
 
 def spread(run: SavedRun) -> np.ndarray:

@@ -15,11 +15,12 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from penalised import finish
 from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import Against, RaceSettings, SavedRun, Team, evolve, held_out
+from matrixworld.coevolution import Against, RaceSettings, SavedRun, Team, held_out
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.world.policy import TeamPolicy
 
@@ -74,7 +75,7 @@ def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
         settings = alone(team).changed(
             {"seed": STAGES * seed + stage, "schedule.opponent": opponent, "schedule.start": start}
         )
-        run = evolve(settings, directory, threads=1)
+        run = finish(settings, directory, RACE.overlap_penalty)
         archive = run.teams[team].genomes
         genomes += [archive[-1]] if genomes else [archive[0], archive[-1]]
         before = directory
@@ -100,7 +101,7 @@ def tested(team: Team, genomes: np.ndarray, opponent: TeamPolicy, episodes: int)
 
 def main(runs: Path) -> None:
     races: list[SavedRun] = [
-        evolve(replace(RACE, seed=seed), runs / "races" / str(seed), threads=1)
+        finish(replace(RACE, seed=seed), runs / "races" / str(seed), RACE.overlap_penalty)
         for seed in tqdm(SEEDS, desc="races")
     ]
     arrays: dict[str, np.ndarray] = {}

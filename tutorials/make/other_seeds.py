@@ -26,6 +26,7 @@ import chapter_7
 import chapter_8
 import numpy as np
 from chapter_9 import EPISODES, evolve, evolve_masked, tested_masked
+from penalised import finish
 from tqdm import tqdm
 
 import matrixworld as mw
@@ -101,7 +102,7 @@ def tournament_gain(seed: int) -> Effects:
 
 def red_queen(seed: int) -> Effects:
     """Changes of specialists in the world of notebook 4."""
-    run = coevolution.evolve(chapter_4.settings(seed), RUNS / "chapter_4" / str(seed), threads=1)
+    run = finish(chapter_4.settings(seed), RUNS / "chapter_4" / str(seed))
     pursuers, evaders = (each[[0, 2, 8]] for each in chapter_4.scores(run, np.arange(0, 25, 3)))
     diagonal = np.diag(run.payoff().capture_rate)[[0, 6, 24]]
     return {
@@ -186,7 +187,7 @@ def toy_cures(seed: int) -> Effects:
 @cache
 def cure(name: str, seed: int) -> SavedRun:
     place = RUNS / "chapter_6" / name / str(seed)
-    return coevolution.evolve(chapter_6.race(name, seed), place, threads=1)
+    return finish(chapter_6.race(name, seed), place)
 
 
 def cures(seed: int) -> Effects:
@@ -230,7 +231,7 @@ def halls(seed: int) -> Effects:
     forgetting, found = analysis.MEASURES["pursuer_forgetting"], []
     for name, settings in kinds(quick=False).items():
         folder = RUNS / "hall_of_fame" / slug(name) / str(seed)
-        run = coevolution.evolve(replace(settings, seed=seed), folder, threads=1)
+        run = finish(replace(settings, seed=seed), folder, settings.overlap_penalty)
         found.append(forgetting.of(run.payoff().capture_rate, "whole").value)
     without, with_halls = found
     return {"pursuers forget": with_halls - without}
@@ -276,11 +277,9 @@ def hosts(seed: int) -> Effects:
 
 def schools(seed: int) -> Effects:
     """Return differences between schools. Races of all other seeds are the co-evolved examiners."""
-    runs = RUNS / "chapter_8"
+    runs, race = RUNS / "chapter_8", chapter_8.RACE
     races = {
-        each: coevolution.evolve(
-            replace(chapter_8.RACE, seed=each), runs / "races" / str(each), threads=1
-        )
+        each: finish(replace(race, seed=each), runs / "races" / str(each), race.overlap_penalty)
         for each in SOURCES["schools"].others
     }
     own, effects = races.pop(seed), {}

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import TEAMS, held_out, open_run, score, start
+from matrixworld.coevolution import TEAMS, create, held_out, open_run, score
 from matrixworld.coevolution.evaluation.scores import score_table
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import match_seed
 from rows import config_of
-from tiny_race import tiny_race, tiny_single
+from tiny_race import played, tiny_race, tiny_single
 
 SCRIPTED = {
     "pursuer": ["random", "clumsy-chaser", "chaser", "hunter"],
@@ -29,8 +29,7 @@ FITTING: dict[str, Any] = {"fov": 11, "rows": 7, "cols": 7, "hidden": (2,)}
 def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A race whose views are those of the evolved opponents."""
     path = tmp_path_factory.mktemp("races") / "race"
-    start(tiny_race(**FITTING), path, threads=1).run()
-    return path
+    return played(tiny_race(**FITTING), path).path
 
 
 # ---- The opponents ---------------------------------------------------------------------------
@@ -123,14 +122,14 @@ def test_steps_and_seeds_have_an_effect(race):
 
 
 def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
-    start(tiny_race(), tmp_path / "run")
+    create(tiny_race(), tmp_path / "run")
     found = score(open_run(tmp_path / "run"), episodes=2)["evader"]
     assert found.opponents == tuple(SCRIPTED["pursuer"])
     assert found.left_out.startswith("no evolved opponents: they have a view of 11 x 11 cells")
 
 
 def test_the_opponent_of_a_run_is_not_held_out(tmp_path):
-    start(tiny_single(team="evader", opponent="chaser"), tmp_path / "run")
+    create(tiny_single(team="evader", opponent="chaser"), tmp_path / "run")
     scores = score(open_run(tmp_path / "run"), episodes=2)
     assert list(scores) == ["evader"]
     assert scores["evader"].opponents == ("random", "clumsy-chaser", "hunter")

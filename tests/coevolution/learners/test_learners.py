@@ -1,6 +1,7 @@
-"""Learners and their parts, on functions of known optimum; champions of a genetic algorithm."""
+"""Learners and their parts, on functions of known optimum."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,16 +12,25 @@ from matrixworld.coevolution import (
     CmaEs,
     EvolutionStrategy,
     GeneticAlgorithm,
-    NoiseTable,
+    Results,
+    Task,
 )
 from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
 from matrixworld.coevolution.learners.genetic_algorithm import (
     mate_uniform,
-    mutate_from_table,
+    mutate,
     select_tournament,
     select_truncation,
 )
-from matrixworld.coevolution.learners.learner import Adam, DivergedError, Momentum
+from matrixworld.coevolution.learners.learner import (
+    DivergedError,
+    adam,
+    adam_state,
+    draw_windows,
+    noise_of,
+)
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network
 
 SIZE = 20
 TARGET = np.linspace(-1.0, 1.0, SIZE)
@@ -35,35 +45,40 @@ def generator(epoch=0):
     return np.random.Generator(np.random.SFC64([7, epoch]))
 
 
-def noise_table(size=SIZE, sigma=0.05):
-    return NoiseTable(size, generator(99), sigma=sigma)
+def task(genes=SIZE, epochs=100, begin=None):
+    """A task whose genomes are of no network: zeros, or normal numbers."""
+    begin = np.zeros(genes, np.float32) if begin is None else begin
+
+    def untrained(rng):
+        return begin if begin.ndim == 1 else rng.standard_normal(genes, np.float32)
+
+    return Task(99, 0, epochs, untrained, None, WorldConfig(), Network((), fov=3))
 
 
-def strategy(**changes):
-    options = {"samples": 16, "learning_rate": 0.05, **changes}
-    return EvolutionStrategy(np.zeros(SIZE), noise_table(), **options)
+RANDOM = np.zeros((1, 1))
+"""As `begin`: a population of normal numbers."""
+ES = EvolutionStrategy(
+    population=16, sigma=0.05, learning_rate=0.05, relative_sigma=0.0, anneal=False
+)
+MOMENTUM = replace(ES, momentum=0.9, learning_rate=0.01)
+GA = GeneticAlgorithm(population=40, mutation=0.05)
+CMA = CmaEs(population=16, sigma=0.3)
+LEARNERS = [ES, MOMENTUM, GA, CMA]
 
 
-def momentum(**changes):
-    return strategy(**{"momentum": 0.9, "learning_rate": 0.01, **changes})
+def begun(learner, **options):
+    """Return the state of a learner before its first epoch."""
+    if isinstance(learner, GeneticAlgorithm):
+        options.setdefault("begin", RANDOM)
+    return learner.start(task(**options))
 
 
-def covariance(**changes):
-    return CmaEs(np.zeros(SIZE), **{"sigma": 0.3, "samples": 16, **changes})
-
-
-def algorithm(sigma=0.05, **changes):
-    population = generator(98).standard_normal((40, SIZE), dtype=np.float32)
-    return GeneticAlgorithm(population, noise_table(sigma=sigma), **changes)
-
-
-LEARNERS = [strategy, momentum, algorithm, covariance]
-
-
-def teach(learner, epochs, first=0):
+def teach(learner, state, epochs, first=0):
+    """Return the state after some epochs."""
     for epoch in range(first, first + epochs):
-        learner.tell(closeness(learner.ask(generator(epoch))))
-    return learner
+        candidates, asked = learner.ask(state, generator(epoch))
+        state = learner.tell(asked, Results(closeness(candidates)))
+    return state
 
 
 @pytest.mark.parametrize(
@@ -82,71 +97,78 @@ GRADIENTS = np.array([[0.3, -2.0], [0.1, 1.0], [-0.5, 0.0], [0.2, 4.0]], dtype=n
 RATES = [0.02, 0.02, 0.01, 0.005]
 
 
-def test_optimizers_are_the_textbook_algorithms():
-    """Kingma & Ba 2015 and Sutskever et al. 2013, written out as sums over all gradients so far."""
-    adam, heavy = Adam(2), Momentum(2, momentum=0.8)
+def test_adam_is_the_textbook_algorithm():
+    """Kingma & Ba 2015, written out as sums over all gradients so far."""
+    state = adam_state(2)
     for t, (gradient, rate) in enumerate(zip(GRADIENTS, RATES, strict=True), start=1):
         past = GRADIENTS[:t][::-1].T.astype(np.float64)
         m, v = past @ (0.1 * 0.9 ** np.arange(t)), past**2 @ (0.001 * 0.999 ** np.arange(t))
         expected = rate * (m / (1 - 0.9**t)) / (np.sqrt(v / (1 - 0.999**t)) + 1e-8)
-        assert adam.step(gradient, rate) == pytest.approx(expected, rel=1e-4)
-        expected = past @ (RATES[:t][::-1] * 0.8 ** np.arange(t))
-        assert heavy.step(gradient, rate) == pytest.approx(expected, rel=1e-5)
+        change, state = adam(state, gradient, rate)
+        assert change == pytest.approx(expected, rel=1e-4)
 
 
 def test_evolution_strategy_samples_mirrored_pairs_on_shared_matches():
-    learner = teach(strategy(), 3)
-    candidates = learner.ask(generator(3))
-    assert candidates.shape == (16, SIZE)
-    assert candidates.dtype == np.float32
-    assert np.allclose((candidates[:8] + candidates[8:]) / 2, learner.genome, atol=1e-6)  # mirrored
-    assert np.std(candidates - learner.genome) == pytest.approx(0.05, rel=0.2)
-    assert learner.seed_groups.tolist() == [*range(8), *range(8)]
+    state = teach(ES, begun(ES), 3)
+    candidates, _ = ES.ask(state, generator(3))
+    assert (candidates.shape, candidates.dtype) == ((16, SIZE), np.float32)
+    middle = (candidates[:8] + candidates[8:]) / 2
+    assert np.allclose(middle, ES.genome(state), atol=1e-6)  # mirrored
+    assert np.std(candidates - ES.genome(state)) == pytest.approx(0.05, rel=0.2)
+    assert ES.seed_groups.tolist() == [*range(8), *range(8)]
 
 
-def gradient_of(learner, epoch):
-    """Teach an epoch, and return the gradient that Salimans et al. 2017 define for it."""
-    candidates = learner.ask(generator(epoch))
-    fitness, noise = closeness(candidates), (candidates - learner.genome) / 0.05
+def gradient_of(learner, state, epoch):
+    """Teach an epoch; return the gradient that Salimans et al. 2017 define, and the state."""
+    candidates, asked = learner.ask(state, generator(epoch))
+    fitness, noise = closeness(candidates), (candidates - learner.genome(state)) / 0.05
     ranks = np.argsort(np.argsort(fitness)) / 15 - 0.5
-    learner.tell(fitness)
-    return (ranks[:, None] * noise).sum(axis=0) / (16 * 0.05)
+    gradient = (ranks[:, None] * noise).sum(axis=0) / (16 * 0.05)
+    return gradient, learner.tell(asked, Results(fitness))
 
 
 def test_evolution_strategies_follow_the_published_update():
-    learner = strategy()
-    first = gradient_of(learner, 0)
-    assert np.allclose(learner.genome, 0.05 * np.sign(first), atol=1e-4)  # Adam's first step
-    learner = momentum(momentum=0.5)  # not the default, so that it is seen to count
-    first, second = gradient_of(learner, 0), gradient_of(learner, 1)
+    first, state = gradient_of(ES, begun(ES), 0)
+    assert np.allclose(ES.genome(state), 0.05 * np.sign(first), atol=1e-4)  # Adam's first step
+    learner = replace(MOMENTUM, momentum=0.5)  # not the usual one, so that it is seen to count
+    first, state = gradient_of(learner, begun(learner), 0)
+    second, state = gradient_of(learner, state, 1)
     expected = 0.01 * first + (0.01 * second + 0.5 * 0.01 * first)
-    assert np.allclose(learner.genome, expected, atol=1e-5)
+    assert np.allclose(learner.genome(state), expected, atol=1e-5)
 
 
 def test_samples_spread_with_the_genome_and_the_update_stays_that_of_the_ranks():
-    learner = strategy(relative_sigma=0.5)
-    assert (learner.ask(generator()) == strategy().ask(generator())).all()  # the genome is zero
-    learner.genome = np.linspace(1, 2, SIZE, dtype=np.float32)
-    sigma = 0.5 * math.sqrt((np.linspace(1, 2, SIZE) ** 2).mean())
-    before, candidates = learner.genome, learner.ask(generator(1))
-    noise = np.stack(noise_table().draw(8, generator(1))) / 0.05
-    assert np.allclose(candidates - before, sigma * np.concatenate([noise, -noise]), atol=1e-5)
+    learner = replace(ES, relative_sigma=0.5)
+    equal = [each.ask(begun(each), generator())[0] for each in (learner, ES)]
+    assert np.array_equal(*equal)  # the genome is zero
+    before = np.linspace(1, 2, SIZE, dtype=np.float32)
+    state = begun(learner, begin=before)
+    sigma = 0.5 * math.sqrt((before.astype(float) ** 2).mean())
+    candidates, asked = learner.ask(state, generator(1))
+    noise = np.stack(noise_of(state, draw_windows(8, SIZE, generator(1)), SIZE, 0.05)) / 0.05
+    both = np.concatenate([noise, -noise])
+    assert np.allclose(candidates - before, sigma * both, atol=1e-5)
     fitness = closeness(candidates)
-    learner.tell(fitness)
+    after = learner.genome(learner.tell(asked, Results(fitness)))
     ranks = np.argsort(np.argsort(fitness)) / 15 - 0.5
-    step = 0.05 * np.sign((ranks[:, None] * np.concatenate([noise, -noise])).sum(axis=0))
-    assert np.allclose(learner.genome - before, step, atol=1e-3)
+    step = 0.05 * np.sign((ranks[:, None] * both).sum(axis=0))
+    assert np.allclose(after - before, step, atol=1e-3)
 
 
-@pytest.mark.parametrize("make", [strategy, momentum])
-def test_annealed_strategies_find_the_target_and_their_rate_falls_to_a_tenth(make):
-    learner = make(anneal_over=400)
-    first = learner.rate
-    assert teach(learner, 200).rate == pytest.approx(0.55 * first)
-    assert teach(learner, 200, first=200).rate == pytest.approx(0.1 * first)
-    assert closeness(learner.genome) > -0.01 > closeness(np.zeros(SIZE))
-    assert teach(learner, 1).rate == pytest.approx(0.1 * first)
-    assert teach(make(), 3).rate == first
+@pytest.mark.parametrize("learner", [ES, MOMENTUM])
+def test_annealed_strategies_find_the_target_and_steps_fall_to_a_tenth(learner):
+    annealing = replace(learner, anneal=True)
+    state = teach(annealing, begun(annealing, epochs=400), 400)
+    assert closeness(annealing.genome(state)) > -0.01 > closeness(np.zeros(SIZE))
+    still = {**state, "velocity": np.zeros(SIZE, np.float32)}  # of momentum, none from before
+    still |= adam_state(SIZE) if learner.momentum is None else {}
+    for updates, share in ((0, 1.0), (200, 0.55), (400, 0.1), (900, 0.1)):
+        begin = {**still, "updates": np.array(updates)}
+        steps = [
+            np.abs(each.genome(teach(each, begin, 1)) - each.genome(begin)).mean()
+            for each in (annealing, learner)
+        ]
+        assert steps[0] == pytest.approx(share * steps[1], rel=1e-2)
 
 
 def ellipsoid(size, condition):
@@ -165,68 +187,60 @@ def test_cma_goes_where_deap_s_own_strategy_goes(monkeypatch):
         fitness = None
 
     score = ellipsoid(SIZE, 100.0)  # on a sphere the covariance would stay what it is
-    learner, theirs = covariance(), cma.Strategy([0.0] * SIZE, 0.3, lambda_=16)
+    state, theirs = begun(CMA), cma.Strategy([0.0] * SIZE, 0.3, lambda_=16)
     for epoch in range(30):
-        candidates = learner.ask(generator(epoch))
+        candidates, asked = CMA.ask(state, generator(epoch))
         # The fitness of both is that of the float32 genomes, which are what is played.
-        learner.tell(score(candidates))
+        state = CMA.tell(asked, Results(score(candidates)))
         monkeypatch.setattr(np.random, "standard_normal", generator(epoch).standard_normal)
         population = theirs.generate(Individual)
         for individual in population:
             individual.fitness = score(np.array(individual, dtype=np.float32))
         with threadpool_limits(limits=1, user_api="blas"):  # as ours: threads change the last bits
             theirs.update(population)
-    state = learner.state()
     for name in ("centroid", "sigma", "C", "pc", "ps"):
         assert np.array_equal(state[name], getattr(theirs, name)), name
-    assert np.array_equal(learner.genome, theirs.centroid.astype(np.float32))
+    assert np.array_equal(CMA.genome(state), theirs.centroid.astype(np.float32))
     assert state["update_count"] == 30
     assert theirs.sigma != pytest.approx(0.3, rel=0.1)  # it went somewhere at all
 
 
 def test_cma_does_not_depend_on_the_threads_of_the_linear_algebra():
     """With 330 genes, OpenBLAS with two threads rounds otherwise than with one."""
-    ended = []
+    ended, learner = [], replace(CMA, population=24)
     for threads in (1, 2):
         with threadpool_limits(threads, "blas"):
-            learner = CmaEs(np.zeros(330), sigma=0.3, samples=24)
+            state = begun(learner, genes=330)
             for epoch in range(3):
-                candidates = learner.ask(generator(epoch))
-                learner.tell(-(candidates**2).sum(axis=1))
-            ended.append(learner.state())
+                candidates, asked = learner.ask(state, generator(epoch))
+                state = learner.tell(asked, Results(-(candidates**2).sum(axis=1)))
+            ended.append(state)
     assert all(np.array_equal(ended[0][name], ended[1][name]) for name in ended[0])
 
 
-@pytest.mark.parametrize("make", LEARNERS)
-@pytest.mark.parametrize("fitness", [np.zeros(3), np.full(16, np.nan)])
-def test_bad_fitness_is_refused(make, fitness):
-    learner = make()
-    with pytest.raises(RuntimeError, match="ask"):
-        learner.tell(fitness)
-    learner.ask(generator())
+@pytest.mark.parametrize("learner", LEARNERS)
+@pytest.mark.parametrize("fitness", [np.zeros(3), np.full(16, np.nan), np.full(40, np.nan)])
+def test_bad_fitness_is_refused(learner, fitness):
+    _, asked = learner.ask(begun(learner), generator())
     with pytest.raises(ValueError, match="^fitness: "):
-        learner.tell(fitness)
-
-
-@pytest.mark.parametrize(
-    ("call", "field"),
-    [
-        (lambda: strategy(samples=5), "samples"),
-        (lambda: algorithm(elites=40), "population"),
-        (lambda: momentum(momentum=1.0), "momentum"),
-        (lambda: CmaEs(np.zeros(1001), sigma=0.1), "genome"),
-    ],
-)
-def test_parts_that_do_not_fit_are_refused(call, field):
-    with pytest.raises(ValueError, match=f"^{field}: expected"):
-        call()
+        learner.tell(asked, Results(fitness))
 
 
 @pytest.mark.parametrize("options", [{}, {"crossover": 0.7}, {"truncation": 0.25, "elites": 0}])
 def test_genetic_algorithm_improves(options):
-    learner = algorithm(sigma=0.1, **options)
-    best_at_first = closeness(learner.ask(generator())).max()
-    assert closeness(teach(learner, 150).genome) > best_at_first / 10
+    learner = replace(GA, mutation=0.1, **options)
+    state = begun(learner)
+    best_at_first = closeness(learner.ask(state, generator())[0]).max()
+    assert closeness(learner.genome(teach(learner, state, 150))) > best_at_first / 10
+
+
+@pytest.mark.parametrize("learner", LEARNERS)
+def test_no_state_changes_when_the_next_one_is_made(learner):
+    state = teach(learner, begun(learner), 2)
+    before = {name: value.copy() for name, value in state.items()}
+    teach(learner, state, 3, first=2)
+    assert state.keys() == before.keys()
+    assert all(np.array_equal(state[name], before[name]) for name in state)
 
 
 def test_selection_prefers_the_fitter():
@@ -254,68 +268,41 @@ def test_mating_mixes_the_given_share():
 
 
 def test_mutation_has_the_given_standard_deviation():
-    genomes, noise = np.full((500, 100), 3.0, np.float32), NoiseTable(100, generator(2), sigma=0.5)
-    assert mutate_from_table(genomes, generator(), noise=noise) is genomes
+    genomes = np.full((500, 100), 3.0, np.float32)
+    assert mutate(genomes, generator(), state=task(100).noise_state(), sigma=0.5) is genomes
     assert genomes.mean() == pytest.approx(3.0, abs=0.02)
     assert genomes.std() == pytest.approx(0.5, abs=0.02)
 
 
-def learner_of(population, elites=2):
-    noise = NoiseTable(np.shape(population)[1], generator(2), sigma=0.05)
-    return GeneticAlgorithm(population, noise, elites=elites)
+class Zeros(GeneticAlgorithm):
+    """All offspring become 0, so that what is left is elite."""
+
+    @property
+    def toolbox(self) -> base.Toolbox:
+        toolbox = super().toolbox
+        toolbox.register("mutate", lambda genomes, rng, state: genomes * np.float32(0))
+        return toolbox
 
 
 def test_elites_are_kept_and_an_operator_may_return_a_new_array():
-    learner = learner_of(generator(5).normal(size=(8, 5)), elites=3)
-    # All offspring become 0, so what is left is elite.
-    learner.toolbox.register("mutate", lambda genomes, rng: genomes * np.float32(0))
-    first = learner.ask(generator())
+    learner = Zeros(population=8, elites=3, mutation=0.05)
+    first, asked = learner.ask(begun(learner), generator())
     fitness = first.sum(axis=1)
-    learner.tell(fitness)
+    state = learner.tell(asked, Results(fitness))
     elite = first[np.argsort(-fitness)[:3]]
-    assert np.array_equal(learner.genome, elite[0])
-    assert np.array_equal(learner.ask(generator(1)), [*elite, *np.zeros((5, 5))])
-
-
-INDIVIDUALS, ELITES = 40, 10
-
-
-def scored(rng):
-    """Return a learner after an epoch of random fitness, and that fitness."""
-    learner = learner_of(rng.normal(size=(INDIVIDUALS, 1)), ELITES)
-    learner.ask(rng)
-    fitness = rng.normal(size=INDIVIDUALS)
-    learner.tell(fitness)
-    return learner, fitness
-
-
-def test_crowning_changes_the_champion_and_no_offspring():
-    children = []
-    for crowned in (False, True):
-        learner, fitness = scored(np.random.default_rng(2))
-        fittest = learner.genome
-        assert learner.elite.tolist() == np.argsort(-fitness)[:ELITES].tolist()
-        if crowned:
-            learner.choose_champion(np.arange(ELITES))
-            assert learner.genome == learner.elite_genomes()[-1] != fittest
-            restored, _ = scored(np.random.default_rng(3))
-            restored.restore(learner.state())
-            assert restored.genome == learner.genome
-        children.append(learner.ask(np.random.default_rng(4)))
-        learner.tell(np.arange(INDIVIDUALS))
-        # The next epoch has its own champion.
-        assert learner.genome == children[-1][-1]
-    assert np.array_equal(*children)
+    assert np.array_equal(learner.genome(state), elite[0])
+    assert np.array_equal(learner.ask(state, generator(1))[0], [*elite, *np.zeros((5, SIZE))])
 
 
 @pytest.mark.parametrize(("sigma", "advice"), [(1e-160, "larger"), (1e300, "smaller")])
 def test_cma_names_the_direction_of_a_better_sigma(sigma: float, advice: str) -> None:
-    learner = CmaEs(np.zeros(5), sigma=sigma, samples=8)
+    learner = CmaEs(sigma=sigma, population=8)
 
     def learn() -> None:
+        state = begun(learner, genes=5)
         for epoch in range(300):
-            learner.ask(np.random.default_rng(epoch))
-            learner.tell(np.arange(8.0))
+            _, asked = learner.ask(state, generator(epoch))
+            state = learner.tell(asked, Results(np.arange(8.0)))
 
     with pytest.raises(DivergedError, match=f"{advice} sigma"):
         learn()
