@@ -71,12 +71,6 @@ def test_values_are_refused(call: Any, error: type[Exception], says: str) -> Non
     assert_refuses(call, error, says)
 
 
-def test_unknown_fields_are_named() -> None:
-    for call in (mw.WorldConfig, mw.World, lambda **more: mw.Batch(1, CONFIG, **more)):
-        with pytest.raises(TypeError, match="n_predators"):
-            call(n_predators=3)
-
-
 HEADER = "type octile\nheight 2\nwidth 3\nmap\n"
 FILES = [
     value("...\n.#.\n", "a MovingAI map | got ['...', '.#.']"),
@@ -113,6 +107,11 @@ def test_maps_are_read_in_all_forms(tmp_path: Path) -> None:
         for header in (HEADER, HEADER.replace(" ", "\t  ") + "\n", HEADER.replace("2", "02 ")):
             path.write_text(header + "..@ \r\nT..\n\n \n", encoding=encoding)
             np.testing.assert_array_equal(mw.read_map(path), expected)
+    world = mw.World(obstacles=path, n_pursuers=1, n_evaders=1)
+    world.reset(obstacles=str(path))
+    np.testing.assert_array_equal(world.map, expected)
+    path.write_text(HEADER + ".GS\nOTW\n")
+    assert mw.read_map(path).tolist() == [[False] * 3, [True] * 3]
 
 
 WORLD_CALLS = [

@@ -9,7 +9,6 @@ import matrixworld as mw
 from rows import NAMES, config_of, random_actions
 
 MOMENT = ("positions", "last_positions", "alive", "steps", "seed", "episode", "views", "state")
-MODES = list(mw.Autoreset)
 
 
 def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
@@ -30,13 +29,10 @@ class SingleWorld:
             name: np.zeros(shape) for name, (shape, _) in mw.episode_specs(config).items()
         }
         self.read()
-        self.begin()
+        self.steps: list[dict[str, Any]] = []
 
     def read(self) -> None:
         self.arrays |= self.world.read(*mw.array_specs(self.world.config))
-
-    def begin(self) -> None:
-        self.steps: list[dict[str, Any]] = []
 
     @property
     def ended(self) -> bool:
@@ -49,7 +45,7 @@ class SingleWorld:
         if was_ended and self.autoreset is mw.Autoreset.NEXT_STEP:
             self.world.reset()
             self.read()
-            self.begin()
+            self.steps = []
         elif was_ended:
             for name in ("rewards", "involved", "fault", "captors", "cost"):
                 self.arrays[name] = np.zeros_like(self.arrays[name])
@@ -62,7 +58,7 @@ class SingleWorld:
         if self.ended and self.autoreset is mw.Autoreset.SAME_STEP:
             self.world.reset()
             self.arrays |= self.world.read(*MOMENT)
-            self.begin()
+            self.steps = []
 
     def finish(self) -> None:
         """Compute the statistics of the episode from the arrays of its steps."""
@@ -87,7 +83,7 @@ class SingleWorld:
         }
 
 
-@pytest.mark.parametrize("autoreset", MODES)
+@pytest.mark.parametrize("autoreset", mw.Autoreset)
 @pytest.mark.parametrize("name", NAMES)
 def test_each_world_is_a_single_world(name: str, autoreset: mw.Autoreset) -> None:
     # 24 steps are two episodes and a part.
@@ -136,16 +132,12 @@ def test_a_mask_selects_the_worlds_to_reset() -> None:
 @pytest.mark.parametrize("name", ["O", "SD", "TO"])
 def test_threads_change_nothing(name: str) -> None:
     config = config_of(name, obstacles=0.1, diagonal=True)
-    n_worlds = 70  # no multiple of 3 threads
+    n_worlds, mode = 70, mw.Autoreset.SAME_STEP  # no multiple of 3 threads
     actions = random_actions(2, config.n_actions, 25, n_worlds, config.n_agents)
     played = []
     for threads in (1, 2, 3, None):
         batch = mw.Batch(
-            n_worlds,
-            config,
-            threads=threads,
-            autoreset=mw.Autoreset.SAME_STEP,
-            buffers=all_buffers(config, n_worlds),
+            n_worlds, config, threads=threads, autoreset=mode, buffers=all_buffers(config, n_worlds)
         )
         batch.reset(5)
         for row in actions:

@@ -9,8 +9,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.world.arrays import array_specs, new_arrays
-from matrixworld.world.batch import Batch
+from matrixworld.world.arrays import new_arrays
 from matrixworld.world.masks import ActionMasks, action_masks, forbidding_cells
 from matrixworld.world.rules import VARIANTS
 from right_of_way import MASK, ROWS, forbidden_in_s, play
@@ -103,10 +102,13 @@ def test_the_mask_forbids_no_more_than_it_must(rules: Any, team: Team) -> None:
             assert faults_of_all_choices(config, (team,), {team: fewer}) > 0, (move, cell)
 
 
-def new_batch(config: mw.WorldConfig, n: int) -> Batch:
-    specs = array_specs(config)
-    wanted = {name: specs[name] for name in ("views", "fault")}
-    return Batch(n, config, threads=1, buffers=new_arrays(wanted, n))
+def begun(config: mw.WorldConfig, placed: dict[str, np.ndarray]) -> mw.Batch:
+    """Return one world for each placement of the teams."""
+    specs, n = mw.array_specs(config), len(placed["pursuers"])
+    buffers = new_arrays({name: specs[name] for name in ("views", "fault")}, n)
+    batch = mw.Batch(n, config, threads=1, buffers=buffers)
+    batch.reset(np.arange(n, dtype=np.uint64), **placed)
+    return batch
 
 
 def faults_of_all_choices(
@@ -118,8 +120,7 @@ def faults_of_all_choices(
     placed = np.array(list(itertools.permutations(free, config.n_agents)))
     teams = {"pursuer": slice(0, config.n_pursuers), "evader": slice(config.n_pursuers, None)}
     everyone = {f"{team}s": placed[:, part] for team, part in teams.items()}
-    start = new_batch(config, len(placed))
-    start.reset(np.arange(len(placed), dtype=np.uint64), **everyone)
+    start = begun(config, everyone)
     allowed = np.ones((*placed.shape[:2], config.n_actions), np.int8)
     for team in keeps:
         views = start.buffers["views"][:, teams[team]]
@@ -129,12 +130,8 @@ def faults_of_all_choices(
         # The placements in which everybody may act so.
         may = allowed[:, np.arange(config.n_agents), choice].all(axis=1)
         if may.any():
-            batch = new_batch(config, int(may.sum()))
-            batch.reset(
-                np.arange(may.sum(), dtype=np.uint64),
-                **{name: cells[may] for name, cells in everyone.items()},
-            )
-            batch.step(np.tile(choice, (int(may.sum()), 1)))
+            batch = begun(config, {name: cells[may] for name, cells in everyone.items()})
+            batch.step(np.tile(choice, (batch.n_worlds, 1)))
             found += sum(int(batch.buffers["fault"][:, teams[team]].sum()) for team in keeps)
     return found
 
@@ -189,13 +186,10 @@ def test_environments_offer_the_mask_of_each_team(variant: str) -> None:
         turns.step(None if over or cut else draw(info["action_mask"]))
 
 
-@pytest.mark.parametrize(("mask", "fov"), [("right-of-way", 3), ("obstacles", 1), ("occupied", 5)])
-def test_masks_that_are_refused(mask: str, fov: int) -> None:
-    with pytest.raises(ValueError, match="^action_mask: expected"):
-        ActionMasks(mask, world_of("S", fov=fov))
-
-
-def test_careful_scripts_need_a_wide_view() -> None:
+def test_what_needs_a_wide_view_is_refused_without() -> None:
+    for mask, fov in (("right-of-way", 3), ("obstacles", 1), ("occupied", 5)):  # no such mask
+        with pytest.raises(ValueError, match="^action_mask: expected"):
+            ActionMasks(mask, world_of("S", fov=fov))
     config = world_of("S", fov=3)
     with pytest.raises(ValueError, match=r"^pursuers: expected a fov of at least 5 for careful-"):
         mw.rollout(config, "careful-chaser", "random", mw.Matches.of(0, 0, 0))

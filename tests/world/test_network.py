@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 from scipy import stats
+from scipy.special import softmax
 
 import matrixworld as mw
 import network_hash
@@ -17,14 +18,10 @@ from rows import random_genome
 LEVELS = {"base": "kernels_base", "x86-64-v3": "kernels_v3", "x86-64-v4": "kernels_v4"}
 
 
-def logits_of(world: mw.World, network: mw.Network, genome: np.ndarray) -> np.ndarray:
-    return world._core.logits(network.core, genome)
-
-
 def assert_agrees(world: mw.World, network: mw.Network, seed: int) -> None:
     genome = random_genome(network, seed)
     expected = network.logits(genome, world.views()[world.alive])
-    found = logits_of(world, network, genome)
+    found = world._core.logits(network.core, genome)
     assert found.dtype == np.float32
     scale = max(1.0, float(np.abs(expected).max()))  # float32: the error grows with the numbers
     np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-5 * scale)
@@ -94,19 +91,12 @@ def test_initial_genomes() -> None:
     np.testing.assert_array_equal(genome, again)
 
 
-# Every agent is walled in, so it stays where it is and sees the same at every step.
-CELLS = ["##########", "#.##.#.###", "##########", "#.###.####", "##########"]
-
-
 def sealed(steps: int, *, diagonal: bool = False) -> mw.WorldConfig:
+    """Every agent is walled in: it stays where it is and sees the same at every step."""
+    cells = ["##########", "#.##.#.###", "##########", "#.###.####", "##########"]
     return mw.WorldConfig(
-        "SB", obstacles=CELLS, n_pursuers=4, n_evaders=1, fov=5, diagonal=diagonal, max_steps=steps
+        "SB", obstacles=cells, n_pursuers=4, n_evaders=1, fov=5, diagonal=diagonal, max_steps=steps
     )
-
-
-def softmax(logits: np.ndarray) -> np.ndarray:
-    powers = np.exp(logits.astype(float) - logits.max(axis=1, keepdims=True))
-    return powers / powers.sum(axis=1, keepdims=True)
 
 
 @pytest.mark.parametrize("diagonal", [False, True])
@@ -120,7 +110,7 @@ def test_sampled_actions_follow_the_softmax(activation: str, diagonal: bool) -> 
     world = mw.World(config)
     world.reset(3)
     np.testing.assert_array_equal(episode.positions[-1], world.positions)
-    expected = softmax(network.logits(genome, world.views()[:4]))
+    expected = softmax(network.logits(genome, world.views()[:4]).astype(float), axis=1)
     for agent in range(4):
         counts = np.bincount(episode.actions[:, agent], minlength=config.n_actions)
         assert stats.chisquare(counts, steps * expected[agent]).pvalue > 1e-3

@@ -1,5 +1,7 @@
 """Random numbers: the generator against NumPy's, and what a reset does with it."""
 
+import itertools
+
 import numpy as np
 import pytest
 from scipy import stats
@@ -36,12 +38,6 @@ def starts(config: mw.WorldConfig, *buffers: str) -> dict[str, np.ndarray]:
     return mw.Batch(N_WORLDS, config, buffers=arrays).reset(11)
 
 
-def cells(config: mw.WorldConfig) -> np.ndarray:
-    """The number of the cell of each agent in each world."""
-    positions = starts(config, "positions")["positions"]
-    return positions[:, :, 0] * config.cols + positions[:, :, 1]
-
-
 def is_uniform(numbers: np.ndarray, n: int) -> bool:
     return bool(stats.chisquare(np.bincount(numbers, minlength=n)).pvalue > 1e-3)
 
@@ -49,7 +45,7 @@ def is_uniform(numbers: np.ndarray, n: int) -> bool:
 def test_agents_start_apart_and_know_nothing_of_each_other() -> None:
     """Ordered pairs of distinct cells are equally likely, so each agent starts anywhere, too."""
     config = mw.WorldConfig(rows=2, cols=4, n_pursuers=2, n_evaders=2)
-    places = cells(config)
+    places = starts(config, "positions")["positions"] @ [config.cols, 1]
     for one in range(4):
         for other in range(one):
             first, second = places[:, one], places[:, other]
@@ -64,16 +60,14 @@ def test_obstacles_of_a_density_lie_anywhere() -> None:
     ground = arrays["state"][:, 2].reshape(N_WORLDS, 20)
     assert (ground.sum(axis=1) == 5).all()
     assert stats.chisquare(ground.sum(axis=0)).pvalue > 1e-3
-    places = arrays["positions"][..., 0] * 5 + arrays["positions"][..., 1]
+    places = arrays["positions"] @ [5, 1]
     assert not np.take_along_axis(ground, places, axis=1).any()
 
 
 def test_seeds_and_episodes_are_told_apart() -> None:
-    config = mw.WorldConfig(rows=40, cols=40)
-    world = mw.World(config)
+    world = mw.World(rows=40, cols=40)
     drawn = set()
-    for seed in (0, 1, 2**32, 2**64 - 1):
-        for episode in (0, 1, 2**32, 2**64 - 1):
-            world.reset(seed, episode=episode)
-            drawn.add(world.positions.tobytes())
+    for seed, episode in itertools.product((0, 1, 2**32, 2**64 - 1), repeat=2):
+        world.reset(seed, episode=episode)
+        drawn.add(world.positions.tobytes())
     assert len(drawn) == 16

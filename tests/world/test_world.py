@@ -4,7 +4,6 @@ import dataclasses
 import json
 import pickle
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -65,29 +64,6 @@ def test_conflicts_are_kept_only_with_explain() -> None:
             _ = world.conflicts
 
 
-def test_conflicts_in_words() -> None:
-    world = mw.World("B", rows=3, cols=4, n_pursuers=3, n_evaders=2)
-    world.reset(pursuers=[[0, 0], [0, 2], [2, 0]], evaders=[[2, 2], [1, 3]])
-    east, west, south = mw.Action.EAST, mw.Action.WEST, mw.Action.SOUTH
-    world.step([east, west, south, west, west], explain=True)
-    assert sorted(map(str, world.conflicts)) == [
-        "pursuer_0 and pursuer_1 both headed for (0, 1): both bounce",
-        "pursuer_2 ran into the obstacle or border at (3, 0): pursuer_2 bounces",
-    ]
-    [bounce] = [c for c in world.conflicts if c.kind == "teammate"]
-    assert bounce == mw.Conflict(
-        kind="teammate",
-        form="vertex",
-        agents=(0, 1),
-        cell=(0, 1),
-        at_fault=(0, 1),
-        held=(0, 1),
-        doomed=(),
-        turn=0,
-        text="pursuer_0 and pursuer_1 both headed for (0, 1): both bounce",
-    )
-
-
 @pytest.mark.parametrize("of", [list, tuple, mw.read_map])
 def test_a_map_gives_the_size_and_is_the_config_s_own(of: Callable[..., Any]) -> None:
     ground = of(["..#..", "....."])
@@ -140,32 +116,6 @@ def test_plain_settings_are_checked(
         plain[name] = part | value if isinstance(value, dict) and value and part else value
     with pytest.raises(error, match=f"{field}: expected"):
         mw.WorldConfig.from_json(plain)
-
-
-MOVING_AI = """type octile
-height 3
-width 8
-map
-.GS.....
-@OTW#...
-........
-"""
-
-
-def test_a_movingai_map(tmp_path: Path) -> None:
-    path = tmp_path / "street.map"
-    path.write_text(MOVING_AI)
-    expected = np.zeros((3, 8), bool)
-    expected[1, :5] = True
-    for source in (path, str(path)):
-        np.testing.assert_array_equal(mw.read_map(source), expected)
-    path.write_text(MOVING_AI.replace("\n", "\r\n") + "\n\n")  # as Windows ends lines
-    np.testing.assert_array_equal(mw.read_map(path), expected)
-    world = mw.World("O", obstacles=path, n_pursuers=2, n_evaders=3)
-    np.testing.assert_array_equal(world.map, expected)
-    world.reset(obstacles=str(path))
-    assert (world.config.rows, world.config.cols) == (3, 8)
-    assert str(world).splitlines()[1].startswith("#####")
 
 
 def penalties_only(**changes: object) -> mw.Rewards:
