@@ -78,7 +78,7 @@ OPENED: dict[str, list[str]] = {
     ],
     "lesson": ["location.hash = '#votes'"],
     "explorer": [
-        *(PRESS.format(name) for name in (".keys-button", ".to-share", ".to-play")),
+        *(PRESS.format(name) for name in (".keys-button", ".to-play")),
     ],
     "playground": [
         WATCHED,

@@ -35,10 +35,9 @@ export class Board {
     this.#look = { ...PLAIN, ...look };
     this.#sizes = new ResizeObserver(() => this.#resize());
     this.#sizes.observe(canvas);
-    // Themes change by the system or by an attribute of the page.
+    // The theme is an attribute of the page.
     this.#themes = new MutationObserver(() => this.redraw());
     this.#themes.observe(document.documentElement, { attributes: true });
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", this.redraw);
     addEventListener("beforeprint", this.#print);
   }
 
@@ -46,7 +45,6 @@ export class Board {
   close(): void {
     this.#sizes.disconnect();
     this.#themes.disconnect();
-    matchMedia("(prefers-color-scheme: dark)").removeEventListener("change", this.redraw);
     removeEventListener("beforeprint", this.#print);
     cancelAnimationFrame(this.#due);
   }

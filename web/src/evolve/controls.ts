@@ -1,17 +1,11 @@
 // What can be turned while a race goes on, and what a new race begins with.
 
-import { html } from "../page/dom.ts";
+import { html, select } from "../page/dom.ts";
 import { LEAST_VIEW, MOST_AGENTS, MOST_SEED, POPULATIONS, STEPS, VIEWS } from "./choice.ts";
 import type { Choice } from "./choice.ts";
 import { SCHEDULES } from "./data.ts";
 
 type Option = readonly [value: string | number, text: string];
-
-function select(options: readonly Option[], change: (value: string) => void): HTMLSelectElement {
-  const made = html("select", {}, ...options.map(([value, text]) => html("option", { value }, text)));
-  made.addEventListener("change", () => change(made.value));
-  return made;
-}
 
 function field(name: string, about: string, control: HTMLElement, style = ""): HTMLElement {
   return html("label", { class: `field ${style}`, title: about },

@@ -4,7 +4,7 @@ import "./evolve.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import { copy, readOnly, saveFile } from "../page/dialog.ts";
-import { hasAddress, html } from "../page/dom.ts";
+import { hasAddress, html, started } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import { top } from "../page/top.ts";
 import { legend } from "../board/legend.ts";
@@ -203,14 +203,4 @@ async function show(): Promise<void> {
 }
 
 if (typeof document === "undefined") work();
-else {
-  show()
-    .catch((error: unknown) => {
-      const place = document.getElementById("page") ?? document.body;
-      place.append(html("p", { class: "card problem", role: "alert" }, `The page could not start: ${String(error)}`));
-      throw error;
-    })
-    .finally(() => {
-      document.body.dataset["ready"] = "true";
-    });
-}
+else void started(show());

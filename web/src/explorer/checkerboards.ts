@@ -2,9 +2,8 @@
 
 import { html } from "../page/dom.ts";
 import { generationName } from "../page/names.ts";
-import { inkOn, viridisText } from "./colormap.ts";
 import type { Checkerboard, Run } from "./data.ts";
-import { rate } from "./format.ts";
+import { showRate } from "./heatmap.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
@@ -29,10 +28,8 @@ export function checkerboardPanel(run: Run, store: Store, play: () => void): Pan
 
 function miniature(run: Run, { pursuers, evaders }: Checkerboard, choose: (pursuer: number, evader: number) => void): HTMLElement {
   const cell = (g: number, h: number): HTMLElement => {
-    const value = run.payoff.capture_rate[g]![h]!;
-    const name = `${generationName("pursuer", g)} against ${generationName("evader", h)}: ${rate(value)}`;
-    const made = html("button", { type: "button", class: "cell", "aria-label": name, onclick: () => choose(g, h) }, rate(value));
-    [made.style.backgroundColor, made.style.color] = [viridisText(value), inkOn(value)];
+    const made = html("button", { type: "button", class: "cell", onclick: () => choose(g, h) });
+    showRate(made, run.payoff.capture_rate[g]![h]!, `${generationName("pursuer", g)} against ${generationName("evader", h)}`);
     return made;
   };
   return html("div", { class: "miniature numbers" },

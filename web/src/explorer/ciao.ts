@@ -2,10 +2,9 @@
 
 import { html, svg } from "../page/dom.ts";
 import { listenToArrows } from "./arrow_keys.ts";
-import { viridis } from "./colormap.ts";
 import type { Run, Team } from "./data.ts";
 import { rate } from "./format.ts";
-import { scaleOfRates } from "./heatmap.ts";
+import { cellsOf, scaleOfRates } from "./heatmap.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
@@ -30,17 +29,10 @@ export function ciaoPanel(run: Run, store: Store): Panel | null {
 function triangle(run: Run, team: Team, numbers: string, store: Store): { element: HTMLElement; update(): void } {
   const own = team === "pursuer" ? 0 : 1;
   const [rows, columns] = [run.payoff.shape[own], run.payoff.shape[1 - own]!];
-  const score = (row: number, column: number): number =>
-    team === "pursuer" ? run.payoff.capture_rate[row]![column]! : 1 - run.payoff.capture_rate[column]![row]!;
-  const canvas = html("canvas", { width: columns, height: rows, "aria-hidden": "true" });
-  const ctx = canvas.getContext("2d");
-  const image = ctx?.createImageData(columns, rows);
-  for (let row = 0; image && row < rows; row++) {
-    for (let column = 0; column <= Math.min(row, columns - 1); column++) {
-      image.data.set([...viridis(score(row, column)), 255], 4 * ((rows - 1 - row) * columns + column));
-    }
-  }
-  if (image) ctx?.putImageData(image, 0, 0);
+  const rates = run.payoff.capture_rate;
+  const scores = Array.from({ length: rows }, (_, row) => Array.from({ length: Math.min(row + 1, columns) }, (_none, column) =>
+    (team === "pursuer" ? rates[row]![column]! : 1 - rates[column]![row]!)));
+  const canvas = cellsOf({ shape: [rows, columns], first: [0, 0], capture_rate: scores });
   const place = svg("rect", { class: "chosen", width: 1, height: 1 });
   const under = svg("rect", { class: "chosen under", width: 1, height: 1 });
   const overlay = svg("svg", { viewBox: `0 0 ${columns} ${rows}`, preserveAspectRatio: "none", "aria-hidden": "true" }, under, place);

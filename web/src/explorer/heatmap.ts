@@ -1,8 +1,9 @@
 // Cells of a payoff matrix on a canvas, pursuer generations upwards.
 
 import type { Payoff } from "./data.ts";
+import { rate } from "./format.ts";
 import { html } from "../page/dom.ts";
-import { viridis, viridisGradient } from "./colormap.ts";
+import { inkOn, viridis, viridisGradient, viridisText } from "./colormap.ts";
 
 type Box = Readonly<Record<"left" | "top" | "width" | "height", number>>;
 
@@ -21,8 +22,8 @@ export function drawCells(canvas: HTMLCanvasElement, payoff: Cells, box: Box): v
   ctx.drawImage(cells, 0, 0, canvas.width, canvas.height);
 }
 
-/** Return a picture with one pixel for each cell. */
-function cellsOf(payoff: Cells): HTMLCanvasElement | null {
+/** Return a picture with one pixel for each cell; rows may be short. */
+export function cellsOf(payoff: Cells): HTMLCanvasElement | null {
   const [rows, columns] = payoff.shape;
   const picture = document.createElement("canvas");
   [picture.width, picture.height] = [columns, rows];
@@ -35,6 +36,13 @@ function cellsOf(payoff: Cells): HTMLCanvasElement | null {
   }));
   ctx.putImageData(image, 0, 0);
   return picture;
+}
+
+/** Show the rate of a cell on a button, in its colour; readers who hear it are told whose it is. */
+export function showRate(button: HTMLButtonElement, value: number | undefined, whose: string, digits = 2): void {
+  button.textContent = rate(value, digits);
+  button.ariaLabel = `${whose}: ${button.textContent}`;
+  if (value !== undefined) [button.style.backgroundColor, button.style.color] = [viridisText(value), inkOn(value)];
 }
 
 /** Return the colours of rates from 0 to 1, and what both ends mean. */

@@ -2,10 +2,9 @@
 
 import { html } from "../page/dom.ts";
 import { generationName } from "../page/names.ts";
-import { inkOn, viridisText } from "./colormap.ts";
 import { cellOf } from "./data.ts";
 import type { Run } from "./data.ts";
-import { rate } from "./format.ts";
+import { showRate } from "./heatmap.ts";
 
 /** Pixels of a cell that a finger hits. */
 const SMALLEST = 24;
@@ -36,11 +35,8 @@ export function loupe(run: Run, g: number, h: number, choose: (cell: { pursuer: 
 function cellButton(
   run: Run, pursuer: number, evader: number, choose: (cell: { pursuer: number; evader: number }) => void,
 ): HTMLElement {
-  const value = cellOf(run, pursuer, evader)?.rate;
-  const button = html("button", {
-    type: "button", "aria-label": `${rate(value)}: ${generationName("pursuer", pursuer)} against ${generationName("evader", evader)}`, onclick: () => choose({ pursuer, evader }),
-  }, rate(value));
-  if (value !== undefined) [button.style.backgroundColor, button.style.color] = [viridisText(value), inkOn(value)];
+  const button = html("button", { type: "button", onclick: () => choose({ pursuer, evader }) });
+  showRate(button, cellOf(run, pursuer, evader)?.rate, `${generationName("pursuer", pursuer)} against ${generationName("evader", evader)}`);
   return button;
 }
 

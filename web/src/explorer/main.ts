@@ -3,7 +3,7 @@
 import "./explorer.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
-import { html } from "../page/dom.ts";
+import { html, started } from "../page/dom.ts";
 import { top } from "../page/top.ts";
 import { followAddress, placeOf, reloadWhileGrowing } from "./address.ts";
 import { playedMatch, readData } from "./data.ts";
@@ -12,7 +12,6 @@ import { MatchPanel } from "./match.ts";
 import { MatrixPanel } from "./matrix.ts";
 import { panels } from "./panels.ts";
 import { raceTabs } from "./races.ts";
-import { share } from "./share.ts";
 import { Store } from "./store.ts";
 import { TakeOver } from "./take_over.ts";
 import { openPlayground } from "./to_playground.ts";
@@ -28,8 +27,6 @@ const matrix = new MatrixPanel(runs, store);
 const takeOver = new TakeOver(runs, store, match);
 const help = helpDialog();
 const address = location.hash; // `followAddress` writes another one
-const { button: shareButton, dialog: shareDialog } = share(match, store);
-match.actions.append(shareButton);
 let engine: Engine | null = null;
 
 /** What happened in the race that is shown. */
@@ -53,7 +50,7 @@ document.getElementById("page")!.replaceWith(
   html("main", { class: "stages" }, matrix.element, match.element),
   panels(runs, store, playHere),
   html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`),
-  takeOver.dialog, help, shareDialog,
+  takeOver.dialog, help,
 );
 // For the browser's console, and for tests.
 Object.assign(window, {
@@ -75,14 +72,8 @@ window.addEventListener("hashchange", ({ newURL }) => engine && takeOver.start(e
 if (data.growing) reloadWhileGrowing(runs, store, () => match.player.playing || document.querySelector("dialog[open]") !== null);
 
 // The page is drawn before the engine is compiled.
-requestAnimationFrame(() => setTimeout(() => {
-  loadEngine().then((loaded) => {
-    engine = loaded;
-    match.start(loaded);
-    takeOver.start(loaded, address);
-    document.body.dataset["ready"] = "true";
-  }, (error: unknown) => {
-    match.element.prepend(html("p", { class: "problem", role: "alert" }, `The engine does not start here: ${String(error)}`));
-    document.body.dataset["ready"] = "true";
-  });
-}));
+requestAnimationFrame(() => setTimeout(() => started(loadEngine().then((loaded) => {
+  engine = loaded;
+  match.start(loaded);
+  takeOver.start(loaded, address);
+}))));

@@ -74,7 +74,6 @@ export class MatchPanel {
     this.player.addEventListener("frame", () => this.recording && this.#board.show(this.recording, this.player.time));
     this.player.addEventListener("step", () => this.#tell());
     store.on("match", () => this.#rest());
-    store.on("rest", () => this.player.pause());
     this.#entitle();
     this.#count(0, 0);
   }

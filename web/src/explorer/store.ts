@@ -18,7 +18,7 @@ export interface Hover {
 
 export const NOTHING: Hover = { pursuer: null, evader: null };
 
-/** The selection, and the pointer. It dispatches `run`, `match` and `hover` when they change, and `rest`: another match plays. */
+/** The selection, and the pointer. It dispatches `run`, `match` and `hover` when they change. */
 export class Store extends EventTarget {
   #selected: Selection;
   #hover: Hover = NOTHING;
@@ -52,7 +52,7 @@ export class Store extends EventTarget {
     this.dispatchEvent(new Event("hover"));
   }
 
-  on(type: "run" | "match" | "hover" | "rest", act: () => void): void {
+  on(type: "run" | "match" | "hover", act: () => void): void {
     this.addEventListener(type, act);
   }
 }

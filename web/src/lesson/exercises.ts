@@ -1,6 +1,6 @@
 // Checks of exercises: what is not right yet, in words.
 
-import { inkOn, viridisText } from "../explorer/colormap.ts";
+import { showRate } from "../explorer/heatmap.ts";
 import { html } from "../page/dom.ts";
 import type { Exercise } from "./data.ts";
 
@@ -33,11 +33,8 @@ const RATES = [0.5, 0.8, 0.2] as const;
 /** Exercise 4.1: cells to press, whose diagonal stays at one half. */
 function raceOfCells(): Checked {
   const rates: number[] = new Array(SIZE * SIZE).fill(0.5);
-  const show = (button: HTMLButtonElement, at: number): void => {
-    button.textContent = rates[at]!.toFixed(1);
-    button.ariaLabel = `generation ${Math.floor(at / SIZE)} of the pursuers against generation ${at % SIZE} of the evaders: ${button.textContent}`;
-    [button.style.background, button.style.color] = [viridisText(rates[at]!), inkOn(rates[at]!)];
-  };
+  const show = (button: HTMLButtonElement, at: number): void =>
+    showRate(button, rates[at]!, `generation ${Math.floor(at / SIZE)} of the pursuers against generation ${at % SIZE} of the evaders`, 1);
   const buttons = rates.map((_, at) => {
     const made = html("button", { type: "button", disabled: at % (SIZE + 1) === 0, onclick: () => {
       rates[at] = RATES[(RATES.indexOf(rates[at] as 0.5) + 1) % RATES.length]!;

@@ -1,6 +1,6 @@
 // Sliders and choices with a name and a value that can be read.
 
-import { html } from "../page/dom.ts";
+import { html, select } from "../page/dom.ts";
 
 /** Return a slider over values; `change` gets the chosen one while it moves. */
 export function slider<Value>(
@@ -20,7 +20,5 @@ export function slider<Value>(
 }
 
 export function choice(name: string, options: readonly string[], change: (option: string) => void): HTMLElement {
-  const select = html("select", { "aria-label": name }, ...options.map((each) => html("option", { value: each }, each)));
-  select.addEventListener("change", () => change(select.value));
-  return html("label", { class: "slider" }, html("span", {}, name), select);
+  return html("label", { class: "slider" }, html("span", {}, name), select(options.map((each) => [each, each]), change));
 }

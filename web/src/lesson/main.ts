@@ -6,7 +6,7 @@ import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import { work } from "../evolve/worker.ts";
 import { saveFile } from "../page/dialog.ts";
-import { html } from "../page/dom.ts";
+import { html, started } from "../page/dom.ts";
 import { top } from "../page/top.ts";
 import { isPrediction, predictionsOf, readLesson } from "./data.ts";
 import type { Lesson, Part, Section, WidgetPart } from "./data.ts";
@@ -144,19 +144,10 @@ function show(): void {
   const voting = (): boolean => location.hash === VOTES;
   const votes = voting();
   window.addEventListener("hashchange", () => voting() !== votes && location.reload());
-  const ready = (): void => void (document.body.dataset["ready"] = "true");
-  if (votes) {
-    votePage(lesson);
-    ready();
-    return;
-  }
+  if (votes) return void started(Promise.resolve(votePage(lesson)));
   const page = new Page(lesson);
   // The page is drawn before the engine is compiled.
-  requestAnimationFrame(() => setTimeout(() => {
-    page.load().catch((error: unknown) => {
-      document.querySelector("main")!.prepend(html("p", { class: "card problem", role: "alert" }, `The engine does not start here: ${String(error)}`));
-    }).finally(ready);
-  }));
+  requestAnimationFrame(() => setTimeout(() => started(page.load())));
 }
 
 if (typeof document === "undefined") work();

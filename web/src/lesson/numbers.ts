@@ -2,6 +2,7 @@
 
 import { chart, frame, legend, line } from "../explorer/chart.ts";
 import type { Frame } from "../explorer/chart.ts";
+import { capital } from "../explorer/format.ts";
 import { scaleOfRates } from "../explorer/heatmap.ts";
 import { html, svg } from "../page/dom.ts";
 import type { WidgetPart } from "./data.ts";
@@ -149,7 +150,6 @@ export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
 
 const MOST_ROWS = 6;
 const meanOf = (ends: readonly number[]): string => (ends.reduce((sum, each) => sum + each, 0) / ends.length).toFixed(1);
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** Races with one choice of settings, and the ones at their ends so far. */
 interface Row {

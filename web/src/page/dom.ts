@@ -34,5 +34,25 @@ function isShown(child: Child): child is Node | string | number {
   return child !== null && child !== undefined && child !== false;
 }
 
+/** Return a list of choices; `change` gets the value of the one that is chosen. */
+export function select(options: readonly (readonly [value: string | number, text: string])[], change: (value: string) => void): HTMLSelectElement {
+  const made = html("select", {}, ...options.map(([value, text]) => html("option", { value }, text)));
+  made.addEventListener("change", () => change(made.value));
+  return made;
+}
+
+/** Tell in a page why it could not start, and tell tests when it has. */
+export async function started(start: Promise<unknown>): Promise<void> {
+  try {
+    await start;
+  } catch (error) {
+    const place = document.querySelector("#page, main") ?? document.body;
+    place.prepend(html("p", { class: "card problem", role: "alert" }, `The page could not start: ${String(error)}`));
+    throw error;
+  } finally {
+    document.body.dataset["ready"] = "true";
+  }
+}
+
 /** Return whether the address of the page leads anywhere: that of a frame in a notebook does not. */
 export const hasAddress = (): boolean => ["file:", "http:", "https:"].includes(location.protocol);

@@ -1,30 +1,26 @@
-// Light and dark: the system's choice, unless the reader chooses another one for this page.
+// Light and dark: an attribute of the page. It follows the system, until the reader chooses another one.
 
 import { html } from "./dom.ts";
 
 /** Return whether the page is dark now. */
-export function isDark(): boolean {
-  const chosen = document.documentElement.dataset["theme"];
-  return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-}
+const isDark = (): boolean => document.documentElement.dataset["theme"] === "dark";
+
+const setDark = (dark: boolean): void => void (document.documentElement.dataset["theme"] = dark ? "dark" : "light");
 
 /** Change from light to dark, or back. */
-export function changeTheme(): void {
-  document.documentElement.dataset["theme"] = isDark() ? "light" : "dark";
-}
+export const changeTheme = (): void => setDark(!isDark());
 
-// Paper is light; boards, which listen later, draw themselves so before they are printed.
 if (typeof document !== "undefined") { // the page that evolves is a worker's script as well
-  const root = document.documentElement.dataset;
-  let chosen = root["theme"];
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  system.addEventListener("change", () => setDark(system.matches));
+  setDark(system.matches);
+  // Paper is light; boards, which listen later, draw themselves so before they are printed.
+  let dark = false;
   addEventListener("beforeprint", () => {
-    chosen = root["theme"];
-    root["theme"] = "light";
+    dark = isDark();
+    setDark(false);
   });
-  addEventListener("afterprint", () => {
-    if (chosen) root["theme"] = chosen;
-    else delete root["theme"];
-  });
+  addEventListener("afterprint", () => setDark(dark));
 }
 
 /** Return a button that changes the theme. */

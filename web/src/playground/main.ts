@@ -2,7 +2,7 @@
 
 import "./playground.css";
 import { loadEngine } from "../engine/engine.ts";
-import { hasAddress, html } from "../page/dom.ts";
+import { hasAddress, html, started } from "../page/dom.ts";
 import { top } from "../page/top.ts";
 import { followAddress, hash, isMatch, storeOf } from "./address.ts";
 import { pageData } from "./data.ts";
@@ -57,12 +57,4 @@ async function show(root: HTMLElement): Promise<void> {
   Object.assign(window, { playground: store, matrixworldPlay: games?.view }); // for tests, and for the curious
 }
 
-const root = document.getElementById("page")!;
-show(root)
-  .catch((error: Error) => {
-    root.append(html("p", { class: "card problem", role: "alert" }, `The playground could not start: ${error.message}`));
-    throw error;
-  })
-  .finally(() => {
-    document.body.dataset["ready"] = "true";
-  });
+void started(show(document.getElementById("page")!));

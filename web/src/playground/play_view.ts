@@ -4,7 +4,7 @@ import type { Engine } from "../engine/engine.ts";
 import type { TeamPolicy } from "../engine/types.ts";
 import { TEAMS, genomesOf } from "../explorer/data.ts";
 import type { Team } from "../explorer/data.ts";
-import { html } from "../page/dom.ts";
+import { html, select } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
 import type { OpponentsData } from "./data.ts";
 import { readEpisode } from "./file.ts";
@@ -29,7 +29,7 @@ export class Games extends EventTarget {
   readonly #engine: Engine;
   readonly #data: OpponentsData;
   readonly #players: Readonly<Record<Team, readonly Player[]>>;
-  readonly #you = select(["an evader", "a pursuer"], 0);
+  readonly #you = select([[0, "an evader"], [1, "a pursuer"]], () => {});
   readonly #teams: Readonly<Record<Team, HTMLSelectElement>>;
   readonly #ofMatch: HTMLElement;
   readonly #ofFile: HTMLElement;
@@ -42,9 +42,9 @@ export class Games extends EventTarget {
     super();
     [this.#engine, this.#data, this.view] = [engine, data, new PlayView(engine)];
     this.#players = { pursuer: playersOf(data, "pursuer"), evader: playersOf(data, "evader") };
-    const choice = (team: Team): HTMLSelectElement => select(this.#players[team].map(({ name }) => name), data.teams[team].usual);
+    const choice = (team: Team): HTMLSelectElement => select(this.#players[team].map(({ name }, place) => [place, name]), () => this.#explain());
     this.#teams = { pursuer: choice("pursuer"), evader: choice("evader") };
-    for (const each of Object.values(this.#teams)) each.addEventListener("change", () => this.#explain());
+    for (const team of TEAMS) this.#teams[team].selectedIndex = data.teams[team].usual;
     this.#ofMatch = html("div", { class: "of-match" },
       html("label", {}, "You are ", this.#you), html("label", {}, "Pursuers ", this.#teams.pursuer), html("label", {}, "Evaders ", this.#teams.evader),
       html("button", { type: "button", class: "primary", onclick: () => this.#match() }, "Play"), this.#about);
@@ -139,6 +139,3 @@ function playersOf({ teams }: OpponentsData, team: Team): Player[] {
   };
   return names.map((name, place) => ({ name: name.replaceAll("-", " "), text: texts[place]!, policy: () => policy(place) }));
 }
-
-const select = (names: readonly string[], chosen: number): HTMLSelectElement =>
-  html("select", {}, ...names.map((name, place) => html("option", { value: place, selected: place === chosen }, name)));

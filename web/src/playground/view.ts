@@ -10,7 +10,7 @@ import type { TurnGame } from "../engine/solution.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { wordsOf } from "../explorer/words.ts";
 import { readOnly, saveFile } from "../page/dialog.ts";
-import { hasAddress, html } from "../page/dom.ts";
+import { hasAddress, html, select } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
 import { lossText, lossesOf, perfectText, scoreOf, solved, ticksOf, worstText, worthText } from "../page/solved.ts";
 import type { Loss } from "../page/solved.ts";
@@ -45,7 +45,7 @@ export class PlayView {
   readonly #title = html("h2");
   readonly #told = html("p", { class: "play-told", role: "status" });
   readonly #pad = pad((action) => this.act(action));
-  readonly #pace = html("select", {}, ...PACES.map((each) => html("option", { value: each }, each ? `${each} / s` : "step by step")));
+  readonly #pace = select(PACES.map((each) => [each, each ? `${each} / s` : "step by step"]), () => this.#rest());
   readonly #fog = html("input", { type: "checkbox" });
   readonly #best = html("input", { type: "checkbox" });
   /** Shown where the world can be solved. */
@@ -66,7 +66,6 @@ export class PlayView {
     this.#engine = engine;
     this.#board = new Board(this.#canvas, { numbers: false });
     this.#canvas.setAttribute("role", "application");
-    this.#pace.addEventListener("change", () => this.#rest());
     this.#fog.addEventListener("change", () => this.#look());
     this.#best.addEventListener("change", () => this.#tell());
     listenToPointer(this.#board, () => {
