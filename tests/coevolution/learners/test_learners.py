@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from deap import cma
+from deap import base, cma
 from threadpoolctl import threadpool_limits
 
 from matrixworld.coevolution import (
