@@ -50,8 +50,14 @@ def check_learner(learner: Learner) -> None:
     check_instance("learner", learner, Learner)
     world = WorldConfig("O", rows=4, cols=4, n_pursuers=1, n_evaders=1, fov=3)
     network = Network.for_config(world, ())
-    # None unless it is given: a run fills it in.
-    learner = replace(learner, population=getattr(learner, "population", None) or 8)
+    # What is None a run fills in.
+    usual = {
+        name: item.metadata["default"]
+        for name, item in learner.__dataclass_fields__.items()
+        if item.metadata.get("by_race") and getattr(learner, name) is None
+    }
+    population = getattr(learner, "population", None) or 8
+    learner = replace(learner, **{**usual, "population": population})
     n = learner.population
     task = Task(0, 0, EPOCHS, network.initial, None, world, network)
     target = network.initial(np.random.default_rng(1))
