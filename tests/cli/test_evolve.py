@@ -59,7 +59,7 @@ def test_the_help_of_all_settings_has_every_one_with_its_default():
             if path not in ("learner", "schedule") and not path.endswith("s_meet"):
                 assert f"{path.replace('evaders_meet', 'pursuers_meet')} " in shown
     for default in (
-        "learner.population INTEGER candidates per epoch [default: 48; below: other defaults]",
+        "learner.population INTEGER candidates per epoch [default: 48; ",
         "other defaults, schedule=hall-of-fame: learner.population 24",
         "train_steps 500 schedule.pursuer_epochs 400",
     ):

@@ -29,7 +29,6 @@ __all__ = [
     "RoundRobin",
     "SharedSampling",
     "Uniform",
-    "shared_sample",
 ]
 
 PayoffFunction = Callable[[Indices, Indices], ArrayLike]

@@ -51,8 +51,14 @@ def check_learner(learner: Learner) -> None:
     check_instance("learner", learner, Learner)
     world = WorldConfig("O", rows=4, cols=4, n_pursuers=1, n_evaders=1, fov=3)
     network = Network.for_config(world, ())
-    # None unless it is given: a run fills it in.
-    learner = replace(learner, population=getattr(learner, "population", None) or 8)
+    # What is None a run fills in.
+    usual = {
+        name: item.metadata["default"]
+        for name, item in learner.__dataclass_fields__.items()
+        if item.metadata.get("by_race") and getattr(learner, name) is None
+    }
+    population = getattr(learner, "population", None) or 8
+    learner = replace(learner, **{**usual, "population": population})
     n = learner.population
     # Genomes far apart, so that mutants of any usual size are better now and then: a learner shows
     # what it does only where it moves.
