@@ -157,6 +157,13 @@ def test_settings_are_those_of_the_fields(settings, message):
         OwnLearner(code="own_code:HillClimber", settings=settings).load()
 
 
+def test_a_mask_needs_a_learner_that_keeps_it(tmp_path):
+    """Not even an own one that is imported only now may change its weights."""
+    with pytest.raises(ValueError, match="^policy.mask: expected 'none', got 'obstacles'; .* Hill"):
+        create(tiny_race(learner="own_code:HillClimber", mask="obstacles"), tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
 def test_a_module_or_a_class_that_fails_is_named_with_its_error(folder):
     (folder / "mine.py").write_text(
         "from own_code import HillClimber\n"

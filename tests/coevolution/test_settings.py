@@ -6,17 +6,24 @@ from dataclasses import fields, replace
 
 import numpy as np
 import pytest
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, DrawnOpponents, MetaOpponents
 
 import matrixworld as mw
 from matrixworld.coevolution import (
     Against,
-    Alternating,
+    AtOnce,
+    EvolutionStrategy,
+    InTurns,
     PolicySettings,
     RaceSettings,
-    Simultaneous,
 )
-from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
+from matrixworld.coevolution.opponents import (
+    Latest,
+    NashOpponents,
+    Prioritized,
+    RoundRobin,
+    Uniform,
+)
+from matrixworld.coevolution.race import ALL_SCHEDULES
 from matrixworld.coevolution.sections import (
     different_settings,
     hints_of,
@@ -97,16 +104,18 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
     assert settings_of(rules="SB").overlap_penalty == 0.0  # two cannot share a cell there
     # The rewards have penalties of their own.
     assert settings_of(measure="rewards").overlap_penalty == 0.0
-    assert settings_of(rules="S", overlap_penalty=0.5).overlap_penalty == 0.5
     started = RaceSettings(schedule=Against(team="evader", start="a-run"))
     assert started.overlap_penalty == 0.2
 
 
 def test_a_text_stands_for_a_section():
-    assert RaceSettings(schedule="hall-of-fame") == RaceSettings(schedule=Simultaneous())
-    alternating = Alternating(pursuers_meet="latest", evaders_meet="round-robin")
-    assert alternating.pursuers_meet == DrawnOpponents(rule="latest")
-    assert RaceSettings(schedule="alternating").schedule.evaders_meet == DrawnOpponents()
+    assert RaceSettings(schedule="hall-of-fame") == RaceSettings(schedule=AtOnce())
+    alternating = InTurns(pursuers_meet="latest", evaders_meet="prioritized-even")
+    assert alternating.pursuers_meet == Latest()
+    assert alternating.evaders_meet == Prioritized(weighting="even")
+    assert RaceSettings(schedule="alternating").schedule.evaders_meet == Uniform()
+    generalists = RaceSettings(schedule="generalist-specialist").schedule
+    assert (generalists.pursuers_meet, generalists.evaders_meet) == (RoundRobin(), Latest())
 
 
 # Refusals
@@ -117,7 +126,7 @@ REFUSED = {
     "schedule: contemporaries and hall_sample": [{**HALL, "schedule.contemporaries": 0}],
     "schedule.evaders_meet": [{**HALL, "schedule.evaders_meet": "nash"}],
     "schedule.opponent": [{**AGAINST, "schedule.opponent": "careful-chaser", "world.fov": 3}],
-    f"{MEET}.size": [{MEET: "ipca", f"{MEET}.size": 3}],
+    f"{MEET}.episodes": [{MEET: "uniform", f"{MEET}.episodes": 3}],
     "evader_learner": [{"evader_learner.sigma": 0.1}, {"evader_learner": "cma"},
                        {**AGAINST, "evader_learner": "ga"}, {**HALL, "evader_learner": "ga"}],
     "learner": [{"learner": "cma"}],
@@ -125,14 +134,10 @@ REFUSED = {
     "learner.momentum": [{"learner.momentum": 1.0}],
     "learner.elites": [{**GA, "learner.elites": 48}],
     "learner.tournament": [{**GA, "learner.truncation": 0.5, "learner.tournament": 3}],
-    "learner.elite_episodes": [{**GA, "learner.elites": 1, "learner.elite_episodes": 2}],
     "learner.minibatches": [{**GRADIENTS, "learner.minibatches": 2}],
     "learner.cost_rate": [{**GRADIENTS, "learner.cost_rate": 0.1}],
     "fitness.sharing": [{**SHARED, "fitness.measure": "rewards"}, SHARED],
-    "fitness.pursuer_virulence": [{**SHARED, "fitness.pursuer_virulence": 0.9}],
     "fitness.measure": [{**GRADIENTS, "fitness.measure": "rewards"}],
-    "fitness.overlap_penalty": [{**changes, "fitness.overlap_penalty": 0.3}
-                                for changes in (GRADIENTS, AGAINST, {"world.rules": "SB"})],
     "world.fov": [{"world.fov": 4}],
     "world.rows": [{"world.rows": 2, "world.cols": 2}],
     "world.rules.evader": [{"world.rules.evader": "JUMP"}],
@@ -149,8 +154,7 @@ REFUSED = {
                     {"world.rules": mw.Rules(pursuer=mw.Outcome.BOUNCE),
                      "policy.mask": "right-of-way"},
                     {**SMALL, "learner": "cma", "policy.mask": "obstacles"},
-                    {**SMALL, "evader_learner": "cma", "policy.mask": "obstacles"},
-                    {"learner": "own_code:HillClimber", "policy.mask": "obstacles"}],
+                    {**SMALL, "evader_learner": "cma", "policy.mask": "obstacles"}],
     "sigma": [{"sigma": 0.1}],
 }  # fmt: skip
 """Settings that do not fit together, by the path with which the message begins.
@@ -172,11 +176,11 @@ EVERY = [
     *(tiny_race(schedule=name) for name in ALL_SCHEDULES),
     *(tiny_race(learner=name, hidden=()) for name in LEARNERS),
     tiny_single(team="evader", opponent="chaser"),
-    tiny_race(schedule="alternating", pursuers_meet="lapca", evaders_meet="own_code:Hardest"),
+    tiny_race(schedule="alternating", pursuers_meet="nash", evaders_meet="own_code:Hardest"),
     tiny_race(learner="own_code:HillClimber"),
     tiny_race(rules=mw.Rules(evader=mw.Outcome.REACH), obstacles=0.1, diagonal=True),
     tiny_race(rows=6, cols=6, obstacles=np.eye(6, dtype=bool)),
-    RaceSettings(learner=EvolutionStrategySettings(sigma=1 / 3, momentum=0.9)),
+    RaceSettings(learner=EvolutionStrategy(sigma=1 / 3, momentum=0.9)),
     tiny_race(measure="rewards", rewards="published"),
 ]
 
@@ -248,15 +252,11 @@ def test_every_setting_has_a_help_text():
 
 @pytest.mark.parametrize("base", [RaceSettings(), RaceSettings(schedule="hall-of-fame")])
 def test_a_part_of_an_opponent_sampler_that_a_schedule_names(base: RaceSettings) -> None:
-    given = {"schedule": "psro", f"{MEET}.episodes": 3, "schedule.evaders_meet": "prd"}
+    given = {"schedule": "psro", f"{MEET}.episodes": 3}
     for settings in (RaceSettings.of(given), base.changed(given)):
         schedule = settings.schedule
         assert schedule.name == "psro"
-        assert schedule.pursuers_meet == MetaOpponents(solver="nash", episodes=3)
-        assert schedule.evaders_meet == MetaOpponents(solver="prd")
-        assert (schedule.archive_episodes("pursuer"), schedule.archive_episodes("evader")) == (
-            3,
-            10,
-        )
-    # Meta-strategies of one team only have no name.
+        assert schedule.pursuers_meet == NashOpponents(episodes=3)
+        assert schedule.evaders_meet == NashOpponents()
+    # A mixture of one team only has no name.
     assert base.changed({**given, "schedule.evaders_meet": "latest"}).schedule.name == "alternating"

@@ -257,10 +257,10 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     left = {n: each for n, each in job.items() if not SavedRun(root / n).finished}
     if not elsewhere:
         at_once = shares(len(left), threads)[0]
-        largest = sorted(left.values(), key=lambda each: -sum(run_memory(each).values()))[:at_once]
+        needed = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
         check_memory(
             f"{at_once} runs at one time" if at_once > 1 else "run",
-            **{f"run {i + 1}": sum(run_memory(each).values()) for i, each in enumerate(largest)},
+            **{f"run {i + 1}": size for i, size in enumerate(needed[:at_once])},
         )
     # Seeds make no difference here, and a job may have a thousand.
     for method in dict.fromkeys(each.method for each in left.values()):

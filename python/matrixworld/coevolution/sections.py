@@ -349,8 +349,10 @@ def merged(
         change, hint = changes[item.name], hints_of(cls)[item.name]
         if sections_in(hint) and change is not None:
             values[item.name] = _section(item, hint, values.get(item.name), change)
-        else:
+        elif isinstance(change, Mapping):
             values[item.name] = _joined(values.get(item.name), change)
+        else:
+            values[item.name] = change
     return values
 
 

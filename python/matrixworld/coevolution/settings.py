@@ -129,7 +129,16 @@ class RaceSettings(Section):
         for team in self.learning_teams:
             learner = getattr(self, self.learner_path(team))
             if not isinstance(learner, OwnCode):  # which is not imported yet
-                learner.check_fits(self.learner_path(team), self.world, self.network)
+                self._check_fits(self.learner_path(team), learner)
+
+    def _check_fits(self, path: str, learner: Learner) -> None:
+        """Raise ValueError if a learner cannot learn here, or would change the weights of a mask."""
+        if self.policy.mask != "none" and "policy.mask" in learner.ignores:
+            raise ValueError(
+                f"policy.mask: expected 'none', got {self.policy.mask!r}; it has no effect with "
+                f"{learner.kind or type(learner).__name__}"
+            )
+        learner.check_fits(path, self.world, self.network)
 
     def _defaults(self, learner: Section | None = None) -> dict[str, Any]:
         """Return the defaults that the kind of race and a learner state, by default `learner`."""
@@ -243,7 +252,7 @@ class RaceSettings(Section):
             learner = getattr(self, path)
             if isinstance(learner, OwnCode):
                 learner = self._filled(path, learner.load())
-                learner.check_fits(path, self.world, self.network)
+                self._check_fits(path, learner)
             learners[path] = learner
         return learners
 

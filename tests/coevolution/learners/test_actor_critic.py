@@ -1,21 +1,20 @@
 """The actor-critic learner: advantages, gradients, state, what it learns, and its runs."""
 
-import pickle
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import best_responses, finish, open_run, start
+from matrixworld.coevolution import Results, create, open_run
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
-    ActorCriticSettings,
     Experience,
+    Update,
     advantages,
-    orthogonal,
 )
 from matrixworld.coevolution.learners.learner import Task
 from matrixworld.coevolution.learners.transitions import experience
@@ -23,7 +22,7 @@ from matrixworld.play import NetworkPolicy
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
-from tiny_race import check_resumes, tiny_race, tiny_single
+from tiny_race import check_resumes, played, tiny_race, tiny_single
 
 NETWORK = Network((6,), fov=5)
 CONFIG = WorldConfig("D", rows=7, cols=7, n_pursuers=3, n_evaders=4, fov=5, max_steps=12)
@@ -33,20 +32,21 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(0)
 
 
-def learner(**changes: Any) -> ActorCritic:
+def new(network: Network = NETWORK, epochs: int = 1, **changes: Any) -> Update:
+    """Return the first update of a learner."""
     pytest.importorskip("torch")
-    # As it comes from another process.
-    return cast(ActorCritic, pickle.loads(pickle.dumps(new(population=4, **changes))))  # noqa: S301
+    one = ActorCritic(population=4, **changes)
+    untrained = partial(one.untrained, network, weight=0.0, head=1.0)
+    return Update(one, one.start(Task(0, 0, epochs, untrained, None, CONFIG, network)))
 
 
-def new(network: Network = NETWORK, epochs: int = 1, **changes: Any) -> ActorCritic:
-    genomes = orthogonal(network.sizes, rng())[np.newaxis]
-    return ActorCriticSettings(**changes).new(Task(genomes, rng(), CONFIG, network, epochs))
+def genome(update: Update) -> np.ndarray:
+    return update.state()["actor_weights"]
 
 
-def played(by: ActorCritic, *, seed: int = 0, matches: int = 4, config=CONFIG) -> Experience:
+def seen_by(update: Update, *, seed: int = 0, matches: int = 4, config=CONFIG) -> Experience:
     seeds = np.arange(seed, seed + matches, dtype=np.uint64)
-    own, chosen = Population(by.genome, NETWORK), np.zeros(matches, int)
+    own, chosen = Population(genome(update)[None], NETWORK), np.zeros(matches, int)
     return experience(config, "pursuer", own, "random", chosen, seeds, threads=1)
 
 
@@ -102,12 +102,11 @@ def check_gradient(gradient: np.ndarray, value, weights: np.ndarray) -> None:
 
 @pytest.mark.parametrize(("clip", "entropy"), [(0.0, 0.1), (0.2, 0.05)])
 def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy: float) -> None:
-    pytest.importorskip("torch")
     one = new(SMOOTH, clip=clip, entropy=entropy)
-    genome, draw, seen = one.genome, rng(), played(one)
+    weights_before, draw, seen = genome(one), rng(), seen_by(one)
     weight = draw.normal(size=len(seen)).astype(np.float32)
     given: list[np.ndarray] = []  # instead of a step of Adam, which would hide the gradient
-    one._actor.ascend = lambda gradient, _: given.append(gradient)  # type: ignore[method-assign]
+    one._actor.ascend = lambda gradient, share: given.append(gradient)  # type: ignore[method-assign]
     one._improve(one._parts(seen.views), seen.actions, weight)
     taken = np.arange(len(seen)), seen.actions
 
@@ -115,7 +114,7 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
         outputs = slow_outputs(weights, 5, seen.views)
         return outputs - np.log(np.exp(outputs).sum(axis=1, keepdims=True))
 
-    old = logs(genome)[taken]
+    old = logs(weights_before)[taken]
 
     def value(weights: np.ndarray) -> float:
         log = logs(weights)
@@ -123,16 +122,15 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
         gain = (np.exp(log[taken] - old) if clip else log[taken]) * weight
         return float((gain - entropy * (np.exp(log) * log).sum(axis=1)).mean())
 
-    check_gradient(given[0], value, genome)
+    check_gradient(given[0], value, weights_before)
 
 
 def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
-    pytest.importorskip("torch")
     one = new(SMOOTH)
-    seen = played(one)
+    seen = seen_by(one)
     target = rng().normal(size=len(seen)).astype(np.float32)
     critic, given = one._critics["critic"], []
-    critic.ascend = lambda gradient, _: given.append(gradient)  # type: ignore[method-assign]
+    critic.ascend = lambda gradient, share: given.append(gradient)  # type: ignore[method-assign]
     one._fit(critic, one._parts(seen.views), target)
     assert len(given) == 5
 
@@ -144,11 +142,11 @@ def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
 
 def test_the_engine_plays_what_was_learned() -> None:
     torch = pytest.importorskip("torch")
-    one = learner(actor_rate=0.01)
-    seen = played(one)
+    one = new(actor_rate=0.01)
+    seen = seen_by(one)
     one.learn(seen)
-    policy = NetworkPolicy(NETWORK, one.genome)
-    weights = torch.from_numpy(one.genome)
+    policy = NetworkPolicy(NETWORK, genome(one))
+    weights = torch.from_numpy(genome(one))
     with torch.no_grad():
         logits = one._actor.outputs(weights, one._parts(seen.views)[0][0][0])
     np.testing.assert_allclose(
@@ -157,8 +155,8 @@ def test_the_engine_plays_what_was_learned() -> None:
 
 
 def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
-    one = learner(cost_limit=10.0, cost_rate=0.5)
-    seen = played(one)
+    one = new(cost_limit=10.0, cost_rate=0.5)
+    seen = seen_by(one)
 
     def after(collisions_per_1000: float) -> float:
         costs = np.full(len(seen), collisions_per_1000 / 1000, np.float32)
@@ -174,19 +172,27 @@ def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
 def test_it_learns_to_catch_in_a_small_world() -> None:
     """Pursuers learn to reach evaders that stand still, to a level that chance does not reach."""
     config = WorldConfig("O", rows=6, cols=6, n_pursuers=2, n_evaders=3, fov=5, max_steps=30)
-    one = learner(actor_rate=0.01, critic_rate=0.01, actor_updates=4, clip=0.2)
+    update = new(actor_rate=0.01, critic_rate=0.01, actor_updates=4, clip=0.2)
+    one, state = update.chosen, update.state()
     # Seeds that training does not reach.
     test = Matches.of(0, 0, np.arange(10_000, 10_100, dtype=np.uint64))
 
     def captures() -> float:
-        policy = Population(one.genome, NETWORK)
+        policy = Population(one.genome(state)[None], NETWORK)
         return float(rollout(config, policy, "still", test).captured_fraction.mean())
 
     first = captures()
     for epoch in range(40):
         seeds = np.arange(16 * epoch, 16 * (epoch + 1), dtype=np.uint64)
-        own = Population(one.genome, NETWORK)
-        one.learn(experience(config, "pursuer", own, "still", np.zeros(16, int), seeds, threads=1))
+        candidates, asked = one.ask(state, rng())
+        own = Population(candidates[:1], NETWORK)
+
+        def again(*, states: bool = False, own: Any = own, seeds: Any = seeds) -> Experience:
+            return experience(
+                config, "pursuer", own, "still", np.zeros(16, int), seeds, states=states, threads=1
+            )
+
+        state = one.tell(asked, Results(np.zeros(4), again))
     assert first < 0.5
     assert captures() > 0.65
 
@@ -235,13 +241,12 @@ def test_options_of_the_learner(torch, changes: dict[str, Any], tmp_path: Path) 
     check_resumes(tiny_single(**{**LEARNER, **changes}), 2, tmp_path / "run")
 
 
-def test_a_team_learns_from_a_run_s_genome_and_is_exploited(torch, tmp_path: Path) -> None:
-    finish(tiny_single(**LEARNER), tmp_path / "first", threads=1)
+def test_a_team_learns_from_a_run_s_genome(torch, tmp_path: Path) -> None:
+    first = played(tiny_single(**LEARNER), tmp_path / "first").archive()["pursuer"]
     more = tiny_single(**LEARNER, start=str(tmp_path / "first"), team="pursuer")
-    run = finish(more, tmp_path / "second", threads=1)
-    first = open_run(tmp_path / "first").teams["pursuer"].genomes[-1]
-    np.testing.assert_array_equal(run.teams["pursuer"].genomes[0], first)
-    best_responses({"a": run}, "pursuer", 48, tmp_path / "response", evaluation_episodes=2)
+    second = played(more, tmp_path / "second").archive()["pursuer"]
+    np.testing.assert_array_equal(second[0], first[-1])
+    assert not np.array_equal(second[-1], first[-1])
 
 
 def test_a_central_critic_sees_no_turns() -> None:
@@ -254,25 +259,34 @@ def test_a_device_that_is_missing_is_refused_before_anything_is_written(
     torch, tmp_path: Path
 ) -> None:
     with pytest.raises(ValueError, match="^device: expected"):
-        start(tiny_race(**LEARNER, device="tpu9"), tmp_path / "run")
+        create(tiny_race(**LEARNER, device="tpu9"), tmp_path / "run")
     assert not (tmp_path / "run").exists()
 
 
-def test_rates_fall_to_a_tenth(monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("torch")
-    one = new(epochs=4, actor_updates=2, anneal=True)
+def test_rates_fall_to_a_tenth() -> None:
+    first = new(epochs=4, actor_updates=2, anneal=True)
     shares = []
-    monkeypatch.setattr(one._actor, "ascend", lambda _, share: shares.append(share))
     for updates in (0, 2, 4, 8, 20):
-        one._actor.updates = updates
-        one.learn(played(one))
+        state = first.state() | {"actor_updates": np.array(updates)}
+        one = Update(first.chosen, state)
+        one._actor.ascend = lambda _, share: shares.append(share)  # type: ignore[method-assign]
+        one.learn(seen_by(first))
     np.testing.assert_allclose(shares[::2], [1.0, 0.775, 0.55, 0.1, 0.1])
+
+
+def test_an_update_changes_no_array_of_the_state_before() -> None:
+    one = new(cost_limit=3.0)
+    state, seen = one.state(), seen_by(one)
+    before = {name: value.copy() for name, value in state.items()}
+    one.learn(seen)
+    assert all(np.array_equal(state[name], before[name]) for name in before)
+    assert not np.array_equal(genome(one), before["actor_weights"])
 
 
 def test_minibatches_and_chunks_divide_the_transitions(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(actor_critic, "CHUNK", 50)
-    one = learner(minibatches=3, actor_updates=3)
-    seen = played(one)
+    one = new(minibatches=3, actor_updates=3)
+    seen = seen_by(one)
     numbers = np.arange(len(seen))
     places = [numbers[place] for part in one._parts(seen.views) for _, place in part]
     assert len(places) > 3

@@ -294,7 +294,7 @@ def test_elites_are_kept_and_an_operator_may_return_a_new_array():
     assert np.array_equal(learner.ask(state, generator(1))[0], [*elite, *np.zeros((5, SIZE))])
 
 
-@pytest.mark.parametrize(("sigma", "advice"), [(1e-160, "larger"), (1e300, "smaller")])
+@pytest.mark.parametrize(("sigma", "advice"), [(1e-170, "larger"), (1e300, "smaller")])
 def test_cma_names_the_direction_of_a_better_sigma(sigma: float, advice: str) -> None:
     learner = CmaEs(sigma=sigma, population=8)
 
