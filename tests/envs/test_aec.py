@@ -11,61 +11,35 @@ from matrixworld.envs.single import MatrixWorldAEC
 from rows import NAMES, by_name, config_of, play_turns, random_actions
 
 
-def play(env: Any, rows: np.ndarray) -> tuple[dict[str, float], list[str]]:
-    """Play an episode; row t holds the t-th action of each agent. Return returns and order."""
-    order: list[str] = []
-
-    def choose(agent: str, _: Any) -> int:
-        order.append(agent)
-        return int(rows[order.count(agent) - 1, env.possible_agents.index(agent)])
-
-    return play_turns(env, choose), order
-
-
 @pytest.mark.parametrize("name", NAMES)
-def test_an_episode_agrees_with_the_world(name: str) -> None:
-    config = config_of(name, obstacles=0.1)
-    env, world = mw.aec_env(config), mw.World(config)
+def test_an_episode_agrees_with_the_world_turn_by_turn(name: str) -> None:
+    """Agents see what was done before their turn."""
+    config = config_of(name, obstacles=0.1, max_steps=30)
+    env, world, expected = MatrixWorldAEC(config), mw.World(config), np.zeros(config.n_agents)
     rows = random_actions(5, config.n_actions, config.max_steps, config.n_agents)
     env.reset(seed=6)
-    returns, _ = play(env, rows)
     world.reset(6)
-    expected = np.zeros(config.n_agents)
-    for row in rows:
-        expected += world.step(row)
-        if world.terminated or world.truncated:
-            break
-    np.testing.assert_allclose(list(returns.values()), expected, atol=1e-3)
-    np.testing.assert_array_equal(env.state(), world.state())
-    assert env.unwrapped.status.steps == world.steps
-    assert env.agents == []
 
+    def play_turn() -> None:
+        world.play_turn(rows[world.steps])
+        if world.turn == 0:
+            expected[:] += world.rewards
 
-def test_agents_see_what_was_done_before_their_turn() -> None:
-    """Cops and robbers: every action is a turn."""
-    config = config_of("TO", obstacles=0.1, max_steps=30)
-    env, world = MatrixWorldAEC(config), mw.World(config)
-    env.reset(seed=2)
-    world.reset(2)
-    rng = np.random.default_rng(0)
-    seen_in_midround = 0
-    while env.agents:
-        agent = env.agent_selection
+    def choose(agent: str, _: Any) -> int:
         number = env.possible_agents.index(agent)
+        while world.steps < env.status.steps or number not in world.actors:
+            play_turn()
         np.testing.assert_array_equal(env.observe(agent), world.views()[number])
-        if env.terminations[agent] or env.truncations[agent]:
-            env.step(None)
-            continue
-        while world.actors[0] != number:  # agents that are gone
-            world.play_turn(np.zeros(config.n_agents, int))
-        action = int(rng.integers(5))
-        env.step(action)
-        world.play_turn(np.full(config.n_agents, action))
-        while world.turn and world.terminated:
-            world.play_turn(np.zeros(config.n_agents, int))
         np.testing.assert_array_equal(env.state(), world.state())
-        seen_in_midround += world.turn > 0
-    assert seen_in_midround > 5
+        return int(rows[world.steps, number])
+
+    paid = play_turns(env, choose)
+    while world.steps < env.status.steps:
+        play_turn()
+    assert world.terminated or world.truncated
+    np.testing.assert_allclose(list(paid.values()), expected, atol=1e-3)
+    np.testing.assert_array_equal(env.state(), world.state())
+    assert env.agents == []
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -34,14 +34,12 @@ def same(played: mw.Episode, recorded: mw.Episode) -> None:
 def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
     """Where the rules take turns, the built-in team sees what earlier turns did."""
     config = config_of(name, obstacles=0.1, max_steps=10)
-    for seed, (mine, theirs) in enumerate(
-        [
-            ("random", "chaser"),
-            ("clumsy-fleer", "hunter"),
-            (random_team(config, 1), random_team(config, 2)),
-            (random_team(config, 3, sampled=False), "dodger"),
-        ]
-    ):
+    pairs = [
+        ("random", "chaser"),
+        (random_team(config, 1), random_team(config, 2)),
+        (random_team(config, 3, sampled=False), "dodger"),
+    ]
+    for seed, (mine, theirs) in enumerate(pairs):
         sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
         recorded = mw.record(config, *sides, seed=seed, episode=2)
         settings = {"record": True, f"{team}s": theirs}

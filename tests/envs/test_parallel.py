@@ -1,9 +1,7 @@
 """The parallel environment agrees with its world; keyword arguments of all environments."""
 
-import copy
 import inspect
 import itertools
-import pickle
 from typing import Any
 
 import numpy as np
@@ -12,7 +10,7 @@ import pytest
 import matrixworld as mw
 from matrixworld.envs.single import EnvSettings, MatrixWorldBase
 from matrixworld.world.config import WorldSettings
-from rows import NAMES, by_name, config_of, random_actions, random_team
+from rows import NAMES, by_name, config_of, random_actions
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -73,37 +71,11 @@ def test_options() -> None:
     assert (env.world.seed, env.world.episode) == (9, 5)
 
 
-@pytest.mark.parametrize("copied", [copy.deepcopy, lambda e: pickle.loads(pickle.dumps(e))])  # noqa: S301
-@pytest.mark.parametrize("name", ["TO", "a built-in team"])
-def test_copies_continue_independently_and_identically(name: str, copied: Any) -> None:
-    built_in = name == "a built-in team"
-    config = config_of("R" if built_in else name)
-    league = ["random", random_team(config, 1)]
-    env = mw.parallel_env(config, record=True, evaders=league if built_in else None)
-    env.reset(seed=1)
-    rows = random_actions(3, 5, 20, len(env.possible_agents))
-    env.step(by_name(env, rows[0]))
-    twin = copied(env)
-    env.action_space(env.agents[0]).seed(4)
-    for row in rows[1:]:
-        if not env.agents:
-            env.reset()
-            twin.reset()  # with the next episode of the same seed
-        np.testing.assert_equal(env.step(by_name(env, row)), twin.step(by_name(twin, row)))
-    np.testing.assert_array_equal(env.recorded.positions, twin.recorded.positions)
-    left = copied(env)
-    env.reset()
-    assert left.world.episode == env.world.episode - 1
-
-
 @pytest.mark.parametrize(
     ("change", "error"),
     [
         ({"pursuer_0": None}, TypeError),
-        ({"pursuer_0": 1.0}, TypeError),
         ({"pursuer_0": np.array([1])}, TypeError),
-        ({"pursuer_1": 5}, ValueError),
-        ({"pursuer_1": 2**63}, ValueError),
         ({"pursuer_1": -(2**70)}, ValueError),
         ({"evader_9": 0}, ValueError),
     ],
@@ -114,8 +86,6 @@ def test_actions_that_are_refused(change: dict[str, Any], error: type[Exception]
     before = env.state()
     with pytest.raises(error, match="^action(s| of pursuer_[01]): expected .* got .*[^ ]"):
         env.step(dict.fromkeys(env.agents, 0) | change)
-    with pytest.raises(TypeError, match="^actions: expected a mapping .*, got 0"):
-        env.step(0)  # type: ignore[arg-type]
     np.testing.assert_array_equal(env.state(), before)
     assert env.status.steps == 0
     kinds = itertools.cycle([np.uint64(0), np.int64(0), 0])

@@ -1,5 +1,8 @@
 """Matches in lockstep against the same matches with one world after the other, bit by bit."""
 
+import itertools
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -43,22 +46,20 @@ def test_every_width(hidden: tuple[int, ...]) -> None:
     assert_same(mw.WorldConfig("SDB", rows=15, cols=12, max_steps=15), hidden, episodes=3)
 
 
-@pytest.mark.parametrize("n_agents", [2, 31, 32, 33, 63, 64, 65, 127, 128, 129])
-def test_every_number_of_agents(n_agents: int) -> None:
-    """On both sides of each vector's end, and of the largest number in lockstep."""
-    config = mw.WorldConfig(
-        "R", rows=13, cols=13, n_pursuers=n_agents // 2, n_evaders=(n_agents + 1) // 2, max_steps=12
-    )
-    assert_same(config, (32,), episodes=2)
+# On both sides of each vector's end, and of the largest number in lockstep.
+CROWDS = [
+    {"rows": 13, "cols": 13, "n_pursuers": n // 2, "n_evaders": (n + 1) // 2}
+    for n in (2, 31, 32, 33, 63, 64, 65, 127, 128, 129)
+]
+SIGHTS = [
+    {"rows": 20, "cols": 60, "n_pursuers": 20, "fov": fov, "obstacles": obstacles}
+    for fov, obstacles in itertools.product((1, 5, 11, 57), (0.0, 0.2))
+]
 
 
-@pytest.mark.parametrize("fov", [1, 5, 11, 57])
-def test_every_view(fov: int) -> None:
-    for obstacles in (0.0, 0.2):
-        config = mw.WorldConfig(
-            "O", rows=20, cols=60, n_pursuers=20, fov=fov, max_steps=12, obstacles=obstacles
-        )
-        assert_same(config, (32,), episodes=3)
+@pytest.mark.parametrize("changes", [*CROWDS, *SIGHTS], ids=str)
+def test_every_number_of_agents_and_every_view(changes: dict[str, Any]) -> None:
+    assert_same(mw.WorldConfig("R", max_steps=12, **changes), (32,), episodes=2)
 
 
 @pytest.mark.parametrize("diagonal", [False, True])

@@ -151,9 +151,8 @@ def test_ties_are_broken_evenly() -> None:
 
 
 def test_random_players_take_every_action_equally_often() -> None:
-    actions = mw.record(
-        arena("S", diagonal=True, max_steps=2000), "random", "random", seed=1
-    ).actions
+    config = arena("S", diagonal=True, max_steps=2000)
+    actions = mw.record(config, "random", "random", seed=1).actions
     assert stats.chisquare(np.bincount(actions.ravel(), minlength=9)).pvalue > 1e-3
 
 

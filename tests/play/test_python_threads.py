@@ -81,42 +81,6 @@ def test_a_refused_call_changes_nothing() -> None:
     assert batch.world(3).steps == sum(played)
 
 
-def test_many_threads_use_one_environment() -> None:
-    output = run(f"""
-env = mw.VectorEnv("TO", 300, threads=2, max_steps=20, render_mode="rgb_array")
-env.reset(seed=0)
-refused, end = [], time.monotonic() + 1
-
-def call_on(call):
-    while time.monotonic() < end:
-        try:
-            call()
-        except RuntimeError as error:
-            refused.append(str(error))
-
-calls = [
-    lambda: env.step(),
-    lambda: env.reset(seed=1),
-    lambda: env.reset(options={{"reset_mask": np.arange(300) % 2 == 0}}),
-    lambda: env.world(7),
-]
-threads = [threading.Thread(target=call_on, args=(call,)) for call in 2 * calls]
-for thread in threads:
-    thread.start()
-for thread in threads:
-    thread.join()
-assert all("{ONE_CALL}" in error for error in refused), set(refused)
-print(len(refused))
-env.reset(seed=5)
-other = mw.VectorEnv("TO", 300, threads=1, max_steps=20)
-other.reset(seed=5)
-actions = np.random.default_rng(0).integers(0, 5, (300, 38))
-for _ in range(3):
-    np.testing.assert_array_equal(env.step(actions)[0], other.step(actions)[0])
-""")
-    assert int(output) > 0  # the threads did meet each other
-
-
 @pytest.mark.skipif(getattr(sys, "_is_gil_enabled", lambda: True)(), reason="this Python has a GIL")
 def test_the_engine_does_not_switch_the_gil_on() -> None:
     run("""

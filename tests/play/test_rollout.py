@@ -73,31 +73,19 @@ def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
                     np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6, err_msg=field)
 
 
-@pytest.fixture(scope="module", params=["O", "SB", "TO", "swarm-D"])
-def race(request: pytest.FixtureRequest) -> tuple[mw.WorldConfig, mw.Population, mw.Matches]:
-    config = config_of(request.param, obstacles=0.1)
+@pytest.mark.parametrize("name", ["O", "SB", "TO", "swarm-D"])
+def test_a_match_depends_on_its_genomes_and_seed_alone(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    team = random_team(config, *range(4))
     matches = mw.Matches.of([0, 1, 2, 3, 0, 1, 2, 3, 3], [0, 0, 1, 1, 2, 2, 3, 3, 3], np.arange(9))
-    return config, random_team(config, *range(4)), matches
-
-
-@pytest.mark.parametrize("threads", [3, None])
-def test_threads_change_nothing(race: Any, threads: int | None) -> None:
-    config, team, matches = race
-    one = mw.rollout(config, team, team, matches, episodes=20, threads=1)
-    assert_same_bits(one, mw.rollout(config, team, team, matches, episodes=20, threads=threads))
-
-
-def test_a_match_depends_on_its_genomes_and_seed_alone(race: Any) -> None:
-    config, team, matches = race
-    whole = mw.rollout(config, team, team, matches)
+    whole = mw.rollout(config, team, team, matches, episodes=20, threads=1)
+    for threads in (3, None):
+        again = mw.rollout(config, team, team, matches, episodes=20, threads=threads)
+        assert_same_bits(whole, again)
     for m, (pursuer, evader, seed) in enumerate(zip(*matches, strict=True)):
-        alone = mw.rollout(
-            config,
-            mw.Population(team.genomes[pursuer], team.network),
-            mw.Population(team.genomes[evader], team.network),
-            mw.Matches.of(0, 0, seed),
-        )
+        pair = (mw.Population(team.genomes[each], team.network) for each in (pursuer, evader))
+        alone = mw.rollout(config, *pair, mw.Matches.of(0, 0, seed), episodes=20)
         assert_same_bits(whole, alone, [m])
     order = [8, 3, 0, 2, 2]
     some = mw.Matches(*(column[order] for column in matches))
-    assert_same_bits(whole, mw.rollout(config, team, team, some), order)
+    assert_same_bits(whole, mw.rollout(config, team, team, some, episodes=20), order)

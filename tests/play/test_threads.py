@@ -30,23 +30,6 @@ if len(cores) > 1:
     assert output.splitlines() in ([str((0, 1))], [str((0, 1)), str((1, 2))])
 
 
-@pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="the system lists no threads")
-def test_threads_of_a_rollout_wait_for_the_next_one() -> None:
-    """They are neither started anew nor left behind, and others take their place where asked."""
-    output = run("""
-from pathlib import Path
-
-def threads_after(threads):
-    mw.rollout("SB", "still", "still", mw.Matches.of(0, 0, np.arange(8)), threads=threads)
-    return {int(task.name) for task in Path("/proc/self/task").iterdir()} - before
-
-before = {int(task.name) for task in Path("/proc/self/task").iterdir()}
-first = threads_after(3)
-print(len(first), threads_after(3) == first, len(threads_after(2)), len(threads_after(1)))
-""")
-    assert output.split() == ["2", "True", "1", "0"]
-
-
 @pytest.mark.parametrize(
     ("own", "limits", "cores"),
     [

@@ -109,7 +109,7 @@ def _of_worlds() -> Iterator[Any]:
     monitor = mw.SafetyMonitor()
     monitor.add_statistics(statistics)
     yield from (monitor, random_walks(), mw.AgentEnv(config))
-    env = mw.parallel_env(config)
+    env = mw.parallel_env(config, evaders=["random", team])
     env.reset(seed=1)
     yield env
     env.step(dict.fromkeys(env.agents, 1))
