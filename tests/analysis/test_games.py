@@ -1,14 +1,14 @@
-"""Games: equilibria by hand and by their properties, best responses, and meta-strategies."""
+"""Games: equilibria by hand and by their properties, and best responses."""
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
-from scipy.optimize import linprog, minimize
+from scipy.optimize import minimize
 
 from matrices import ROCK_PAPER_SCISSORS, payoffs
 from matrixworld import analysis
-from matrixworld.analysis.games import game_value, nash_averaging
+from matrixworld.analysis.games import game_value
 
 
 def entropy(p: np.ndarray) -> float:
@@ -44,6 +44,9 @@ def test_mixtures_are_an_equilibrium(matrix: np.ndarray) -> None:
     found = analysis.nash_averaging(matrix)
     assert found.pursuers.min() >= 0.0
     assert found.pursuers.sum() == pytest.approx(1.0)
+    # The other team finds its own weights in its own payoffs.
+    swapped = analysis.nash_averaging(1.0 - matrix.T)
+    np.testing.assert_allclose(swapped.evaders, found.pursuers, atol=1e-6)
     gains = analysis.exploitability(matrix, found.pursuers, found.evaders)
     assert gains.total < 1e-6
     assert (found.pursuer_averages <= found.value + 1e-6).all()
@@ -87,69 +90,9 @@ def test_no_other_equilibrium_has_more_entropy(matrix: np.ndarray) -> None:
             assert entropy(p) < entropy(found.pursuers) + 1e-3
 
 
-# ---- exploitability -----------------------------------------------------------------------------
-
-
 def test_exploitability_by_hand() -> None:
     gains = analysis.exploitability(ROCK_PAPER_SCISSORS, [1, 0, 0], [0.5, 0.25, 0.25])
     # Rock gets .5 * .5 + .25 = .5; the answer to rock takes all of it; paper gets .5 + .125.
     assert gains.pursuers == pytest.approx(0.5)
     assert gains.evaders == pytest.approx(0.125)
     assert gains.total == pytest.approx(0.625)
-
-
-# ---- Meta-strategies of PSRO, and its loop with exact responses ----------------------------------
-
-
-def loss_limit(matrix: np.ndarray) -> float:
-    """Return the least that the column player can hold the rows to, by its own programme."""
-    n, m = matrix.shape
-    found = linprog(
-        np.append(np.zeros(m), 1.0),
-        np.hstack([matrix, -np.ones((n, 1))]),
-        np.zeros(n),
-        np.append(np.ones(m), 0.0)[None],
-        [1.0],
-        [(0, None)] * m + [(None, None)],
-    )
-    return float(found.fun)
-
-
-@settings(max_examples=15)
-@given(payoffs(parts=10))
-def test_a_nash_meta_strategy_holds_every_row_to_the_value(matrix: np.ndarray) -> None:
-    weights = nash_averaging(matrix).evaders
-    assert (matrix @ weights).max() == pytest.approx(loss_limit(matrix), abs=1e-6)
-    # The other team finds its own weights in its own payoffs.
-    swapped = nash_averaging(1.0 - matrix.T).evaders
-    np.testing.assert_allclose(swapped, analysis.nash_averaging(matrix).pursuers, atol=1e-6)
-
-
-def loop(game: np.ndarray, rounds: int) -> tuple[list[float], np.ndarray]:
-    """Return the NashConv of the meta-strategies of each round, and the last one of the rows."""
-    rows, columns, gaps = [0], [0], []
-    for _ in range(rounds):
-        part = game[np.ix_(rows, columns)]
-        p = np.bincount(rows, nash_averaging(1.0 - part.T).evaders, len(game))
-        q = np.bincount(columns, nash_averaging(part).evaders, len(game.T))
-        p, q = p / p.sum(), q / q.sum()
-        gaps.append(analysis.exploitability(game, p, q).total)
-        rows.append(int((game @ q).argmax()))
-        columns.append(int((p @ game).argmin()))
-    return gaps, p
-
-
-def ladder(levels: int) -> np.ndarray:
-    """Return rock-paper-scissors on each level of a transitive game: a higher level wins."""
-    level, hand = np.divmod(np.arange(3 * levels), 3)
-    higher = level[:, None] - level
-    same = ROCK_PAPER_SCISSORS[hand][:, hand]
-    return np.where(higher == 0, same, higher > 0)
-
-
-def test_double_oracle_ends_in_an_equilibrium() -> None:
-    gaps, _ = loop(ROCK_PAPER_SCISSORS, 4)
-    np.testing.assert_allclose(gaps, [1.0, 1.0, 0.0, 0.0], atol=1e-9)
-    gaps, p = loop(ladder(4), 13)
-    assert gaps[-1] < 1e-6
-    np.testing.assert_allclose(p[-3:], [1 / 3] * 3, atol=1e-6)  # the highest cycle has all weight

@@ -38,9 +38,6 @@ def test_too_few_or_equal_runs_have_no_interval_and_say_so(
     assert (found.low, found.high, found.note) == (None, None, note)
 
 
-# ---- Over the episodes of one run ----------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("wins", "episodes"), [(0, 4), (1, 10), (30, 200)])
 def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes: int) -> None:
     scores = np.arange(episodes) < wins
@@ -64,9 +61,6 @@ def test_generalization_has_the_interval_of_each_mean() -> None:
             assert (band.low[g], band.high[g]) == pytest.approx(one.ends)
     sure = generalization_over_episodes(np.eye(2)[..., None] * [1.0, 1.0, 0.9])[0]
     assert sure.high.max() < 1
-
-
-# ---- Scores of several runs ----------------------------------------------------------------------
 
 
 def test_values_are_those_of_rliable() -> None:
@@ -93,9 +87,6 @@ def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel()
     at = analysis.probability_of_improvement(one, other, level=1.0 - float(test.pvalue)).ends
     assert min(abs(end - 0.5) for end in at) < 1e-9
     assert found.ends[0] < found.value < found.ends[1]
-
-
-# ---- Mean curves ---------------------------------------------------------------------------------
 
 
 PAYOFFS = np.random.default_rng(0).random((4, 7, 5))

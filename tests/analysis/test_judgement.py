@@ -147,9 +147,6 @@ def test_swapping_the_teams_swaps_the_gains_and_keeps_the_verdicts(chance: np.nd
         assert evaders.low == pytest.approx(gain(other, "pursuer", window).low, abs=1e-6)
 
 
-# ---- Several runs --------------------------------------------------------------------------------
-
-
 def test_several_runs_are_judged_over_runs() -> None:
     scores = np.stack([played(STEADY, 10, seed, evaders=30) for seed in range(5)])
     judgement = of_scores(scores)
@@ -173,9 +170,6 @@ def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
     assert verdicts(judgement)["disengagement"] != PRESENT
     assert gain(judgement, "pursuer").samples == 4
     assert verdicts(judgement)["arms race"] == PRESENT
-
-
-# ---- Words, files and bad input ------------------------------------------------------------------
 
 
 def test_words_and_json() -> None:

@@ -26,9 +26,6 @@ def played(chance: np.ndarray, episodes: int, seed: int = 0) -> np.ndarray:
     return (rng.random((*chance.shape, episodes)) < chance[..., None]).astype(float)
 
 
-# ---- Strength ------------------------------------------------------------------------------------
-
-
 def quantiles_on_a_grid(y: np.ndarray, noise: float, probabilities: list[float]) -> list[float]:
     """Sum the posterior over a grid of drifts, steps and fluctuations, with full covariances."""
     steps = np.diff(y)
@@ -106,9 +103,6 @@ def test_change_is_a_regression_with_known_noise() -> None:
     assert (unknown.low, unknown.high) == pytest.approx((8 * slope - reach, 8 * slope + reach))
 
 
-# ---- Intransitivity ------------------------------------------------------------------------------
-
-
 @settings(deadline=None)
 @given(rates, st.integers(0, 2**32 - 1))
 def test_the_transitive_fit_is_the_nearest_monotone_matrix(matrix: np.ndarray, seed: int) -> None:
@@ -150,9 +144,6 @@ def test_noise_is_not_intransitive() -> None:
     assert np.mean([one.biased_high for one in found]) == pytest.approx(0.0, abs=0.005)
 
 
-# ---- Forgetting ----------------------------------------------------------------------------------
-
-
 @given(rates)
 def test_forgetting_agrees_with_its_definition(matrix: np.ndarray) -> None:
     found = analysis.forgetting(matrix)
@@ -172,9 +163,6 @@ def test_late_forgetting_of_two_sets_of_episodes_by_hand() -> None:
     # measured 0, 0, .2 - .5. The later half is the last two.
     found = late_forgetting_over_episodes((one, other), np.zeros((3, 1)), slice(0, 3), 0.95)
     assert found.biased_low == pytest.approx(((-0.1 + 0.0) / 2 + (0.5 - 0.3) / 2) / 2)
-
-
-# ---- One-sidedness and several runs --------------------------------------------------------------
 
 
 def test_one_sidedness_has_the_interval_of_clopper_and_pearson() -> None:

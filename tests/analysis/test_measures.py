@@ -1,22 +1,16 @@
 """The measures of matrixworld.analysis on matrices whose answer is known."""
 
-from collections.abc import Iterator
+from itertools import combinations
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import minimize
+from scipy.special import expit
 from scipy.stats import t
 
-from matrices import (
-    ROCK_PAPER_SCISSORS,
-    circular,
-    logistic,
-    payoffs,
-    quadruples,
-    staircase,
-)
+from matrices import ROCK_PAPER_SCISSORS, circular, logistic, payoffs, quadruples, staircase
 from matrixworld import analysis
 from matrixworld.analysis.cycles import (
     Checkerboard,
@@ -58,9 +52,6 @@ def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
     assert lag_rise(matrix) == pytest.approx(expected)
     assert lag_rise(matrix[::-1, ::-1]) == pytest.approx(-expected)
     assert lag_rise(matrix[:4, :4]) == pytest.approx(np.tanh(0.075))
-
-
-# ---- transitive share and checkerboards ---------------------------------------------------------
 
 
 def test_a_transitive_matrix_of_zeros_and_ones_tends_to_two_thirds() -> None:
@@ -112,33 +103,28 @@ def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray) -> None:
     assert abs(np.mean(found) - share) < min(0.03, abs(np.mean(measured) - share))
 
 
-# ---- The strongest checkerboards -----------------------------------------------------------------
-
-
-def one_by_one(matrix: np.ndarray, count: int, margin: float) -> Iterator[Checkerboard]:
-    """Look at all quadruples, and compare each board with all that were chosen before."""
-    boards = [Checkerboard(*place, min(won) - max(lost)) for won, lost, place in quadruples(matrix)]
-    best = {
-        b.pursuers: b for b in sorted(boards, key=lambda b: (b.margin, *(-e for e in b.evaders)))
-    }
-    chosen: list[set[str]] = []
-    for board in sorted(best.values(), key=lambda b: (-b.margin, b.pursuers)):
-        generations = {f"p{p}" for p in board.pursuers} | {f"e{e}" for e in board.evaders}
-        different = all(len(generations & other) <= 2 for other in chosen)
-        if board.margin > margin and len(chosen) < count and different:
-            chosen.append(generations)
-            yield board
-
-
 @given(payoffs(most=8), st.integers(1, 12), margins)
-def test_the_strongest_are_those_of_all_quadruples(
+def test_the_strongest_checkerboards_are_chosen_first(
     matrix: np.ndarray, count: int, margin: float
 ) -> None:
-    found = strongest_checkerboards(matrix, count=count, margin=margin)
-    assert list(found) == list(one_by_one(matrix, count, margin))
+    """All are the best of their pursuers; another one is weak, late, or too like a chosen one."""
+    best: dict[tuple, tuple] = {}
+    for won, lost, (pursuers, evaders) in quadruples(matrix):
+        if min(won) - max(lost) > best.get(pursuers, (-2.0,))[0]:
+            best[pursuers] = min(won) - max(lost), evaders
 
+    def shared(board: Checkerboard, pursuers: tuple, evaders: tuple) -> int:
+        return len({*board.pursuers} & {*pursuers}) + len({*board.evaders} & {*evaders})
 
-# ---- disengagement, over generations and within one ----------------------------------------------
+    chosen = strongest_checkerboards(matrix, count=count, margin=margin)
+    for one, other in combinations(chosen, 2):
+        assert one.margin >= other.margin
+        assert shared(one, other.pursuers, other.evaders) <= 2
+    assert all(best[each.pursuers] == (each.margin, each.evaders) for each in chosen)
+    for pursuers, (found, evaders) in best.items():
+        stronger = [each for each in chosen if each.margin >= found]
+        alike = any(shared(each, pursuers, evaders) > 2 for each in stronger)
+        assert found <= margin or len(stronger) == count or alike
 
 
 WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.02, 0.0), (0.7, 0.3), (0.99, 0.5)
@@ -161,9 +147,6 @@ def test_disengagement_takes_both_team_phases_three_generations_in_a_row(
     rates: list[tuple[float, float]], expected: tuple[Disengagement, ...]
 ) -> None:
     assert analysis.disengagements(rates) == expected
-
-
-# ---- CIAO ---------------------------------------------------------------------------------------
 
 
 MATRIX = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 1.0]])
@@ -192,13 +175,6 @@ def test_cycles_are_stripes_of_their_period(period: int) -> None:
         assert abs(triangle.fading) < 0.12
 
 
-# ---- Elo ----------------------------------------------------------------------------------------
-
-
-def sigmoid(x: np.ndarray) -> np.ndarray:
-    return 1 / (1 + np.exp(-x))
-
-
 def test_elo_minimises_its_documented_objective() -> None:
     """Compare with a general minimiser of the objective."""
     rng = np.random.default_rng(3)
@@ -207,7 +183,7 @@ def test_elo_minimises_its_documented_objective() -> None:
 
     def objective(parameters: np.ndarray) -> float:
         a, b, c = parameters[:3], parameters[3:7], parameters[7]
-        p = sigmoid(a[:, None] - b + c)
+        p = expit(a[:, None] - b + c)
         cross = -(x * np.log(p) + (1 - x) * np.log(1 - p)).sum()
         return float(cross + RIDGE / 2 * (a @ a + b @ b))
 

@@ -26,8 +26,6 @@ from matrixworld import Action, analysis
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
 
 
-# ---- Answers -------------------------------------------------------------------------------------
-
 bumper_cars = partial(dataclasses.replace, BUMPER_CARS)
 LAGS = 0.1 * (np.arange(4)[:, None] - np.arange(4)[None, :])
 ONE_TEAM = np.array(  # only the pursuers become stronger

@@ -7,22 +7,16 @@ of time, and it may saturate. A checkerboard contradicts every such order.
 
 from __future__ import annotations
 
-import heapq
 import math
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_number, check_real
-from matrixworld.analysis.intervals import (
-    BIASED,
-    LEVEL,
-    Estimate,
-    normal_quantile,
-    t_quantile,
-)
+from matrixworld.analysis.intervals import BIASED, LEVEL, Estimate, normal_quantile, t_quantile
 from matrixworld.analysis.payoffs import Rates, check_payoff, require
 
 EPISODES_TO_SUBTRACT_NOISE = 4
@@ -62,10 +56,7 @@ class Checkerboards:
 
 @dataclass(frozen=True)
 class Checkerboard:
-    """One checkerboard: each of its two pursuer generations is better against its own evaders.
-
-    The better cells exceed each of the worse ones by at least the margin.
-    """
+    """Two pursuer generations, each better by the margin against its own evaders."""
 
     pursuers: tuple[int, int]
     evaders: tuple[int, int]
@@ -100,9 +91,7 @@ def transitive_share(payoff: ArrayLike) -> float:
 def transitive_share_over_episodes(scores: Rates) -> Estimate:
     """Return the transitive share of what is behind episodes (n, m, episodes), without interval.
 
-    Both sums of squares are estimated from products of different episodes of a cell, which hold no
-    noise (U statistics, Hoeffding 1948). Of too few episodes, or if the cells vary no more than
-    noise does, it is the measured share.
+    Products of different episodes of a cell hold no noise (U statistics, Hoeffding 1948).
     """
     measured, episodes = transitive_share(scores.mean(axis=2)), scores.shape[2]
     if episodes < EPISODES_TO_SUBTRACT_NOISE:
@@ -175,24 +164,14 @@ def strongest_checkerboards(
 ) -> tuple[Checkerboard, ...]:
     """Return checkerboards with large margins, in descending order, that differ from each other.
 
-    No two have more than two generations in common.
+    The strongest one of two pursuers counts; no two have more than two generations in common.
     """
-    # Of two rows, no margin exceeds what one gains over the other in some column, and loses in
-    # another. In the order of these bounds, some dozens of pairs have to be looked at.
-    pairs: list[tuple[float, int, int, Checkerboard | None]] = []
-    for p, row in enumerate(matrix[:-1]):
-        gains = row - matrix[p + 1 :]
-        bounds = np.minimum(gains.max(axis=1), -gains.min(axis=1)).tolist()
-        pairs += [(-most, p, q, None) for q, most in enumerate(bounds, p + 1) if most > margin]
-    heapq.heapify(pairs)
+    boards = [_strongest_of(matrix, *pair) for pair in combinations(range(len(matrix)), 2)]
     chosen: list[Checkerboard] = []
-    while pairs and len(chosen) < count:
-        _, p, q, board = heapq.heappop(pairs)
-        if board is None:
-            board = _strongest_of(matrix, p, q)
-            if board.margin > margin:
-                heapq.heappush(pairs, (-board.margin, p, q, board))
-        elif all(_in_common(board, other) <= 2 for other in chosen):
+    for board in sorted(boards, key=lambda board: -board.margin):
+        if board.margin <= margin or len(chosen) == count:
+            break
+        if all(_in_common(board, other) <= 2 for other in chosen):
             chosen.append(board)
     return tuple(chosen)
 
@@ -205,8 +184,7 @@ def _strongest_of(matrix: Rates, p: int, q: int) -> Checkerboard:
 
 
 def _in_common(one: Checkerboard, other: Checkerboard) -> int:
-    pursuers = set(one.pursuers) & set(other.pursuers)
-    return len(pursuers) + len(set(one.evaders) & set(other.evaders))
+    return len({*one.pursuers} & {*other.pursuers}) + len({*one.evaders} & {*other.evaders})
 
 
 def transitive_fit(matrix: Rates) -> Rates:
@@ -221,12 +199,10 @@ def transitive_fit(matrix: Rates) -> Rates:
 
 
 def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
-    """Return the mean square of what no order of strength explains, without episode noise.
+    """Return the mean squared residual of `transitive_fit` minus the mean noise (n, m).
 
-    That is the mean squared residual of `transitive_fit` minus the mean noise (n, m), an unbiased
-    estimate of the variance of each cell; it may be negative. `biased_high` and `high` allow for
-    what the fit hides. A test of lack of fit with an order as the null hypothesis (Robertson,
-    Wright and Dykstra 1988).
+    A test of lack of fit with an order of strength as the null hypothesis (Robertson, Wright and
+    Dykstra 1988); `biased_high` and `high` allow for what the fit hides.
     """
     matrix, noise = thinned(matrix), thinned(noise)
     fit, share = transitive_fit(matrix), 1.0 / matrix.size
@@ -280,21 +256,15 @@ def _isotonic_rows(values: Rates) -> Rates:
     return fit
 
 
-# ---- Recurrence ----------------------------------------------------------------------------------
-
-
 def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
     """Return how similar the row team becomes to its own past again, with an interval.
 
-    The similarity of two generations is the product of their cyclic parts, mean over opponents;
-    c(d) is its mean over generations that are d apart, divided by c(0). Where c falls below 0, the
-    team has left its old strategies; the largest c(d) after that, up to half of the generations, is
-    the recurrence: 1 for a perfect cycle, about 0 for strategies that are always new, set to 0
-    where nothing is left. One half of the episodes (n, m, episodes) chooses d, the other one
-    measures c(d), and both change roles. Products of different episodes hold no noise. The interval
-    inverts a t test, as Fieller's theorem (1954) does for a ratio, with the standard errors of the
-    jackknife over episodes (Efron and Stein 1981).
+    c(d) is the mean product of the cyclic parts of generations that are d apart, divided by c(0).
+    Where c falls below 0, the team has left its old strategies; the largest c(d) after that is the
+    recurrence. One half of the episodes (n, m, episodes) chooses d, the other one measures c(d).
     """
+    # The interval inverts a t test, as Fieller's theorem (1954) does for a ratio, with the standard
+    # errors of the jackknife over episodes (Efron and Stein 1981).
     if scores.shape[2] < EPISODES_TO_RECUR:
         return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
     halves = [_similarities(scores[:, :, start::2]) for start in (0, 1)]
@@ -313,10 +283,8 @@ def _similarities(scores: Rates) -> Rates:
     n = residual.shape[1]
     found = []
     for lag in range(n // 2 + 1):
-        early, late = (
-            part.reshape(blocks, -1) for part in (residual[:, : n - lag], residual[:, lag:])
-        )
-        products = early @ late.T / (n - lag)
+        early, late = residual[:, : n - lag], residual[:, lag:]
+        products = early.reshape(blocks, -1) @ late.reshape(blocks, -1).T / (n - lag)
         found.append((products + products.T) / 2.0)
     return np.array(found)
 

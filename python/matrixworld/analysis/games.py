@@ -87,17 +87,11 @@ def _optimal(matrix: Rates) -> Rates:
 def _inner(matrix: Rates, value: float, start: Rates, answer: Rates) -> Rates:
     """Return an optimal mixture of all rows that have a weight in any optimal mixture.
 
-    It is the mean of ``start``, which is optimal, and of further ones, each of which maximises the
-    weights, up to ``1 / rows`` each, of the rows that no mixture has used so far. Rows that get
-    less than the value against ``answer``, an optimal mixture of columns, have none.
+    It is the mean of ``start`` and of others with the most weight, up to ``1 / rows`` each, on rows
+    unused so far. Rows that get less than the value against the optimal ``answer`` have none.
     """
     rows, columns = matrix.shape
-    kept = np.vstack(
-        [
-            np.hstack([-matrix.T, np.zeros((columns, rows))]),
-            np.hstack([-np.eye(rows), np.eye(rows)]),
-        ]
-    )
+    kept = np.block([[-matrix.T, np.zeros((columns, rows))], [-np.eye(rows), np.eye(rows)]])
     limits = np.append(np.full(columns, -value), np.zeros(rows))
     equal = np.repeat([1.0, 0.0], rows)
     found = [np.where(start > _NOTHING, start, 0.0)]
@@ -142,10 +136,9 @@ def _mixture(weights: Rates) -> Rates:
 
 
 def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: NDArray[np.bool_]) -> Rates:
-    """Return the optimal mixture of maximum entropy.
+    """Return the optimal mixture of maximum entropy, of the rows in the support of ``inner``.
 
-    In every optimal mixture the columns ``tight``, which the opponent may play, give exactly
-    ``value``, and the others at least that. Rows outside the support of ``inner`` have no weight.
+    Columns that the opponent may play are ``tight``: they give exactly ``value``, others more.
     """
     used = inner > 0.0
     margins = (matrix - value)[used]
@@ -219,16 +212,11 @@ def _bounded(start: Rates, directions: Rates, slack: Rates) -> Rates:
     return best
 
 
-# ---- Best responses ------------------------------------------------------------------------------
-
 _ROUNDING = 1e-9  # tolerance of the sum of a mixture
 
 
 class Exploitability(NamedTuple):
-    """Gain of a best response against each team's mixture, in capture rates, at least 0.
-
-    How much the best evaders lower, and the best pursuers raise, the capture rate.
-    """
+    """How much the best evaders lower, and the best pursuers raise, the capture rate."""
 
     pursuers: float
     evaders: float

@@ -124,9 +124,6 @@ def _is_disengaged(findings: Findings) -> bool:
     return findings["disengagement"].verdict == PRESENT
 
 
-# ---- The rules -----------------------------------------------------------------------------------
-
-
 def _against(estimate: Estimate, margin: float, above: str, below: str) -> Finding:
     """Return present above the margin, absent below it, and "cannot tell" if it is inside."""
     low, high = estimate.ends
@@ -261,15 +258,10 @@ def _listed(teams: tuple[str, ...]) -> str:
     return " and ".join(f"the {team}" for team in teams)
 
 
-# ---- The table -----------------------------------------------------------------------------------
-
-
 class Rule(NamedTuple):
-    """How a condition of the judgement is decided, in a row of `RULES`.
+    """How a condition is decided: the `measures`, and the `rule` on these and on earlier findings.
 
-    `measures`: the numbers that decide, by their names in `MEASURES`. `rule`: the verdict from
-    these, and from the findings on the rows above. `missing`: what it would take to know them,
-    empty if they are known.
+    `missing` says what it would take to know them; empty if they are known.
     """
 
     measures: tuple[str, ...]

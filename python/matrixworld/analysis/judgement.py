@@ -81,15 +81,10 @@ class Judgement(Readable):
         return plain
 
 
-# ---- In words ------------------------------------------------------------------------------------
-
-
 class Words(NamedTuple):
-    """What is told of a condition that is present.
+    """What is told of a condition that is present: in a sentence of its ``{teams}``, in numbers.
 
-    `happened`: what a plain sentence says of its ``{teams}``. A headline leaves out the condition
-    that this one `implies`. `numbers`: what its numbers are called in the line under a headline,
-    which has one if it is present; empty for none.
+    A headline leaves out the condition that this one `implies`.
     """
 
     happened: str
@@ -126,12 +121,7 @@ BETTER_OR_NOT = {"disengagement", "stagnation", *IMPROVEMENTS}
 
 
 def summary(judgement: Judgement) -> list[str]:
-    """Return what happened, in lines: `sentence`, `headline` and `headline_numbers`.
-
-    Parameters
-    ----------
-    judgement : Judgement
-    """
+    """Return what happened, in lines: `sentence`, `headline` and `headline_numbers`."""
     return [sentence(judgement), headline(judgement), *headline_numbers(judgement)]
 
 
@@ -276,8 +266,7 @@ def _present(judgement: Judgement) -> dict[str, list[str]]:
 def headline_numbers(judgement: Judgement) -> list[str]:
     """Return the numbers under a headline: gains, and how far teams fall below their best.
 
-    Such as ``"gains: pursuers +0.42, evaders +0.70 (whole race)"``; about the window that the
-    headline names, or about the whole race. No line stands for numbers that are not known.
+    Such as ``"gains: pursuers +0.42, evaders +0.70 (whole race)"``.
     """
     lines = []
     for name, window in _numbered(judgement):

@@ -163,8 +163,6 @@ def _footnotes(payoffs: Payoffs, estimates: Mapping[str, Estimate]) -> dict[str,
     return {note: f"[{number}]" for number, note in enumerate(notes, 1)}
 
 
-# ---- Numbers of the matrix of a window -----------------------------------------------------------
-
 Number = Callable[[Rates], float]
 """A number of the payoff matrix of a window, of at least 2 x 2 generations."""
 
@@ -237,19 +235,12 @@ def _last_rating(matrix: Rates, team: str) -> float:
     return ratings.ELO_POINTS * float(getattr(ratings.elo(matrix), team)[-1])
 
 
-def _fading(matrix: Rates, team: str) -> float:
-    return float(getattr(progress.ciao(matrix), team).fading)
-
-
-def _stripes(matrix: Rates, team: str) -> float:
-    return float(getattr(progress.ciao(matrix), team).stripes)
+def _of_triangle(matrix: Rates, team: str, number: str) -> float:
+    return float(getattr(getattr(progress.ciao(matrix), team), number))
 
 
 def _checkerboards(matrix: Rates) -> float:
     return cycles.clear_checkerboards(matrix).share
-
-
-# ---- Numbers that decide on conditions -----------------------------------------------------------
 
 
 def _deciding(
@@ -262,36 +253,28 @@ def _deciding(
 ) -> Estimate:
     """Estimate a number of the judgement by a function of one run, a window and the level.
 
-    The mean over several runs has the lower end of Student's t interval of the values
-    `biased_low`, and the upper end of that of the values `biased_high`. The judgement asks for
-    single runs and for all together, so numbers of single runs are kept.
+    The judgement asks for single runs and for all together, so numbers of single runs are kept.
     """
     if window.generations < GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=TOO_SHORT)
-    if len(payoffs) == 1:
-        known: dict[tuple[Any, ...], Estimate] = payoffs.known
-        key = (of_run, window, level, *options.values())
-        if key not in known:
-            found = of_run(payoffs, window, level, **options)
-            known[key] = replace(found, samples=payoffs.episodes or 0)
-        return known[key]
-    return over_runs(
-        [_deciding(run, window, level, of_run=of_run, **options) for run in payoffs.runs], level
-    )
+    key, singles = (of_run, window, level, *options.values()), []
+    for run in payoffs.runs:
+        if key not in run.known:
+            found = of_run(run, window, level, **options)
+            run.known[key] = replace(found, samples=run.episodes or 0)
+        singles.append(run.known[key])
+    return singles[0] if len(singles) == 1 else over_runs(singles, level)
 
 
 def over_runs(singles: list[Estimate], level: float) -> Estimate:
-    """Return the mean over runs with an interval that rests on values that err to a known side."""
+    """Return the mean, the low end of the interval of `biased_low`, and the high one likewise."""
     found = [one for one in singles if math.isfinite(one.value)]
     if len(found) < 2:
         return next(one for one in singles if math.isnan(one.value))
-    low, _ = t_ends([_or(one.biased_low, one.value) for one in found], level)
-    _, high = t_ends([_or(one.biased_high, one.value) for one in found], level)
-    return Estimate(float(np.mean([one.value for one in found])), low, high, "runs", len(found))
-
-
-def _or(number: float | None, default: float) -> float:
-    return default if number is None else number
+    lows = [one.value if one.biased_low is None else one.biased_low for one in found]
+    highs = [one.value if one.biased_high is None else one.biased_high for one in found]
+    ends = t_ends(lows, level)[0], t_ends(highs, level)[1]
+    return Estimate(float(np.mean([one.value for one in found])), *ends, "runs", len(found))
 
 
 def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
@@ -313,9 +296,8 @@ def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estim
     if window.generations < GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=TOO_SHORT)
     found = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
-    if len(payoffs) > 1:
-        return replace(found, across="runs", samples=len(payoffs))
-    return replace(found, across="episodes", samples=payoffs.episodes or 0)
+    several = ("runs", len(payoffs)) if len(payoffs) > 1 else ("episodes", payoffs.episodes or 0)
+    return replace(found, across=several[0], samples=several[1])
 
 
 def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
@@ -395,9 +377,6 @@ def _from_side(matrix: Rates, team: str) -> Rates:
     return matrix if team == "pursuers" else swap_teams(matrix)
 
 
-# ---- The table -----------------------------------------------------------------------------------
-
-
 def _of_teams(
     name: str,
     label: str,
@@ -458,9 +437,13 @@ ROWS = (
         partial(_linear, number=partial(_last_score, team="evaders")),
     ),
     *_of_teams(
-        "fading", "CIAO, fading of the {team}s", partial(_linear, bounds=GAIN), number=_fading,
+        "fading", "CIAO, fading of the {team}s", partial(_linear, bounds=GAIN),
+        number=partial(_of_triangle, number="fading"),
     ),
-    *_of_teams("stripes", "CIAO, stripes of the {team}s", _biased, number=_stripes),
+    *_of_teams(
+        "stripes", "CIAO, stripes of the {team}s", _biased,
+        number=partial(_of_triangle, number="stripes"),
+    ),
     Measure(
         "game_value", "capture rate in the Nash equilibrium",
         partial(_biased, number=games.game_value),

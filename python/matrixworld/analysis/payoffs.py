@@ -53,10 +53,7 @@ class ByTeam(Generic[OfTeam]):
 
 @dataclass(frozen=True)
 class Window:
-    """A part of a race: of each team its first generation, and the one after the last.
-
-    The name is ``"whole"``, ``"first half"`` or ``"last half"``.
-    """
+    """A part of a race: of each team its first generation, and the one after the last."""
 
     name: str
     pursuers: tuple[int, int]
@@ -75,10 +72,9 @@ class Window:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Payoffs(Readable):
-    """Payoff matrices of one run or of several independent runs, and their episodes if known.
+    """Payoff matrices (runs, n, m) of independent runs, and their episodes if known.
 
-    `matrices` (runs, n, m); `scores` (runs, n, m, episodes), the capture rate of each episode;
-    `episodes` behind each cell.
+    `scores` (runs, n, m, episodes): the capture rate of each of the `episodes` behind each cell.
     """
 
     matrices: Rates
@@ -106,12 +102,9 @@ class Payoffs(Readable):
 
     @cached_property
     def _runs(self) -> list[Payoffs]:
-        each = [slice(run, run + 1) for run in range(len(self))]
-        scores = [None if self.scores is None else self.scores[run] for run in each]
-        return [
-            Payoffs(self.matrices[run], of_run, self.episodes)
-            for run, of_run in zip(each, scores, strict=True)
-        ]
+        scores = [None] * len(self) if self.scores is None else self.scores[:, None]
+        matrices = self.matrices[:, None]
+        return [Payoffs(*run, self.episodes) for run in zip(matrices, scores, strict=True)]
 
     def select(self, runs: list[int]) -> Payoffs:
         """Return the payoffs of some of the runs."""
@@ -173,11 +166,7 @@ def check_payoff(payoff: ArrayLike) -> Rates:
 
 
 def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates") -> Rates:
-    """Return rates in [0, 1] as float64, with `ndim` dimensions of which none is empty.
-
-    Raises ValueError or TypeError, which call the array `what`. Sums that rounding has put just
-    outside are clipped.
-    """
+    """Return rates as float64; sums that rounding has put just outside [0, 1] are clipped."""
     rates = _numbers(values, ndim, what)
     # The negated test also finds NaN, which compares as false with everything.
     bad = ~((rates >= -ROUNDING) & (rates <= 1.0 + ROUNDING))
@@ -230,8 +219,6 @@ def require(condition: bool, expected: str, received: object) -> None:
         raise ValueError(f"expected {expected}, got {received}")
 
 
-# ---- Sources -------------------------------------------------------------------------------------
-
 Source: TypeAlias = (
     "ArrayLike | str | os.PathLike[str] | Sequence[str | os.PathLike[str]] | Payoffs"
 )
@@ -257,14 +244,14 @@ def read_payoffs(
     Notes
     -----
     A CSV file holds a matrix: line g has the capture rates of pursuers g against evaders 0, 1, ...;
-    a first line without rates is a header, and a first column of names or of numbers below an empty
-    cell is left out. Or it holds one line for each pair: a header with ``pursuer, evader,
-    capture_rate`` in any order, and ``run`` or ``episode`` if there are several; every combination
-    of these numbers or names has one line. Other columns, empty lines and lines that begin with
-    ``#`` are ignored. Cells are separated by commas, semicolons or tabs; beside the latter two a
-    comma is a decimal comma. Per cent are read, too. Of several arrays in an .npz file
-    ``capture_rates`` is taken, which holds episodes, or else ``capture_rate``, ``payoff`` or
-    ``payoffs``.
+    a first line of names is a header. If it begins with an empty cell or ``pursuer``, the others
+    are names or numbers of evaders, and the first column is left out. Or the file holds one line
+    for each pair: a header with ``pursuer, evader, capture_rate`` in any order, and ``run`` or
+    ``episode`` if there are several; every combination of these numbers has one line. Other
+    columns, empty lines and lines that begin with ``#`` are ignored. Cells are separated by commas,
+    semicolons or tabs; beside the latter two a comma is a decimal comma. Per cent are read, too. Of
+    several arrays in an .npz file ``capture_rates`` is taken, which holds episodes, or else
+    ``capture_rate``, ``payoff`` or ``payoffs``.
     """
     check_bool("per_episode", per_episode)
     if isinstance(source, Payoffs):
@@ -338,14 +325,9 @@ def _payoffs(values: Any, per_episode: bool) -> Payoffs:
     return Payoffs(check_rates(array, ndim=3, what="payoff matrices (runs, n, m)"))
 
 
-# ---- CSV files -----------------------------------------------------------------------------------
-
 _PAIR, _RATE = ("pursuer", "evader"), "capture_rate"
 _KEYS = ("run", *_PAIR, "episode")
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
-_LABELS = ("", "pursuer", "pursuers", "generation", "id", "index", "name")
-"""What stands above a column of labels."""
-_MISSING = ("", "-", "na", "nan", "none", "null", "<na>", "n/a")
 
 Line: TypeAlias = tuple[str, list[str]]
 """A line of a table: where it is, and its cells."""
@@ -361,12 +343,18 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
             raise ValueError(
                 f"{at}: expected {len(head)} cells as in the first line, got {len(row)}"
             )
-    if {*_PAIR} <= {*names} or _RATE in names:
-        if any(names.count(name) != 1 for name in (*_PAIR, _RATE)):
-            expected = f"the columns {', '.join(_PAIR)} and {_RATE} once each"
-            raise ValueError(f"{where}: expected {expected}, got {', '.join(head)}")
-        return _long(path, names, lines[1:]), "episode" in names
-    return _matrix(path, lines), False
+    is_long = {*_PAIR} <= {*names} or _RATE in names
+    if is_long and any(names.count(name) != 1 for name in (*_PAIR, _RATE)):
+        expected = f"the columns {', '.join(_PAIR)} and {_RATE} once each"
+        raise ValueError(f"{where}: expected {expected}, got {', '.join(head)}")
+    corner, *above = names
+    has_labels = corner in ("", "pursuer") and (_are_names(above) or _count_up(above))
+    body = lines[is_long or has_labels or _are_names(names) :]
+    if not body:
+        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
+    if is_long:
+        return _long(path, names, body), "episode" in names
+    return np.array([[_rate(at, cell) for cell in row[has_labels:]] for at, row in body]), False
 
 
 def _lines(path: Path) -> list[Line]:
@@ -392,93 +380,52 @@ def _lines(path: Path) -> list[Line]:
     return [(f"{path}, line {number}", row) for number, row in rows if row]
 
 
-def _matrix(path: Path, lines: list[Line]) -> Rates:
-    """Return the matrix of a table without its header and its column of labels, if it has them."""
-    (where, head), below = lines[0], [row[0] for _, row in lines[1:]]
-    below_are_labels = len(head) > 1 and (_are_names(below) or _count_up(below))
-    above_labels = head[0].lower() in _LABELS
-    has_header = _are_names(head) or (above_labels and _count_up(head[1:]) and below_are_labels)
-    if not has_header:
-        labelled = len(lines) > 1 and _are_names([head[0], *below])
-    else:
-        labelled = above_labels or below_are_labels
-        if labelled and not above_labels and _is_number(below[-1]) and _value(below[-1]) <= 1.0:
-            raise ValueError(
-                f"{where}: expected nothing above a column of labels, or rates written as 0.0 and "
-                f"1.0 below a name, got {', '.join(below)} below {head[0]}"
-            )
-    body = lines[has_header:]
-    if not body:
-        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
-    return np.array([[_rate(at, cell) for cell in row[labelled:]] for at, row in body])
-
-
 def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
     """Return the array of a table of one line for each pair, whose axes are its keys."""
     keys = [key for key in _KEYS if key in names]
-    cells = [[row[names.index(key)] for key in keys] for _, row in lines]
-    for (where, _), row in zip(lines, cells, strict=True):
-        if not all(row):
-            expected = f"numbers or names of {', '.join(keys)}"
-            raise ValueError(f"{where}: expected {expected}, got {', '.join(map(repr, row))}")
-    # Whole numbers, which may start anywhere, in their order, and names in that of the file.
-    columns = [
-        [int(cell.partition(".")[0]) for cell in column] if all(map(_is_whole, column)) else column
-        for column in zip(*cells, strict=True)
-    ]
-    found: dict[tuple[int | str, ...], float] = {}
-    for (where, row), pair in zip(lines, zip(*columns, strict=True), strict=True):
-        if pair in found:
+    rates: dict[tuple[int, ...], float] = {}
+    for where, row in lines:
+        cells = [row[names.index(key)] for key in keys]
+        if not all(cell.isdecimal() for cell in cells):
+            raise ValueError(f"{where}: expected numbers of {', '.join(keys)}, got {cells}")
+        place = tuple(map(int, cells))
+        if place in rates:
             hint = "" if "episode" in keys else "; number the matches of a pair in a column episode"
-            raise ValueError(f"{where}: expected {_named(keys, pair)} once, got it twice{hint}")
-        found[pair] = _rate(where, row[names.index(_RATE)])
-    if not found:
-        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
-    axes: list[list[Any]] = [
-        sorted({*column}) if isinstance(column[0], int) else [*dict.fromkeys(column)]
-        for column in columns
-    ]
-    for pair in itertools.product(*axes):
-        if pair not in found:
-            missing = _named(keys, pair)
-            raise ValueError(
-                f"{path}: expected a line for every combination, got none for {missing}"
-            )
-    rates = [found[pair] for pair in itertools.product(*axes)]
-    return np.array(rates).reshape([len(axis) for axis in axes])
+            raise ValueError(f"{where}: expected {_named(keys, place)} once, got it twice{hint}")
+        rates[place] = _rate(where, row[names.index(_RATE)])
+    axes = [sorted({*numbers}) for numbers in zip(*rates, strict=True)]
+    for place in itertools.product(*axes):
+        if place not in rates:
+            expected = f"a line for every combination, got none for {_named(keys, place)}"
+            raise ValueError(f"{path}: expected {expected}")
+    return np.array([rates[place] for place in sorted(rates)]).reshape([*map(len, axes)])
 
 
-def _named(keys: list[str], pair: tuple[int | str, ...]) -> str:
-    return ", ".join(f"{name} {value}" for name, value in zip(keys, pair, strict=True))
+def _named(keys: list[str], place: tuple[int, ...]) -> str:
+    return ", ".join(f"{name} {value}" for name, value in zip(keys, place, strict=True))
 
 
-def _is_whole(cell: str) -> bool:
-    return re.fullmatch(r"[+-]?\d+(\.0*)?", cell) is not None
+def _are_names(cells: list[str]) -> bool:
+    """Return whether cells name columns: each is there once, and is no number."""
+    names = {cell for cell in cells if cell not in ("", "nan") and not _is_number(cell)}
+    return 0 < len(cells) == len(names)
+
+
+def _count_up(cells: list[str]) -> bool:
+    """Return whether cells are ascending whole numbers, as those of generations."""
+    numbers = [int(cell) if cell.isdecimal() else -1 for cell in cells]
+    return bool(numbers) and numbers[0] >= 0 and numbers == sorted({*numbers})
 
 
 def _is_number(cell: str) -> bool:
     return _NUMBER.fullmatch(cell.rstrip("% ")) is not None
 
 
-def _value(cell: str) -> float:
-    return float(cell.rstrip("% ").replace(",", ".")) / (100.0 if cell.endswith("%") else 1.0)
-
-
-def _are_names(cells: list[str]) -> bool:
-    """Return whether cells name rows or columns: none is a number, missing, or there twice."""
-    named = cells[1:] if cells[:1] == [""] else cells  # nothing stands above labels
-    unlike = {cell for cell in named if not _is_number(cell) and cell.lower() not in _MISSING}
-    return 0 < len(named) == len(unlike)
-
-
-def _count_up(cells: list[str]) -> bool:
-    """Return whether cells are ascending whole numbers, such as those of rows or columns."""
-    numbers = [int(cell) if cell.isdecimal() else -1 for cell in cells]
-    return bool(numbers) and numbers[0] >= 0 and numbers == sorted({*numbers})
-
-
 def _rate(where: str, cell: str) -> float:
     # Checked here as well as in `check_rates`, where the line number is not known any more.
-    if not (_is_number(cell) and -ROUNDING <= _value(cell) <= 1.0 + ROUNDING):
-        raise ValueError(f"{where}: expected a capture rate in [0, 1], got {cell!r}")
-    return _value(cell)
+    if _is_number(cell):
+        percent = 100.0 if cell.endswith("%") else 1.0
+        rate = float(cell.rstrip("% ").replace(",", ".")) / percent
+        if -ROUNDING <= rate <= 1.0 + ROUNDING:
+            return rate
+    raise ValueError(f"{where}: expected a capture rate in [0, 1], got {cell!r}")

@@ -35,9 +35,6 @@ def generalization(payoff: ArrayLike) -> ByTeam[Rates]:
     return ByTeam(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
 
 
-# ---- By the lag between opponents ----------------------------------------------------------------
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class LagProfile(Readable):
     """Mean capture rate by lag, pursuer minus evader generation, from ``-(m - 1)`` to ``n - 1``.
@@ -71,10 +68,7 @@ def lag_profile(payoff: ArrayLike) -> LagProfile:
 
 
 def lag_rise(matrix: Rates) -> float:
-    """Return how much better later pursuers do than earlier ones, in [-1, 1].
-
-    Lag profile at a third of the generations minus that at minus as much.
-    """
+    """Return the lag profile at a third of the generations minus that at minus as much."""
     # Long enough for strength to grow by more than noise, short enough to leave many cells. Both
     # lags have the same number of cells in a square matrix, so both means are equally noisy.
     profile, lag = lag_profile(matrix), max(1, min(matrix.shape) // 3)
@@ -92,8 +86,6 @@ def team_phase_rates(payoff: ArrayLike) -> Rates:
     k = np.arange(1, min(matrix.shape))
     return np.stack([matrix[k, k - 1], matrix[k, k]], axis=1)
 
-
-# ---- Disengagement: one team wins nearly all matches, so neither team learns ---------------------
 
 PURSUERS_WIN, EVADERS_WIN = 0.97, 0.03
 """Capture rates above which the pursuers, and below which the evaders have won; races with too few
@@ -153,12 +145,10 @@ def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
 
 
 def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimate:
-    """Return how much of the payoff the winning team gets, where a race is most one-sided.
+    """Return the largest mean payoff of the winning team over half of the K generations in a row.
 
-    The number is the mean payoff of the winning team over consecutive generations, half of the K
-    rounded up, for which it is largest, from `rates` (K, 2) as for `disengagements`. The interval
-    is that of Clopper and Pearson (1934) for as many wins and losses as have the variance of each
-    rate (Korn and Graubard 1998), at the level of all stretches together (Bonferroni).
+    From `rates` (K, 2) as for `disengagements`. The interval is that of Clopper and Pearson (1934)
+    for as many wins and losses as have the variance of each rate (Korn and Graubard 1998).
     """
     from scipy.special import betaincinv
 
@@ -169,7 +159,7 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
     payoffs = np.maximum(means, 1.0 - means)
     matches = 2 * length * episodes
     wins, losses = payoffs * matches, (1.0 - payoffs) * matches
-    tail = (1.0 - level) / 2.0 / len(payoffs)
+    tail = (1.0 - level) / 2.0 / len(payoffs)  # of all stretches together (Bonferroni)
     # At no loss the upper end is 1, where the formula divides by zero; payoffs are never 0.
     lows = betaincinv(wins, losses + 1.0, tail)
     highs = np.where(
@@ -188,8 +178,6 @@ def _check_team_phases(rates: ArrayLike) -> Rates:
     require(array.shape[1] == 2, "team phase capture rates of shape (K, 2)", array.shape)
     return array
 
-
-# ---- CIAO: current individuals against ancestral opponents ---------------------------------------
 
 # Fewest pairs of cells for a correlation; with fewer it is dominated by chance.
 _FEWEST_PAIRS = 6
@@ -254,10 +242,7 @@ def _fading(lower: Rates) -> float:
 
 
 def autocorrelation(lower: Rates) -> Rates:
-    """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in a lower triangle, by d.
-
-    Stripes count wherever they lie in a row. NaN where fewer than 6 pairs of cells are left.
-    """
+    """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in a lower triangle, by d."""
     counts = np.sum(~np.isnan(lower), axis=1, keepdims=True)
     centered = lower - np.nansum(lower, axis=1, keepdims=True) / counts
     # Lags up to half of the opponents: beyond them few pairs of cells are left.

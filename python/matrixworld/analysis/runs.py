@@ -31,12 +31,10 @@ SEPARATE = "no interval: the scores of the two groups do not overlap"
 
 
 def fewest_runs(level: float = LEVEL) -> int:
-    """Return the fewest runs with which intervals of scores are given: 6 at a level of 95 %.
-
-    All n runs lie on the same side of the median with probability ``2 ** (1 - n)``, so a bootstrap
-    interval of fewer runs cannot reach the level, whatever its method.
-    """
+    """Return the fewest runs with which intervals of scores are given: 6 at a level of 95 %."""
     check_level(level)
+    # All n runs lie on the same side of the median with probability ``2 ** (1 - n)``, so a
+    # bootstrap interval of fewer runs cannot reach the level, whatever its method.
     return max(2, math.ceil(1.0 - math.log2(1.0 - level)))
 
 
@@ -145,14 +143,10 @@ def _too_few(runs: int, level: float) -> str:
     return f"no interval below {fewest} runs" if runs < fewest else ""
 
 
-# ---- Mean curves ---------------------------------------------------------------------------------
-
-
 def race_bands(payoffs: ArrayLike, *, level: float = LEVEL) -> dict[str, Band]:
-    """Return mean generalization, ratings and lag profile of runs (runs, n, m), with intervals.
+    """Return mean generalization, Elo points and lag profile of runs (runs, n, m), with intervals.
 
-    ``pursuer_generalization`` and ``evader_generalization``, ``pursuer_ratings`` and
-    ``evader_ratings`` (Elo points, mean 0 over the generations of a run), and ``lag_profile``.
+    By name: ``pursuer_generalization``, ``evader_ratings`` and so on, and ``lag_profile``.
     """
     matrices = check_rates(payoffs, ndim=3, what="payoff matrices (runs, n, m)")
     found: dict[str, Band] = {}

@@ -238,9 +238,6 @@ def _write_heads(heatmaps: Sequence[Axes], heads: Mapping[str, list[str]], width
         )  # fmt: skip
 
 
-# ---- Parts of these figures ----------------------------------------------------------------------
-
-
 def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
     matrix = check_payoff(payoff)
     image = _draw_cells(axes, matrix)

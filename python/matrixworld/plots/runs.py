@@ -157,8 +157,6 @@ def run_curves(
     return figure
 
 
-# ---- Scores against held-out opponents -----------------------------------------------------------
-
 SCORES = {"pursuer": "capture rate", "evader": "escape rate"}
 """What the score of a team is called."""
 FEWEST = fewest_runs()
@@ -207,8 +205,6 @@ def seed_scores(
     style.entitle(figure, title)
     return figure
 
-
-# ---- Bands over generations ----------------------------------------------------------------------
 
 GROUPS = 5
 """The most groups of seeds beside each other; further ones are in rows below."""
@@ -289,8 +285,6 @@ def _draw_singles(axes: Axes, singles: Iterable[Mapping[str, Band]], name: str, 
         band = bands[name]
         axes.plot(band.places, band.mean, color=color, alpha=0.3, linewidth=0.6)
 
-
-# ---- Verdicts ------------------------------------------------------------------------------------
 
 NOT_FINISHED = "not finished"
 LOOKS: dict[str, dict[str, Any]] = {

@@ -92,9 +92,6 @@ def _is_usual(group: RunGroup, figure: str) -> bool:
     return group.is_race or figure == "training"
 
 
-# ---- Of a run --------------------------------------------------------------------------------
-
-
 def _title(group: RunGroup, shown: str) -> str:
     return f"{group.runs[0].title}\n{shown}"
 
@@ -160,8 +157,6 @@ OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
 """Figures of a race. A run of one team has the first one only."""
 
 
-# ---- Of several runs, by the names of their groups ---------------------------------------------
-
 Groups = Mapping[str, RunGroup]
 
 
@@ -218,9 +213,6 @@ OF_GROUPS: dict[str, Callable[[Groups, Baselines], Figure]] = {
     "generalization": _generalizations,
 }
 """Figures of several runs: side by side, or over the seeds."""
-
-
-# ---- Baselines: teams that were trained in another way, against the races' opponents -----------
 
 
 def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:

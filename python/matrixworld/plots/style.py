@@ -189,8 +189,6 @@ def draw_band(axes: Axes, band: Band, color: str, line: str, *, label: str = "")
         axes.fill_between(band.places, band.low, band.high, color=color, alpha=0.22, linewidth=0)
 
 
-# ---- Files ---------------------------------------------------------------------------------------
-
 FORMATS = ("png", "pdf", "svg")
 """Formats of figures, which are the suffixes of their files; pdf and svg are vector graphics."""
 
