@@ -31,7 +31,7 @@ console.log(`loaded in ${(performance.now() - start).toFixed(0)} ms`);
 const config = { ...JSON.parse(readFileSync(0, "utf8")), n_pursuers: 20, n_evaders: 20 };
 for (const hidden of [[], [32], [64, 64], [400, 300]]) {
   const policy = network(hidden, config.fov);
-  engine.rollout({ ...config, max_steps: 100 }, policy, policy, 1n, 1); // until it is compiled
+  engine.match({ ...config, max_steps: 100 }, policy, policy, 1n, 0); // until it is compiled
   const begin = seconds();
   const match = engine.match(config, policy, policy, 2n, 0);
   const took = seconds() - begin;

@@ -8,8 +8,8 @@ import pytest
 
 from browser import DESKTOP, READY, Browser, data_of
 from matrixworld.coevolution import TEAMS, SavedRun, create, evolve, open_run
-from matrixworld.explorer import explore, growing
-from matrixworld.explorer.growing import EPISODES, GrowingPage, extended
+from matrixworld.explorer import explore, runs_page
+from matrixworld.explorer.runs_page import SO_FAR, GrowingPage, extended
 from matrixworld.world.policy import Population
 from tiny_race import tiny_race, tiny_single
 
@@ -31,8 +31,8 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def _at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pages are written whenever there is more to show."""
-    monkeypatch.setattr(growing, "SECONDS", 0.0)
-    monkeypatch.setattr(growing, "SHARE", np.inf)
+    monkeypatch.setattr(runs_page, "SECONDS", 0.0)
+    monkeypatch.setattr(runs_page, "SHARE", np.inf)
 
 
 @pytest.mark.usefixtures("_at_once")
@@ -70,7 +70,7 @@ def test_the_page_takes_a_small_part_of_the_time(
     job: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now = 0.0
-    monkeypatch.setattr(growing.time, "monotonic", lambda: now)
+    monkeypatch.setattr(runs_page.time, "monotonic", lambda: now)
     page, written = GrowingPage(job, NAMES), []
 
     def write(*given: object) -> None:
@@ -78,9 +78,9 @@ def test_the_page_takes_a_small_part_of_the_time(
         now += 2.0
         written.append(now)
 
-    monkeypatch.setattr(growing, "write_page", write)
+    monkeypatch.setattr(runs_page, "write_page", write)
     monkeypatch.setattr(page, "_look", lambda name: True)
-    monkeypatch.setattr(growing, "explorer_page", lambda *given, **more: "")
+    monkeypatch.setattr(runs_page, "explorer_page", lambda *given, **more: "")
     while now < 100.0:
         now += 0.5
         page.write()
@@ -103,7 +103,7 @@ def test_cells_are_the_first_episodes_of_the_evaluation_however_they_grew(
     shape = final.capture_rate.shape  # of one team alone, the last generation only
     for field in ("capture_rates", "lengths"):
         shown = getattr(known, field)[-shape[0] :, -shape[1] :]
-        np.testing.assert_array_equal(shown, getattr(final, field)[:, :, :EPISODES])
+        np.testing.assert_array_equal(shown, getattr(final, field)[:, :, :SO_FAR])
 
 
 def first_of(team: Population | str, most: int) -> Population | str:

@@ -2,7 +2,7 @@
 
 import { createInterface } from "node:readline";
 
-import { conflicts, engine, output, policyOf, whyNotSolved } from "./engine.mjs";
+import { conflicts, engine, output, policyOf, rollout, whyNotSolved } from "./engine.mjs";
 
 const ARRAYS = [
   ...["positions", "last_positions", "alive", "captured", "ever_captured"],
@@ -33,7 +33,7 @@ const COMMANDS = {
     return { ...arrays, length: match.length, conflicts: steps, statistics: match.statistics, sought };
   },
   rollout({ config, pursuers, evaders, seed, episodes }) {
-    return engine.rollout(config, policyOf(pursuers), policyOf(evaders), BigInt(seed), episodes);
+    return rollout(config, policyOf(pursuers), policyOf(evaders), BigInt(seed), episodes);
   },
   play({ config, start, actions, turns, read }) {
     const world = engine.world(config);

@@ -7,6 +7,7 @@ const ROOT = new URL("../../", import.meta.url);
 const BUILT = new URL("python/matrixworld/explorer/built/engine.js", ROOT);
 
 export const wrapper = await import(new URL("web/src/engine/engine.ts", ROOT));
+const { episodeOf } = await import(new URL("web/src/engine/match.ts", ROOT));
 export const { whyNotSolved } = await import(new URL("web/src/engine/solution.ts", ROOT));
 export const conflicts = await import(new URL("web/src/engine/conflicts.ts", ROOT));
 vm.runInThisContext(readFileSync(BUILT, "utf8"), { filename: BUILT.pathname });
@@ -17,6 +18,15 @@ export function policyOf(given) {
   if (typeof given === "string") return given;
   const bytes = Uint8Array.from(Buffer.from(given.genome, "base64"));
   return { ...given, genome: new Float32Array(bytes.buffer) };
+}
+
+/** Play episodes of a match, and return the statistics of each. */
+export function rollout(config, pursuers, evaders, seed, episodes) {
+  const match = { pursuer: Int32Array.of(0), evader: Int32Array.of(0), seed: BigUint64Array.of(seed) };
+  const all = Object.entries(engine.rollouts(config, pursuers, evaders, match, episodes));
+  const of = (values, episode) => values.slice((episode * values.length) / episodes, ((episode + 1) * values.length) / episodes);
+  return Array.from({ length: episodes }, (_, episode) =>
+    episodeOf(Object.fromEntries(all.map(([name, values]) => [name, of(values, episode)]))));
 }
 
 /** Return a value as JSON can hold it: arrays as lists, large integers as text. */

@@ -2,7 +2,7 @@
 
 import { createHash } from "node:crypto";
 
-import { engine, input, output, policyOf } from "./engine.mjs";
+import { engine, input, output, policyOf, rollout } from "./engine.mjs";
 
 const { worlds: N_WORLDS, steps: STEPS, cents: CENTS, arrays, scores, games } = input();
 const TEAMS = ["pursuer", "evader"];
@@ -64,7 +64,7 @@ function rollouts({ config, team, matches }) {
   const player = policyOf(team);
   for (const [pursuers, evaders] of [[player, "fleer"], ["chaser", player], ["random", "still"]]) {
     const played = matches.flatMap(([seed, episodes]) =>
-      engine.rollout(config, pursuers, evaders, BigInt(seed), episodes),
+      rollout(config, pursuers, evaders, BigInt(seed), episodes),
     );
     for (const name of scores) for (const statistics of played) add(score(statistics, name));
   }

@@ -37,9 +37,8 @@ from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer import evolve_page
-from matrixworld.explorer.growing import GrowingPage
 from matrixworld.explorer.page import write_page
-from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
+from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, GrowingPage
 from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"

@@ -12,11 +12,11 @@
  */
 
 import type { Compiled } from "./heap.ts";
-import { Match, playMatch, playMatches, playRollout } from "./match.ts";
+import { Match, playMatch, playMatches } from "./match.ts";
 import type { Matches, Statistics } from "./match.ts";
 import { Solution } from "./solution.ts";
 import type { Payoff } from "./solution.ts";
-import type { EpisodeStatistics, TeamPolicy, WorldConfig } from "./types.ts";
+import type { TeamPolicy, WorldConfig } from "./types.ts";
 import { World } from "./world.ts";
 
 export { agentName } from "./conflicts.ts";
@@ -63,18 +63,7 @@ export class Engine {
     return playMatch(this.compiled, { config, pursuers, evaders }, seed, episode);
   }
 
-  /** Play episodes 0 to n - 1 of a match and return their statistics, as `matrixworld.rollout` does. */
-  rollout(
-    config: WorldConfig,
-    pursuers: TeamPolicy,
-    evaders: TeamPolicy,
-    seed: bigint,
-    n_episodes: number,
-  ): EpisodeStatistics[] {
-    return playRollout(this.compiled, { config, pursuers, evaders }, seed, n_episodes);
-  }
-
-  /** Play episodes 0 to n - 1 of many matches; a policy's `genome` holds those of a population, one after the other. */
+  /** Play episodes 0 to n - 1 of matches, as `matrixworld.rollout` does; a policy's `genome` holds those of a population, one after the other. */
   rollouts(config: WorldConfig, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches, n_episodes: number): Statistics {
     return playMatches(this.compiled, { config, pursuers, evaders }, matches, n_episodes);
   }

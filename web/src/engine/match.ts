@@ -35,7 +35,7 @@ export class Match {
     this.seed = seed;
     this.episode = episode;
     this.n_agents = config.n_pursuers + config.n_evaders;
-    this.statistics = statisticsOf(statisticsIn(outputs), 0);
+    this.statistics = episodeOf(statisticsIn(outputs));
     Object.assign(this, outputs); // they have the names of the arrays
     this.first_conflict = firstOfSteps(this.conflict_table, this.length);
   }
@@ -79,27 +79,11 @@ function firstOfSteps(table: Int32Array, length: number): Int32Array {
   return first;
 }
 
-/** Return the statistics of one episode among those of a call. */
-function statisticsOf(statistics: Statistics, episode: number): EpisodeStatistics {
-  const n_episodes = statistics.length.length;
-  const part = (name: keyof EpisodeStatistics): NumberArray => {
-    const all = statistics[name];
-    const size = all.length / n_episodes;
-    return all.slice(episode * size, (episode + 1) * size);
-  };
-  const number = (name: keyof EpisodeStatistics): number => Number(part(name)[0]);
-  return {
-    capture_rate: number("capture_rate"),
-    ever_capture_rate: number("ever_capture_rate"),
-    captured_fraction: number("captured_fraction"),
-    length: number("length"),
-    return: part("return") as Float64Array,
-    survivors: part("survivors") as Int32Array,
-    overlap: part("overlap") as Float32Array,
-    collisions: part("collisions") as Int32Array,
-    faults: part("faults") as Int32Array,
-    agent_steps: part("agent_steps") as BigInt64Array,
-  };
+/** Return the statistics of one episode: single numbers as such. */
+export function episodeOf(statistics: Statistics): EpisodeStatistics {
+  const single = ["capture_rate", "ever_capture_rate", "captured_fraction", "length"];
+  return Object.fromEntries(Object.entries(statistics).map(([name, values]) =>
+    [name, single.includes(name) ? Number(values[0]) : values])) as unknown as EpisodeStatistics;
 }
 
 /** Return statistics by their own names. */
@@ -141,11 +125,4 @@ export function playMatches(engine: Compiled, pair: Pair, matches: Matches, n_ep
   if (!Number.isInteger(n_episodes) || n_episodes < 1) throw expected("n_episodes", "at least 1", n_episodes);
   const outputs = play(engine, "_play_rollout", pair, { ...matches, n_episodes: Int32Array.of(n_episodes) });
   return statisticsIn(outputs);
-}
-
-/** Play episodes 0 to n - 1 of a match and return their statistics. */
-export function playRollout(engine: Compiled, pair: Pair, seed: bigint, n_episodes: number): EpisodeStatistics[] {
-  const one = { pursuer: Int32Array.of(0), evader: Int32Array.of(0), seed: word("seed", seed) };
-  const statistics = playMatches(engine, pair, one, n_episodes);
-  return Array.from({ length: n_episodes }, (_, episode) => statisticsOf(statistics, episode));
 }
