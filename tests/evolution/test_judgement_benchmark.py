@@ -20,12 +20,11 @@ from course.synthetic_races import SyntheticRace
 from course.toys import History
 from evolution_scripts import RESULTS, read
 from judgement_races import KINDS, synthetic_races
-from judgement_toys import RACES, chances_of_history, fictitious_play, truths_of_history
+from judgement_toys import RACES, chances_of_history, truths_of_history
 from judgement_truths import WINDOWS, Truths, truths, truths_of_group
-from matrices import ROCK_PAPER_SCISSORS, quadruples
+from matrices import quadruples
 from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS
-from matrixworld.coevolution.types import TEAMS
 
 COMMITTED = RESULTS / "judgement"
 
@@ -58,26 +57,18 @@ def toy_race(name: str, seed: int) -> Any:
     ("kind", "window", "expected"),
     [
         ("pure race", "whole", [F, T, F, F, F, F, F]),
-        ("slow race", "last half", [F, T, F, F, F, F, F]),
         ("two skills", "last half", [F, T, F, F, F, F, F]),
         ("only pursuers rise", "first half", [F, F, T, F, F, F, F]),
-        ("only evaders rise", "whole", [F, F, T, F, F, F, F]),
         ("cycle", "whole", [F, F, F, T, T, T, F]),
-        ("rock-paper-scissors", "whole", [F, F, F, T, T, T, F]),
         ("cycle on a climb", "whole", [F, T, F, T, T, T, F]),
         ("wave, then race", "last half", [F, T, F, F, F, F, F]),
         ("noise only, .1", "whole", [F, F, F, F, F, F, T]),
-        ("early stagnation", "first half", [F, T, F, F, F, F, F]),
         ("early stagnation", "last half", [F, F, F, F, F, F, T]),
-        ("late stagnation", "whole", [F, T, F, F, F, F, F]),
         ("disengagement, .95", "last half", [F, F, F, F, F, F, T]),
         ("disengagement, .985", "last half", [T, OPEN, OPEN, OPEN, OPEN, OPEN, OPEN]),
-        ("disengagement, .995", "whole", [T, OPEN, OPEN, OPEN, OPEN, OPEN, OPEN]),
         # Losses are forgetting and no arms race; a jump and chance are no arms race.
         ("decline", "last half", [ANY, F, T, F, F, T, ANY]),
-        ("collapse", "last half", [ANY, F, T, F, F, T, ANY]),
         ("single jump", "whole", [ANY, F, F, F, F, ANY, ANY]),
-        ("common jump", "whole", [ANY, F, F, F, F, ANY, ANY]),
         ("drift", "whole", [ANY, F, F, F, F, ANY, ANY]),
         ("fluctuation", "whole", [ANY, F, F, F, F, ANY, ANY]),
         ("period 2", "whole", [ANY, ANY, ANY, T, T, ANY, ANY]),
@@ -163,17 +154,6 @@ def test_rates_are_rates_and_follow_from_the_seed(kind: str) -> None:
 
 
 # Toys
-
-
-@pytest.mark.slow
-def test_averages_are_near_the_equilibrium_from_the_start() -> None:
-    for seed in range(3):
-        hands = fictitious_play(400, seed)
-        for rounds in (100, 250, 400):
-            x, y = (np.bincount(hands[team][: rounds + 1]) / (rounds + 1) for team in TEAMS)
-            assert analysis.exploitability(ROCK_PAPER_SCISSORS, x, y).total < 0.15
-        truth = toy_race("rock-paper-scissors, its averages", seed).truths["last half"]
-        assert [name for name, one in truth.items() if one.holds] == ["stagnation"]
 
 
 @pytest.mark.parametrize("game", ["scalar", "focusing", "intransitive"])

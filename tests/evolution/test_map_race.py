@@ -8,7 +8,7 @@ import pytest
 
 import matrixworld as mw
 from course.boards import playable
-from maps.archive import MAP_FITNESS, symmetric
+from maps.archive import MAP_FITNESS
 from maps.race import MapRace, MapSettings
 from matrixworld import rollout
 from matrixworld.coevolution import TEAMS
@@ -114,17 +114,6 @@ def test_regret_is_how_far_both_champions_fall_short(tmp_path):
         states = States(replace(RACE.training_world, obstacles=walls))
         low, high = (best_response(states, *each).value for each in zip(pair, TEAMS, strict=True))
         assert score == pytest.approx(high - low)
-
-
-def test_novelty_is_the_distance_to_the_nearest_copies(tmp_path):
-    settings = settings_of("novelty", fresh=0, children=0)
-    archive = played(settings, tmp_path / "run")[1][0]
-    for walls, score in zip(archive["maps"], archive["scores"], strict=True):
-        distances = [
-            min(int((copy != other).sum()) for copy in symmetric(walls))
-            for other in archive["maps"]
-        ]
-        assert score == pytest.approx(np.mean(sorted(distances)[1:4]))  # without itself
 
 
 @pytest.mark.parametrize(

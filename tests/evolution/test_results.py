@@ -213,20 +213,6 @@ def test_phases_of_a_race_are_changes_while_one_team_learns() -> None:
         np.testing.assert_allclose(found, np.full((len(paper_claims.PARTS), 1), change))
 
 
-def test_who_learns_passively_is_a_difference_of_differences() -> None:
-    numbers = dict(np.load(RESULTS / "paper_claims/numbers.npz"))
-    scores = {team: paper_claims.standings(numbers, team) for team in ("pursuer", "evader")}
-    gains = {
-        team: each["held-out opponents"]["generalist-generalist"]
-        - each["held-out opponents"][f"{team}s against random"]
-        for team, each in scores.items()
-    }
-    thesis = paper_claims.on_generalization(numbers)
-    values = next(each.values for each in thesis if each.says.startswith("Who learns passively"))
-    place = paper_claims.OPPONENTS.index("held-out opponents")
-    np.testing.assert_allclose(values[place], gains["evader"] - gains["pursuer"])
-
-
 # Coverage of intervals
 
 COVERAGE = RESULTS / "coverage" / "coverage.csv"

@@ -54,17 +54,6 @@ def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: P
     assert "| evolved-2 | " in run_quickly("evolve_held_out", tmp_path, "--table", "held_out.npz")
 
 
-@pytest.mark.nightly
-def test_safe_methods_do_not_collide(tmp_path: Path) -> None:
-    pytest.importorskip("torch")
-    told = run_quickly("safe_learning", tmp_path, "--kinds", "SB-gradients", "--seeds", "1")
-    assert "pursuers were at fault 0 times in " in told
-    with np.load(tmp_path / "safe_learning/quick/numbers.npz") as numbers:
-        assert not numbers["SB gradients: right of way / fault"].any()
-        assert not numbers["SB gradients: mask of obstacles / fault"][..., 0].any()
-        assert numbers["SB gradients: no penalty / fault"].any()
-
-
 # What experiments share
 
 
