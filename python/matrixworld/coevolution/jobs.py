@@ -216,7 +216,7 @@ def evolve(
     BrokenExecutor
         If a process or worker has died, for example for lack of memory.
     StopRun
-        If `on_epoch` raises it. All runs have stopped then.
+        If `on_epoch` raises it. The runs have stopped then; those that an executor has begun end.
     """
     root, job = Path(directory), job_of(settings)
     if executor is not None:

@@ -132,7 +132,7 @@ class RaceSettings(Section):
                 self._check_fits(self.learner_path(team), learner)
 
     def _check_fits(self, path: str, learner: Learner) -> None:
-        """Raise ValueError if a learner cannot learn here, or would change the weights of a mask."""
+        """Raise ValueError if a learner cannot learn here, or would change what a mask fixes."""
         if self.policy.mask != "none" and "policy.mask" in learner.ignores:
             raise ValueError(
                 f"policy.mask: expected 'none', got {self.policy.mask!r}; it has no effect with "
