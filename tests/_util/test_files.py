@@ -16,18 +16,6 @@ from matrixworld._util.files import DamagedFileError
 unix = pytest.mark.skipif(sys.platform == "win32", reason="needs links and permissions")
 
 
-def test_arrays_come_back(tmp_path):
-    arrays = {"a": np.arange(6.0).reshape(2, 3), "text": np.array("abc"), "none": np.zeros((0, 4))}
-    files.save_arrays(tmp_path / "x.npz", arrays)
-    back = files.load_arrays(tmp_path / "x.npz")
-    assert back.keys() == arrays.keys()
-    for name, array in arrays.items():
-        assert back[name].dtype == array.dtype
-        assert np.array_equal(back[name], array)
-    with np.load(tmp_path / "x.npz", allow_pickle=False) as plain:
-        assert np.array_equal(plain["a"], arrays["a"])
-
-
 def damaged(whole):
     """Yield every cut of a file's content, and the content with each byte altered."""
     yield from (whole[:length] for length in range(len(whole)))

@@ -78,7 +78,12 @@ CALLS = [
         rewards=None,
     ),
     partial(mw.World, config=CONFIG),
-    partial(mw.World(CONFIG).reset, seed=1, episode=0, obstacles=None),
+    partial(
+        mw.World(CONFIG).reset, seed=1, episode=0, pursuers=None, evaders=None, obstacles=None
+    ),
+    partial(mw.World(CONFIG).step, actions=ACTIONS),
+    partial(mw.Batch(2, CONFIG).reset, seed=1, episode=0, mask=None, pursuers=None),
+    partial(mw.Batch(1, CONFIG).step, actions=ROWS),
     partial(mw.Batch, n_worlds=2, config=CONFIG, threads=1, autoreset=None, buffers=None),
     partial(
         mw.VectorEnv, config=CONFIG, n_worlds=2, threads=1, copy=True, action_mask=False,

@@ -38,7 +38,6 @@ VALUES = [
     value(config(obstacles=np.zeros((4, 3), bool)), "shape (3, 4) | got (4, 3)"),
     value(config(obstacles=[[0, 2, 0, 0]] * 3), "0 (free) or 1 (obstacle) | got 2"),
     value(lambda: mw.Rewards(pursuer_collide=(1, 2)), "1 or 3 numbers | got (1, 2)"),
-    value(lambda: mw.Network((0,)), "1 to 1048576 | got 0"),
     value(lambda: mw.Network(activation="gelu"), "one of relu, tanh | got 'gelu'"),
     value(lambda: mw.Network(memory="lstm"), "one of none, gru | got 'lstm'"),
     value(lambda: NETWORK.layers(GENOME[:-1]), "shape (329,) | got (328,)"),
@@ -117,19 +116,11 @@ def test_maps_are_read_in_all_forms(tmp_path: Path) -> None:
 WORLD_CALLS = [
     value(lambda w: w.step([0, 0]), "shape (3,) | got (2,)"),
     kind(lambda w: w.step([0.0, 1, 2]), "an integer | got 0.0"),
-    kind(lambda w: w.step([[0, 1], 2, 0]), "an integer | got [0, 1]"),
-    kind(lambda w: w.step({0, 1, 2}), "an integer | got {0, 1, 2}"),
-    kind(lambda w: w.step(np.ma.array([0, 1, 2], mask=[0, 1, 0])), "an array of integers | masked"),
     value(
         lambda w: w.step([0, 2**63, np.uint64(1)]),
         "-9223372036854775808 to 9223372036854775807 | got 9223372036854775808",
     ),
-    value(lambda w: w.step([0, -1, 0]), "0 to 4 | got -1 (world 0, agent 1)"),
     value(lambda w: w.step([mw.Action.NORTHEAST, 0, 0]), "0 to 4 | got 5 (world 0, agent 0)"),
-    value(
-        lambda w: w.step(np.array([2**64 - 1, 0, 0], np.uint64)),
-        "-9223372036854775808 to 9223372036854775807 | got 18446744073709551615",
-    ),
     value(lambda w: w.reset(-1), "0 to 18446744073709551615 | got -1"),
     value(lambda w: w.reset(episode=3), "a seed with it | got episode 3"),
     value(lambda w: w.reset(evaders=[[0, 1, 2]]), "shape (1, 2) | (1, 3)"),
@@ -162,14 +153,12 @@ def test_a_world_refuses_and_stays_as_it_was(call: Any, error: type[Exception], 
 ZEROS = np.zeros((2, 3), int)
 BATCH_CALLS = [
     value(lambda b: b.step(ZEROS[0]), "shape (2, 3) | got (3,)"),
-    kind(lambda b: b.step(ZEROS * 1.0), "an integer | got 0.0"),
     value(lambda b: b.step([[0, 0, 0], [4, 5, 4]]), "0 to 4 | got 5 (world 1, agent 1)"),
     value(lambda b: b.reset([1]), "shape (2,) | got (1,)"),
     value(lambda b: b.reset([5, -3]), "0 to 1844 | got -3"),
     kind(lambda b: b.reset(mask=[1, 0]), "dtype bool | got int64"),
     value(lambda b: b.reset(mask=[True] * 3), "shape (2,) | got (3,)"),
     value(lambda b: b.reset(pursuers=np.zeros((2, 0, 2), int)), "shape | got (2, 0, 2)"),
-    value(lambda b: b.reset(0, episode=-1), "0 to 1844 | got -1"),
 ]
 
 

@@ -42,6 +42,8 @@ def test_an_environment_gives_what_is_loaded(name: str, library: Any) -> None:
     for team in TEAMS:
         to_minari(played(given), f"pursuit/{team}-v0", team=team)
     both = [library.load_dataset(f"pursuit/{team}-v0") for team in TEAMS]
+    paid = sum(array.sum() for each in both for e in each for array in e.infos["cost"].values())
+    assert paid > 0
     config = mw.WorldConfig.from_json(both[0].storage.metadata["world"])
     assert config.to_json() == given.to_json()
     options = [told["options"] for told in both[0].storage.get_episode_metadata(range(3))]
@@ -78,11 +80,6 @@ def test_an_environment_gives_what_is_loaded(name: str, library: Any) -> None:
                 assert episode.truncations[step] == (last and not parallel.world.terminated)
         for agent, view in views.items():
             np.testing.assert_array_equal(seen[agent][-1], view)
-
-
-def test_costs_are_not_all_zero(library: Any) -> None:
-    costs = [episode.infos["cost"] for episode in to_minari(played(), "random-v0")]
-    assert sum(of_agent.sum() for cost in costs for of_agent in cost.values()) > 10
 
 
 OTHER = replace(played(n=1)[0], positions=played(n=1)[0].positions[:, ::-1].copy())

@@ -1,12 +1,15 @@
-"""Replays of an episode: scenes, GIFs, films, terminal animations."""
+"""Episodes and environments as they are shown: scenes, GIFs, films, terminals, notebooks."""
 
 import base64
 import io
 import os
 import re
 import subprocess
+import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
+from unittest.mock import Mock, call
 
 import imageio_ffmpeg
 import numpy as np
@@ -16,11 +19,33 @@ from PIL import Image, ImageColor
 import matrixworld as mw
 from matrixworld._util import colors
 from matrixworld.episodes import replay as term
+from matrixworld.episodes.record import FPS, Drawing, Notebook
 from matrixworld.episodes.replay import animate_terminal, animation, print_moment, save, scene
 from matrixworld.world import render
-from rows import random_walks
+from rows import config_of, random_walks
 
 EPISODE = random_walks()
+Terminal = pytest.CaptureFixture[str]
+
+
+@pytest.fixture
+def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """Collect the pauses instead of taking them."""
+    taken: list[float] = []
+    monkeypatch.setattr("time.sleep", taken.append)
+    monkeypatch.setattr("time.monotonic", lambda: 5.0)
+    return taken
+
+
+@pytest.fixture
+def terminal(naps: list[float], monkeypatch: pytest.MonkeyPatch, capsys: Terminal) -> Terminal:
+    """What is printed goes to a terminal of 100 columns, 50 lines and 256 colours."""
+    variables = {"COLUMNS": "100", "LINES": "50", "COLORTERM": "", "TERM": "xterm"}
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    monkeypatch.setattr(type(sys.stdout), "isatty", lambda stream: True)
+    return capsys
 
 
 def test_scenes_follow_the_episode() -> None:
@@ -142,9 +167,6 @@ def test_a_notebook_shows_an_animation() -> None:
     assert base64.b64decode(encoded[1]) == shown.data
 
 
-Terminal = pytest.CaptureFixture[str]
-
-
 def test_animation_in_a_terminal(naps: list[float], terminal: Terminal) -> None:
     animate_terminal(EPISODE, fps=20)
     start, *pictures = terminal.readouterr().out.split(term.HOME)
@@ -177,3 +199,47 @@ def test_the_cursor_comes_back_after_ctrl_c(
     printed = terminal.readouterr().out
     assert printed.count(term.HOME) == 3
     assert printed.endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
+
+
+def test_without_display_or_terminal_it_is_plain_text(naps: list[float], capsys: Terminal) -> None:
+    env = mw.parallel_env(config_of("O"), render_mode="human")
+    env.reset(seed=0)
+    env.step(dict.fromkeys(env.agents, 0))
+    assert env.render() is None
+    env.close()
+    printed = capsys.readouterr().out
+    assert printed.isascii()
+    assert naps == []  # a file needs no time to be seen
+    for step in (0, 1):
+        assert f"step {step}    captured 0 of 4 (0%)   P 3  E 4\n" in printed
+
+
+def test_a_terminal_is_drawn_in_place(naps: list[float], terminal: Terminal) -> None:
+    shown = Drawing(mw.World(config_of("O")), "human")
+    for _ in range(3):
+        shown.show()
+    start, *pieces = terminal.readouterr().out.split(term.HOME)
+    assert start == term.WRAP_OFF + term.CLEAR
+    assert len(pieces) == 3
+    assert (
+        pieces[0]
+        .splitlines()[0]
+        .startswith(render.ansi(shown.scene(), color="256").splitlines()[0])
+    )
+    assert pieces[0] == pieces[1] == pieces[2] + term.WRAP_OFF
+    assert pieces[2].endswith(term.WRAP_ON + "\n")
+    assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
+
+
+def test_a_notebook_s_output_is_drawn_anew() -> None:
+    shell, display = SimpleNamespace(execution_count=4), Mock()
+    drawn = scene(EPISODE)
+    place = Notebook(shell, display)
+    for _ in range(3):
+        place.show(drawn)
+    data = {"image/png": render.png(drawn)}
+    redrawn = call().update(data, raw=True)
+    assert display.mock_calls == [call(data, raw=True, display_id=True), redrawn, redrawn]
+    shell.execution_count = 5  # another cell is run
+    place.show(drawn)
+    assert display.call_count == 2

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from right_of_way import forbidden_in_s, random_teams
 
 # About as many cells are taken as in play.
 VIEWS = (np.random.default_rng(5).random((200, 3, 5, 5)) < 0.3).astype(np.uint8)
@@ -78,15 +77,3 @@ def test_a_policy_with_memory_takes_states_and_returns_the_next() -> None:
             policy(VIEWS, states)
     with pytest.raises(ValueError, match="states: expected none without memory"):
         policy_of()(VIEWS, STATES)
-
-
-def test_a_policy_keeps_the_right_of_way_of_its_genome() -> None:
-    config = mw.WorldConfig("S", rows=8, cols=8, n_pursuers=9, n_evaders=9, fov=5)
-    pursuers, _ = random_teams(config, np.random.default_rng(0), 1, hidden=(8, 6))
-    world = mw.World(config)
-    views = np.concatenate([(world.reset(seed=seed), world.views()[:9])[1] for seed in range(9)])
-    chances = mw.NetworkPolicy(pursuers.network, pursuers.genomes[0]).probabilities(views)
-    refused = np.array([forbidden_in_s(view, "pursuer", 5) for view in views])
-    assert refused.any(axis=0)[1:].all()
-    assert (chances[refused] == 0).all()
-    assert (chances[~refused] > 0).all()

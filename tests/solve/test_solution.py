@@ -2,15 +2,18 @@
 
 import warnings
 from collections.abc import Callable
+from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import Team
+from matrixworld.coevolution import TEAMS
 from matrixworld.solve import Solution, States, best_response, expected_payoff, guarantees, solve
-from rows import CUSTOM
+from rows import CUSTOM, OCCUPATION, SURROUND, TOGETHER, B, D, R
+from slow import quickly
+from slow_solver import SlowSolver
 
 ROWS = {**mw.VARIANTS, **CUSTOM}
 HOLE = [[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]]
@@ -77,6 +80,14 @@ def test_no_champion_is_better_than_perfect_play(variant: str) -> None:
         assert best_response(states, solution, team).value == pytest.approx(value, abs=1e-9)
 
 
+def assert_comes_to(config: mw.WorldConfig, pursuers: Any, evaders: Any, expected: float) -> None:
+    """Compare a payoff with that of many matches."""
+    matches = mw.Matches.of(0, 0, 1)
+    found = mw.rollout(config, pursuers, evaders, matches, episodes=5000).capture_rate
+    error = 4.5 * found.std() / np.sqrt(found.size) + 1e-3
+    assert found.mean() == pytest.approx(expected, abs=error)
+
+
 @pytest.mark.parametrize("name", ROWS)
 def test_a_pair_gets_exactly_what_its_matches_come_to(name: str) -> None:
     config = world(ROWS[name], rows=3, obstacles=np.array(HOLE, bool), max_steps=6)
@@ -85,29 +96,20 @@ def test_a_pair_gets_exactly_what_its_matches_come_to(name: str) -> None:
     response = best_response(states, pursuers, "pursuer")
     assert solution.gap < 1e-10
     perfect = solution.policy("pursuer")
-    pairs: list[tuple[Any, Any, float]] = [
-        (pursuers, "clumsy-fleer", expected_payoff(states, pursuers, "clumsy-fleer")),
-        (pursuers, response.policy("evader"), response.value),
-        (perfect, solution.policy("evader"), solution.value),
-        (perfect, "random", expected_payoff(states, solution, "random")),
-    ]
-    for one, other, expected in pairs:
-        found = mw.rollout(config, one, other, mw.Matches.of(0, 0, 1), episodes=5000).capture_rate
-        error = 4.5 * found.std() / np.sqrt(found.size) + 1e-3
-        assert found.mean() == pytest.approx(expected, abs=error)
+    payoff = expected_payoff(states, pursuers, "clumsy-fleer")
+    assert_comes_to(config, pursuers, "clumsy-fleer", payoff)
+    assert_comes_to(config, pursuers, response.policy("evader"), response.value)
+    assert_comes_to(config, perfect, solution.policy("evader"), solution.value)
+    assert_comes_to(config, perfect, "random", expected_payoff(states, solution, "random"))
 
 
 @pytest.mark.parametrize("name", ["O", "TO"])
-@pytest.mark.parametrize("team", ["pursuer", "evader"])
-def test_best_responses_to_networks_that_see_less_are_exact(name: str, team: Team) -> None:
+def test_best_responses_to_networks_that_see_less_are_exact(name: str) -> None:
     config = world(name, obstacles=np.array(HOLE, bool), rows=3, max_steps=6, fov=3)
     champion = network(config)
-    response = best_response(config, champion, team)
-    pair = [champion, response.policy("evader" if team == "pursuer" else "pursuer")]
-    pair = pair if team == "pursuer" else pair[::-1]
-    found = mw.rollout(config, *pair, mw.Matches.of(0, 0, 1), episodes=5000).capture_rate
-    error = 4.5 * found.std() / np.sqrt(found.size) + 1e-3
-    assert found.mean() == pytest.approx(response.value, abs=error)
+    to_pursuers, to_evaders = (best_response(config, champion, team) for team in TEAMS)
+    assert_comes_to(config, champion, to_pursuers.policy("evader"), to_pursuers.value)
+    assert_comes_to(config, to_evaders.policy("pursuer"), champion, to_evaders.value)
 
 
 def test_a_mixture_is_the_mean_of_its_members_in_every_state() -> None:
@@ -182,3 +184,48 @@ def play(config: mw.WorldConfig, swapped: bool = False) -> object:
     policy = solve(world()).policy("pursuer")
     teams = ("still", policy) if swapped else (policy, "still")
     return mw.record(config, *teams, seed=0)
+
+
+TABLES = list(product((D, R, B), repeat=3))  # of a teammate, an evader and a pursuer
+STEPS = 3
+
+
+def assert_same_values(config: mw.WorldConfig, steps: int) -> None:
+    solution, slow = solve(config, steps=steps), SlowSolver(config)
+    expected = [slow.mean(n) for n in range(steps + 1)]
+    found = list(solution.means) + [solution.value] * (steps + 1 - len(solution.means))
+    np.testing.assert_allclose(found, expected, atol=1e-8)
+
+
+def on_ring(rules: mw.Rules, rows: int = 3, **changes: int) -> mw.WorldConfig:
+    ground = [[0, 0, 0], [0, 1, 0], [0, 0, 0]][:rows]
+    if not rules.captures:
+        rules = mw.Rules(
+            rules.interaction, rules.obstacle, rules.teammate, rules.evader, rules.pursuer, SURROUND
+        )
+    sizes = {"n_pursuers": 2, "n_evaders": 1, **changes}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # rules that capture nobody are rules, too
+        return mw.WorldConfig(rules, obstacles=np.array(ground, bool), **sizes)
+
+
+@pytest.mark.slow
+@quickly("number", range(len(TABLES)), lambda number: number == 13)
+def test_all_tables_of_collisions_on_3_x_3(number: int) -> None:
+    teammate, evader, pursuer = TABLES[number]
+    obstacle = (D, R, B)[number % 3]
+    assert_same_values(
+        on_ring(mw.Rules(TOGETHER, obstacle, teammate, evader, pursuer, OCCUPATION)), STEPS
+    )
+
+
+@pytest.mark.slow
+@quickly("name", CUSTOM, lambda name: name == "swarm-SD")
+def test_rules_with_turns(name: str) -> None:
+    assert_same_values(on_ring(CUSTOM[name]), STEPS)
+
+
+@pytest.mark.parametrize("rules", ["O", "SB", "swarm-SD", "agents-D", "agents-R"])
+def test_two_evaders_as_the_slow_reading(rules: str) -> None:
+    row = CUSTOM[rules] if rules in CUSTOM else mw.VARIANTS[rules]
+    assert_same_values(on_ring(row, rows=2, n_pursuers=1, n_evaders=2), 2)

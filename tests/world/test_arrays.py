@@ -54,9 +54,9 @@ def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
             blocks[name] = block, block[8:-8].view(chosen).reshape(N_WORLDS, *shape)
         buffers = {name: array for name, (_, array) in blocks.items()}
         batch = mw.Batch(N_WORLDS, config, buffers=buffers)
-        batch.reset(4)
+        assert batch.reset(4) is batch.buffers is buffers
         for actions in random_actions(1, config.n_actions, 3, N_WORLDS, config.n_agents):
-            batch.step(actions)
+            assert batch.step(actions) is buffers
         assert buffers["ended"].all()
         for block, _ in blocks.values():
             assert (block[:8] == fill).all()

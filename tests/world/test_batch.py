@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.world.arrays import new_arrays
 from rows import NAMES, config_of, random_actions
 
 MOMENT = ("positions", "last_positions", "alive", "steps", "seed", "episode", "views", "state")
 
 
 def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
-    specs = mw.array_specs(config) | mw.episode_specs(config)
-    return {name: np.zeros((n_worlds, *shape), dtype) for name, (shape, dtype) in specs.items()}
+    return new_arrays(mw.array_specs(config) | mw.episode_specs(config), n_worlds)
 
 
 class SingleWorld:
@@ -161,17 +161,3 @@ def test_an_int_seeds_consecutive_worlds() -> None:
         other.reset(seeds)
         np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
     np.testing.assert_array_equal(new.buffers["positions"], one.buffers["positions"])
-
-
-def test_the_arrays_are_those_of_the_caller() -> None:
-    config = config_of("SB")
-    buffers = all_buffers(config, 3)
-    kept = dict(buffers)
-    batch = mw.Batch(3, config, buffers=buffers)
-    assert batch.reset(1) is buffers
-    before = {name: array.copy() for name, array in kept.items()}
-    assert batch.step(np.full((3, config.n_agents), mw.Action.EAST)) is buffers
-    assert all(batch.buffers[name] is array for name, array in kept.items())
-    # A step wrote into them.
-    changed = {name for name in kept if not np.array_equal(kept[name], before[name])}
-    assert {"positions", "rewards", "steps", "views", "state", "involved", "fault"} <= changed
