@@ -9,11 +9,7 @@ import pytest
 
 import matrixworld as mw
 from course import check
-from course.boards import (
-    before_and_after,
-    plan,
-    random_pack,
-)
+from course.boards import before_and_after, plan, random_pack
 from course.chapter_1 import MAZE, SHORTEST
 from course.chapter_2 import JAM, JAM_ACTIONS, true_cells
 from matrixworld import Action, World

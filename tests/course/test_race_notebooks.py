@@ -12,13 +12,7 @@ import pytest
 import matrixworld as mw
 from course import chapter_10, check, kept
 from course.chapter_5 import four_races
-from course.chapter_9 import (
-    WEIGHTS,
-    WORLD,
-    Mask,
-    pack,
-    play_masked,
-)
+from course.chapter_9 import WEIGHTS, WORLD, Mask, pack, play_masked
 from matrixworld import analysis
 from matrixworld.coevolution import evolve
 from matrixworld.world.arrays import MOVES

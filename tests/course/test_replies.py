@@ -256,7 +256,7 @@ RIGHT: dict[str, list[Any]] = {
     "10.4": [
         lambda west, east, memory: (
             ("west", 1) if east or (memory == 1 and not west) else ("east", 0)
-        ),
+        )
     ],
     "9.4": [
         lambda own, other: own > other,

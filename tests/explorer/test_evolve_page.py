@@ -8,8 +8,7 @@ import pytest
 
 from browser import LAPTOP, PHONE, Browser
 from command_line import matrixworld_command
-from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.explorer.evolve_page import LEARNERS, PAGE, SCHEDULES, evolve_page, race_of
+from matrixworld.explorer.evolve_page import PAGE, evolve_page
 
 DOCS = Path(__file__).parents[2] / "docs"
 MOST = 1_000_000
@@ -21,14 +20,6 @@ def test_the_page_is_small_and_that_of_docs_is_the_present_one() -> None:
     page = evolve_page()
     assert len(page.encode()) <= MOST
     assert (DOCS / PAGE).read_text(encoding="utf-8") == page, "run python docs/make_pages.py"
-
-
-@pytest.mark.parametrize("learner", LEARNERS)
-@pytest.mark.parametrize("schedule", SCHEDULES)
-def test_its_races_are_settings_of_python(schedule: str, learner: str) -> None:
-    race = race_of(schedule, learner)
-    assert RaceSettings.of(race.to_json()) == race
-    assert race.schedule.name == schedule
 
 
 def test_evolve_writes_and_names_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -77,9 +77,7 @@ OPENED: dict[str, list[str]] = {
         "; ".join(map(PRESS.format, (".evolve", ".to-play"))),
     ],
     "lesson": ["location.hash = '#votes'"],
-    "explorer": [
-        *(PRESS.format(name) for name in (".keys-button", ".to-play")),
-    ],
+    "explorer": [*(PRESS.format(name) for name in (".keys-button", ".to-play"))],
     "playground": [
         WATCHED,
         *map(TAB.format, ("One match", "A match from a file", "Rules and conflicts")),

@@ -4,7 +4,6 @@ The match that a person plays is that of `World`, of the file, and of the link.
 """
 
 import dataclasses
-import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -18,7 +17,7 @@ import matrixworld as mw
 from browser import Browser
 from command_line import matrixworld_command
 from matrixworld import Episode, World, WorldConfig, record
-from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run, start
+from matrixworld.coevolution import TEAMS, SavedRun, Team, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
 from matrixworld.explorer.page import write_page
@@ -117,17 +116,6 @@ def test_a_link_and_a_page_for_notebooks(tmp_path: Path) -> None:
 def test_the_page_in_docs_is_the_present_one() -> None:
     kept = (DOCS / "playground.html").read_text(encoding="utf-8")
     assert kept == Playground().html(), "run python docs/make_pages.py"
-
-
-def test_the_example_of_the_documentation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = (DOCS / "pages.md").read_text(encoding="utf-8")
-    found = re.search(r"^```python\n(from matrixworld.explorer.*?)^```", text, re.M | re.S)
-    monkeypatch.chdir(tmp_path)
-    names: dict[str, Any] = {"mw": mw}
-    exec(found[1], names)
-    assert names["playground"].scene.endswith("&next=24d")
-    link = re.search(r"playground\.html#([^)]*)", text)
-    assert link[1] == GALLERY[0].scene
 
 
 # ---- In a real browser ---------------------------------------------------------------------------
@@ -275,9 +263,7 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
         "race": tiny_race(obstacles=0.15, max_steps=30),
         "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
     }
-    for name, each in settings.items():
-        start(each, root / name, threads=1).run()
-    return [open_run(root / name) for name in settings]
+    return [evolve(each, root / name, threads=1) for name, each in settings.items()]
 
 
 @pytest.fixture(scope="module")

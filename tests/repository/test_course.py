@@ -178,27 +178,28 @@ def test_replies_to_predictions(
     assert {each["edition"] for each in lines} == {EDITION}
 
 
-def test_a_damaged_file_of_predictions_is_named(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    for text in ("x", "[1]", '{"prediction": "1.a"}'):
-        Path("predictions.jsonl").write_text(text)
-        with pytest.raises(ValueError, match=r"predictions\.jsonl: expected lines that predict"):
-            predict("1.a", "a")
-        assert Path("predictions.jsonl").read_text() == text
+CHOSEN = {"prediction": "1.a", "choice": "b"}
+LINES = r"predictions\.jsonl: expected lines that predict"
 
 
-@pytest.mark.parametrize(("line", "got"), [({}, "none"), ({"edition": EDITION - 1}, EDITION - 1)])
-def test_predictions_of_another_edition_are_refused(
-    line: dict, got: object, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("x", LINES),
+        ("[1]", LINES),
+        ('{"prediction": "1.a"}', LINES),
+        # No choice of other options is compared with an outcome.
+        (json.dumps(CHOSEN), rf"edition {EDITION} .*, got none, in which"),
+        (json.dumps({**CHOSEN, "edition": EDITION - 1}), rf"got {EDITION - 1}, in which"),
+    ],
+)
+def test_other_files_of_predictions_are_refused_and_not_written(
+    text: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Nothing is written, and no choice of other options is compared with an outcome."""
     monkeypatch.chdir(tmp_path)
-    text = json.dumps({"prediction": "1.a", "choice": "b", **line}) + "\n"
     Path("predictions.jsonl").write_text(text)
     for ask in (lambda: predict("1.a", "a"), lambda: outcome("1.a")):
-        with pytest.raises(ValueError, match=rf"edition {EDITION} .*, got {got}, in which"):
+        with pytest.raises(ValueError, match=message):
             ask()
     assert Path("predictions.jsonl").read_text() == text
 

@@ -122,9 +122,7 @@ def test_the_version_and_the_licences_are_installed(installed: metadata.Distribu
 
 
 @pytest.mark.nightly
-def test_the_bill_of_materials_names_what_was_compiled_in(
-    installed: metadata.Distribution,
-) -> None:
+def test_the_bill_of_materials_names_what_was_compiled_in(installed: metadata.Distribution) -> None:
     found = [path for path in installed.files or [] if "sboms" in path.parts]
     if not found:
         pytest.skip("an editable installation has none")

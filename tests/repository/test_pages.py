@@ -66,25 +66,6 @@ def test_each_picture_of_the_pages_is_shown() -> None:
     assert pictures - shown == set()
 
 
-# Names in tables
-
-
-def test_the_readme_has_the_rules_of_each_variant() -> None:
-    moves = {
-        mw.Interaction.SIMULTANEOUS: "all at once",
-        mw.Interaction.SWARM_TURNS: "team by team",
-        mw.Interaction.AGENT_TURNS: "one at a time",
-    }
-    captures = {mw.Capture.OCCUPATION: "occupation", mw.Capture.SURROUND: "surrounding"}
-    for name, rules in mw.VARIANTS.items():
-        outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
-        obstacle, teammate, evader, pursuer = (outcome.name[0] for outcome in outcomes)
-        captured = "disappear" if rules.removes_captured else "stay"
-        cells = (name, moves[rules.interaction], obstacle, teammate, f"{evader}, {pursuer}")
-        row = f"| {' | '.join((*cells, captures[rules.capture], captured))} |\n"
-        assert row in read("README.md"), f"README.md, The games: add the row {row}"
-
-
 def test_names_of_measures() -> None:
     table = read("docs/analysis.md").split("| question |")[1].split("\n\n")[0]
     named = re.findall(r"`(\w+)`", table)
@@ -137,12 +118,6 @@ def test_infos_and_status_that_replace_others() -> None:
     assert keys == told_by_us - {"cost", "evader_survival_rate", "pursuer_survival_rate"}
     fields = {name for row in told for name in re.findall(r"`(\w+)[`\[]", row[2])}
     assert fields <= set(vars(env.status))
-
-
-def test_rewards_that_replace_others() -> None:
-    told = re.findall(r"`((?:pursuer|evader)_(?:capture|neighbor|collide|step))", PUBLISHED)
-    assert len({*told}) >= 7
-    assert {*told} <= {*mw.Rewards.__dataclass_fields__}
 
 
 # The page on files

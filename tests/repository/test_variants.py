@@ -49,6 +49,18 @@ def test_every_variant_has_a_text() -> None:
     assert set(VARIANT_TEXTS) <= set(mw.VARIANTS)
 
 
+def test_the_readme_has_the_rules_of_each_variant() -> None:
+    readme = (DOCS.parent / "README.md").read_text(encoding="utf-8")
+    for name, rules in mw.VARIANTS.items():
+        outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
+        obstacle, teammate, evader, pursuer = (outcome.name[0] for outcome in outcomes)
+        capture = "occupation" if rules.capture is mw.Capture.OCCUPATION else "surrounding"
+        captured = "disappear" if rules.removes_captured else "stay"
+        cells = (name, MOVES[rules.interaction.name], obstacle, teammate, f"{evader}, {pursuer}")
+        row = f"| {' | '.join((*cells, capture, captured))} |\n"
+        assert row in readme, f"README.md, The games: add the row {row}"
+
+
 @pytest.mark.parametrize("variant", mw.VARIANTS)
 def test_the_tables_of_an_environment(make_pages: Any, variant: str) -> None:
     rules, env = mw.VARIANTS[variant], mw.parallel_env(variant)
@@ -72,10 +84,8 @@ def test_the_tables_of_an_environment(make_pages: Any, variant: str) -> None:
         "an evader is captured when": CAPTURES[rules.capture.name],
     }
     assert expected.items() <= stated.items()
-    if rules.capture is mw.Capture.SURROUND:
-        removed = rules.captured_disappear
-    else:
-        removed = rules.evader is mw.Outcome.DISAPPEAR
+    surround = rules.capture is mw.Capture.SURROUND
+    removed = rules.captured_disappear if surround else rules.evader is mw.Outcome.DISAPPEAR
     assert (stated["a captured evader"] == "disappears") == removed
 
 

@@ -18,14 +18,7 @@ MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 PLACES = [f"{schedule}/seed-{TINY['seed']}" for schedule in MAIN_JOB]
 """Where the runs of the main job are."""
 FIGURES = {
-    f"{name}.png"
-    for name in [
-        "payoff",
-        "generalization",
-        "lag_profile",
-        "training",
-        "collisions",
-    ]
+    f"{name}.png" for name in ["payoff", "generalization", "lag_profile", "training", "collisions"]
 }
 READING = [
     ["judge", "RUN"],

@@ -40,13 +40,7 @@ MEMORY = (
 )
 """A directory in memory where there is one (Linux) with room; containers often give it 64 MB."""
 GENOMES = ("pursuers.npy", "evaders.npy")
-RESULTS = (
-    "config.json",
-    *GENOMES,
-    "log.csv",
-    "payoff.npz",
-    "summary.json",
-)
+RESULTS = ("config.json", *GENOMES, "log.csv", "payoff.npz", "summary.json")
 STAGES = ("stage-*.npz", "checkpoint-*.npz")
 
 

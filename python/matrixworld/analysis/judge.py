@@ -43,11 +43,7 @@ ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide th
 
 
 def judge(
-    source: Source,
-    *,
-    per_episode: bool = False,
-    episodes: int | None = None,
-    level: float = LEVEL,
+    source: Source, *, per_episode: bool = False, episodes: int | None = None, level: float = LEVEL
 ) -> Judgement:
     """Judge a race, or several with the same settings, from the payoffs of its generations.
 

@@ -167,56 +167,53 @@ Number = Callable[[Rates], float]
 """A number of the payoff matrix of a window, of at least 2 x 2 generations."""
 
 
+def _of_matrix(
+    payoffs: Payoffs,
+    window: Window,
+    level: float,
+    of_episodes: Callable[[Rates], Estimate],
+    *,
+    number: Number,
+    bounds: Bounds = UNIT,
+) -> Estimate:
+    """Estimate a number by the episodes (n, m, episodes) of a single run, else by the matrices."""
+    if len(payoffs) == 1 and payoffs.scores is not None and payoffs.has_episodes:
+        return of_episodes(payoffs.scores[0][window.cells])
+    return _mean_of((number(each[window.cells]) for each in payoffs.matrices), level, bounds)
+
+
 def _linear(
     payoffs: Payoffs, window: Window, level: float, *, number: Number, bounds: Bounds = UNIT
 ) -> Estimate:
     """Estimate a sum of cells, which episode noise does not shift."""
-    scores = _episodes(payoffs, window)
-    if scores is None:
-        return _mean(payoffs, window, level, number, bounds)
-    return linear_over_episodes(scores, number, level=level, bounds=bounds)
+    of_episodes = partial(linear_over_episodes, measure=number, level=level, bounds=bounds)
+    return _of_matrix(payoffs, window, level, of_episodes, number=number, bounds=bounds)
 
 
-def _biased(
-    payoffs: Payoffs, window: Window, level: float, *, number: Number, bounds: Bounds = UNIT
-) -> Estimate:
+def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -> Estimate:
     """Estimate a number that noise shifts by an unknown amount."""
-    scores = _episodes(payoffs, window)
-    if scores is None:
-        return _mean(payoffs, window, level, number, bounds)
-    return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=BIASED)
+
+    def of_episodes(scores: Rates) -> Estimate:
+        return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=BIASED)
+
+    return _of_matrix(payoffs, window, level, of_episodes, number=number)
 
 
 def _transitive_share(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-    scores = _episodes(payoffs, window)
-    if scores is None:
-        return _mean(payoffs, window, level, cycles.transitive_share, UNIT)
-    return cycles.transitive_share_over_episodes(scores)
+    of_episodes = cycles.transitive_share_over_episodes
+    return _of_matrix(payoffs, window, level, of_episodes, number=cycles.transitive_share)
 
 
 def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
-    scores, number = _episodes(payoffs, window), partial(_last_rating, team=team)
-    if scores is None:
-        return _mean(payoffs, window, level, number, UNBOUNDED)
-    band = getattr(ratings.elo_over_episodes(scores, level=level), team)
-    value, low, high = (float(each[-1]) for each in (band.mean, band.low, band.high))
-    if math.isnan(low):
-        return Estimate(value, note="no interval: all episodes are equal")
-    return Estimate(value, low, high, "episodes", scores.shape[2])
+    def of_episodes(scores: Rates) -> Estimate:
+        band = getattr(ratings.elo_over_episodes(scores, level=level), team)
+        value, low, high = (float(each[-1]) for each in (band.mean, band.low, band.high))
+        if math.isnan(low):
+            return Estimate(value, note="no interval: all episodes are equal")
+        return Estimate(value, low, high, "episodes", scores.shape[2])
 
-
-def _episodes(payoffs: Payoffs, window: Window) -> Rates | None:
-    """Return the episodes (n, m, episodes) of a single run if they show how much they vary."""
-    if len(payoffs) > 1 or payoffs.scores is None or not payoffs.has_episodes:
-        return None
-    scores: Rates = payoffs.scores[0][window.cells]
-    return scores
-
-
-def _mean(
-    payoffs: Payoffs, window: Window, level: float, number: Number, bounds: Bounds
-) -> Estimate:
-    return _mean_of((number(each[window.cells]) for each in payoffs.matrices), level, bounds)
+    number = partial(_last_rating, team=team)
+    return _of_matrix(payoffs, window, level, of_episodes, number=number, bounds=UNBOUNDED)
 
 
 def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:

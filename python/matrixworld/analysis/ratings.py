@@ -93,15 +93,13 @@ def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Band
     variances = ELO_POINTS**2 * moved.var(axis=1, ddof=1) / episodes
     errors = np.sqrt(np.where(variances > 0.0, variances, np.nan))
     reach = float(t_quantile(level, episodes - 1)) * errors
+    means = ELO_POINTS * ratings.pursuers, ELO_POINTS * ratings.evaders
     return ByTeam(
-        _band(ELO_POINTS * ratings.pursuers, reach[:rows], episodes),
-        _band(ELO_POINTS * ratings.evaders, reach[rows:], episodes),
+        *(
+            Band(np.arange(len(m)), m, m - r, m + r, np.full(len(m), episodes))
+            for m, r in zip(means, np.split(reach, [rows]), strict=True)
+        )
     )
-
-
-def _band(means: Rates, reach: Rates, episodes: int) -> Band:
-    k = np.arange(len(means))
-    return Band(k, means, means - reach, means + reach, np.full_like(k, episodes))
 
 
 def _shrunken(matrix: Rates) -> Rates:
@@ -136,7 +134,7 @@ def _loss(parameters: Rates, rates: Rates) -> tuple[float, Rates, Rates]:
     rows, columns = rates.shape
     a, b, offset = np.split(parameters, [rows, rows + columns])
     x = a[:, None] - b + offset
-    p = _sigmoid(x)
+    p: Rates = np.exp(-np.logaddexp(0.0, -x))  # a sigmoid that does not overflow for large |x|
     penalty = np.append(np.full(rows + columns, RIDGE), 0.0)  # the offset is free
     # Cross entropy in terms of logits, which does not take the logarithm of a rate of 0.
     loss = float(np.sum(np.logaddexp(0.0, x) - rates * x) + penalty @ parameters**2 / 2)
@@ -151,8 +149,3 @@ def _loss(parameters: Rates, rates: Rates) -> tuple[float, Rates, Rates]:
         ]
     )
     return loss, gradient + penalty * parameters, curvature + np.diag(penalty)
-
-
-def _sigmoid(x: Rates) -> Rates:
-    p: Rates = np.exp(-np.logaddexp(0.0, -x))  # does not overflow for large |x|
-    return p

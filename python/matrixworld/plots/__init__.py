@@ -15,13 +15,7 @@ from matrixworld.plots.race import (
     lag_profile_curve,
     payoff_heatmap,
 )
-from matrixworld.plots.runs import (
-    run_curves,
-    run_dots,
-    seed_bands,
-    seed_scores,
-    verdict_strip,
-)
+from matrixworld.plots.runs import run_curves, run_dots, seed_bands, seed_scores, verdict_strip
 from matrixworld.plots.style import save_figure
 from matrixworld.plots.training import collision_rates, training_curve
 

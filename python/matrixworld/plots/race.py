@@ -18,14 +18,7 @@ from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer, check_sequence
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
-from matrixworld.analysis.payoffs import (
-    Payoffs,
-    Rates,
-    Source,
-    check_payoff,
-    check_rates,
-    require,
-)
+from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, check_rates, require
 from matrixworld.plots import style
 
 Baselines = Mapping[str, Mapping[str, ArrayLike]]
