@@ -18,7 +18,7 @@ import matrixworld as mw
 from browser import Browser
 from command_line import matrixworld_command
 from matrixworld import Episode, World, WorldConfig, record
-from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run, start
+from matrixworld.coevolution import TEAMS, SavedRun, Team, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
 from matrixworld.explorer.page import write_page
@@ -275,9 +275,7 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
         "race": tiny_race(obstacles=0.15, max_steps=30),
         "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
     }
-    for name, each in settings.items():
-        start(each, root / name, threads=1).run()
-    return [open_run(root / name) for name in settings]
+    return evolve(settings, root, threads=1)
 
 
 @pytest.fixture(scope="module")
