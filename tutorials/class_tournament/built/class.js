@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a956501362d116048b26dc09b16c742003d77a7a19911bd6f78a6ec601b2dd78 */
+/* built from web/ by "npm run build"; sources 820cc4993b66ffd374b15558c030637f9916f198dfc13f0a2fe0582ee999a851 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,yn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a956501362d116048b26dc09b16c742003d77a7a19911bd6f78a6ec601b2dd78 */
+/* built from web/ by "npm run build"; sources 820cc4993b66ffd374b15558c030637f9916f198dfc13f0a2fe0582ee999a851 */
 "use strict";(()=>{var en={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ye={DISAPPEAR:0,REACH:1,BOUNCE:2},tn={OCCUPATION:0,SURROUND:1},rn={FAULT:0,INVOLVED:1};var sr=["obstacle","teammate","adversary"],ar=["vertex","edge","chain"],nn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],ir=["p\
 ursuer_{number}","evader_{number}"],on={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},qe={"both held":"both bounce","both doomed":"\
@@ -202,8 +202,8 @@ Math.abs(o)?this.#n:this.#a+Math.sign(o)*s}this.#s&&this.#a===this.#e&&this.paus
 e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
 "+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}function to(t,e,...r){let n=d("dialog",{class:e,"aria-label":t},d("div",{class:"dialog-head"},d("h2",{},t),d("button",{type:"button",class:"close","aria-label":"\
 Close",onclick:()=>n.close()},"✕")),...r);return n.addEventListener("click",o=>o.target===n&&n.close()),n}var ro=t=>d("dl",{class:"keys"},...t.flatMap(([e,r])=>[
-d("dt",{},...e.map(n=>d("kbd",{},n))),d("dd",{},r)]));var no=t=>d("input",{type:"text",readonly:!0,"aria-label":t});function oo(t,e){let r=URL.createObjectURL(new Blob([e],{type:"application/octet-stream"}));d("a",
-{href:r,download:t}).click(),setTimeout(()=>URL.revokeObjectURL(r),6e4)}var N=(t,e=2)=>t==null?"-":t.toFixed(e);function so(t,e,r){return e===null||r===null?N(t):`${N(t)} (${N(e)} to ${N(r)})`}var ao=t=>t.toLocaleString("en-GB"),Se=t=>t.
+d("dt",{},...e.map(n=>d("kbd",{},n))),d("dd",{},r)])),no=t=>d("input",{type:"text",readonly:!0,"aria-label":t});function oo(t,e){let r=URL.createObjectURL(new Blob(
+[e],{type:"application/octet-stream"}));d("a",{href:r,download:t}).click(),setTimeout(()=>URL.revokeObjectURL(r),6e4)}var N=(t,e=2)=>t==null?"-":t.toFixed(e);function so(t,e,r){return e===null||r===null?N(t):`${N(t)} (${N(e)} to ${N(r)})`}var ao=t=>t.toLocaleString("en-GB"),Se=t=>t.
 charAt(0).toUpperCase()+t.slice(1);function at(t,e,r,n=!1){let o=(e-t)/Math.max(1,r),s=10**Math.floor(Math.log10(o||1)),a=[1,2,5,10].map(u=>u*s).find(u=>u>=o)??
 10*s;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(u,c)=>(i+c)*a)}var it=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function Ot(t){let e=Math.min(1,Math.max(0,t))*(it.length-1),r=Math.min(it.length-2,Math.floor(e)),[n,o]=[it[r],

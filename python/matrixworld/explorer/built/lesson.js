@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a956501362d116048b26dc09b16c742003d77a7a19911bd6f78a6ec601b2dd78 */
+/* built from web/ by "npm run build"; sources 820cc4993b66ffd374b15558c030637f9916f198dfc13f0a2fe0582ee999a851 */
 "use strict";(()=>{var ds={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},gt={DISAPPEAR:0,REACH:1,BOUNCE:2},ms={OCCUPATION:0,SURROUND:1},ps={FAULT:0,INVOLVED:1};var en=["obstacle","teammate","adversary"],tn=["vertex","edge","chain"],hs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],rn=["p\
 ursuer_{number}","evader_{number}"],fs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},vt={"both held":"both bounce","both doomed":"\
@@ -96,7 +96,7 @@ return _s(this.compiled,{config:e,pursuers:r,evaders:n},s,o)}rollouts(e,r,n,s,o)
 matrixworldEngine){return Ns??=ul(t),Ns}async function ul(t){if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");
 let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new dn(await t({wasmBinary:e}))}var P=Uint8Array,Z=Uint16Array,wn=Int32Array,tr=new P([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),rr=new P([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),fn=new P([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),zs=function(t,e){for(var r=new Z(31),n=0;n<31;++n)r[n]=e+=
-1<<t[n-1];for(var s=new wn(r[30]),n=1;n<30;++n)for(var o=r[n];o<r[n+1];++o)s[o]=o-r[n]<<5|n;return{b:r,r:s}},Hs=zs(tr,2),Bs=Hs.b,yn=Hs.r;Bs[28]=258,yn[258]=28;var js=zs(
+1<<t[n-1];for(var s=new wn(r[30]),n=1;n<30;++n)for(var o=r[n];o<r[n+1];++o)s[o]=o-r[n]<<5|n;return{b:r,r:s}},Bs=zs(tr,2),Hs=Bs.b,yn=Bs.r;Hs[28]=258,yn[258]=28;var js=zs(
 rr,0),dl=js.b,Is=js.r,gn=new Z(32768);for(T=0;T<32768;++T)we=(T&43690)>>1|(T&21845)<<1,we=(we&52428)>>2|(we&13107)<<2,we=(we&61680)>>4|(we&3855)<<4,gn[T]=((we&65280)>>
 8|(we&255)<<8)>>1;var we,T,le=(function(t,e,r){for(var n=t.length,s=0,o=new Z(e);s<n;++s)t[s]&&++o[t[s]-1];var a=new Z(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-1]<<1;
 var i;if(r){i=new Z(1<<e);var l=15-e;for(s=0;s<n;++s)if(t[s])for(var c=s<<4|t[s],d=e-t[s],m=a[t[s]-1]++<<d,p=m|(1<<d)-1;m<=p;++m)i[gn[m]>>l]=c}else for(i=new Z(
@@ -107,15 +107,15 @@ t[r+1]<<8|t[r+2]<<16)>>(e&7)},xn=function(t){return(t+7)/8|0},Sn=function(t,e,r)
 e,r))};var yl=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],q=function(t,e,r){var n=new Error(e||yl[t]);
 if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,q),!r)throw n;return n},gl=function(t,e,r,n){var s=t.length,o=n?n.length:0;if(!s||e.f&&!e.l)return r||
-new P(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new P(s*3));var c=function(ft){var yt=r.length;if(ft>yt){var Be=new P(Math.max(yt*2,ft));Be.set(r),r=Be}},d=e.f||0,m=e.
+new P(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new P(s*3));var c=function(ft){var yt=r.length;if(ft>yt){var He=new P(Math.max(yt*2,ft));He.set(r),r=He}},d=e.f||0,m=e.
 p||0,p=e.b||0,h=e.l,f=e.d,y=e.m,g=e.n,x=s*8;do{if(!h){d=ne(t,m,1);var v=ne(t,m+1,3);if(m+=3,v)if(v==1)h=pl,f=fl,y=9,g=5;else if(v==2){var k=ne(t,m,31)+257,C=ne(
 t,m+10,15)+4,E=k+ne(t,m+5,31)+1;m+=14;for(var M=new P(E),F=new P(19),N=0;N<C;++N)F[fn[N]]=ne(t,m+N*3,7);m+=C*3;for(var z=mn(F),Ae=(1<<z)-1,Y=le(F,z,1),N=0;N<E;){
 var j=Y[ne(t,m,Ae)];m+=j&15;var w=j>>4;if(w<16)M[N++]=w;else{var D=0,$=0;for(w==16?($=3+ne(t,m,3),m+=2,D=M[N-1]):w==17?($=3+ne(t,m,7),m+=3):w==18&&($=11+ne(t,m,
 127),m+=7);$--;)M[N++]=D}}var G=M.subarray(0,k),U=M.subarray(k);y=mn(G),g=mn(U),h=le(G,y,1),f=le(U,g,1)}else q(1);else{var w=xn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
 s){l&&q(0);break}i&&c(p+S),r.set(t.subarray(w,A),p),e.b=p+=S,e.p=m=A*8,e.f=d;continue}if(m>x){l&&q(0);break}}i&&c(p+131072);for(var ht=(1<<y)-1,X=(1<<g)-1,ve=m;;ve=
 m){var D=h[pn(t,m)&ht],K=D>>4;if(m+=D&15,m>x){l&&q(0);break}if(D||q(2),K<256)r[p++]=K;else if(K==256){ve=m,h=null;break}else{var J=K-254;if(K>264){var N=K-257,_=tr[N];
-J=ne(t,m,(1<<_)-1)+Bs[N],m+=_}var ie=f[pn(t,m)&X],ze=ie>>4;ie||q(3),m+=ie&15;var U=dl[ze];if(ze>3){var _=rr[ze];U+=pn(t,m)&(1<<_)-1,m+=_}if(m>x){l&&q(0);break}i&&
-c(p+131072);var He=p+J;if(p<U){var Vt=o-U,qt=Math.min(U,He);for(Vt+p<0&&q(3);p<qt;++p)r[p]=n[Vt+p]}for(;p<He;++p)r[p]=r[p-U]}}e.l=h,e.p=ve,e.b=p,e.f=d,h&&(d=1,e.
+J=ne(t,m,(1<<_)-1)+Hs[N],m+=_}var ie=f[pn(t,m)&X],ze=ie>>4;ie||q(3),m+=ie&15;var U=dl[ze];if(ze>3){var _=rr[ze];U+=pn(t,m)&(1<<_)-1,m+=_}if(m>x){l&&q(0);break}i&&
+c(p+131072);var Be=p+J;if(p<U){var Vt=o-U,qt=Math.min(U,Be);for(Vt+p<0&&q(3);p<qt;++p)r[p]=n[Vt+p]}for(;p<Be;++p)r[p]=r[p-U]}}e.l=h,e.p=ve,e.b=p,e.f=d,h&&(d=1,e.
 m=y,e.d=f,e.n=g)}while(!d);return p!=r.length&&a?Sn(r,0,p):r.subarray(0,p)},xe=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},At=function(t,e,r){r<<=
 e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},hn=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var s=r.length,o=r.slice();if(!s)
 return{t:Vs,l:0};if(s==1){var a=new P(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(A,k){return A.f-k.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],c=0,
@@ -138,10 +138,10 @@ d&&(l[0]=o.r>>3);for(var m=vl[e-1],p=m>>13,h=m&8191,f=(1<<r)-1,y=o.p||new Z(3276
 x^t[Qr+2]<<v)&f},S=new wn(25e3),A=new Z(288),k=new Z(32),C=0,E=0,M=o.i||0,F=0,N=o.w||0,z=0;M+2<a;++M){var Ae=w(M),Y=M&32767,j=g[Ae];if(y[Y]=j,g[Ae]=Y,N<=M){var D=a-
 M;if((C>7e3||F>24576)&&(D>423||!c)){d=Ds(t,l,0,S,A,k,E,F,z,M-z,d),F=C=E=0,z=M;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)k[$]=0}var G=2,U=0,ht=h,X=Y-j&32767;
 if(D>2&&Ae==w(M-X))for(var ve=Math.min(p,D)-1,K=Math.min(32767,M),J=Math.min(258,D);X<=K&&--ht&&Y!=j;){if(t[M+G]==t[M+G-X]){for(var _=0;_<J&&t[M+_]==t[M+_-X];++_)
-;if(_>G){if(G=_,U=X,_>ve)break;for(var ie=Math.min(X,_-2),ze=0,$=0;$<ie;++$){var He=M-X+$&32767,Vt=y[He],qt=He-Vt&32767;qt>ze&&(ze=qt,j=He)}}}Y=j,j=y[Y],X+=Y-j&
+;if(_>G){if(G=_,U=X,_>ve)break;for(var ie=Math.min(X,_-2),ze=0,$=0;$<ie;++$){var Be=M-X+$&32767,Vt=y[Be],qt=Be-Vt&32767;qt>ze&&(ze=qt,j=Be)}}}Y=j,j=y[Y],X+=Y-j&
 32767}if(U){S[F++]=268435456|yn[G]<<18|Is[U];var ft=yn[G]&31,yt=Is[U]&31;E+=tr[ft]+rr[yt],++A[257+ft],++k[yt],N=M+G,++C}else S[F++]=t[M],++A[t[M]]}}for(M=Math.max(
-M,N);M<a;++M)S[F++]=t[M],++A[t[M]];d=Ds(t,l,c,S,A,k,E,F,z,M-z,d),c||(o.r=d&7|l[d/8|0]<<3,d-=7,o.h=g,o.p=y,o.i=M,o.w=N)}else{for(var M=o.w||0;M<a+c;M+=65535){var Be=M+
-65535;Be>=a&&(l[d/8|0]=c,Be=a),d=Gs(l,d+1,t.subarray(M,Be))}o.i=a}return Sn(i,0,n+xn(d)+s)},wl=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,
+M,N);M<a;++M)S[F++]=t[M],++A[t[M]];d=Ds(t,l,c,S,A,k,E,F,z,M-z,d),c||(o.r=d&7|l[d/8|0]<<3,d-=7,o.h=g,o.p=y,o.i=M,o.w=N)}else{for(var M=o.w||0;M<a+c;M+=65535){var He=M+
+65535;He>=a&&(l[d/8|0]=c,He=a),d=Gs(l,d+1,t.subarray(M,He))}o.i=a}return Sn(i,0,n+xn(d)+s)},wl=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,
 n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),xl=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=wl[r&255^e[n]]^r>>>8;t=r},d:function(){
 return~t}}};var Sl=function(t,e,r,n,s){if(!s&&(s={l:1},e.dictionary)){var o=e.dictionary.subarray(-32768),a=new P(o.length+t.length);a.set(o),a.set(t,o.length),t=a,s.w=o.length}
 return bl(t,e.level==null?6:e.level,e.mem==null?s.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,s)},qs=function(t,e){var r={};for(var n in t)
@@ -194,8 +194,8 @@ let{size:r}=this.#t;return this.population.subarray(e*r,(e+1)*r)}#s(e,r){let n=t
 (o,a)=>s.subarray(a*n,(a+1)*n).reduce((i,l)=>this.#r[l]>this.#r[i]?l:i))}ask(e){if(!this.#r.length)return this.population;let{size:r}=this.#t,{population:n,elites:s}=this.#e,
 o=n-s,a=this.#s(o,e);this.#s(o,e);let i=Array.from(this.#r.keys()).sort((c,d)=>this.#r[d]-this.#r[c]).slice(0,s),l=new Float32Array(this.population.length);return[
 ...i,...a].forEach((c,d)=>l.set(this.#o(c),d*r)),this.#t.draw(o,e).forEach((c,d)=>{let m=(s+d)*r;for(let p=0;p<r;p++)l[m+p]+=c[p]}),this.population=l,l}tell(e){
-this.#r=e,this.#n=e.indexOf(Math.max(...e))}};var H=t=>Array.from(t).reduce((e,r)=>e+r,0)/t.length,so=(t,e)=>e==="pursuer"?t:t[0].map((r,n)=>t.map(s=>1-s[n])),oo=(t,e)=>H(so(t,e).at(-1));function ao(t,e){let r=[],
-n=so(t,e).map(s=>H(s.map((o,a)=>(r[a]=Math.max(r[a]??0,o),r[a]-o))));return H(n.slice(Math.floor(n.length/2)))}var io=-12676506002282294e14,lo=({hidden:t,mask:e})=>t.map(r=>r+(e?4:0));function Ct(t){let e=[3*t.fov**2,...lo(t),5],r=0;return e.slice(1).map((n,s)=>{let o={at:r,
+this.#r=e,this.#n=e.indexOf(Math.max(...e))}};var B=t=>Array.from(t).reduce((e,r)=>e+r,0)/t.length,so=(t,e)=>e==="pursuer"?t:t[0].map((r,n)=>t.map(s=>1-s[n])),oo=(t,e)=>B(so(t,e).at(-1));function ao(t,e){let r=[],
+n=so(t,e).map(s=>B(s.map((o,a)=>(r[a]=Math.max(r[a]??0,o),r[a]-o))));return B(n.slice(Math.floor(n.length/2)))}var io=-12676506002282294e14,lo=({hidden:t,mask:e})=>t.map(r=>r+(e?4:0));function Ct(t){let e=[3*t.fov**2,...lo(t),5],r=0;return e.slice(1).map((n,s)=>{let o={at:r,
 inputs:e[s],outputs:n};return r+=(o.inputs+1)*n,o})}function Ze(t){let{at:e,inputs:r,outputs:n}=Ct(t).at(-1);return e+(r+1)*n}var Ot=(t,e)=>({hidden:lo(t),activation:"\
 relu",sampled:!0,memory:"none",genome:e});function co(t,e,r,n){let s=new Float32Array(Ze(t)),o=Ct(t);return o.forEach(({at:a,inputs:i,outputs:l},c)=>{let d=Math.
 fround(c===o.length-1?n:r);e.normals(i*l).forEach((m,p)=>s[a+p]=d*m)}),s}function $n(t){let{fov:e,mask:r}=t;if(!r)return null;let[n,s]=[new Uint8Array(Ze(t)),new Float32Array(
@@ -239,17 +239,17 @@ ochs`]}*#v(e,r,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i
 o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#f(e,r,n){let s={...this.settings.world,max_steps:this.settings.
 train_steps},o=this.#e.rollouts(s,this.#y("pursuer",e.pursuer),this.#y("evader",e.evader),{...r,seed:n},1);this.#s+=o.length.length;for(let a of o.length)this.#c+=
 Number(a);for(let a of o.agent_steps)this.#u+=Number(a);return o}#y(e,r){return Ot(this.shape(e),r)}#g({captured_fraction:e,overlap:r},n){let s=ho(this.settings);
-return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(r[2*a+1]))}#b(e,r,n){let s=H(r),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),
-this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(H(r.map(a=>(a-s)**2))),fitness_best:Math.max(...r),capture_rate:H(e.capture_rate),length:H(e.length),pursuer_faults:o[0]/
+return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(r[2*a+1]))}#b(e,r,n){let s=B(r),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),
+this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(B(r.map(a=>(a-s)**2))),fitness_best:Math.max(...r),capture_rate:B(e.capture_rate),length:B(e.length),pursuer_faults:o[0]/
 e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#c})}#w(){this.counters.push({matches:this.#s,steps:this.#c,agent_steps:this.#u})}*#x(e){
 yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-
 1;e>=0;e--){for(let r=e;r>=0;r--)for(let[n,s]of r===e?[[e,e]]:[[e,r],[r,e]]){if(this.cells.has(`${n} ${s}`))continue;let o=this.#S(n,s);this.cells.set(`${n} ${s}`,
 o),yield{type:"cell",cell:o}}this.#o.has(e)||(this.#o.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#A("pursuer",e),evader:this.#A("evader",e)}})}}#S(e,r){
 let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(or(o,e,r))},i=L.map(d=>this.#y(
-d,this.archive[d][d==="pursuer"?e:r])),l=this.#e.rollouts(n,...i,a,s),c=d=>{let m=Array.from(l[d],Number),p=m.length/s;return Array.from({length:p},(h,f)=>H(m.filter(
+d,this.archive[d][d==="pursuer"?e:r])),l=this.#e.rollouts(n,...i,a,s),c=d=>{let m=Array.from(l[d],Number),p=m.length/s;return Array.from({length:p},(h,f)=>B(m.filter(
 (y,g)=>g%p===f)))};return{pursuer:e,evader:r,capture_rates:Array.from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:c("collisions"),faults:c("f\
 aults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#A(e,r){let{world:n,seed:s}=this.settings,[o,a]=[this.#y(e,this.archive[e][r]),new Int32Array(1)];
-return H(cr[e].map((i,l)=>{let c=Tt([s,L.indexOf(e),l,Nl],1),d=e==="pursuer"?[o,i]:[i,o],m=H(this.#e.rollouts(n,...d,{pursuer:a,evader:a,seed:c},Ll).capture_rate);
+return B(cr[e].map((i,l)=>{let c=Tt([s,L.indexOf(e),l,Nl],1),d=e==="pursuer"?[o,i]:[i,o],m=B(this.#e.rollouts(n,...d,{pursuer:a,evader:a,seed:c},Ll).capture_rate);
 return e==="pursuer"?m:1-m}))}};function lr(t){let e=new Float32Array(t.reduce((n,{length:s})=>n+s,0)),r=0;for(let n of t)e.set(n,r),r+=n.length;return e}var Fl=12;function fo(t){let e=new Blob([Se("script-engine"),`
 `,Se(`script-${t}`)],{type:"text/javascript"});return new Worker(URL.createObjectURL(e))}function yo(){let t=d=>postMessage(d),e=Qt(),r=null,n=null,s=0,o=!1,a=new MessageChannel,
 i=()=>{let d=performance.now()+Fl;for(;n&&performance.now()<d;){let{value:m,done:p}=n.next();p?(n=null,t({type:"end",seconds:(performance.now()-s)/1e3})):t(m)}!n||
@@ -265,19 +265,19 @@ String(s)));return t.append(...r.filter(Ul).map(n=>typeof n=="number"?String(n):
 {href:r,download:t}).click(),setTimeout(()=>URL.revokeObjectURL(r),6e4)}var wo=()=>document.documentElement.dataset.theme==="dark",Rt=t=>{document.documentElement.dataset.theme=t?"dark":"light"},Wl=()=>Rt(!wo());if(typeof document<"\
 u"){let t=matchMedia("(prefers-color-scheme: dark)");t.addEventListener("change",()=>Rt(t.matches)),Rt(t.matches);let e=!1;addEventListener("beforeprint",()=>{e=
 wo(),Rt(!1)}),addEventListener("afterprint",()=>Rt(e))}function xo(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Wl},
-"◐")}var mr=(t,e,...r)=>u("header",{class:"top"},u("div",{},u("h1",{},t),e?u("p",{class:"lead"},e):null),u("div",{class:"tools"},...r,xo()));var pr=t=>t!==void 0&&"predict"in t,hr=({sections:t})=>new Map(t.flatMap(({parts:e})=>e.filter(pr).map(r=>[r.predict,r]))),So=()=>JSON.parse(Se("data"));var B=(t,e=2)=>t==null?"-":t.toFixed(e);function Ao(t,e,r){return e===null||r===null?B(t):`${B(t)} (${B(e)} to ${B(r)})`}var ue=t=>t.charAt(0).toUpperCase()+t.slice(1);function $t(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
+"◐")}var mr=(t,e,...r)=>u("header",{class:"top"},u("div",{},u("h1",{},t),e?u("p",{class:"lead"},e):null),u("div",{class:"tools"},...r,xo()));var pr=t=>t!==void 0&&"predict"in t,hr=({sections:t})=>new Map(t.flatMap(({parts:e})=>e.filter(pr).map(r=>[r.predict,r]))),So=()=>JSON.parse(Se("data"));var H=(t,e=2)=>t==null?"-":t.toFixed(e);function Ao(t,e,r){return e===null||r===null?H(t):`${H(t)} (${H(e)} to ${H(r)})`}var ue=t=>t.charAt(0).toUpperCase()+t.slice(1);function $t(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
 c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(c,d)=>(i+d)*a)}var _t=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function fr(t){let e=Math.min(1,Math.max(0,t))*(_t.length-1),r=Math.min(_t.length-2,Math.floor(e)),[n,s]=[_t[r],
 _t[r+1]],o=a=>Math.round(n[a]+(e-r)*(s[a]-n[a]));return[o(0),o(1),o(2)]}function Mo(t){let[e,r,n]=fr(t).map(s=>((s/255+.055)/1.055)**2.4);return .2126*e+.7152*r+
 .0722*n>.179?"#000":"#fff"}var Eo=t=>`rgb(${fr(t).join(" ")})`,To=()=>`linear-gradient(to right, ${_t.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function tt(t,e,r){let n=devicePixelRatio||1;for(let[a,i]of Object.entries(r))t.style.setProperty(a,`${i}px`);t.width=Math.round(r.width*n),t.height=Math.round(
 r.height*n);let s=t.getContext("2d"),o=zl(e);!s||!o||(s.imageSmoothingEnabled=!1,s.drawImage(o,0,0,t.width,t.height))}function zl(t){let[e,r]=t.shape,n=document.
 createElement("canvas");[n.width,n.height]=[r,e];let s=n.getContext("2d");if(!s)return null;let o=s.createImageData(r,e);return t.capture_rate.forEach((a,i)=>a.
-forEach((l,c)=>{let d=4*((e-1-i-t.first[0])*r+c+t.first[1]);o.data.set([...fr(l),255],d)})),s.putImageData(o,0,0),n}function yr(t,e,r,n=2){t.textContent=B(e,n),
+forEach((l,c)=>{let d=4*((e-1-i-t.first[0])*r+c+t.first[1]);o.data.set([...fr(l),255],d)})),s.putImageData(o,0,0),n}function yr(t,e,r,n=2){t.textContent=H(e,n),
 t.ariaLabel=`${r}: ${t.textContent}`,e!==void 0&&([t.style.backgroundColor,t.style.color]=[Eo(e),Mo(e)])}function ke(t,e){let r=u("span",{class:"gradient"});return r.
-style.backgroundImage=To(),u("p",{class:"scale-of-rates small muted"},t,r,e)}var Co=t=>t.answer===void 0?Bl():Hl(t,t.answer);function Hl(t,e){let r=u("input",{type:"text",inputmode:"decimal",size:8,"aria-label":"Your answer, a number",autocomplete:"\
+style.backgroundImage=To(),u("p",{class:"scale-of-rates small muted"},t,r,e)}var Co=t=>t.answer===void 0?Hl():Bl(t,t.answer);function Bl(t,e){let r=u("input",{type:"text",inputmode:"decimal",size:8,"aria-label":"Your answer, a number",autocomplete:"\
 off"});return{input:r,check:()=>{let s=r.value.trim().replace(",","."),o=Number(s);if(s===""||Number.isNaN(o))return"Expected a number, such as 0.5.";let a=i=>Math.
 abs(o-i)<=(t.tolerance??0)+1e-9;return a(e)?null:t.clues?.find(([i])=>a(i))?.[1]??t.otherwise??"Expected another number."},answer:()=>r.value,set:s=>r.value=s}}
-var oe=4,Nn=[.5,.8,.2];function Bl(){let t=new Array(oe*oe).fill(.5),e=(l,c)=>yr(l,t[c],`generation ${Math.floor(c/oe)} of the pursuers against generation ${c%oe}\
+var oe=4,Nn=[.5,.8,.2];function Hl(){let t=new Array(oe*oe).fill(.5),e=(l,c)=>yr(l,t[c],`generation ${Math.floor(c/oe)} of the pursuers against generation ${c%oe}\
  of the evaders`,1),r=t.map((l,c)=>{let d=u("button",{type:"button",disabled:c%(oe+1)===0,onclick:()=>{t[c]=Nn[(Nn.indexOf(t[c])+1)%Nn.length],e(d,c)}});return e(
 d,c),d}),n=Array.from({length:oe},(l,c)=>c),s=u("div",{class:"cells numbers",role:"group","aria-label":"Capture rates: rows are pursuers, columns evaders"},u("s\
 pan"),u("span",{class:"evader all"},"generation of the evaders"),u("span",{class:"pursuer"},"generation of the pursuers"),...n.map(l=>u("span",{class:"evader"},
@@ -325,8 +325,8 @@ n)]],i=Uo(t,e,o.alive.length,r-s),[[l,c],[d,m]]=[R(o,e),R(a,e)];return[nt(c,m,i)
 o),y:nt(n.y,s.y,o),size:a?n.size:nt(n.size,s.size,o),alpha:a?Do((1-o)/(1-Jl)):nt(n.alpha,s.alpha,o)};if(vr(t,e,r)){let[l,c]=R(t,r),[d,m]=br(t,e,r),p=Yl*Math.sin(
 Math.PI*o);i.x+=(m-c)*p,i.y+=(d-l)*p}return i}var Wo=2*Math.PI;function Ne(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Wo)}function Ar(t,e,r,n){let s=n/2,o=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*s,r+i*
 s]);t.beginPath(),t.moveTo((o[2][0]+o[0][0])/2,(o[2][1]+o[0][1])/2),o.forEach(([a,i],l)=>{let[c,d]=o[(l+1)%3];t.arcTo(a,i,c,d,n*.09)}),t.closePath()}function zo(t,e,r,n){
-let s=n*.32;t.beginPath(),t.moveTo(e-s,r-s),t.lineTo(e+s,r+s),t.moveTo(e+s,r-s),t.lineTo(e-s,r+s)}function Ho(t,e,r,n){t.beginPath();for(let s=0;s<16;s++){let o=n/
-2*(s%2?.6:.95),a=Wo*s/16;t.lineTo(e+o*Math.sin(a),r-o*Math.cos(a))}t.closePath()}function Bo(t,e,r,n,s,o){let a=Math.atan2(s-r,n-e);t.beginPath(),t.moveTo(e,r),
+let s=n*.32;t.beginPath(),t.moveTo(e-s,r-s),t.lineTo(e+s,r+s),t.moveTo(e+s,r-s),t.lineTo(e-s,r+s)}function Bo(t,e,r,n){t.beginPath();for(let s=0;s<16;s++){let o=n/
+2*(s%2?.6:.95),a=Wo*s/16;t.lineTo(e+o*Math.sin(a),r-o*Math.cos(a))}t.closePath()}function Ho(t,e,r,n,s,o){let a=Math.atan2(s-r,n-e);t.beginPath(),t.moveTo(e,r),
 t.lineTo(n,s);for(let i of[-1,1])t.moveTo(n,s),t.lineTo(n-o*Math.cos(a+i*.6),s-o*Math.sin(a+i*.6))}var jo=4,Xl=1.6,Ql=.95,ec=5,tc=.16,rc=9,nc=.09,sc=.2,Go=.75,ee=(t,e)=>t.left+e*t.cell,te=(t,e)=>t.top+e*t.cell;function st(t,e,r){return Le(e,r)?t.colors.pursuer:
 t.colors.evader}function Vo({ctx:t,grid:e,colors:r}){let{left:n,top:s,cell:o,rows:a,cols:i}=e,[l,c]=[i*o,a*o];if(t.fillStyle=r.paper,t.fillRect(n,s,l,c),o<ec)return;
 t.fillStyle=r.line;let d=Math.max(1,Math.round(o/60));for(let m=1;m<i;m++)t.fillRect(n+m*o,s,d,c);for(let m=1;m<a;m++)t.fillRect(n,s+m*o,l,d)}function qo({ctx:t,
@@ -349,7 +349,7 @@ Go+(sc-Go)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&r<i;if(!d.alive[h]||
 v&&x===w)continue;let S=f?s[h].x:w+.5,A=f?s[h].y:v+.5;o.strokeStyle=st(t,e,h),o.beginPath(),o.moveTo(ee(a,x+.5+y),te(a,g+.5+y)),o.lineTo(ee(a,S+y),te(a,A+y)),o.
 stroke()}}o.globalAlpha=1}function ta(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let s=Math.max(1,n-jo+1);s<=n;s++){let[o,a]=[e.moments[s-1],e.moments[s]],
 i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/jo,l=Lt(e,o,a);for(let c of xr(o,a))l.includes(c)||ac(t,R(a,c),i);for(let c of l)oc(t,R(a,c),i)}t.ctx.globalAlpha=1}function oc({
-ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Ho(t,ee(e,s+.5),te(e,n+.5),Math.max(8,e.cell*Xl)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
+ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Bo(t,ee(e,s+.5),te(e,n+.5),Math.max(8,e.cell*Xl)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
 Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function ac({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,zo(t,ee(e,s+.5),te(e,n+.5),Math.max(7,e.cell*Ql)),
 t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function ra({ctx:t,grid:e,colors:r},n,s){let o=Math.max(1,e.cell*.07);
 t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)
@@ -368,7 +368,7 @@ l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=
 .06]),t.beginPath(),t.moveTo(i(oa),l(oa)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(o,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
 o*d),t.lineTo(i(c)+a*d,l(c)-o*d),t.stroke()}function ia(t,e,r,n,s,o){let a=rt[o];if(!o||!a)return;let{ctx:i,grid:l,colors:c}=t,d=In(e,[n[0]+a[0],n[1]+a[1]])?hc:
 fc,m=pc*s.size,p=[ee(l,s.x+a[1]*m),te(l,s.y+a[0]*m),ee(l,s.x+a[1]*d),te(l,s.y+a[0]*d)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[f,y]of[[
-c.paper,h*2.1],[st(t,e,r),h]])i.strokeStyle=f,i.lineWidth=y,Bo(i,...p,l.cell*.2),i.stroke()}var ca={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function ua(t,e,r,n,s){let{ctx:o,grid:a,colors:i}=t,l=Math.min(
+c.paper,h*2.1],[st(t,e,r),h]])i.strokeStyle=f,i.lineWidth=y,Ho(i,...p,l.cell*.2),i.stroke()}var ca={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function ua(t,e,r,n,s){let{ctx:o,grid:a,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),c=e.moments[l],d=r===l,m=Sr(e,r),p=d?1:Math.max(0,1-2*(l-r));o.clearRect(0,0,o.canvas.width,o.canvas.height),Vo(t);for(let y of n.
 viewers)m[y]?.alpha&&Qo(t,e,y,...Un(e,y,r));qo(t,e),n.axes&&Ko(t,s),ea(t,e,r,n.trail,m),ra(t,c.contested??[],p),ta(t,e,r),aa(t,e,l,p),m.forEach(({x:y,y:g,size:x},v)=>{
 let w=Po(c,v)?.4:0,S=Dn(c,v)?1:w;S&&na(t,y,g,x,S*p)});let h=d?c:e.moments[Math.max(0,l-1)];if(sa(t,e,h,m,n.numbers,s),d&&n.plan)for(let[y,g]of m.entries())g.alpha&&
@@ -437,8 +437,8 @@ let t=r=>Array.from({length:Or},(n,s)=>Array.from({length:Or},(o,a)=>.5+r*(s-a))
  that stays at one half from generation 0 to 30",(r,n)=>{let s=me(r,n,{low:0,high:Or-1,label:"generation",whole:!0},{low:0,high:1,label:"capture rate"});return pe(
 s,t,t.map(()=>.5),"of-both"),s},()=>{},()=>{});return u("div",{class:"widget"},e.element)}function Fe(t,e,r,n,s){let o=u("input",{type:"range",min:0,max:e.length-1,step:1,"aria-label":t}),a=u("output",{class:"numbers"}),i=()=>{let l=e[Number(o.value)];
 return a.textContent=o.ariaValueText=n(l),l};return o.value=String(e.indexOf(r)),o.addEventListener("input",()=>s(i())),i(),u("label",{class:"slider"},u("span",
-{},t),o,a)}function Aa(t,e,r){return u("label",{class:"slider"},u("span",{},t),dr(e.map(n=>[n,n]),r))}function Re(t){let e=t>>>0;return()=>{e=e+1831565813>>>0;let r=Math.imul(e^e>>>15,e|1);return r^=r+Math.imul(r^r>>>7,r|61),((r^r>>>14)>>>0)/2**32}}var Hn=["rock",
-"paper","scissors"],Bn=[[.5,0,1],[1,.5,0],[0,1,.5]],Mc=1e-9,Ta=t=>Bn.map(e=>e.reduce((r,n,s)=>r+n*t[s],0));function jn(t,e){let r=t.slice(-e);return Hn.map((n,s)=>r.
+{},t),o,a)}function Aa(t,e,r){return u("label",{class:"slider"},u("span",{},t),dr(e.map(n=>[n,n]),r))}function Re(t){let e=t>>>0;return()=>{e=e+1831565813>>>0;let r=Math.imul(e^e>>>15,e|1);return r^=r+Math.imul(r^r>>>7,r|61),((r^r>>>14)>>>0)/2**32}}var Bn=["rock",
+"paper","scissors"],Hn=[[.5,0,1],[1,.5,0],[0,1,.5]],Mc=1e-9,Ta=t=>Hn.map(e=>e.reduce((r,n,s)=>r+n*t[s],0));function jn(t,e){let r=t.slice(-e);return Bn.map((n,s)=>r.
 filter(o=>o===s).length/r.length)}var Gn=t=>Math.max(...Ta(t));function Ma(t,e,r){let n=Ta(jn(t,e)),s=n.flatMap((o,a)=>o>Math.max(...n)-Mc?[a]:[]);return s[s.length>
 1?Math.floor(r()*s.length):0]}function $r(t,e,r){let n={pursuers:[0],evaders:[0]};for(let s=1;s<=t;s++)n.pursuers.push(Ma(n.evaders,e,r)),n.evaders.push(Ma(n.pursuers,
 e,r));return n}var Dt=100,_r={scalar:{dimensions:1,greatest:!0},focusing:{dimensions:10,greatest:!0},intransitive:{dimensions:2,greatest:!1}};function zn(t,e,r){
@@ -463,12 +463,12 @@ g=>i[g]),...Pr.map(g=>l[g])),d=u("p",{class:"numbers"}),m=he("What the best answ
 high:r,label:"generation",whole:!0},{low:.4,high:1,label:"best answer wins"});pe(v,[0,r],[.5,.5],"half");for(let w of Pr)pe(v,o[w].map((S,A)=>A),a[w].map(Gn),`o\
 f-${w}`);return v},g=>ga(g,n.step,"of-both"),g=>n.jump(g)),p=()=>{let g=n.step;for(let v of Pr){i[v].setAttribute("points",a[v].slice(0,g+1).map(A=>ka(A).map(k=>k.
 toFixed(1)).join()).join(" "));let[w,S]=ka(a[v][g]);l[v].setAttribute("transform",`translate(${w+Ec[v]} ${S})`)}let x=v=>u("span",{class:v.slice(0,-1)},`${v} sh\
-ow ${Hn[o[v][g]]}`);d.replaceChildren(`Generation ${g}: `,x("pursuers"),", ",x("evaders"),".",...t.length>1?[` The best answer to the remembered hands of the pu\
-rsuers wins ${B(Gn(a.pursuers[g]))}.`]:[]),m.update()},h=()=>{o=$r(r,s,Re(qn)),a={pursuers:Ca(o.pursuers,s),evaders:Ca(o.evaders,s)},m.redraw(),p()};n.addEventListener(
+ow ${Bn[o[v][g]]}`);d.replaceChildren(`Generation ${g}: `,x("pursuers"),", ",x("evaders"),".",...t.length>1?[` The best answer to the remembered hands of the pu\
+rsuers wins ${H(Gn(a.pursuers[g]))}.`]:[]),m.update()},h=()=>{o=$r(r,s,Re(qn)),a={pursuers:Ca(o.pursuers,s),evaders:Ca(o.evaders,s)},m.redraw(),p()};n.addEventListener(
 "step",p),h();let f=t.at(-1),y=Fe("memory (hands)",t,e,g=>g===f?"all":String(g),g=>{s=g,h()});return u("div",{class:"widget"},t.length>1&&y,u("div",{class:"two"},
 u("div",{},c),t.length>1&&u("div",{},ot(["pursuers' hands","of-pursuers"],["evaders' hands","of-evaders"]),m.element)),d,Oe(n))}function $a({generations:t=30}){
-let{pursuers:e,evaders:r}=$r(t,1,Re(qn)),n=e.map(o=>r.map(a=>Bn[o][a])),s=n.at(-1);return u("div",{class:"widget"},u("div",{class:"matrices"},Ie(n,`The last pur\
-suers score ${B(s.reduce((o,a)=>o+a,0)/s.length)} against all evaders.`)),ke("0 loses","1 wins"))}var Ut=600,lt=20,Yn=5,Wt=10,Kn={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},Pa={low:0,high:Ut,label:"generation",whole:!0},La={low:0,high:Dt,
+let{pursuers:e,evaders:r}=$r(t,1,Re(qn)),n=e.map(o=>r.map(a=>Hn[o][a])),s=n.at(-1);return u("div",{class:"widget"},u("div",{class:"matrices"},Ie(n,`The last pur\
+suers score ${H(s.reduce((o,a)=>o+a,0)/s.length)} against all evaders.`)),ke("0 loses","1 wins"))}var Ut=600,lt=20,Yn=5,Wt=10,Kn={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},Pa={low:0,high:Ut,label:"generation",whole:!0},La={low:0,high:Dt,
 label:"ones of side 1"},De=()=>{},Tc=()=>new Promise(t=>setTimeout(t));async function Jn(t,e,r){for(e();t.generation<Ut&&r();e()){for(let n=0;n<lt;n++)t.step();
 await Tc()}}var Lr=new Map,Na=[];async function kc(){for(let t of Object.keys(Kn))Lr.set(t,[]);for(let t=0;t<Yn;t++)for(let[e,r]of Object.entries(Kn)){let n={score:[],
 ones:[]};Lr.get(e).push(n);let s=new at(r,it,Re(t));await Jn(s,()=>{n.score.push(Vn(r,s.ones(0),s.ones(1))),n.ones.push(s.objective(0))},()=>!0),Na.forEach(o=>o())}}
@@ -520,7 +520,7 @@ this.#s&&(this.#s={...this.#s,obstacles:e},this.#l())}};var Wa={"specialist-spec
  the newest pursuers","generalist-generalist":"Generalists: both teams meet all earlier opponents","hall-of-fame":"Halls of fame: both teams learn at once, and \
 meet earlier champions"};function zt({schedule:t}){if(t.kind==="hall-of-fame")return t.kind;let e={latest:"specialist","round-robin":"generalist",uniform:"unifo\
 rm"};return`${e[t.pursuers_meet]}-${e[t.evaders_meet]}`}var Fr=t=>Wa[zt(t)]??zt(t);function za(t){let e=Object.values(t.races.es).find(a=>zt(a)==="generalist-generalist"),{n_pursuers:r,n_evaders:n,fov:s,max_steps:o}=e.world;return{schedule:zt(
-e),beside:null,learner:"es",seed:e.seed,way:!1,population:0,pursuers:r,evaders:n,view:s,steps:o,walls:[]}}var Fc=t=>Object.values(t.races.es)[0].world;function Ha(t,e,r=e.
+e),beside:null,learner:"es",seed:e.seed,way:!1,population:0,pursuers:r,evaders:n,view:s,steps:o,walls:[]}}var Fc=t=>Object.values(t.races.es)[0].world;function Ba(t,e,r=e.
 schedule){let n=t.races[e.learner][r],s=Fc(t),{rows:o,cols:a}=s,i=new Set(e.walls),l=Array.from({length:o},(d,m)=>Array.from({length:a},(p,h)=>i.has(m*a+h)?"#":
 ".").join("")),c={...s,n_pursuers:e.pursuers,n_evaders:e.evaders,fov:e.view,max_steps:e.steps,obstacles:i.size?l:s.obstacles};return{...n,world:c,train_steps:e.
 steps,seed:e.seed,policy:{...n.policy,mask:e.way?"right-of-way":"none"},learner:{...n.learner,population:e.population||n.learner.population}}}var Dc=40,Dr=class{element;#e;#t=u("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#r=u("p",{class:"check small numbers","aria-live":"\
@@ -528,11 +528,11 @@ polite"});constructor(e){this.#e=e,this.element=u("div",{class:"strip-of-episode
 selected,i=Je(e,n,s);this.#t.replaceChildren(...(i?.rates??[]).slice(0,Dc).map((p,h)=>this.#n(p,h)));let l=a===null?i?.rates[o]:void 0,c=r.statistics.capture_rate,
 d=l!==void 0&&Math.abs(c-l)<1e-6&&r.length===i?.lengths[o],m=i?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";this.#r.dataset.
 equal=String(d),this.#r.textContent=d?"As in the evaluation":l===void 0?m:`Episode ${o+1} differs from the evaluation.`,this.#r.title=`Played here: capture rate\
- ${B(c,3)} in ${r.length} steps.${i?` The cell says ${B(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,s=u("span",{class:"bar"});return s.style.height=`${Math.
-round(100*e)}%`,u("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${B(e)}`,"aria-label":`Episode ${r+1}, capture rate ${B(e)}`,"aria\
--pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},s,u("span",{class:"count"},r+1))}};var Ba=0,ja=1,Uc=2,Wc=176;function Va(t,e,r,n){let s=devicePixelRatio||1,o=Mr(t);t.width=t.height=Wc*s;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
+ ${H(c,3)} in ${r.length} steps.${i?` The cell says ${H(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,s=u("span",{class:"bar"});return s.style.height=`${Math.
+round(100*e)}%`,u("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${H(e)}`,"aria-label":`Episode ${r+1}, capture rate ${H(e)}`,"aria\
+-pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},s,u("span",{class:"count"},r+1))}};var Ha=0,ja=1,Uc=2,Wc=176;function Va(t,e,r,n){let s=devicePixelRatio||1,o=Mr(t);t.width=t.height=Wc*s;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
 i;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=y=>!!r[y*i*i+d];h(Uc)&&(a.fillStyle=
-o.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let f=h(Ba)&&h(ja)?l*.18:0;h(Ba)&&Ga(a,Ne,m+f,p+f,l*.74,o.evader),h(ja)&&Ga(a,Ar,m-f,p-f,l*.86,o.pursuer)}a.strokeStyle=
+o.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let f=h(Ha)&&h(ja)?l*.18:0;h(Ha)&&Ga(a,Ne,m+f,p+f,l*.74,o.evader),h(ja)&&Ga(a,Ar,m-f,p-f,l*.86,o.pursuer)}a.strokeStyle=
 n<e.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let c=Math.floor(i/2)*l;a.strokeRect(c,c,l,l)}function Ga(t,e,r,n,s,o){e(t,r,n,s),t.fillStyle=o,t.fill()}var qa="What it remembers: a number for each unit, from -1 to 1",Ur=class{element;#e;#t=u("canvas",{class:"seen",role:"img"});#r=u("h3");#n=u("p",{class:"small \
 muted"});#o=u("div",{class:"answers"});#s=u("div",{title:qa});#c=null;#u=null;#a=null;#m=null;#d=null;#l=null;#h=0;constructor(e){this.#e=e,this.element=u("div",
 {class:"inspector","data-open":"false"},u("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its network answers."),u("div",{class:"\
@@ -544,23 +544,23 @@ element.dataset.open=String(e!==null),this.#e(e),this.at(this.#h)}next(e){let r=
 let l={pursuers:Q(s,"pursuer",o.pursuer),evaders:Q(s,"evader",o.evader)};r.seek(n,e,l);let c=r.actions.subarray(e*r.n_agents,(e+1)*r.n_agents);for(;c.length&&!n.
 over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(c);let d=!!(r.alive[e*r.n_agents+a]&&n.read("alive")[a]);Va(this.#t,r.config,d?n.view(a):null,a),this.#t.ariaLabel=
 `Field of view of ${V(a,r.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let m=c[a]??null;if(!d)return this.#p([],"It is gone.");let p=l[`${i}s`],
-h=typeof p=="string"?null:n.answer(p,a),f=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(u("p",{class:"small muted"},"It remembers:"),Bc(h.memory));
+h=typeof p=="string"?null:n.answer(p,a),f=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(u("p",{class:"small muted"},"It remembers:"),Hc(h.memory));
 let y=this.#u?.game(n)??null,g=typeof p=="string"?`The script "${p}" plays for it${m===null?"":`; it goes ${ce[m]}`}.`:p.sampled?"Its action is drawn from these\
  probabilities.":"It takes the most probable action.",x=[["network",f],["perfect",y?.marginal(a)??null]],v=w=>u("p",{class:"small muted"},w);this.#p([...y?[v(`V\
 alue ${y.value.toFixed(2)} under perfect play.`)]:[],...zc(x,m)],m===null?"The episode is over.":g)}#p(e,r){this.#o.replaceChildren(...e),this.#n.textContent=r}};
 function zc(t,e){let r=t.filter(([,o])=>o);if(!r.length)return[];let n=u("div",{class:"action muted"},u("span"),...r.map(([o])=>u("span",{class:"head"},o))),s=Array.
-from(r[0][1],(o,a)=>u("div",{class:a===e?"action taken":"action"},u("span",{},ce[a]),...r.flatMap(([,i])=>Hc(i[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...s]:
-s}function Hc(t){let e=u("span",{class:"filled"});return e.style.width=`${100*t}%`,[u("span",{class:"track"},e),u("span",{class:"numbers"},t.toFixed(2))]}function Bc(t){
+from(r[0][1],(o,a)=>u("div",{class:a===e?"action taken":"action"},u("span",{},ce[a]),...r.flatMap(([,i])=>Bc(i[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...s]:
+s}function Bc(t){let e=u("span",{class:"filled"});return e.style.width=`${100*t}%`,[u("span",{class:"track"},e),u("span",{class:"numbers"},t.toFixed(2))]}function Hc(t){
 let e=Array.from(t,r=>{let n=u("span",{title:r.toFixed(2)});return n.style.transform=`scaleY(${r})`,n});return u("div",{class:"units",role:"img","aria-label":qa},
 ...e)}function Ya(t){let e=JSON.stringify(t,(r,n)=>r==="genome"?Array.from(n):n);return u("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var Ka="champion",Ja=0,es=64,ts=100;var jc=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function Za(t,e){return Object.keys(e).find(r=>jc(e[r],t))??null}var Ht="_",Gc="n",mh=2n**64n-1n;var rs={fov:11,maxSteps:500,rewards:"paper"},Vc=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+outerHTML}var Ka="champion",Ja=0,es=64,ts=100;var jc=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function Za(t,e){return Object.keys(e).find(r=>jc(e[r],t))??null}var Bt="_",Gc="n",mh=2n**64n-1n;var rs={fov:11,maxSteps:500,rewards:"paper"},Vc=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
 "next"];function ei(t,e){let r=i=>i.map(l=>Yc(l,e)).join(""),n=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,s=qc(t.rewards,e),o=[t.seed,t.episode,t.steps].join("."),a={rules:Qa(
 t.rules,e),others:t.others?Qa(t.others,e):"",rewards:s===rs.rewards?"":s,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===rs.fov?"":String(t.fov),
-limit:t.maxSteps===rs.maxSteps?"":String(t.maxSteps),seed:o==="0.0.0"?"":o,ended:t.ended?"1":"",walls:t.walls.map(n).join(Ht),pursuers:t.pursuers.map(Xa).join(Ht),
-evaders:t.evaders.map(Xa).join(Ht),played:t.played.map(r).join(Ht),next:t.next.every(i=>i===Ja)?"":r(t.next)};return Vc.filter(i=>a[i]).map(i=>`${i}=${a[i]}`).join(
+limit:t.maxSteps===rs.maxSteps?"":String(t.maxSteps),seed:o==="0.0.0"?"":o,ended:t.ended?"1":"",walls:t.walls.map(n).join(Bt),pursuers:t.pursuers.map(Xa).join(Bt),
+evaders:t.evaders.map(Xa).join(Bt),played:t.played.map(r).join(Bt),next:t.next.every(i=>i===Ja)?"":r(t.next)};return Vc.filter(i=>a[i]).map(i=>`${i}=${a[i]}`).join(
 "&")}function Xa({cell:t,gone:e,captured:r,everCaptured:n}){let s=r?"c":n?"e":"";return`${t[0]}.${t[1]}${s}${e?"x":""}`}function Qa(t,e){let r=e.fields.map(({name:n})=>String(
 t[n]).toLowerCase());return Za(t,e.variants)??r.join(".")}function qc(t,e){let r=JSON.stringify(t);return Object.keys(e.rewards).find(s=>JSON.stringify(e.rewards[s])===
-r)??Object.values(t).map(s=>String(s)).join(Ht)}function Yc(t,e){if(typeof t=="number")return String(t);if(t===Ka)return Gc;let r=e.scripts.findIndex(({name:n})=>n===
+r)??Object.values(t).map(s=>String(s)).join(Bt)}function Yc(t,e){if(typeof t=="number")return String(t);if(t===Ka)return Gc;let r=e.scripts.findIndex(({name:n})=>n===
 t);return String.fromCharCode(97+r)}var Kc="/* the engine */";function ti(t,e){return u("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
 nd actions under any rules",onclick:()=>Jc(t(),e)},"What if?")}function Jc(t,e){let r=t!==null&&t.match.n_agents<=ts&&Math.max(t.match.config.rows,t.match.config.
 cols)<=es,n=r?ei(Zc(t.match,t.step),e):"",s=new TextDecoder().decode(En("playground")).replace(Kc,()=>Se("script-engine")).replace("</noscript>",o=>r?o+Ya(t.champions):
@@ -572,12 +572,12 @@ fov:r.fov,maxSteps:r.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:s,end
 resolve(null):eu(t,e,r));return ct.delete(n),ct.set(n,s),ct.size>Qc&&ct.delete([...ct.keys()][0]),s}var si=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
 ri=()=>new Promise(t=>setTimeout(t));async function eu(t,e,r){await ri();let n=t.solution(e,r);for(;n.goBack();)await ri();return n}function zr(t,e,r){let{payoff:n}=t;
 return r.flatMap((s,o)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(s).forEach((c,d)=>a[d]+=c),e.playTurn(s);let i=n==="capture-rate"?ns:ni;
-return Xc.map((l,c)=>({step:o+1,team:l,lost:a[c],payoff:n})).filter(l=>l.lost>=i)})}var Hr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
-({lost:r})=>r)),text:Bt(e)})),oi=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,Bt=t=>`The ${t.team}s los\
+return Xc.map((l,c)=>({step:o+1,team:l,lost:a[c],payoff:n})).filter(l=>l.lost>=i)})}var Br=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
+({lost:r})=>r)),text:Ht(e)})),oi=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,Ht=t=>`The ${t.team}s los\
 e ${oi(t)} against a perfect opponent`;function ai(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step}, lost ${oi(e)} \
 against a perfect opponent.`}function ii({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[s,o]=[1-r,Math.min(t.max_steps-
 n,un)];return s>o-ni?`free for ${o} steps`:`captured after ${s.toFixed(1)} steps`}function li(t,e){return(t.marginal(e)??[]).map((n,s)=>({share:n,action:s})).filter(
-({share:n})=>n>=ns).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-ns?ce[s]:`${ce[s]} ${n.toFixed(2)}`).join(", ")}function Br(t,e,r){if(r===0)return[{kind:"start",text:tu(t),agents:[]}];let[n,s]=[e.moments[r-1],e.moments[r]],o=d=>V(d,t.config.n_pursuers),a=Lt(e,n,s),i=t.conflicts(
+({share:n})=>n>=ns).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-ns?ce[s]:`${ce[s]} ${n.toFixed(2)}`).join(", ")}function Hr(t,e,r){if(r===0)return[{kind:"start",text:tu(t),agents:[]}];let[n,s]=[e.moments[r-1],e.moments[r]],o=d=>V(d,t.config.n_pursuers),a=Lt(e,n,s),i=t.conflicts(
 r),l=new Set(i.flatMap(d=>d.doomed)),c=a.map(d=>({kind:"capture",text:`${o(d)} is captured`,agents:[d]}));for(let d of xr(n,s))!a.includes(d)&&!l.has(d)&&c.push(
 {kind:"end",text:`${o(d)} disappears`,agents:[d]});return c.push(...i.map(({kind:d,text:m,agents:p})=>({kind:d,text:m,agents:p}))),r===t.length&&c.unshift({kind:"\
 end",text:ru(t),agents:[]}),c}function tu({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
@@ -598,12 +598,12 @@ r=Ke.map(o=>nr(this.#i,o,e[o])).find(Boolean)??"";if(this.#u.textContent=r,r||!t
 name:n,policy:Q(this.#i,"pursuer",e.pursuer)},evader:{name:s,policy:Q(this.#i,"evader",e.evader)}},this.recording=Ir(this.match),this.#n.show(this.#i,this.match),
 this.inspector.show(this.#a,this.#i,this.match,e),this.player.length=this.match.length,this.player.marks=wr(this.recording),this.#p=this.player.ticks=[],this.player.
 jump(this.#h),this.#h=0,this.#w(),this.#g(this.#a,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??""}`,this.#v()}async#g(e,r){
-let n=await Wr(e,r.config);if(this.match!==r||!n)return;let s=e.world(r.config);r.seek(s,0),this.#p=zr(n,s,su(r)),s.free(),this.player.ticks=Hr(this.#p),this.inspector.
+let n=await Wr(e,r.config);if(this.match!==r||!n)return;let s=e.world(r.config);r.seek(s,0),this.#p=zr(n,s,su(r)),s.free(),this.player.ticks=Br(this.#p),this.inspector.
 solution=n,this.#w()}names({run:e,pursuer:r,evader:n}){let{teams:s}=this.#t[e];return[s.pursuer.script??se("pursuer",r),s.evader.script??se("evader",n)]}#b(){let{
 episode:e,seed:r}=this.#r.selected,{payoff:n}=this.#i,[s,o]=this.names(this.#r.selected),a=r===null?e<n.episodes?`episode ${e+1} of ${n.episodes}`:`episode ${e+
 1}, not part of the cell`:`seed ${r}`;this.#o.replaceChildren(u("span",{class:"pursuer"},ue(s))," against ",u("span",{class:"evader"},o),u("span",{class:"muted \
 small"},a))}#w(){let e=this.match;if(!e||!this.recording)return;let r=this.player.step,n=this.recording.moments[r];this.#x(Array.from(n.everCaptured).filter(Boolean).
-length,r),this.#c.replaceChildren(...this.#p.filter(s=>s.step===r).map(s=>u("li",{class:`loss-${s.team}`},Bt(s))),...Br(e,this.recording,r).map(s=>u("li",{class:s.
+length,r),this.#c.replaceChildren(...this.#p.filter(s=>s.step===r).map(s=>u("li",{class:`loss-${s.team}`},Ht(s))),...Hr(e,this.recording,r).map(s=>u("li",{class:s.
 kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(r),this.#A()}#x(e,r){this.#s.replaceChildren(u("strong",{},e),` of ${this.#i.world.n_evaders}\
  captured`,u("span",{class:"muted"},` · step ${r}`))}#S(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#A()}#A(){let e=this.inspector.agent;for(let r of this.#c.
 children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}},su=({actions:t,length:e,n_agents:r})=>Array.from(
@@ -638,7 +638,7 @@ c=f=>o+(i-1-f)*a,d=[],m=(f,y)=>b("rect",{class:y,x:s,y:c(f),width:l*a+fe+jt,heig
 push(m(r.pursuer,"strip pursuer"),p(r.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&d.push(m(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&d.push(
 p(n.evader,"strip hover")),d.push(...this.#p(e));let h={x:s+r.evader*a,y:c(r.pursuer),width:a,height:a};d.push(b("rect",{class:"chosen under",...h}),b("rect",{class:"\
 chosen",...h})),this.#o.replaceChildren(...d),this.#f()}#f(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,s=r.evader??e.evader,o=Je(this.#l,n,s);this.#c.
-replaceChildren(u("span",{class:"pursuer"},ue(se("pursuer",n)))," against ",u("span",{class:"evader"},se("evader",s))),this.#u.textContent=o?B(o.rate,3):"-",this.#a.
+replaceChildren(u("span",{class:"pursuer"},ue(se("pursuer",n)))," against ",u("span",{class:"evader"},se("evader",s))),this.#u.textContent=o?H(o.rate,3):"-",this.#a.
 textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#m.textContent=this.#y(n,s)}#y(e,r){let n=this.#l.findings?.generalization;
 if(!n)return"";let s=(o,a)=>Ao(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,r)}`}#g(e){
 let r=this.#d;if(!r)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((e.clientY-n.top-r.top)/
@@ -713,7 +713,7 @@ he arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric ke
 e),this.#l.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#S(){this.#t.look={you:this.#f,fog:this.#u.checked,viewers:this.#f===
 null?[]:[this.#f],plan:this.#C()}}#A(e){this.#y=null,this.#g=this.player.ticks=[],this.#m.hidden=this.#a.disabled=!!Xt(e.config),Wr(this.#e,e.config,si(e.config)).
 then(r=>{this.#i===e&&(this.#y=r,this.#E(),this.#k())})}#E(){let[e,r]=[this.#i,this.#y];if(!r||this.element.dataset.state==="playing")return;let n=this.#e.world(
-e.config);n.reset(e.start),this.#g=zr(r,n,e.actions),n.free(),this.player.ticks=Hr(this.#g)}get#M(){return this.#a.checked&&this.#p&&this.element.dataset.state===
+e.config);n.reset(e.start),this.#g=zr(r,n,e.actions),n.free(),this.player.ticks=Br(this.#g)}get#M(){return this.#a.checked&&this.#p&&this.element.dataset.state===
 "playing"&&this.#y&&this.#i.game(this.#y)||null}#C(){let[e,r]=[this.#f,this.#f!==null&&this.#M?.marginal(this.#f)];return e!==null&&r?Object.assign(Array(e).fill(
 0),{[e]:r.indexOf(Math.max(...r))}):null}#T(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#c.value)?"off":"polite"}#O(){let[{policies:e,seat:r},
 n]=[this.#p.played,this.#i];n.step(e,r,this.#b),this.#v.push(this.#b),this.player.length=n.length,this.player.glide=Math.min(.22,.9/(Number(this.#c.value)||4)),
@@ -723,9 +723,9 @@ n"),u("button",{type:"button",onclick:()=>this.#$()},"Watch it"),u("button",{typ
 currentTarget:a})=>Mu(a,s)},"Link"))),this.element.dataset.state="ended",this.#E();let o=this.#g.filter(({team:a})=>a===ye(r.config,n.seat));o.length&&this.#l.children[0].
 after(u("p",{class:"small muted"},ai(o))),this.#l.focus({preventScroll:!0}),this.#l.scrollIntoView({block:"nearest"})}#$(){this.element.dataset.state="watched",
 this.player.length=this.#i.length,this.player.jump(0),ae()||this.player.play()}#_(e,r){et(`${V(r,e.config.n_pursuers)}-${e.length}-steps.npz`,_i(this.#e,e,r))}#k(){
-let[e,r,{step:n}]=[this.#i,this.#f,this.player];if(!e||n>e.length)return;let s=Br(e,e.recording,n).filter(({agents:l})=>r===null||l.includes(r)),o=this.#p&&n===
+let[e,r,{step:n}]=[this.#i,this.#f,this.player];if(!e||n>e.length)return;let s=Hr(e,e.recording,n).filter(({agents:l})=>r===null||l.includes(r)),o=this.#p&&n===
 0,a=o?[wu(e.config,r),this.#p.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&r!==null&&a.push(xu(e,n,r)),a.push(...this.#g.filter(
-l=>l.step===n).map(Bt));let i=n===e.length&&r!==null?this.#M:null;i&&a.push(`Perfect play: ${li(i,r)||"decided in its turn"}; ${ii(this.#y,i,n)}`),this.#S(),this.#o.
+l=>l.step===n).map(Ht));let i=n===e.length&&r!==null?this.#M:null;i&&a.push(`Perfect play: ${li(i,r)||"decided in its turn"}; ${ii(this.#y,i,n)}`),this.#S(),this.#o.
 textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function wu(t,e){let r=t.rules.capture==="SURROUND";return ye(t,e)==="evader"?`Run away: you win if ${r?
 "the pursuers do not surround you":"no pursuer reaches your cell"} in ${t.max_steps} steps`:`Capture evaders: ${r?"surround them with your team":"move onto thei\
 r cells"}`}function xu({config:t,recording:e},r,n){let s=e.moments[r],a=ye(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=R(s,n),l=m=>{let[p,
@@ -753,8 +753,8 @@ e),capture_rates:is(e),lengths:is(e)}}#o(){let e=r=>{let n=`${this.#t} ${r}`;Zs(
 new Float32Array(0));return{script:null,network:{...o,genome_size:s.length},kept:[...this.genomes[r].keys()],genomes:n}};return{pursuer:e("pursuer"),evader:e("e\
 vader")}}policy(e,r){return Ot(ur(this.#r,this.#e,e),this.genomes[e][r])}add(e){for(let r of L)this.genomes[r].push(e[r]);this.teams=this.#o()}change(e,r){this.#r=
 e,this.world=e.world;for(let n of L)this.genomes[n]=[...r[n]];[this.payoff,this.teams,this.findings]=[this.#n(),this.#o(),null]}addCell({pursuer:e,evader:r,capture_rates:n,
-lengths:s}){this.payoff.capture_rate[e][r]=H(n),this.payoff.capture_rates[e][r]=[...n],this.payoff.lengths[e][r]=[...s],this.findings={generalization:this.#s()}}#s(){
-let e=this.payoff.capture_rate,r=o=>({mean:o,low:null,high:null}),n=o=>{let a=o.filter(i=>i!==void 0);return a.length?H(a):null},s=[...this.genomes.pursuer.keys()];
+lengths:s}){this.payoff.capture_rate[e][r]=B(n),this.payoff.capture_rates[e][r]=[...n],this.payoff.lengths[e][r]=[...s],this.findings={generalization:this.#s()}}#s(){
+let e=this.payoff.capture_rate,r=o=>({mean:o,low:null,high:null}),n=o=>{let a=o.filter(i=>i!==void 0);return a.length?B(a):null},s=[...this.genomes.pursuer.keys()];
 return{pursuers:r(s.map(o=>n(e[o]))),evaders:r(s.map(o=>n(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Gt=t=>`${Math.round(100*t)} %`,Tu=100,ku=0,Jr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#t;#r;#n=u("h2",
 {class:"lane-title"});#o=u("p",{class:"facts numbers"});#s=u("div",{class:"lane-room",hidden:!0});#c=u("section",{class:"card measures",hidden:!0});#u=u("div");#a;#m={
 pursuer:[],evader:[]};#d=new Map;#l;#h;#p=()=>{};#i=0;#v=!0;#f=0;#y=null;constructor(e,r,n,s){super(),[this.#e,this.#t,this.#r,this.settings]=[e,r,n,s],this.newest=
@@ -787,7 +787,7 @@ s.episodes;this.newest.title.textContent=r?"Newest against newest":"Generation 0
 let[i,l]=[this.#a.policy("pursuer",e),this.#a.policy("evader",r)];return this.#t.match(n,i,l,BigInt(o[e][r]),a)}#E(e){this.newest.renew(e),(this.#a.newest>0||this.
 state!=="waiting")&&this.beginning.renew(e)}#M(){this.element.dataset.state=this.state,this.#n.textContent=Fr(this.settings);let e=this.#d.get(`${this.#a.newest}\
  ${this.#a.newest}`)??this.#d.get(`${this.#a.newest-1} ${this.#a.newest-1}`),r=e?[`Generation ${this.#a.newest} of ${this.settings.schedule.generations}`,`the n\
-ewest pursuers catch ${Gt(H(e.capture_rates))} of the newest evaders`,`${Cu(e).toFixed(0)} collisions in 1000 moves`]:[];this.#o.replaceChildren(...r.map(n=>u("\
+ewest pursuers catch ${Gt(B(e.capture_rates))} of the newest evaders`,`${Cu(e).toFixed(0)} collisions in 1000 moves`]:[];this.#o.replaceChildren(...r.map(n=>u("\
 span",{},n))),this.dispatchEvent(new Event("state"))}#C(){this.#c.ariaLabel=`What came out. ${Fr(this.settings)}`;let e=this.#a.payoff.capture_rate.slice(0,this.#a.
 newest+1).map(n=>n.slice(0,this.#a.newest+1));if(e.length<2||e.some(n=>Array.from(n).includes(void 0)))return;let r=[["Score against scripts: generation 0",n=>Gt(
 this.#m[n][0]??0)],["Score against scripts: newest generation",n=>Gt(this.#m[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Gt(
@@ -811,7 +811,7 @@ l.hidden=p>=n||h>=s,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-p-.5)*a}px`}}
 let[n,s]=t.payoff.shape,{pursuer:o,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(o,n-1),evader:Math.min(a,s-1)})}var Ii=1;function Fi({runs:t},e){let r=t[Ii],{shape:[n,s],episodes:o}=r.payoff,a=null,i=0,l=()=>a&&sr(a,r,{run:Ii,pursuer:n-1,evader:s-1,episode:i++%o,seed:null}),
 c=new Ue(l);return c.title.textContent=`Generation ${n-1} of both teams`,c.label=`A match. ${c.title.textContent}`,c.generation=n-1,e.then(d=>{a=d,c.renew(),Ui(
 c)}),u("div",{class:"widget"},c.element,Oe(c.player),Nr())}function Di({evolve:t},e,{grows:r=!1}){let n=u("button",{type:"button",class:"evolve",disabled:!0},"E\
-volve"),s=u("progress",{max:1,value:0,"aria-label":"Progress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let i=-1,l=()=>Ha(t,{...za(
+volve"),s=u("progress",{max:1,value:0,"aria-label":"Progress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let i=-1,l=()=>Ba(t,{...za(
 t),seed:Math.max(0,i)}),c=new Jr(t,a,fo("lesson"),l()),d=()=>{n.textContent=c.state==="waiting"?"Evolve":c.state==="evolving"?"Stop":"Again, with other luck",s.
 value=c.done};n.addEventListener("click",()=>{if(c.state==="evolving")return c.stop();i++,c.settings=l(),c.start()}),c.addEventListener("state",d),o.append(c.element),
 [c.newest,c.beginning].forEach(Ui),n.disabled=!1}),u("div",{class:`widget evolving ${r?"grows":"boards"}`},u("div",{class:"buttons"},n,s),o)}function Ui(t){let e=t.
@@ -821,7 +821,7 @@ t,s)];o.actions.remove(),a.element.addEventListener("play",()=>{o.playSoon(),o.r
 widget wide"},Ni(t,s),u("div",{class:"stages"},a.element,o.element),u("p",{class:"small muted"},"Three races of ",u("code",{},`matrixworld evolve --seed ${i}`),
 `: ${l.n_pursuers} pursuers and ${l.n_evaders} evaders on ${l.rows} x ${l.cols} cells.`))}function zi({runs:t}){let[e,r]=[t[0],t[0].findings],[n,...s]=r.table,o=s.
 findIndex(([i,,,l])=>i==="arms race"&&l==="last half"),a={headline:e.name,numbers:[],table:[n,s[o]],reasons:[r.reasons[o]]};return u("div",{class:"widget text"},
-Li({...e,findings:{...r,...a}}).element)}var ge=32,Hi=({crossings:t=[]})=>u("div",{class:"widget crossings"},...t.map(e=>u("figure",{},u("figcaption",{},e.title),Iu(e),u("p",{class:"small muted"},e.text))));
+Li({...e,findings:{...r,...a}}).element)}var ge=32,Bi=({crossings:t=[]})=>u("div",{class:"widget crossings"},...t.map(e=>u("figure",{},u("figcaption",{},e.title),Iu(e),u("p",{class:"small muted"},e.text))));
 function Iu({title:t,text:e,ways:r}){let n=[0,1,2,3].map(s=>`M${s*ge} 0V${3*ge}M0 ${s*ge}H${3*ge}`).join("");return b("svg",{viewBox:`-1 -1 ${3*ge+2} ${3*ge+2}`,
 role:"img","aria-label":`${t}: ${e}`},b("path",{class:"grid",d:n}),...r.map(([s,o,a],i)=>b("g",{transform:`translate(${1.5*ge} ${1.5*ge})`},b("g",{transform:`tr\
 anslate(${-ge*o} ${-ge*s})`},b("path",{class:"filled-pursuer",d:"M0 -12 12 9H-12z"}),b("text",{y:6.5,"text-anchor":"middle"},`P${i}`)),b("path",{class:a?"goes":
@@ -831,7 +831,7 @@ super(),this.#t=e,this.#e=this.#n(),this.#o({})}choice=e=>this.#e.choices.find((
 solved[e];solve=(e,r)=>this.#o({solved:{...this.#e.solved,[e]:r}});get exit(){return this.#e}set exit(e){this.#o(e)}get count(){return this.#e.choices.length}get file(){
 let{choices:e,pupil:r}=this.#e;return e.map(n=>`${JSON.stringify({...n,edition:this.#t,pupil:r})}
 `).join("")}forget(){this.#o(ls())}get#r(){return`matrixworld lesson ${this.#t}`}#n(){try{return{...ls(),...JSON.parse(localStorage.getItem(this.#r)??"{}")}}catch{
-return ls()}}#o(e){this.#e={...this.#e,...e};try{localStorage.setItem(this.#r,JSON.stringify(this.#e))}catch{this.keeps=!1}}};function Bi(t,e){let r=[],n=[];for(let i of t)try{n.push({...i,...Fu(i.text,e)})}catch(l){r.push({file:i.name,reason:l.message})}let s=new Map([...e.predictions].
+return ls()}}#o(e){this.#e={...this.#e,...e};try{localStorage.setItem(this.#r,JSON.stringify(this.#e))}catch{this.keeps=!1}}};function Hi(t,e){let r=[],n=[];for(let i of t)try{n.push({...i,...Fu(i.text,e)})}catch(l){r.push({file:i.name,reason:l.message})}let s=new Map([...e.predictions].
 map(([i,{options:l}])=>[i,new Map(Object.keys(l).map(c=>[c,0]))])),o=new Map,a=new Map;for(let{name:i,text:l,pupil:c,choices:d}of n.sort((m,p)=>p.choices.size-m.
 choices.size)){let m=[...d].filter(([h])=>!o.has(`${c} ${h}`)),p=a.get(l)??(m.length?void 0:o.get(`${c} ${[...d.keys()][0]}`));if(p!==void 0){r.push({file:i,reason:a.
 has(l)?`double: the same content as ${p}`:`double: the pupil of ${p}`});continue}a.set(l,i);for(let[h,f]of m)o.set(`${c} ${h}`,i),s.get(h).set(f,s.get(h).get(f)+
@@ -843,7 +843,7 @@ options;if(!m)throw new Error(`line ${i+1}: expected a prediction of the lesson,
 e of ${Object.keys(m).join(", ")} for ${c}, got ${cs(d)}`);if(s||=String(l.pupil??""),!/^[0-9a-f]{8}$/.test(s)||l.pupil!==s)throw new Error(`line ${i+1}: expect\
 ed lines of one pupil`);n.has(c)||n.set(c,d)}),{pupil:s,choices:n}}function Du(t){try{let e=JSON.parse(t);return typeof e=="object"&&e!==null?e:{}}catch{return{}}}
 var cs=t=>t===void 0?"none":JSON.stringify(t).slice(0,40);function ji(t){let e={edition:t.edition,predictions:hr(t)},r=u("p",{role:"status"}),n=u("ul",{class:"left"}),s=u("div",{class:"questions"}),o=new Set,a=[],i=()=>{
-let p=Bi(a,e);r.textContent=a.length?`${a.length} ${a.length===1?"file":"files"}, ${p.pupils} ${p.pupils===1?"pupil":"pupils"}.${p.left.length?" Not counted:":""}`:
+let p=Hi(a,e);r.textContent=a.length?`${a.length} ${a.length===1?"file":"files"}, ${p.pupils} ${p.pupils===1?"pupil":"pupils"}.${p.left.length?" Not counted:":""}`:
 "No files yet.",n.replaceChildren(...p.left.map(({file:h,reason:f})=>u("li",{},u("strong",{},h),` ${f}`))),s.replaceChildren(...[...e.predictions.values()].map(
 h=>Wu(h,p,o,i)))},l=async p=>{let h=[...p].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(h)],i()},c=u("input",
 {type:"file",multiple:!0,accept:".jsonl",id:"vote-files"});c.addEventListener("change",()=>{l(c.files).then(()=>c.value="")});let d=u("button",{type:"button",onclick:()=>{
@@ -857,9 +857,9 @@ reduce((h,f)=>h+f,0),c=r.has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.
 get(h)/Math.max(1,l)}%`;let g=c&&h===a;return u("li",{class:g?"vote right":"vote"},u("span",{},`${h}. ${f}`,g&&u("strong",{}," ✓ the outcome")),u("span",{class:"\
 bar","aria-hidden":"true"},y),u("span",{class:"numbers"},`${i.get(h)} of ${l}`,d&&u("span",{class:"muted"},`, at first ${d.get(h)}`)))}),p=u("button",{type:"but\
 ton",id:`outcome-${s}`,onclick:()=>{r.add(s),n()}},"Show the outcome");return u("section",{class:"card question",id:`votes-${s}`},u("h2",{},t.question),u("ul",{
-class:"of-votes"},...m),t.later?u("p",{class:"muted"},t.later):c?u("div",{class:"reply"},...Pt(t.explanation??"")):u("div",{},p))}var Gi="#votes",zu=["explorer"],Hu=t=>"needs"in t?t.needs:void 0,Xr=t=>"widget"in t;function Bu(t){let e=[];for(let r of t){let n=e.at(-1);!n||"text"in r||Xr(r)&&
+class:"of-votes"},...m),t.later?u("p",{class:"muted"},t.later):c?u("div",{class:"reply"},...Pt(t.explanation??"")):u("div",{},p))}var Gi="#votes",zu=["explorer"],Bu=t=>"needs"in t?t.needs:void 0,Xr=t=>"widget"in t;function Hu(t){let e=[];for(let r of t){let n=e.at(-1);!n||"text"in r||Xr(r)&&
 n.some(Xr)?e.push([r]):n.push(r)}return e}function ju(t){let e=t.find(Xr);return e&&t.length>1&&!zu.includes(e.widget)&&!e.grows?"block beside":"block"}var us=class{#e;#t;#r=()=>{};#n=new Promise(
-e=>this.#r=e);#o={chase:()=>Fi(this.#e,this.#n),evolving:e=>Di(this.#e,this.#n,e),"right-of-way":Hi,flat:Sa,hands:Ra,"hands-matrix":$a,games:Ia,numbers:Fa,matrices:()=>wa(
+e=>this.#r=e);#o={chase:()=>Fi(this.#e,this.#n),evolving:e=>Di(this.#e,this.#n,e),"right-of-way":Bi,flat:Sa,hands:Ra,"hands-matrix":$a,games:Ia,numbers:Fa,matrices:()=>wa(
 this.#e),explorer:()=>Wi(this.#e,this.#n),judgement:()=>zi(this.#e),"same-diagonal":xa,exit:e=>$o(e,this.#t)};constructor(e){[this.#e,this.#t]=[e,new Zr(e.edition)];
 let r=this.#t,n=hr(e).size,s=u("span",{class:"small muted",role:"status"}),o=()=>{s.textContent=`${r.count} of ${n} predictions made. `+(r.keeps?"They stay in t\
 his browser.":"This browser keeps nothing: save before you close the page.")};r.addEventListener("choice",o);let a=()=>{confirm("Delete all predictions and answ\
@@ -870,8 +870,8 @@ redictions"),u("button",{type:"button",onclick:()=>print()},"Print"),u("button",
  sends nothing anywhere. matrixworld ${e.version}, edition ${e.edition} of the course. Teachers: `,u("a",{href:Gi},"count the votes of a class"),"."))),o()}async load(){
 this.#r(await Qt())}#s(e){return"text"in e?u("div",{class:"text"},...Pt(e.text)):Xr(e)?this.#o[e.widget](e):"exercise"in e?Ro(e,this.#t):Oo(e,this.#t)}#c(e,r){let{
 sections:n}=this.#e,s=u("p",{class:"waiting muted",role:"status"}),o=u("section",{class:"card",id:e.id,"aria-labelledby":`title-${e.id}`},u("h2",{id:`title-${e.
-id}`},`${r+1}. ${e.title}`,u("span",{class:"muted small"},`${e.minutes} minutes`)),s),a=Bu(e.parts),i=a.map(m=>u("div",{class:ju(m)})),l=a.flatMap((m,p)=>m.map(
-()=>i[p])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){let[m,p]=[e.parts[c-1],e.parts[c]],h=[pr(m)?m.predict:void 0,Hu(p)].find(f=>f&&this.#t.choice(f)===
+id}`},`${r+1}. ${e.title}`,u("span",{class:"muted small"},`${e.minutes} minutes`)),s),a=Hu(e.parts),i=a.map(m=>u("div",{class:ju(m)})),l=a.flatMap((m,p)=>m.map(
+()=>i[p])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){let[m,p]=[e.parts[c-1],e.parts[c]],h=[pr(m)?m.predict:void 0,Bu(p)].find(f=>f&&this.#t.choice(f)===
 void 0);if(h){let f=n.findIndex(({parts:y})=>y.some(g=>pr(g)&&g.predict===h));s.textContent=`This section goes on with your prediction${f===r?"":` in section ${f+
 1}`}.`;return}s.before(l[c]),l[c].append(this.#s(p))}s.remove()};return this.#t.addEventListener("choice",d),d(),o}};function Gu(){let t=So(),e=()=>location.hash===
 Gi,r=e();if(window.addEventListener("hashchange",()=>e()!==r&&location.reload()),r)return void Ln(Promise.resolve(ji(t)));let n=new us(t);requestAnimationFrame(
