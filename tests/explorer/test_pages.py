@@ -72,7 +72,7 @@ PRESS = "document.querySelector('{}').click()"
 OPENED: dict[str, list[str]] = {
     "evolve": [
         PRESS.format(".evolve"),
-        "; ".join(map(PRESS.format, (".evolve", ".doings button:nth-child(3)", ".to-link"))),
+        "; ".join(map(PRESS.format, (".evolve", ".doings button:nth-child(3)"))),
         "; ".join(map(PRESS.format, (".side", ".evolve"))),
         "; ".join(map(PRESS.format, (".evolve", ".to-play"))),
     ],
@@ -81,7 +81,7 @@ OPENED: dict[str, list[str]] = {
     "playground": [
         WATCHED,
         *map(TAB.format, ("One match", "A match from a file", "Rules and conflicts")),
-        *(SCENE + BUTTON.format(name) for name in ("Share", "?")),
+        SCENE + BUTTON.format("?"),
     ],
 }
 """What opens the dialogs of a page."""

@@ -504,6 +504,5 @@ PICTURES = {
     "conflicts": conflict_outcomes,
     "interaction": interaction_models,
     "right_of_way": right_of_way,
-    "rules": rules_table,
 }
 """Figures that the documentation shows, by the names of their files."""

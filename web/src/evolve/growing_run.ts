@@ -3,6 +3,7 @@
 import { keepGenomes } from "../explorer/data.ts";
 import type { Band, Curve, Findings, Payoff, Run, TeamData } from "../explorer/data.ts";
 import type { NetworkPolicy, WorldConfig } from "../engine/types.ts";
+import { mean } from "./measures.ts";
 import { policyOf } from "./network.ts";
 import type { Mask } from "./network.ts";
 import { joined, shapeOf } from "./race.ts";
@@ -13,8 +14,6 @@ import type { RaceSettings, Team } from "./settings.ts";
 
 /** Empty rows of a matrix; cells without a value are missing. */
 const rowsOf = <Value>(size: number): Value[][] => Array.from({ length: size }, () => Array<Value>(size));
-
-const mean = (values: readonly number[]): number | null => (values.length ? values.reduce((sum, each) => sum + each, 0) / values.length : null);
 
 export class GrowingRun implements Run {
   readonly learning = TEAMS;
@@ -87,7 +86,7 @@ export class GrowingRun implements Run {
   }
 
   addCell({ pursuer, evader, capture_rates, lengths }: Cell): void {
-    this.payoff.capture_rate[pursuer]![evader] = mean(capture_rates)!;
+    this.payoff.capture_rate[pursuer]![evader] = mean(capture_rates);
     this.payoff.capture_rates[pursuer]![evader] = [...capture_rates];
     this.payoff.lengths[pursuer]![evader] = [...lengths];
     this.findings = { generalization: this.#scores() } as Findings;
@@ -97,11 +96,14 @@ export class GrowingRun implements Run {
   #scores(): Findings["generalization"] {
     const rates = this.payoff.capture_rate;
     const band = (curve: Curve): Band => ({ mean: curve, low: null, high: null });
-    const known = (values: readonly (number | undefined)[]): number[] => values.filter((value) => value !== undefined);
+    const ofKnown = (values: readonly (number | undefined)[]): number | null => {
+      const known = values.filter((value) => value !== undefined);
+      return known.length ? mean(known) : null;
+    };
     const generations = [...this.genomes.pursuer.keys()];
     return {
-      pursuers: band(generations.map((g) => mean(known(rates[g]!)))),
-      evaders: band(generations.map((h) => mean(known(rates.map((row) => row[h])).map((rate) => 1 - rate)))),
+      pursuers: band(generations.map((g) => ofKnown(rates[g]!))),
+      evaders: band(generations.map((h) => ofKnown(rates.map((row) => row[h] === undefined ? undefined : 1 - row[h]!)))),
     };
   }
 }

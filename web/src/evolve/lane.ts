@@ -11,7 +11,7 @@ import { Chase } from "./chase.ts";
 import type { EvolveData } from "./data.ts";
 import { scheduleName } from "./data.ts";
 import { GrowingRun } from "./growing_run.ts";
-import { generalization, lateForgetting } from "./measures.ts";
+import { generalization, lateForgetting, mean } from "./measures.ts";
 import { FIXED, Race } from "./race.ts";
 import type { Cell, OfTeams } from "./race.ts";
 import type { Finished } from "./save.ts";
@@ -247,7 +247,7 @@ export class Lane extends EventTarget {
     const cell = this.#cells.get(`${this.#run.newest} ${this.#run.newest}`) ?? this.#cells.get(`${this.#run.newest - 1} ${this.#run.newest - 1}`);
     const parts = cell ? [
       `Generation ${this.#run.newest} of ${this.settings.schedule.generations}`,
-      `the newest pursuers catch ${percent(cell.capture_rates.reduce((a, b) => a + b, 0) / cell.capture_rates.length)} of the newest evaders`,
+      `the newest pursuers catch ${percent(mean(cell.capture_rates))} of the newest evaders`,
       `${collisions(cell).toFixed(0)} collisions in 1000 moves`,
     ] : [];
     this.#facts.replaceChildren(...parts.map((text) => html("span", {}, text)));

@@ -3,7 +3,7 @@
 import "./evolve.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
-import { copy, readOnly, saveFile } from "../page/dialog.ts";
+import { saveFile } from "../page/dialog.ts";
 import { hasAddress, html, started } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import { top } from "../page/top.ts";
@@ -38,7 +38,6 @@ class Page {
   }, "Draw walls");
   readonly #noWalls = html("button", { type: "button", onclick: () => this.#ask({ walls: [] }) }, "No walls");
   readonly #rest = html("button", { type: "button", onclick: () => this.#toggleBoards() });
-  readonly #link = readOnly("Link to this race");
   readonly #told = html("span", { class: "small muted", role: "status" });
   readonly #controls = controls((change, anew) => this.#ask(change, anew));
   readonly #save = html("button", { type: "button", onclick: () => void this.#saveRaces(), title: "An archive that matrixworld judge, explore and replay read" }, "Save");
@@ -48,13 +47,11 @@ class Page {
 
   constructor(data: EvolveData, engine: Engine) {
     [this.#data, this.#engine, this.#choice] = [data, engine, choiceOf(data, location.hash)];
-    this.#link.hidden = true;
     const tools = html("div", { class: "doings", role: "group", "aria-label": "What can be done" },
       this.#side,
       html("button", { type: "button", class: "to-play", title: "Play an evader against the newest pursuers", onclick: () => this.lanes[0]!.takeOver() }, "Take over"),
       this.#walls, this.#noWalls,
-      this.#rest, this.#save,
-      html("button", { type: "button", class: "to-link", onclick: () => this.#showLink() }, "Link"), this.#link, this.#told);
+      this.#rest, this.#save, this.#told);
     document.getElementById("page")!.replaceWith(
       top("Evolve a chase", "Triangles chase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other."),
       html("main", {},
@@ -119,7 +116,7 @@ class Page {
     this.#controls.show(this.#choice);
     this.#told.textContent = why;
     if (why) return;
-    this.#link.hidden = true;
+    if (hasAddress()) history.replaceState(null, "", `#${linkOf(this.#choice)}`); // the address is a link to this race
     if (this.#schedules().length !== lanes) this.#makeLanes();
     if (anew && !waiting) this.#start();
     else this.#schedules().forEach((schedule, number) => this.lanes[number]!.change(settingsOf(this.#data, this.#choice, schedule)));
@@ -171,13 +168,6 @@ class Page {
     const { seed } = this.#choice;
     this.#status.textContent = evolving ? `Seed ${seed}: generation ${this.lanes.map((lane) => lane.newestGeneration).join(" and ")}`
       : ended ? `Seed ${seed}: the race took ${seconds.toFixed(1)} seconds.` : states.includes("stopped") ? "Stopped." : "";
-  }
-
-  #showLink(): void {
-    if (!hasAddress()) return;
-    this.#link.hidden = false;
-    this.#link.value = `${location.href.split("#")[0]}#${linkOf(this.#choice)}`;
-    void copy(this.#link, this.#told);
   }
 
   async #saveRaces(): Promise<void> {

@@ -7,6 +7,7 @@ import { drawsOf } from "./draws.ts";
 import type { Draws, Source } from "./draws.ts";
 import { EvolutionStrategy, GeneticAlgorithm, NoiseTable } from "./learners.ts";
 import type { Learner } from "./learners.ts";
+import { mean } from "./measures.ts";
 import { fixedOf, genesOf, masked, policyOf, reshaped, untrained } from "./network.ts";
 import type { Mask, Shape } from "./network.ts";
 import { pairings, tableMeans } from "./pairings.ts";
@@ -60,8 +61,6 @@ const FIXED_EPISODES = 20;
 const FIXED_PHASE = 8;
 /** Opponent of an epoch with several. */
 const SEVERAL = -1;
-
-const mean = (values: ArrayLike<number>): number => Array.from(values).reduce((sum, each) => sum + each, 0) / values.length;
 
 /** Return the network of a team. */
 export const shapeOf = ({ world, policy }: RaceSettings, masks: OfTeams<Mask>, team: Team): Shape =>

@@ -4,6 +4,7 @@
 import { strToU8, zipSync } from "fflate";
 import { writeNpz } from "../page/npz.ts";
 import type { NpyArray } from "../page/npz.ts";
+import { mean } from "./measures.ts";
 import type { Cell, Race, Row } from "./race.ts";
 import { TEAMS } from "./settings.ts";
 import type { RaceSettings } from "./settings.ts";
@@ -19,8 +20,7 @@ export type Finished = Pick<Race, "settings" | "archive" | "rows" | "cells" | "c
 
 const json = (values: object): Uint8Array => strToU8(JSON.stringify(values, null, 2));
 const doubles = (data: readonly number[], ...shape: number[]): NpyArray => ({ dtype: "<f8", shape, data: Float64Array.from(data) });
-const average = (values: readonly number[]): number => values.reduce((sum, each) => sum + each, 0) / values.length;
-const spread = (values: readonly number[]): number => Math.sqrt(average(values.map((each) => (each - average(values)) ** 2)));
+const spread = (values: readonly number[]): number => Math.sqrt(mean(values.map((each) => (each - mean(values)) ** 2)));
 
 /** The order of the columns in the log of a run. */
 const COLUMNS = [
@@ -37,7 +37,7 @@ function stage({ archive, rows, counters }: Finished, number: number): Record<st
     pursuers: genome("pursuer"), evaders: genome("evader"),
     log: { dtype: `|S${Math.max(1, log.length)}`, shape: [], data: log.length ? log : new Uint8Array(1) },
     ...Object.fromEntries(Object.entries(counters[number]!).map(([name, count]) => [name, doubles([count])])),
-    ...(number ? { capture_rate: doubles([average(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) } : {}),
+    ...(number ? { capture_rate: doubles([mean(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) } : {}),
   };
 }
 
@@ -55,9 +55,9 @@ function payoff(race: Finished): Record<string, NpyArray> {
     agent_steps: each(({ means }) => means.agent_steps, 2),
     pursuer_survivors: each(({ means }) => means.survivors[0]!),
     evader_survivors: each(({ means }) => means.survivors[1]!),
-    capture_rate: each(({ capture_rates }) => average(capture_rates)),
+    capture_rate: each(({ capture_rates }) => mean(capture_rates)),
     capture_rate_std: each(({ capture_rates }) => spread(capture_rates)),
-    length: each(({ lengths }) => average(lengths)),
+    length: each(({ lengths }) => mean(lengths)),
     length_std: each(({ lengths }) => spread(lengths)),
   };
 }

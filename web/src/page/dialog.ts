@@ -1,4 +1,4 @@
-// Dialogs with a head, keys in a list, texts to copy, and files to save.
+// Dialogs with a head, keys in a list, fields to copy from, and files to save.
 
 import { html } from "./dom.ts";
 import type { Child } from "./dom.ts";
@@ -17,21 +17,6 @@ export type Keys = readonly (readonly [keys: readonly string[], text: string])[]
 
 export const keyList = (keys: Keys): HTMLElement =>
   html("dl", { class: "keys" }, ...keys.flatMap(([names, text]) => [html("dt", {}, ...names.map((name) => html("kbd", {}, name))), html("dd", {}, text)]));
-
-/** Copy the text of a field, and tell how it went. */
-export async function copy(field: HTMLInputElement, told: HTMLElement): Promise<void> {
-  field.select();
-  try {
-    await navigator.clipboard.writeText(field.value);
-    told.textContent = "Copied.";
-  } catch {
-    told.textContent = "Selected: copy it with Ctrl+C."; // browsers may refuse pages from files
-  }
-}
-
-/** Return a field that cannot be changed, with its name and a button that copies its text. */
-export const copyField = (name: string, field: HTMLInputElement, told: HTMLElement): HTMLElement =>
-  html("label", { class: "copy" }, html("span", {}, name), field, html("button", { type: "button", onclick: () => copy(field, told) }, "Copy"));
 
 export const readOnly = (label: string): HTMLInputElement => html("input", { type: "text", readonly: true, "aria-label": label });
 

@@ -1,9 +1,7 @@
-// The scene in the address of the page: what a reload shows, and a link to it.
+// The scene in the address of the page: it is a link, and a reload shows it again.
 
 import { EngineError } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
-import { copyField, dialog, readOnly } from "../page/dialog.ts";
-import { hasAddress, html } from "../page/dom.ts";
 import type { Example, PageData } from "./data.ts";
 import { LinkError, linkOf, sceneOf } from "./link.ts";
 import { Store } from "./store.ts";
@@ -69,22 +67,4 @@ export function followAddress(store: Store, shown: () => boolean, show: () => vo
       store.say(problemOf(error), true);
     }
   });
-}
-
-/** Return the dialog with the link to the scene, and what opens it. */
-export function shareDialog(store: Store): { element: HTMLDialogElement; open: () => void } {
-  const [link, code] = [readOnly("Link"), readOnly("Scene")];
-  const told = html("p", { class: "muted small", role: "status" });
-  const element = dialog("Share this scene", "",
-    html("p", {}, "The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),
-    hasAddress() && copyField("Link to this page", link, told), copyField("Scene, for any copy of the playground", code, told), told);
-  return {
-    element,
-    open: () => {
-      code.value = `#${linkOf(store.scene, store.data)}`;
-      link.value = location.href.split("#")[0]! + code.value;
-      told.textContent = "";
-      element.showModal();
-    },
-  };
 }

@@ -9,7 +9,7 @@ import type { Store } from "./store.ts";
 import { addAgent, removeChosen } from "./toolbar.ts";
 
 /** Listen to the keys while the scene is `shown` and no dialog is open. */
-export function listenToKeys(store: Store, open: Record<"share" | "keys", () => void>, shown: () => boolean): void {
+export function listenToKeys(store: Store, openKeys: () => void, shown: () => boolean): void {
   const names = Object.keys(store.data.variants);
   const acts: Record<string, () => void> = {
     Enter: () => store.step(),
@@ -17,9 +17,8 @@ export function listenToKeys(store: Store, open: Record<"share" | "keys", () => 
     Home: () => store.restart(),
     " ": () => store.run(),
     m: () => (store.mode = store.mode === "act" ? "build" : "act"),
-    l: open.share,
     d: changeTheme,
-    "?": open.keys,
+    "?": openKeys,
   };
   const building: Record<string, () => void> = {
     "+": () => addAgent(store, "pursuers"),
@@ -67,7 +66,6 @@ const KEYS: Keys = [
   [["1", "… 9"], "choose a variant"],
   [["M"], "change between Move and Build"],
   [["Ctrl Z", "Ctrl Y"], "undo, redo"],
-  [["L"], "link to this scene"],
   [["D"], "light or dark"],
   [["?"], "these keys"],
 ];

@@ -45,7 +45,7 @@ async function show(root: HTMLElement): Promise<void> {
   root.replaceChildren(top("Playground", lead, ...scene.tools),
     html("nav", { class: "tabs buttons", "aria-label": "What to play", hidden: !games }, ...buttons),
     html("main", {}, games && games.element, scene.element),
-    html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`), ...scene.dialogs);
+    html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`), scene.dialog);
   document.addEventListener("keydown", (event) => tab !== "scene" && games!.view.key(event) && event.preventDefault());
   if (hasAddress()) followAddress(store, () => tab === "scene", () => showTab("scene"));
   window.addEventListener("hashchange", () => follow(hash()));

@@ -1,7 +1,6 @@
 // The parts that show a scene and what happens in it, put together.
 
 import { html } from "../page/dom.ts";
-import { shareDialog } from "./address.ts";
 import { agentsPanel } from "./agents_panel.ts";
 import { arena } from "./arena.ts";
 import { gallery } from "./gallery.ts";
@@ -16,15 +15,14 @@ export interface SceneView {
   readonly element: HTMLElement;
   /** Buttons for the head of the page. */
   readonly tools: readonly HTMLElement[];
-  readonly dialogs: readonly HTMLElement[];
+  readonly dialog: HTMLElement;
 }
 
 /** Show what a store holds, and listen to keys while it is shown. */
 export function sceneView(store: Store, shown: () => boolean): SceneView {
-  const share = shareDialog(store);
   const keys = keysDialog();
   const openKeys = (): void => keys.showModal();
-  listenToKeys(store, { share: share.open, keys: openKeys }, shown);
+  listenToKeys(store, openKeys, shown);
   return {
     element: html("section", { class: "scene", "aria-label": "Rules and conflicts" }, gallery(store),
       html("div", { class: "layout" },
@@ -32,8 +30,7 @@ export function sceneView(store: Store, shown: () => boolean): SceneView {
         html("section", { class: "card stage", "aria-label": "Board" }, arena(store), toolbar(store)),
         html("div", { class: "side" }, story(store), agentsPanel(store), perfectPanel(store)))),
     tools: [undoButton(store),
-      html("button", { type: "button", title: "Link to this scene (L)", onclick: share.open }, "Share"),
       html("button", { type: "button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: openKeys }, "?")],
-    dialogs: [share.element, keys],
+    dialog: keys,
   };
 }
