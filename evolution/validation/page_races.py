@@ -26,7 +26,7 @@ from scipy import stats
 from tqdm import tqdm
 
 import _paths  # noqa: F401
-from common import markdown, script_parser
+from common import markdown, script_parser, write
 from matrixworld.coevolution import RaceSettings, SavedRun, evolve
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 from matrixworld.explorer.evolve_page import ES, GA, masks_of, race_of
@@ -134,15 +134,9 @@ def table(numbers: Mapping[str, FloatArray]) -> str:
 def main() -> None:
     """Play the races and print the table."""
     parser = script_parser(__doc__, quick=f"{QUICK_SEEDS} seeds")
-    parser.add_argument("--results", type=Path, help="folder of numbers.npz and table.md")
-    chosen = parser.parse_args()
-    numbers = play(QUICK_SEEDS if chosen.quick else SEEDS)
-    told = table(numbers)
-    print(told)
-    if chosen.results:
-        chosen.results.mkdir(parents=True, exist_ok=True)
-        np.savez(chosen.results / "numbers.npz", **numbers)
-        (chosen.results / "table.md").write_text(f"{told}\n", encoding="utf-8")
+    parser.add_argument("--results", type=Path, default=Path("page_races"))
+    args = parser.parse_args()
+    write(args.results, play(QUICK_SEEDS if args.quick else SEEDS), table)
 
 
 if __name__ == "__main__":

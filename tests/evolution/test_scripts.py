@@ -18,7 +18,7 @@ from tiny_race import tiny_race
 
 # All scripts, each night
 
-LIBRARIES = {"common", "paper_runs", "safe_runs"}
+LIBRARIES = {"common", "paper_runs"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
 WITH_TORCH = {
     "actor_critic_baselines",

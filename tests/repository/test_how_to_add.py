@@ -16,9 +16,9 @@ import shutil
 import subprocess
 import sys
 import sysconfig
-from dataclasses import dataclass
 from operator import attrgetter
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -41,8 +41,7 @@ ATTRIBUTE = re.compile(r'(\w+)="((?:[^"\\]|\\.)*)"')
 PLACES = ("after", "before", "replace")
 
 
-@dataclass(frozen=True)
-class Edit:
+class Edit(NamedTuple):
     """One change of one file."""
 
     path: str
@@ -65,51 +64,32 @@ class Edit:
         file.write_text("".join(lines), encoding="utf-8")
 
 
-@dataclass(frozen=True)
-class Recipe:
+class Recipe(NamedTuple):
     """A section of the page: its edits, and the commands that must succeed afterwards."""
 
     title: str
-    edits: tuple[Edit, ...]
-    commands: tuple[str, ...]
+    edits: list[Edit]
+    commands: list[str]
 
     def edits_in(self, folder: str) -> bool:
         return any(edit.path.startswith(folder) for edit in self.edits)
 
-    @property
-    def needs_compiler(self) -> bool:
-        return self.edits_in("cpp/")
-
 
 def read_recipes() -> list[Recipe]:
     """Return the recipes of the page, one for each section that has edits."""
-    sections = re.split(r"^## ", PAGE.read_text(encoding="utf-8"), flags=re.M)[1:]
-    recipes = [_recipe(section) for section in sections]
-    return [recipe for recipe in recipes if recipe.edits]
-
-
-def _recipe(section: str) -> Recipe:
-    title = section.split("\n", 1)[0]
-    edits, commands = [], []
-    for block in FENCE.finditer(section):
-        attributes = dict(ATTRIBUTE.findall(block["rest"]))
-        if "title" in attributes:
-            where = next((place for place in PLACES if place in attributes), None)
-            line = attributes[where].replace('\\"', '"') if where else ""
-            edits.append(Edit(attributes["title"], block["text"], where, line))
-        elif block["kind"] == "sh":
-            commands += block["text"].strip().splitlines()
-    return Recipe(title, tuple(edits), tuple(commands))
-
-
-def copy_project(root: Path) -> None:
-    """Copy what a build and the tests need."""
-    for name in COPIED:
-        source = ROOT / name
-        if source.is_dir():
-            shutil.copytree(source, root / name, ignore=NOT_COPIED)
-        else:
-            shutil.copy(source, root / name)
+    found = []
+    for section in re.split(r"^## ", PAGE.read_text(encoding="utf-8"), flags=re.M)[1:]:
+        recipe = Recipe(section.split("\n", 1)[0], [], [])
+        for block in FENCE.finditer(section):
+            attributes = dict(ATTRIBUTE.findall(block["rest"]))
+            if "title" in attributes:
+                where = next((place for place in PLACES if place in attributes), None)
+                line = attributes[where].replace('\\"', '"') if where else ""
+                recipe.edits.append(Edit(attributes["title"], block["text"], where, line))
+            elif block["kind"] == "sh":
+                recipe.commands.extend(block["text"].strip().splitlines())
+        found += [recipe] if recipe.edits else []
+    return found
 
 
 def run(command: str, root: Path) -> None:
@@ -139,7 +119,7 @@ def follow(recipes: list[Recipe], root: Path) -> None:
     for recipe in recipes:
         for edit in recipe.edits:
             edit.apply(root)
-    if any(recipe.needs_compiler for recipe in recipes):
+    if any(recipe.edits_in("cpp/") for recipe in recipes):
         build(root)
     for recipe in recipes:
         for command in recipe.commands:
@@ -165,14 +145,18 @@ def build(root: Path) -> None:
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
     """A copy of the project with the compiled extension."""
-    copy_project(tmp_path)
+    for name in COPIED:
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, tmp_path / name, ignore=NOT_COPIED)
+        else:
+            shutil.copy(ROOT / name, tmp_path / name)
     shutil.copy(_core.__file__, tmp_path / "python" / "matrixworld")
     return tmp_path
 
 
 @quickly(
     "recipe",
-    [each for each in RECIPES if not each.needs_compiler],
+    [each for each in RECIPES if not each.edits_in("cpp/")],
     lambda recipe: recipe.title in ("A measure", "A condition of the judgement"),
     attrgetter("title"),
 )
@@ -187,4 +171,4 @@ def test_a_recipe_without_a_compiler(recipe: Recipe, project: Path) -> None:
 @pytest.mark.nightly
 def test_the_recipes_with_a_compiler(project: Path) -> None:
     """All of them in one copy, so that the engine is compiled once."""
-    follow([recipe for recipe in RECIPES if recipe.needs_compiler], project)
+    follow([recipe for recipe in RECIPES if recipe.edits_in("cpp/")], project)
