@@ -28,8 +28,8 @@ from matrixworld.world.arrays import array_specs as array_specs
 from matrixworld.world.arrays import episode_specs as episode_specs
 from matrixworld.world.batch import Batch as Batch
 from matrixworld.world.config import WorldConfig as WorldConfig
+from matrixworld.world.config import read_map as read_map
 from matrixworld.world.conflicts import Conflict as Conflict
-from matrixworld.world.maps import read_map as read_map
 from matrixworld.world.policy import SCRIPTS as SCRIPTS
 from matrixworld.world.policy import Network as Network
 from matrixworld.world.policy import Population as Population

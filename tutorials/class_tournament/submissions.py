@@ -27,7 +27,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from matrixworld._util.files import UNREADABLE, DamagedFileError, check_regular, one_line
-from matrixworld.play.genomes import parse_genome
+from matrixworld.play.network_policy import parse_genome
 from matrixworld.world.policy import Population, Team, TeamPolicy
 
 FileKind: TypeAlias = Literal["program", "genome", "predictions"]

@@ -15,8 +15,7 @@ from course.checks import Mistake, array, comparison, described, function, near,
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.types import BoolArray, FloatArray
 from matrixworld.solve import States, best_response, solve
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.maps import read_map
+from matrixworld.world.config import WorldConfig, read_map
 
 STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])
 """Rock, paper, scissors: rock always beats scissors, and the other winners win 3 of 4 matches."""

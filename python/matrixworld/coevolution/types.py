@@ -10,9 +10,14 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from matrixworld._util.readable import Parts, Readable, matrix_table
-from matrixworld._util.teams import TEAMS as TEAMS
-from matrixworld._util.teams import Team as Team
-from matrixworld._util.teams import other as other
+from matrixworld.world.policy import TEAMS as TEAMS
+from matrixworld.world.policy import Team as Team
+
+
+def other(team: Team) -> Team:
+    """Return the opposing team."""
+    return "evader" if team == "pursuer" else "pursuer"
+
 
 SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 """What the score of a team is called."""

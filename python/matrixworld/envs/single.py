@@ -16,13 +16,7 @@ from pettingzoo import AECEnv, ParallelEnv
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
 from typing_extensions import Unpack
 
-from matrixworld._util.checks import (
-    check_bool,
-    check_choice,
-    check_integer,
-    check_keywords,
-    shown,
-)
+from matrixworld._util import checks
 from matrixworld.envs.opponents import BuiltInTeam, HasOpponents, Opponents, one_team
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Drawing
@@ -117,7 +111,7 @@ class MatrixWorldBase(HasOpponents):
         evaders: Opponents | None = None,
         **changes: Unpack[WorldSettings],
     ) -> None:
-        check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
+        checks.check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
         if render_mode not in (None, *RENDER_MODES):
             raise ValueError(
                 f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
@@ -140,7 +134,7 @@ class MatrixWorldBase(HasOpponents):
         self._index = {name: agent for agent, name in self._names.items()}
         self.possible_agents = list(self._index)
         self.agents: list[str] = []
-        kept = check_bool("record", record) or render_mode is not None
+        kept = checks.check_bool("record", record) or render_mode is not None
         self._drawing = Drawing(self.world, render_mode) if kept else None
         view = (3, self.config.fov, self.config.fov)
         self.observation_spaces: dict[str, spaces.Box] = {
@@ -157,12 +151,12 @@ class MatrixWorldBase(HasOpponents):
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""
-        check_choice("agent", agent, self._index)
+        checks.check_choice("agent", agent, self._index)
         return self.observation_spaces[agent]
 
     def action_space(self, agent: str) -> spaces.Discrete:
         """Return ``Discrete(5)``, or 9 with diagonal moves; see `matrixworld.Action`."""
-        check_choice("agent", agent, self._index)
+        checks.check_choice("agent", agent, self._index)
         return self.action_spaces[agent]
 
     def state(self) -> NDArray[np.uint8]:
@@ -218,7 +212,7 @@ class MatrixWorldBase(HasOpponents):
             self._drawing.show()
 
     def _chosen(self, agent: str, action: Any) -> int:
-        return check_integer(f"action of {agent}", action, 0, self.config.n_actions - 1)
+        return checks.check_integer(f"action of {agent}", action, 0, self.config.n_actions - 1)
 
     def _decide(self, actions: NDArray[np.int64], agents: range) -> None:
         """Write the actions of the team that the environment plays itself, if it plays one."""
@@ -381,7 +375,9 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
 
     def _committed(self, actions: Mapping[str, Any]) -> NDArray[np.int64]:
         if not isinstance(actions, Mapping):
-            raise TypeError(f"actions: expected a mapping by names of agents, got {shown(actions)}")
+            raise TypeError(
+                f"actions: expected a mapping by names of agents, got {checks.shown(actions)}"
+            )
         missing = [agent for agent in self.agents if agent not in actions]
         if missing:
             raise ValueError(f"actions: expected one for each of agents, none came for {missing}")
@@ -433,7 +429,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
 
     def observe(self, agent: str) -> View:
         """Return what an agent sees after the last played turn, uint8 of shape (3, fov, fov)."""
-        check_choice("agent", agent, self._index)
+        checks.check_choice("agent", agent, self._index)
         return np.array(self._views[self._index[agent]])
 
     def step(self, action: Any) -> None:
@@ -605,7 +601,7 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         else:
             self.env = MatrixWorldParallel(config, evaders=evaders, **settings)
             self._mates = BuiltInTeam("pursuer", pursuers, self.env.config)
-        check_choice("agent", agent, self.env.possible_agents)
+        checks.check_choice("agent", agent, self.env.possible_agents)
         self.agent: str = agent
         self.observation_space: spaces.Box = self.env.observation_space(agent)
         self.action_space: spaces.Discrete = self.env.action_space(agent)

@@ -14,13 +14,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from typing_extensions import Unpack
 
 from matrixworld._core import Autoreset
-from matrixworld._util.checks import (
-    check_bool,
-    check_choice,
-    check_instance,
-    check_integer,
-    check_keywords,
-)
+from matrixworld._util import checks
 from matrixworld.envs.opponents import (
     BuiltInWorlds,
     HasOpponents,
@@ -190,25 +184,25 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         evaders: Opponents | None = None,
         **changes: Unpack[WorldSettings],
     ) -> None:
-        check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
+        checks.check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
         self.config: WorldConfig = WorldConfig.of(config, **changes)
-        self.num_envs: int = check_integer("n_worlds", n_worlds, 1)
+        self.num_envs: int = checks.check_integer("n_worlds", n_worlds, 1)
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: expected None or 'rgb_array', got {render_mode!r}")
         self.render_mode = render_mode
         modes = [each.value for each in AutoresetMode]
         given = getattr(autoreset_mode, "value", autoreset_mode)
-        check_choice("autoreset_mode", given, modes)
+        checks.check_choice("autoreset_mode", given, modes)
         mode = AutoresetMode(given)
         self.metadata: dict[str, Any] = {
             "autoreset_mode": mode,
             "render_modes": ["rgb_array"],
             "render_fps": 10,
         }
-        self.copy: bool = check_bool("copy", copy)
+        self.copy: bool = checks.check_bool("copy", copy)
         self._masks = ActionMasks(action_mask, self.config)
         built_in = one_team(pursuers, evaders)
-        left_out = set() if check_bool("state", state) else {"state"}
+        left_out = set() if checks.check_bool("state", state) else {"state"}
         waits = mode is not AutoresetMode.SAME_STEP
         if waits:  # the observations stay those of the episode's end for one step
             left_out.add("final_views")
@@ -224,7 +218,11 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
-        seen = (*self._views.shape[:2], -1) if check_bool("flatten", flatten) else self._views.shape
+        seen = (
+            (*self._views.shape[:2], -1)
+            if checks.check_bool("flatten", flatten)
+            else self._views.shape
+        )
         self.observations: NDArray[Any] = self._views.reshape(seen)
         self.rewards: NDArray[np.float32] = mine["rewards"]
         self.terminations: NDArray[np.bool_] = mine["terminations"]
@@ -479,9 +477,9 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     action_space: spaces.Space[NDArray[Any]]
 
     def __init__(self, worlds: VectorEnv, team: str | None = None) -> None:
-        check_instance("worlds", worlds, VectorEnv)
+        checks.check_instance("worlds", worlds, VectorEnv)
         if team is not None:
-            check_choice("team", team, ("pursuer", "evader"))
+            checks.check_choice("team", team, ("pursuer", "evader"))
         self.worlds: VectorEnv = worlds
         self.team: str | None = team
         parts = {"pursuer": worlds.pursuers.agents, "evader": worlds.evaders.agents}

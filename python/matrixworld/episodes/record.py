@@ -14,9 +14,8 @@ from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_in
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
 from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
 from matrixworld.world.arrays import array_specs, integers
-from matrixworld.world.config import WorldConfig
+from matrixworld.world.config import MapLike, WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
-from matrixworld.world.maps import MapLike
 from matrixworld.world.policy import EnginePolicy, check_team
 from matrixworld.world.render import MARK_STEPS, Scene, ansi, png, rgb
 from matrixworld.world.rules import Rules

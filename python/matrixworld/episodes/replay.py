@@ -16,13 +16,7 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 from typing_extensions import Unpack
 
-from matrixworld._util.checks import (
-    check_instance,
-    check_integer,
-    check_keywords,
-    check_number,
-    shown,
-)
+from matrixworld._util import checks
 from matrixworld._util.files import replacing
 from matrixworld.episodes.episode import Episode, scene
 from matrixworld.episodes.films import (
@@ -60,7 +54,7 @@ def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> 
     A grid too large for the terminal is drawn in half blocks. Where there is no terminal, the last
     moment is printed as plain text.
     """
-    fps = check_number("fps", fps, least=0.0, positive=True)
+    fps = checks.check_number("fps", fps, least=0.0, positive=True)
     times, stream = _times(episode, every), sys.stdout
     if not stream.isatty():
         print_moment(episode)
@@ -134,8 +128,8 @@ def save(
     >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
     >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
-    check_keywords(look, Look.__annotations__, save)
-    step = check_integer("step", step)
+    checks.check_keywords(look, Look.__annotations__, save)
+    step = checks.check_integer("step", step)
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
@@ -172,7 +166,7 @@ def animation(
     **look
         As for `save`. The default of ``cell`` gives about `PIXELS` pixels a side.
     """
-    check_keywords(look, Look.__annotations__, animation)
+    checks.check_keywords(look, Look.__annotations__, animation)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
     pictures = _Pictures(episode, look, PIXELS)
     times = few_times(episode.length) if every is None else _times(episode, every)
@@ -184,10 +178,10 @@ class _Pictures:
     """Pictures of an episode's moments; `field` is the wanted size of a field, in pixels."""
 
     def __init__(self, episode: Episode, look: Look, field: int | None = None) -> None:
-        check_instance("episode", episode, Episode)
+        checks.check_instance("episode", episode, Episode)
         self._episode = episode
         self._look: dict[str, Any] = {**look}
-        self._trail = check_integer("trail", self._look.pop("trail", 6), 0)
+        self._trail = checks.check_integer("trail", self._look.pop("trail", 6), 0)
         if self._look.get("fov") is None:
             self._look["fov"] = int(episode.config.get("fov", FOV))
         least = SMALLEST_NUMBERED if look.get("numbers") else 1
@@ -204,15 +198,15 @@ class _Pictures:
         pixels = len(times) * self.pixels
         if pixels > MOST_ANIMATED:
             expected = f"at most {MOST_ANIMATED:,} pixels in all"
-            raise ValueError(f"animation: expected {expected}, got {shown(pixels)}")
+            raise ValueError(f"animation: expected {expected}, got {checks.shown(pixels)}")
         return (
-            check_number("fps", fps, least=SLOWEST, most=FASTEST),
-            check_number("hold", hold, least=0.0, most=LONGEST_HOLD),
+            checks.check_number("fps", fps, least=SLOWEST, most=FASTEST),
+            checks.check_number("hold", hold, least=0.0, most=LONGEST_HOLD),
         )
 
 
 def _times(episode: Episode, every: int) -> list[int]:
-    return times_of(episode.length, check_integer("every", every, 1))
+    return times_of(episode.length, checks.check_integer("every", every, 1))
 
 
 # Terminals:

@@ -9,14 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import (
-    SEED_MAX,
-    check_floats,
-    check_instance,
-    check_integer,
-    check_integers,
-    shown,
-)
+from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
 from matrixworld.episodes.episode import Episode
@@ -158,7 +151,7 @@ class SafetyMonitor:
         ValueError, TypeError
             If the shapes do not fit, or not 0 <= faults <= collisions <= agent_steps.
         """
-        rates = check_floats("capture_rate", capture_rate)
+        rates = checks.check_floats("capture_rate", capture_rate)
         if not ((rates >= 0) & (rates <= 1)).all():
             raise ValueError(f"capture_rate: expected shares, 0 to 1, got {rates.tolist()}")
         involved = _counts("collisions", collisions, (*rates.shape, 2, 3))
@@ -171,20 +164,22 @@ class SafetyMonitor:
 
     def add_statistics(self, statistics: EpisodeStatistics) -> None:
         """Collect all episodes of a `rollout`."""
-        check_instance("statistics", statistics, EpisodeStatistics)
+        checks.check_instance("statistics", statistics, EpisodeStatistics)
         self.add(*(getattr(statistics, name) for name in _COUNTED))
 
     def add_infos(self, infos: Mapping[str, Any]) -> None:
         """Collect the episodes that ended in a step of a `VectorEnv`, if any did."""
         if not isinstance(infos, Mapping) or not {"_episode", "episode"} <= infos.keys():
-            raise TypeError(f"infos: expected those of a matrixworld.VectorEnv, got {shown(infos)}")
+            raise TypeError(
+                f"infos: expected those of a matrixworld.VectorEnv, got {checks.shown(infos)}"
+            )
         ended, statistics = infos["_episode"], infos["episode"]
         if ended.any():
             self.add(*(statistics[name][ended] for name in _COUNTED))
 
     def add_episode(self, episode: Episode) -> None:
         """Collect a recorded episode."""
-        check_instance("episode", episode, Episode)
+        checks.check_instance("episode", episode, Episode)
         counts = (
             each.sum(axis=0) for each in (episode.involved, episode.fault, episode.alive[:-1])
         )
@@ -204,7 +199,7 @@ class SafetyMonitor:
 
     def summary(self, *, seed: int = 0) -> SafetySummary:
         """Summarize all episodes so far; `seed` is that of the bootstrap of intervals."""
-        seed = check_integer("seed", seed, 0, SEED_MAX)
+        seed = checks.check_integer("seed", seed, 0, checks.SEED_MAX)
         if not self.episodes:
             raise ValueError("safety: expected at least one whole episode, got none")
         collisions, faults, steps, rates = map(np.concatenate, zip(*self._parts, strict=True))
@@ -226,7 +221,7 @@ class SafetyMonitor:
 
 
 def _counts(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.int64]:
-    array = check_integers(name, given, np.int64)
+    array = checks.check_integers(name, given, np.int64)
     if array.shape != shape:
         raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
     return array

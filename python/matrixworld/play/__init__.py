@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from matrixworld.play.genomes import read_genome, save_genome
 from matrixworld.play.matches import capture_rates
-from matrixworld.play.network_policy import NetworkPolicy
+from matrixworld.play.network_policy import NetworkPolicy, read_genome, save_genome
 
 __all__ = ["NetworkPolicy", "capture_rates", "read_genome", "save_genome"]

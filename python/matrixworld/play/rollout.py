@@ -10,12 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import (
-    SEED_MAX,
-    check_integer,
-    check_integers,
-    check_threads,
-)
+from matrixworld._util import checks
 from matrixworld._util.readable import Readable
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import EnginePolicy, check_team
@@ -47,9 +42,9 @@ class Matches(NamedTuple):
             If the values are no integers from 0 on, or the shapes do not broadcast to one axis.
         """
         parts = (
-            check_integers("pursuer", pursuer, np.int32),
-            check_integers("evader", evader, np.int32),
-            check_integers("seed", seed, np.uint64),
+            checks.check_integers("pursuer", pursuer, np.int32),
+            checks.check_integers("evader", evader, np.int32),
+            checks.check_integers("seed", seed, np.uint64),
         )
         broadcast = np.atleast_1d(*parts)
         # `broadcast_arrays` is slow beside a short rollout, and rarely needed.
@@ -147,10 +142,10 @@ def rollout(
 
     Ctrl-C ends a rollout of the main thread within about 0.1 s with KeyboardInterrupt.
     """
-    config, n_threads = WorldConfig.of(config), check_threads(threads)
+    config, n_threads = WorldConfig.of(config), checks.check_threads(threads)
     teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
     columns = Matches.of(*matches)
-    each = check_integer("episodes", episodes, 1)
+    each = checks.check_integer("episodes", episodes, 1)
     arrays = _core.rollout(
         config.setup,
         *teams,
@@ -169,6 +164,8 @@ def match_seed(run_seed: int, *key: int) -> int:
     The same on every machine and version. ValueError below 0, TypeError if one is no integer.
     """
     # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
-    entropy = [check_integer("match seed", part, 0, SEED_MAX) for part in (run_seed, *key)]
+    entropy = [
+        checks.check_integer("match seed", part, 0, checks.SEED_MAX) for part in (run_seed, *key)
+    ]
     words = np.random.SeedSequence(entropy).generate_state(1, np.uint64)
     return int(words[0])

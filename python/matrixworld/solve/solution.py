@@ -11,13 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import (
-    INT_MAX,
-    check_choice,
-    check_integer,
-    check_number,
-    shown,
-)
+from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.solve.states import States, config_of
 from matrixworld.world.config import WorldConfig
@@ -140,9 +134,11 @@ class Solution(Readable):
         turn : int, optional
             The turn of the round.
         """
-        check_choice("team", team, TEAMS)
-        left = check_integer("rounds", self.steps if rounds is None else rounds, 1, self.steps)
-        turn = check_integer("turn", turn, 0, self.states.n_turns - 1)
+        checks.check_choice("team", team, TEAMS)
+        left = checks.check_integer(
+            "rounds", self.steps if rounds is None else rounds, 1, self.steps
+        )
+        turn = checks.check_integer("turn", turn, 0, self.states.n_turns - 1)
         if team in self.fixed:
             return self.fixed[team].at(turn, left)
         found = _backup(
@@ -157,7 +153,7 @@ class Solution(Readable):
 
         All its members act on one draw of their joint action.
         """
-        check_choice("team", team, TEAMS)
+        checks.check_choice("team", team, TEAMS)
         rounds = len(self.values[0]) - 1
         axis = 1 + TEAMS.index(team)
         shapes = [
@@ -241,7 +237,7 @@ def induct(
 ) -> Solution:
     """Check all arguments, list the states, and go back from the last round to the first."""
     config = config_of(world)
-    check_choice("payoff", payoff, PAYOFFS)
+    checks.check_choice("payoff", payoff, PAYOFFS)
     parts = {team: parts_of(config, champion, team) for team, champion in champions.items()}
     rounds = rounds_of(config, steps, *parts.values())
     states = States.of(world)
@@ -252,8 +248,8 @@ def induct(
 def rounds_of(config: WorldConfig, steps: int | None, *champions: Members) -> int:
     """Return the rounds of an episode; solutions among champions play no more than their own."""
     known = [part.steps for parts in champions for _, part in parts if isinstance(part, Solution)]
-    most = min(known, default=INT_MAX)
-    return check_integer("steps", config.max_steps if steps is None else steps, 1, most)
+    most = min(known, default=checks.INT_MAX)
+    return checks.check_integer("steps", config.max_steps if steps is None else steps, 1, most)
 
 
 def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, Fixed]) -> Solution:
@@ -359,7 +355,7 @@ def best_response(
     >>> round(1 - best_response(config, "chaser", "pursuer").value, 3)
     0.674
     """
-    check_choice("team", team, TEAMS)
+    checks.check_choice("team", team, TEAMS)
     return induct(world, steps, payoff, {team: champion})
 
 
@@ -436,7 +432,9 @@ def guarantees(
         As in `solve`.
     """
     if not isinstance(teams, Mapping) or teams.keys() != set(TEAMS):
-        raise TypeError(f"teams: expected a mapping with the keys {TEAMS}, got {shown(teams)}")
+        raise TypeError(
+            f"teams: expected a mapping with the keys {TEAMS}, got {checks.shown(teams)}"
+        )
     states = States.of(world)
     pursuers, evaders = (
         [best_response(states, each, team, steps=steps).value for each in _generations(teams[team])]
@@ -453,7 +451,7 @@ def _generations(team: Champion) -> list[Champion]:
 
 def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
     """Return what a champion, which may be a nested mixture, comes to: weights with others."""
-    check_choice("team", team, TEAMS)
+    checks.check_choice("team", team, TEAMS)
     if isinstance(champion, Solution):
         return [(1.0, champion)]
     if isinstance(champion, str | Population):
@@ -466,11 +464,11 @@ def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
         return [(1.0, champion)]
     if not issubclass(type(champion), Sequence):
         expected = "a Population, the name of a script, a Solution, or weights with these"
-        raise TypeError(f"champion: expected {expected}, got {shown(champion)}")
+        raise TypeError(f"champion: expected {expected}, got {checks.shown(champion)}")
     for part in champion:
         if not isinstance(part, Sequence) or isinstance(part, str) or len(part) != 2:
-            raise TypeError(f"champion: expected weights with champions, got {shown(part)}")
-    weights = [check_number("weight", weight, least=0.0, most=1.0) for weight, _ in champion]
+            raise TypeError(f"champion: expected weights with champions, got {checks.shown(part)}")
+    weights = [checks.check_number("weight", weight, least=0.0, most=1.0) for weight, _ in champion]
     if abs(sum(weights) - 1.0) > 1e-9:
         raise ValueError(f"champion: expected weights with the sum 1, got {sum(weights):g}")
     return [

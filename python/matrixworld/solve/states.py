@@ -12,13 +12,7 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
-from matrixworld._util.checks import (
-    INT_MAX,
-    check_choice,
-    check_instance,
-    check_integer,
-    check_threads,
-)
+from matrixworld._util import checks
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TEAMS, Team, TeamPolicy, check_team
 
@@ -76,8 +70,8 @@ class States:
     """
 
     def __init__(self, config: WorldConfig, *, threads: int | None = None) -> None:
-        check_instance("config", config, WorldConfig)
-        self.config, self.threads = config, check_threads(threads)
+        checks.check_instance("config", config, WorldConfig)
+        self.config, self.threads = config, checks.check_threads(threads)
         if config.density:
             raise ValueError(
                 "obstacles: expected none or a map, got obstacles that each episode draws anew"
@@ -111,7 +105,7 @@ class States:
         return len(self.successors(turn))
 
     def _turn(self, turn: int) -> int:
-        return check_integer("turn", turn, 0, self.n_turns - 1)
+        return checks.check_integer("turn", turn, 0, self.n_turns - 1)
 
     def successors(self, turn: int = 0) -> NDArray[np.int32]:
         """Return states of the next turn, int32 (S, P, Q), for P and Q joint actions of the teams.
@@ -141,7 +135,7 @@ class States:
         in float64; the engine draws with 24 bits. ValueError if a script sees nothing that it looks
         for in some state, and so walks on as before.
         """
-        check_choice("team", team, TEAMS)
+        checks.check_choice("team", team, TEAMS)
         plain, evaders = check_team("champion", policy), team == "evader"
         return tuple(
             self.core.weigh(turn, evaders, plain, self.threads) for turn in range(self.n_turns)
@@ -151,7 +145,7 @@ class States:
 def config_of(world: WorldConfig | States) -> WorldConfig:
     """Return the settings of a world or of states; TypeError for anything else."""
     config = world.config if isinstance(world, States) else world
-    check_instance("world", config, WorldConfig)
+    checks.check_instance("world", config, WorldConfig)
     return config
 
 
@@ -171,7 +165,7 @@ def size_of(config: WorldConfig) -> tuple[float, float]:
     if sum(agents) > _MOST_AGENTS:
         return inf, inf
     codes = prod(n**k for n, k in zip((1 + cells, 2 + 2 * cells), agents, strict=True))
-    if codes > INT_MAX:  # the engine numbers them
+    if codes > checks.INT_MAX:  # the engine numbers them
         return inf, inf
     sizes = turn_sizes(config)
     numbers = sum(n * (p * q + 1) + codes for n, p, q in sizes) + sizes[0][0]  # with the starts

@@ -11,13 +11,7 @@ from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._core import Autoreset
-from matrixworld._util.checks import (
-    SEED_MAX,
-    check_integer,
-    check_integers,
-    check_keywords,
-    check_threads,
-)
+from matrixworld._util import checks
 from matrixworld.world.arrays import (
     array_specs,
     check_written,
@@ -25,8 +19,7 @@ from matrixworld.world.arrays import (
     new_arrays,
     positions_of,
 )
-from matrixworld.world.config import WorldConfig, WorldSettings
-from matrixworld.world.maps import MapLike, read_map
+from matrixworld.world.config import MapLike, WorldConfig, WorldSettings, read_map
 from matrixworld.world.policy import EnginePolicy, check_agents, check_team
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
@@ -89,15 +82,15 @@ class Batch:
         buffers: dict[str, NDArray[Any]] | None = None,
         **changes: Unpack[WorldSettings],
     ) -> None:
-        check_keywords(changes, WorldSettings.__annotations__, Batch)
+        checks.check_keywords(changes, WorldSettings.__annotations__, Batch)
         self.config: WorldConfig = WorldConfig.of(config, **changes)
-        self.n_worlds: int = check_integer("n_worlds", n_worlds, 1)
+        self.n_worlds: int = checks.check_integer("n_worlds", n_worlds, 1)
         if not isinstance(autoreset, Autoreset):
             raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
         if not isinstance(buffers, dict | None):
             raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
         self.autoreset: Autoreset = autoreset
-        n_threads = check_threads(threads)
+        n_threads = checks.check_threads(threads)
         if buffers is None:
             specs = array_specs(self.config)
             for large in ("views", "state"):  # and slow to write
@@ -143,7 +136,7 @@ class Batch:
         self.config.check_map(own_map)
         self._core.reset(
             None if seed is None else self._seeds(seed),
-            check_integer("episode", episode, 0, SEED_MAX),
+            checks.check_integer("episode", episode, 0, checks.SEED_MAX),
             mask=None if mask is None else _mask(mask),
             pursuers=positions_of("pursuers", pursuers, self.config.n_pursuers, self.n_worlds),
             evaders=positions_of("evaders", evaders, self.config.n_evaders, self.n_worlds),
@@ -153,10 +146,10 @@ class Batch:
 
     def _seeds(self, seed: int | ArrayLike) -> NDArray[np.uint64]:
         if isinstance(seed, int | np.integer):
-            first = check_integer("seed", seed, 0, SEED_MAX)
+            first = checks.check_integer("seed", seed, 0, checks.SEED_MAX)
             # Seeds are 64 bits wide and wrap around after the largest one.
             return np.add(np.arange(self.n_worlds, dtype=np.uint64), first, dtype=np.uint64)
-        return np.ascontiguousarray(check_integers("seed", seed, np.uint64))
+        return np.ascontiguousarray(checks.check_integers("seed", seed, np.uint64))
 
     def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
         """Play one round in every world with actions (W, A), and return the buffers.
@@ -230,7 +223,7 @@ class Batch:
             policy if policy is None else check_team("policies", policy) for policy in policies
         ]
         check_written("actions", actions)
-        numbers = np.ascontiguousarray(check_integers("chosen", chosen, np.int32))
+        numbers = np.ascontiguousarray(checks.check_integers("chosen", chosen, np.int32))
         self._core.decide(teams, numbers, *check_agents(agents), actions)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -242,7 +235,7 @@ class Batch:
 
     def world(self, number: int) -> World:
         """Return an independent copy of one world, to draw it or to plan in it."""
-        number = check_integer("world", number, 0, self.n_worlds - 1)
+        number = checks.check_integer("world", number, 0, self.n_worlds - 1)
         return World.at(self.config, self._core.snapshot(number))
 
 

@@ -1,13 +1,16 @@
-"""The settings of a world, fixed before its first episode."""
+"""The settings of a world, fixed before its first episode, and obstacle maps in several forms."""
 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, fields, replace
 from enum import Enum
 from functools import cached_property
 from numbers import Real
+from os import PathLike, fspath
+from pathlib import Path
 from typing import Any, TypeAlias, TypedDict
 
 import numpy as np
@@ -16,16 +19,18 @@ from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._core import Capture
-from matrixworld._util.checks import (
-    check_bool,
-    check_choice,
-    check_integer,
-    check_keywords,
-    check_real,
-)
+from matrixworld._util import checks
+from matrixworld._util.files import read_text
 from matrixworld.world.conflicts import agent_name
-from matrixworld.world.maps import MapLike, read_map
 from matrixworld.world.rules import Rewards, Rules, rules_of
+
+MapLike: TypeAlias = "NDArray[np.bool_] | Sequence[str] | str | PathLike[str]"
+"""An obstacle map in any form that `read_map` takes."""
+
+FREE = ".GS"
+"""Characters of passable terrain (ground, swamp) in a map."""
+BLOCKED = "#@OTW"
+"""Characters of impassable terrain: walls, out of bounds, trees, water."""
 
 Obstacles: TypeAlias = "float | MapLike | None"
 """A share of the cells, a map, or no obstacles."""
@@ -55,7 +60,7 @@ def with_limit(name: str, steps: int | None, settings: Any) -> Any:
         return settings
     if "max_steps" in settings:
         raise ValueError(f"{name}, max_steps: expected one of them, got both")
-    return {**settings, "max_steps": check_integer(name, steps, 1)}
+    return {**settings, "max_steps": checks.check_integer(name, steps, 1)}
 
 
 def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
@@ -64,7 +69,7 @@ def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
     if isinstance(given, bool):  # Python takes it for a number, and True for a share of 1
         raise TypeError(f"obstacles: expected a number in [0, 1) or a map, got {given!r}")
     if isinstance(given, float | Real):  # for the type checker, a float is no Real
-        return check_real("obstacles", given)
+        return checks.check_real("obstacles", given)
     return read_map(given)
 
 
@@ -94,7 +99,7 @@ def _enum_member(kind: type[Any], name: str, value: object) -> Any:
     expected = type(getattr(kind(), name))
     if not issubclass(expected, Enum):
         return value
-    check_choice(name, value, expected.__members__)
+    checks.check_choice(name, value, expected.__members__)
     return expected[str(value)]
 
 
@@ -191,9 +196,9 @@ class WorldConfig:
         }
         # A frozen dataclass lets its fields be set in this way only.
         vars(self).update(
-            {name: check_integer(name, number) for name, number in numbers.items()},
+            {name: checks.check_integer(name, number) for name, number in numbers.items()},
             rules=row,
-            diagonal=check_bool("diagonal", diagonal),
+            diagonal=checks.check_bool("diagonal", diagonal),
             obstacles=terrain,
             rewards=Rewards() if rewards is None else rewards,
         )
@@ -219,7 +224,7 @@ class WorldConfig:
         It is `config` itself if that is a WorldConfig and nothing changes. Raises as `WorldConfig`
         does, and TypeError for an unknown keyword.
         """
-        check_keywords(changes, WorldSettings.__annotations__, cls.of)
+        checks.check_keywords(changes, WorldSettings.__annotations__, cls.of)
         if isinstance(config, WorldConfig):
             values: dict[str, Any] = {**changes}  # fields are narrower than what `__init__` takes
             return replace(config, **values) if values else config
@@ -247,7 +252,9 @@ class WorldConfig:
 
     def agent_name(self, agent: int) -> str:
         """Return the name of an agent: ``pursuer_0`` and so on, then ``evader_0`` and so on."""
-        return agent_name(check_integer("agent", agent, 0, self.n_agents - 1), self.n_pursuers)
+        return agent_name(
+            checks.check_integer("agent", agent, 0, self.n_agents - 1), self.n_pursuers
+        )
 
     def check_map(self, obstacles: NDArray[np.bool_] | None) -> None:
         """Raise ValueError unless a map has the size of the world; None passes."""
@@ -316,3 +323,90 @@ class WorldConfig:
             density=self.density,
             map=None if self.map is None else self.map.astype(np.uint8),
         )
+
+
+def read_map(source: MapLike) -> NDArray[np.bool_]:
+    """Return an obstacle map as a new bool array (rows, cols), True where an obstacle is.
+
+    Parameters
+    ----------
+    source : array_like of bool, str, sequence of str, or path
+        An array of shape (rows, cols) of bools, or of 0 and 1; rows of text with the characters of
+        `FREE` and `BLOCKED`, or all rows as one text; or the path of a MovingAI ``.map`` file.
+
+    Raises
+    ------
+    ValueError, TypeError, FileNotFoundError
+        If the map is empty, its rows differ in length, or a character is unknown.
+
+    References
+    ----------
+    N. R. Sturtevant (2012). Benchmarks for grid-based pathfinding. IEEE Transactions on
+    Computational Intelligence and AI in Games 4(2).
+
+    Examples
+    --------
+    >>> from matrixworld import read_map
+    >>> read_map(["..#", "#.."])
+    array([[False, False,  True],
+           [ True, False, False]])
+    """
+    if isinstance(source, str) and "\n" in source:
+        return _from_rows(source.strip().splitlines(), "map")
+    if isinstance(source, str | PathLike):
+        return _from_file(Path(fspath(source)))
+    if isinstance(source, Sequence) and all(isinstance(row, str) for row in source):
+        return _from_rows(list(source), "map")
+    array = np.array(None)
+    with suppress(ValueError):  # of rows of different lengths
+        array = np.asanyarray(source)
+    if array.ndim == 0 or array.dtype.kind in "OUS":
+        raise TypeError(
+            f"map: expected a path, rows of text or an array, got {checks.shown(source)}"
+        )
+    return _from_array(array)
+
+
+def _from_array(array: NDArray[Any]) -> NDArray[np.bool_]:
+    if array.dtype.kind not in "biu" or isinstance(array, np.ma.MaskedArray):
+        raise TypeError(f"map: expected dtype bool, or 0 and 1, got {array.dtype}")
+    if array.ndim != 2 or array.size == 0:
+        raise ValueError(f"map: expected shape (rows, cols), got {array.shape}")
+    unknown = array[(array != 0) & (array != 1)]
+    if unknown.size:
+        raise ValueError(f"map: expected 0 (free) or 1 (obstacle), got {unknown[0]}")
+    return array.astype(np.bool_)  # a copy: the caller may change its array later
+
+
+def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
+    rows = [row.strip() for row in rows]  # programs leave blanks at the ends of lines
+    if not rows or not rows[0]:
+        raise ValueError(f"{name}: expected at least one row of at least one cell, got {rows!r}")
+    for number, row in enumerate(rows):
+        if len(row) != len(rows[0]):
+            raise ValueError(
+                f"{name}, row {number}: expected {len(rows[0])} cells as in row 0, got {len(row)}"
+            )
+        unknown = set(row) - set(FREE + BLOCKED)
+        if unknown:
+            raise ValueError(
+                f"{name}, row {number}: expected {FREE!r} (free) or {BLOCKED!r} (obstacle), "
+                f"got {sorted(unknown)}"
+            )
+    return np.array([[cell in BLOCKED for cell in row] for row in rows])
+
+
+def _from_file(path: Path) -> NDArray[np.bool_]:
+    lines = [line.strip() for line in read_text(path, "map").splitlines()]
+    lines = [line for line in lines if line]
+    header = dict(line.split(maxsplit=1) for line in lines[:3] if len(line.split()) > 1)
+    if lines[3:4] != ["map"] or set(header) != {"type", "height", "width"}:
+        raise ValueError(
+            f"{path}: expected a MovingAI map (lines type, height, width and map), got {lines[:4]}"
+        )
+    array = _from_rows(lines[4:], str(path))
+    sizes = header["height"], header["width"]
+    if [int(size) if size.isdecimal() else size for size in sizes] != list(array.shape):
+        expected = ", ".join(sizes)
+        raise ValueError(f"{path}: expected ({expected}) cells as in its header, got {array.shape}")
+    return array

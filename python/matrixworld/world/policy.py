@@ -11,19 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import (
-    check_bool,
-    check_choice,
-    check_instance,
-    check_integer,
-    check_number,
-    check_sequence,
-    shown,
-)
+from matrixworld._util import checks
 from matrixworld._util.readable import Readable
-from matrixworld._util.teams import TEAMS as TEAMS
-from matrixworld._util.teams import Team as Team
 from matrixworld.world.config import WorldConfig
+
+Team: TypeAlias = Literal["pursuer", "evader"]
+
+TEAMS: tuple[Team, Team] = ("pursuer", "evader")
+"""The two teams, in the order of every team axis."""
 
 Script: TypeAlias = Literal[
     "random",
@@ -159,19 +154,19 @@ class Network:
 
     def __post_init__(self) -> None:
         # Text, bytes and mappings can be iterated over, but hold no sizes.
-        given = check_sequence("hidden", self.hidden, "ints")
-        sizes = tuple(check_integer("hidden", size, 1, _MAX_LAYER) for size in given)
+        given = checks.check_sequence("hidden", self.hidden, "ints")
+        sizes = tuple(checks.check_integer("hidden", size, 1, _MAX_LAYER) for size in given)
         # A frozen dataclass lets its fields be set in this way only.
         object.__setattr__(self, "hidden", sizes)
-        object.__setattr__(self, "fov", check_integer("fov", self.fov, 1, _MAX_FOV))
-        object.__setattr__(self, "n_actions", check_integer("n_actions", self.n_actions))
+        object.__setattr__(self, "fov", checks.check_integer("fov", self.fov, 1, _MAX_FOV))
+        object.__setattr__(self, "n_actions", checks.check_integer("n_actions", self.n_actions))
         if self.fov % 2 == 0:
             raise ValueError(f"fov: expected an odd number, got {self.fov}")
         if self.n_actions not in (5, 9):
             raise ValueError(f"n_actions: expected 5 or 9, got {self.n_actions}")
-        check_bool("sampled", self.sampled)
-        check_choice("activation", self.activation, ("relu", "tanh"))
-        check_choice("memory", self.memory, GATES)
+        checks.check_bool("sampled", self.sampled)
+        checks.check_choice("activation", self.activation, ("relu", "tanh"))
+        checks.check_choice("memory", self.memory, GATES)
         if self.memory != "none" and not self.hidden:
             raise ValueError(f"memory: expected none without hidden layers, got {self.memory!r}")
 
@@ -180,7 +175,7 @@ class Network:
         cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any
     ) -> Network:
         """Return a network for the views and actions of a world; `more` are its other fields."""
-        check_instance("config", config, WorldConfig)
+        checks.check_instance("config", config, WorldConfig)
         return cls(hidden, fov=config.fov, n_actions=config.n_actions, **more)
 
     @property
@@ -213,7 +208,7 @@ class Network:
 
         Changing a returned array changes the genome. Raises ValueError if it has another shape.
         """
-        check_instance("genome", genome, np.ndarray)
+        checks.check_instance("genome", genome, np.ndarray)
         if genome.shape != (self.genome_size,):
             raise ValueError(f"genome: expected shape {(self.genome_size,)}, got {genome.shape}")
         layers, start = [], 0
@@ -243,12 +238,12 @@ class Network:
         ValueError if an array has another shape.
         """
         expected = (CHANNELS, self.fov, self.fov)
-        check_instance("views", views, np.ndarray)
+        checks.check_instance("views", views, np.ndarray)
         if views.shape[1:] != expected:
             raise ValueError(f"views: expected shape (n, {str(expected)[1:]}, got {views.shape}")
         room = len(views), self.state_size
         states = np.zeros(room, np.float32) if states is None else states
-        check_instance("states", states, np.ndarray)
+        checks.check_instance("states", states, np.ndarray)
         if states.shape != room:
             raise ValueError(f"states: expected shape {room}, got {states.shape}")
         x = views.reshape(len(views), self.sizes[0]).astype(np.float32)
@@ -282,9 +277,9 @@ class Network:
         the last layer. That of a recurrent layer of n units is 1 / sqrt(2 n): states of all sizes
         then last about as long.
         """
-        check_instance("rng", rng, np.random.Generator)
-        weight = check_number("weight", weight, least=0.0)
-        head = check_number("head", head, least=0.0)
+        checks.check_instance("rng", rng, np.random.Generator)
+        weight = checks.check_number("weight", weight, least=0.0)
+        head = checks.check_number("head", head, least=0.0)
         genome = np.zeros(self.genome_size, np.float32)
         layers = self.layers(genome)
         for number, (weights, _) in enumerate(layers):
@@ -386,9 +381,9 @@ def check_team(name: str, team: EnginePolicy) -> Any:
     if not isinstance(team, str):
         raise TypeError(
             f"{name}: expected a Population, a TablePolicy or the name of a script, "
-            f"got {shown(team)}"
+            f"got {checks.shown(team)}"
         )
-    check_choice(name, team, SCRIPTS)
+    checks.check_choice(name, team, SCRIPTS)
     return team
 
 

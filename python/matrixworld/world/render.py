@@ -17,14 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageColor, ImageDraw
 
-from matrixworld._util import colors
-from matrixworld._util.checks import (
-    check_bool,
-    check_choice,
-    check_instance,
-    check_integer,
-    check_sequence,
-)
+from matrixworld._util import checks, colors
 from matrixworld.world.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
 from matrixworld.world.conflicts import agent_name
 
@@ -102,8 +95,8 @@ class Scene:
         """Return the number of an agent given by number or name; ValueError if there is none."""
         names = [agent_name(agent, self.n_pursuers) for agent in range(len(self.alive))]
         if not isinstance(who, str):
-            return check_integer("viewers", who, 0, len(names) - 1)
-        check_choice("viewers", who, names)
+            return checks.check_integer("viewers", who, 0, len(names) - 1)
+        checks.check_choice("viewers", who, names)
         return names.index(who)
 
     def occupied_cells(self) -> dict[Cell, CellContents]:
@@ -176,12 +169,12 @@ def rgb(
         If `cell` is below 1 (20 with numbers) or gives too large a picture, `fov` is even, or a
         viewer is unknown.
     """
-    check_instance("scene", scene, Scene)
-    fov = check_integer("fov", fov, 1)
+    checks.check_instance("scene", scene, Scene)
+    fov = checks.check_integer("fov", fov, 1)
     if fov % 2 == 0:
         raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
-    agents = [scene.agent(each) for each in check_sequence("viewers", viewers, "agents")]
-    least = SMALLEST_NUMBERED if check_bool("numbers", numbers) else 1
+    agents = [scene.agent(each) for each in checks.check_sequence("viewers", viewers, "agents")]
+    least = SMALLEST_NUMBERED if checks.check_bool("numbers", numbers) else 1
     picture = _Picture(scene, Layout.of(scene.shape, cell, least=least), numbers)
     for agent in agents:
         picture.draw_view(agent, fov // 2)
@@ -443,9 +436,9 @@ def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
     ValueError
         If `color` is unknown, or `compact` is combined with "none".
     """
-    check_instance("scene", scene, Scene)
-    check_choice("color", color, MODES)
-    if check_bool("compact", compact) and color == "none":
+    checks.check_instance("scene", scene, Scene)
+    checks.check_choice("color", color, MODES)
+    if checks.check_bool("compact", compact) and color == "none":
         raise ValueError("compact: expected color 'true' or '256', got 'none'")
     glyphs = ASCII if color == "none" else UNICODE
     pursuers, evaders = scene.team_sizes()

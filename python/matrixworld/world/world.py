@@ -20,9 +20,8 @@ from matrixworld.world.arrays import (
     positions_of,
     python_value,
 )
-from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.config import MapLike, WorldConfig, WorldSettings, read_map
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
-from matrixworld.world.maps import MapLike, read_map
 from matrixworld.world.policy import EnginePolicy, check_agents, check_team
 from matrixworld.world.render import Scene
 from matrixworld.world.rules import Rules
