@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, shown
-from matrixworld._util.files import DamagedFileError, load_arrays, parse_json, replacing
+from matrixworld._util.files import DamagedFileError, load_arrays, read_json, replacing
 from matrixworld.world.conflicts import Conflict, conflict_of
 from matrixworld.world.render import MARK_STEPS, Scene
 
@@ -213,7 +213,7 @@ class Episode:
         try:
             return cls(
                 n_pursuers=int(entries["n_pursuers"]),
-                config=parse_json(path, str(entries["config"])),
+                config=read_json(path, str(entries["config"])),
                 seat=int(entries["seat"]) if "seat" in entries else None,
                 **arrays,
             )

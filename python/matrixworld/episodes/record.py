@@ -218,6 +218,7 @@ class Notebook:
         self._run: Any = None  # execution count of the cell that shows it
 
     def show(self, scene: Scene) -> None:
+        """Show a scene."""
         data = {"image/png": png(scene)}
         if self._run == self._shell.execution_count:
             self._handle.update(data, raw=True)
@@ -235,6 +236,7 @@ class Text:
         self._start = WRAP_OFF + CLEAR
 
     def show(self, scene: Scene) -> None:
+        """Show a scene."""
         if not self.watched:
             self._stream.write(ansi(scene, color="none") + "\n\n")
             return
