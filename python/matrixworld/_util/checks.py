@@ -27,12 +27,6 @@ SEED_MAX = 2**64 - 1
 MOST_THREADS = 1024
 """The most threads that anything may use."""
 
-EPISODE_BYTES = 240
-"""Statistics of an episode, as `rollout` holds them until it returns: twice."""
-
-PAYOFF_BYTES = 90
-"""What a tournament keeps of an episode until its end."""
-
 _LONGEST = 100  # characters of a value in a message
 _OWN_GROUP = Path("/proc/self/cgroup")
 _GROUPS = Path("/sys/fs/cgroup")  # control groups (Linux, version 2)
@@ -53,11 +47,7 @@ def shown(value: object) -> str:
 
 
 def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MAX) -> int:
-    """Return an integer argument as an int; `low` and `high` are the legal limits.
-
-    Anything that Python takes for an index is an integer, but no bool. The default limits are those
-    of the engine.
-    """
+    """Return an argument that Python takes for an index, but no bool, as an int within limits."""
     if isinstance(value, bool | np.bool_):
         raise TypeError(f"{name}: expected an integer, got {shown(value)}")
     try:
@@ -99,8 +89,7 @@ def check_floats(
 ) -> NDArray[Any]:
     """Return real numbers as a new array of a float dtype.
 
-    TypeError or ValueError for text, complex numbers, rows of different lengths, masked cells, and
-    what has no order, such as a set.
+    Refused are text, complex numbers, rows of different lengths, masked cells, sets and mappings.
     """
     expected = f"{name}: expected an array of numbers, got"
     if isinstance(given, Set | Mapping):
@@ -135,7 +124,7 @@ def _no_number(given: ArrayLike) -> str:
 
 
 def check_bool(name: str, value: Any) -> bool:
-    """Return an argument that must be True or False; raise TypeError for anything else."""
+    """Return an argument that must be True or False."""
     if not isinstance(value, bool):
         raise TypeError(f"{name}: expected True or False, got {shown(value)}")
     return value
@@ -169,10 +158,7 @@ ELSEWHERE = {"num_envs": "n_worlds", "max_cycles": "max_steps"}
 
 
 def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[..., Any]) -> None:
-    """Raise TypeError for a keyword argument that is unknown, and name the nearest one.
-
-    `of` is what was called; messages name its own parameters, too.
-    """
+    """Raise TypeError for an unknown keyword argument of a call, and name the nearest one."""
     legal = set(known)
     unknown = [name for name in given if name not in legal]
     if unknown:
@@ -181,11 +167,9 @@ def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[...,
         nearest = get_close_matches(unknown[0], sorted(legal), 1)
         nearest = [name for name in [ELSEWHERE.get(unknown[0])] if name in legal] or nearest
         meant = f"; did you mean {nearest[0]}?" if nearest else ""
-        names = ", ".join(sorted(legal))
         # In Python's words, by which libraries know that they may try again without it.
-        raise TypeError(
-            f"got an unexpected keyword argument {unknown[0]!r}{meant}; expected some of {names}"
-        )
+        got = f"got an unexpected keyword argument {unknown[0]!r}{meant}"
+        raise TypeError(f"{got}; expected some of {', '.join(sorted(legal))}")
 
 
 def check_threads(threads: int | None) -> int:
@@ -196,10 +180,7 @@ def check_threads(threads: int | None) -> int:
 def check_integers(
     name: str, given: ArrayLike, dtype: type[np.integer[Any]], low: int | None = 0
 ) -> NDArray[Any]:
-    """Return integers from `low` (None: the smallest) to the largest of a dtype as a new array.
-
-    TypeError or ValueError as `check_integer`.
-    """
+    """Return integers from `low` (None: the smallest) to the largest of a dtype as a new array."""
     limits = np.iinfo(dtype)
     least, most = int(limits.min) if low is None else low, int(limits.max)
     if isinstance(given, np.ma.MaskedArray):
@@ -222,13 +203,10 @@ def check_integers(
 def usable_cores() -> int:
     """Return the number of cores that this process may use, the default number of threads.
 
-    These are the cores of the process's CPU affinity, or fewer where its control groups allow less
-    time, as in a container with a CPU limit.
+    These are the cores of its CPU affinity, or fewer in a container with a limit of CPU time.
     """
-    if hasattr(os, "sched_getaffinity"):
-        cores = len(os.sched_getaffinity(0))
-    else:
-        cores = os.cpu_count() or 1
+    has_affinity = hasattr(os, "sched_getaffinity")
+    cores = len(os.sched_getaffinity(0)) if has_affinity else os.cpu_count() or 1
     return max(1, min(cores, MOST_THREADS, ceil(control_group_cores())))
 
 
@@ -253,10 +231,10 @@ def check_memory(what: str, **parts: float) -> None:
     needed, available = sum(parts.values()), available_memory()
     if available is not None and needed > available:
         largest = max(parts, key=parts.__getitem__)
+        wanted, has, most = (size / 10**9 for size in (needed, available, parts[largest]))
         raise OutOfMemoryError(
-            f"{what}: expected to need at most {available / 10**9:,.1f} GB of memory, which are "
-            f"available, got an estimate of {needed / 10**9:,.1f} GB, of which {largest}: "
-            f"{parts[largest] / 10**9:,.1f} GB"
+            f"{what}: expected to need at most {has:,.1f} GB of memory, which are available, got "
+            f"an estimate of {wanted:,.1f} GB, of which {largest}: {most:,.1f} GB"
         )
 
 

@@ -1,15 +1,8 @@
 """Colours of figures and drawings, safe for colour-blind readers.
 
-They are strings ``"#RRGGBB"``, which Matplotlib, Pillow and HTML understand. This module imports
-nothing, so that figures and renderers can share it.
-
-References
-----------
-M. Okabe and K. Ito (2008). Color universal design: how to make figures and presentations that are
-friendly to colorblind people.
+Strings ``"#RRGGBB"``, after Okabe and Ito 2008, "Color universal design: how to make figures and
+presentations that are friendly to colorblind people".
 """
-
-from __future__ import annotations
 
 ORANGE = "#E69F00"
 SKY_BLUE = "#56B4E9"

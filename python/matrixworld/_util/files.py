@@ -1,9 +1,7 @@
 """Files that are complete or refused: atomic writes and locks.
 
-`replacing` writes a file under a temporary name in the same directory, syncs and renames it. After
-a crash the directory holds the old file or the new one, never a part of one. Arrays are npz files,
-whose zip format finds what is cut or altered; a JSON file that is cut is no JSON any more. Nothing
-is pickled or unpickled.
+After a crash a directory holds the old file or the new one, never a part of one. Arrays are npz
+files, whose zip format finds what is cut or altered. Nothing is pickled or unpickled.
 """
 
 from __future__ import annotations
@@ -139,8 +137,7 @@ def read_content(path: Path) -> bytes:
 def read_text(path: Path, kind: str) -> str:
     """Return the content of a file of text, with newlines at the ends of lines.
 
-    DamagedFileError, which names its kind, if it is no text in UTF-8, with a byte order mark or in
-    Windows-1252.
+    DamagedFileError if it is no text in UTF-8, with a byte order mark or in Windows-1252.
     """
     content = read_content(path)
     marked = [name for mark, name in BYTE_ORDER_MARKS.items() if content.startswith(mark)]
@@ -153,30 +150,22 @@ def read_text(path: Path, kind: str) -> str:
     raise DamagedFileError(path, problem)
 
 
-def read_json(path: Path) -> dict[str, Any]:
-    """Return the object in a JSON file; DamagedFileError if there is none."""
-    return parse_json(path, read_content(path))
-
-
-def parse_json(path: Path, text: str | bytes) -> dict[str, Any]:
-    """Return the object in a JSON text that the file `path` holds, as `read_json`."""
+def read_json(path: Path, text: str | None = None) -> dict[str, Any]:
+    """Return the object in a JSON file, or in a text that it holds, or raise DamagedFileError."""
+    content = read_content(path) if text is None else text
     try:
-        values = json.loads(text)
+        values = json.loads(content)
     except (RecursionError, ValueError) as error:
         raise DamagedFileError(path, f"cut or altered, expected JSON ({error})") from error
     if not isinstance(values, dict):
-        problem = f"altered, expected a JSON object, got a {type(values).__name__}"
-        raise DamagedFileError(path, problem)
+        got = type(values).__name__
+        raise DamagedFileError(path, f"altered, expected a JSON object, got a {got}")
     return values
 
 
-def load_arrays(path: Path) -> Arrays:
-    """Return the arrays of an npz file; DamagedFileError if it is cut or altered."""
-    return parse_npz(path, read_content(path))
-
-
-def parse_npz(path: Path, content: bytes) -> Arrays:
-    """Return the arrays in the content of an npz file, as `load_arrays`."""
+def load_arrays(path: Path, content: bytes | None = None) -> Arrays:
+    """Return the arrays of an npz file, or of its content; DamagedFileError if it is altered."""
+    content = read_content(path) if content is None else content
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             names = archive.namelist()
@@ -189,8 +178,7 @@ def parse_npz(path: Path, content: bytes) -> Arrays:
                 for name in names
             }
     except UNREADABLE as error:
-        problem = f"cut, altered or not an npz file ({error})"
-        raise DamagedFileError(path, problem) from error
+        raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
 
 
 # Writing:
@@ -208,7 +196,6 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """Yield a file to write to, which takes its name when it is complete and on the disk.
 
     An older file of that name is replaced in one step; the new file has its permissions.
-    FileExistsError as `check_replaceable`.
     """
     target = Path(path)
     check_replaceable(target)
@@ -247,16 +234,10 @@ def _sync_directory(path: Path) -> None:
         os.close(handle)
 
 
-def is_temporary(name: str) -> bool:
-    """Return whether `name` is that of a file that is being written."""
-    return name.startswith(".") and name.endswith(TEMPORARY)
-
-
 def remove_temporary_files(path: Path) -> None:
     """Remove the incomplete files that killed writers left in a directory."""
-    for left in path.iterdir():
-        if is_temporary(left.name):
-            left.unlink(missing_ok=True)
+    for left in path.glob(f".*{TEMPORARY}"):
+        left.unlink(missing_ok=True)
 
 
 def save_arrays(path: Path, arrays: Mapping[str, ArrayLike]) -> None:

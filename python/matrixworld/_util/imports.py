@@ -79,7 +79,7 @@ class ImportedWith(MetaPathFinder):
     def find_spec(
         self, fullname: str, path: Any = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return the specification of a library, whose loader imports the module afterwards."""
+        """Return the specification of a library, whose loader also imports the module."""
         if fullname not in self.libraries:
             return None
         finders = [finder for finder in sys.meta_path if finder is not self]

@@ -57,11 +57,7 @@ class Readable:
 
 
 def plain_values(value: Any) -> Any:
-    """Return a result as dictionaries, lists, numbers, strings and None, nested as needed.
-
-    Dataclasses and named tuples become dictionaries by field, arrays and tuples lists. Numbers that
-    are not finite become None, since JSON cannot represent them.
-    """
+    """Return a result as JSON holds it: nested dictionaries and lists; None where not finite."""
     if is_dataclass(value):
         return {item.name: plain_values(getattr(value, item.name)) for item in fields(value)}
     if hasattr(value, "_asdict"):  # a named tuple; before tuples, which lose the names
@@ -83,10 +79,7 @@ def matrix_table(matrix: NDArray[Any]) -> Table:
 
 
 def table_lines(rows: Table, align: str) -> list[list[str]]:
-    """Return the lines of each row, with cells in columns; a cell may have several lines.
-
-    `align` has a format character for each column: ``"<"`` left, ``">"`` right.
-    """
+    """Return the lines of each row, with columns aligned left (``<``) or right (``>``)."""
     columns = zip(*rows, strict=True)
     widths = [max(len(line) for cell in c for line in cell.split("\n")) for c in columns]
     return [

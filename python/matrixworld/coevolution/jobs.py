@@ -30,14 +30,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util.checks import (
-    EPISODE_BYTES,
-    PAYOFF_BYTES,
-    check_instance,
-    check_memory,
-    check_threads,
-    shown,
-)
+from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
 from matrixworld._util.files import DamagedFileError, sentence_of
 from matrixworld._util.imports import HAS_PROCESSES
 from matrixworld.coevolution.learners.learner import table_length
@@ -283,8 +276,8 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
         # A file of it is made in memory.
         "archive": 4 * teams * schedule.entries * 4 * genes,
         "noise": teams * 4 * table_length(genes),
-        "episodes": EPISODE_BYTES * episodes,
-        "payoff": PAYOFF_BYTES * pairs * settings.evaluation_episodes,
+        "episodes": 240 * episodes,  # twice their statistics, as `rollout` holds them
+        "payoff": 90 * pairs * settings.evaluation_episodes,  # what a tournament keeps
     }
     if any("fitness" in each.ignores for each in learners):  # views, for actor and critic
         agents = max(settings.world.n_pursuers, settings.world.n_evaders)

@@ -54,16 +54,8 @@ The same keys for every agent at every step, as plain values:
 
 ## Arguments
 
-``rows=40, cols=40, n_pursuers, n_evaders`` (8 and 30; 20 and 5 where capture is by surrounding),
-``fov=11, diagonal=False, max_steps=500`` (or ``max_cycles``), ``obstacles`` (a share of the cells, or a
-map), ``rewards``, ``render_mode`` (``"human"``, ``"rgb_array"``, ``"ansi"``), ``record``,
-``action_mask``. ``pursuers`` or ``evaders`` name what plays one of the teams, whose agents are then not in
-``possible_agents``: a script, a held-out opponent, a run directory, a policy, or a list of which each
-episode draws one.
-
-``reset(seed=, options=)`` takes ``pursuers`` and ``evaders`` (positions), ``obstacles`` (a map) and
-``episode``. The attribute ``opponents`` of an environment with a built-in team sets what plays for it in the
-episodes that begin from then on.
+Those of `parallel_env`; `World.reset` takes the ``options`` of a reset. The attribute ``opponents`` of an
+environment with a built-in team sets what plays for it in the episodes that begin from then on.
 """  # noqa: E501  (a table's row is one line)
 
 from __future__ import annotations

@@ -19,10 +19,10 @@ from matrixworld._util.checks import check_sequence
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.network_policy import NetworkPolicy, check_fits
 from matrixworld.solve import solve
-from matrixworld.world.arrays import integers
+from matrixworld.world.arrays import check_shape, integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.masks import check_script
+from matrixworld.world.masks import ActionMasks, check_script
 from matrixworld.world.policy import SCRIPTS, Population, TablePolicy
 from matrixworld.world.world import World
 
@@ -46,24 +46,23 @@ _PURPOSE = 2**32
 
 
 class BuiltInTeam:
-    """The team that an environment of W worlds plays itself.
+    """The team of `agents` that an environment of W worlds plays itself, against `learners`.
 
-    `agents` are its agents, `learners` those of the other team. `opponents` is what can play for
-    it. `playing` is the opponent of each world's episode, which opponents that are set later do not
-    change; `chosen`, int64 (W,), was its place in `opponents`.
+    `playing` is the opponent of each world's episode; `chosen`, (W,), was its place in `opponents`.
     """
 
     def __init__(
         self, team: Team, opponents: Opponents, config: WorldConfig, n_worlds: int = 1
     ) -> None:
-        self.agents, self.learners = own_and_other(team, config)
+        teams = range(config.n_pursuers), range(config.n_pursuers, config.n_agents)
+        self.agents, self.learners = teams if team == "pursuer" else teams[::-1]
         self._team, self._config = team, config
         self.opponents = self.resolve(opponents)
         self.chosen = np.zeros(n_worlds, np.int64)
         self.playing: list[Plays] = [self.opponents[0]] * n_worlds
 
     def resolve(self, opponents: Opponents) -> tuple[Plays, ...]:
-        """Return opponents in the form that is played; raises as the class does."""
+        """Return opponents in the form that is played."""
         name = f"{self._team}s"
         found = [
             policy
@@ -90,18 +89,15 @@ class BuiltInTeam:
             return
         if not callable(policy):
             world.decide(policy, acting, actions)
-            return
-        living = np.array(acting)[world.alive[acting]]
-        if living.size:
+        elif (living := np.array(acting)[world.alive[acting]]).size:
             views = world.views()[living]
             actions[living] = checked_actions(policy, views, self._config.n_actions)
 
 
 class BuiltInWorlds(BuiltInTeam):
-    """A built-in team in all worlds of a batch.
+    """A built-in team in all worlds of a batch; ended ones wait for a step or a reset, or do not.
 
-    `waits`: whether a world whose episode has ended waits for the next step or for a reset. `last`,
-    int64 (W,), is the place in `opponents` of the opponent in each world's last ended episode.
+    `last`, (W,), is the place in `opponents` of the opponent in each world's last ended episode.
     """
 
     def __init__(self, team: Team, opponents: Opponents, batch: Batch, waits: bool) -> None:
@@ -130,28 +126,20 @@ class BuiltInWorlds(BuiltInTeam):
     def actions(self, given: ArrayLike) -> NDArray[np.int64]:
         """Return the actions of all agents, (W, A), with those of the caller's agents given."""
         chosen = integers("actions", given)
-        expected = (len(self._actions), len(self.learners))
-        if chosen.shape != expected:
-            raise ValueError(f"actions: expected shape {expected}, got {chosen.shape}")
+        check_shape("actions", chosen, len(self._actions), len(self.learners))
         self._actions[:, self.learners.start : self.learners.stop] = chosen
         engine = [None if callable(policy) else policy for policy in self._policies]
         self._batch.decide(engine, self._numbers, self.agents, self._actions)
-        for number, policy in enumerate(self._policies):
-            if callable(policy):
-                asked = self._acting() & (self._numbers == number)[:, None]
-                if asked.any():
-                    views = self._buffers["views"][asked]
-                    n_actions = self._config.n_actions
-                    self._actions[asked] = checked_actions(policy, views, n_actions)
-        return self._actions
-
-    def _acting(self) -> NDArray[np.bool_]:
-        """Return which agents of the team act now, bool (W, A)."""
         acting = np.zeros_like(self._buffers["alive"])
         acting[:, self.agents] = self._buffers["alive"][:, self.agents]
         if self._waits:
             acting[self._buffers["terminated"] | self._buffers["truncated"]] = False
-        return acting
+        for number, policy in enumerate(self._policies):
+            asked = acting & (self._numbers == number)[:, None]
+            if callable(policy) and asked.any():
+                views, n_actions = self._buffers["views"][asked], self._config.n_actions
+                self._actions[asked] = checked_actions(policy, views, n_actions)
+        return self._actions
 
     def note_step(self) -> None:
         """Draw opponents of the episodes that the batch began by itself; call it after a step."""
@@ -160,12 +148,6 @@ class BuiltInWorlds(BuiltInTeam):
         begun = (self._keys() != self._episodes).any(axis=0)
         if begun.any():
             self.begin(begun)
-
-
-def own_and_other(team: Team, config: WorldConfig) -> tuple[range, range]:
-    """Return the numbers of a team's agents, and those of the other team."""
-    teams = range(config.n_pursuers), range(config.n_pursuers, config.n_agents)
-    return teams if team == "pursuer" else teams[::-1]
 
 
 def one_team(
@@ -182,10 +164,20 @@ def one_team(
     return None if evaders is None else ("evader", evaders)
 
 
-class HasOpponents:
-    """An environment that may play a team itself."""
+class PlaysTeam:
+    """What environments of one world and of many share: settings, and a team that they play."""
 
     _team: BuiltInTeam | None = None
+
+    def _set_up(
+        self, config: Any, changes: Any, action_mask: bool | str, mode: str | None, *modes: str
+    ) -> None:
+        if mode not in (None, *modes):
+            raise ValueError(f"render_mode: expected None or one of {modes}, got {mode!r}")
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self._masks = ActionMasks(action_mask, self.config)
+        self.render_mode = mode
+        self.metadata: dict[str, Any] = {"render_modes": list(modes), "render_fps": 10}
 
     @property
     def opponents(self) -> tuple[Plays, ...]:
@@ -237,14 +229,11 @@ def _named(name: str, team: Team, given: str | Path, config: WorldConfig) -> Pop
     from matrixworld.coevolution import held_out
     from matrixworld.coevolution.storage import last_generation
 
-    evolved = {
-        each: policy
-        for each, policy in held_out(team, config.rules).items()
-        if isinstance(policy, Population)
-    }
+    known = held_out(team, config.rules).items()
+    evolved = {each: policy for each, policy in known if isinstance(policy, Population)}
     if str(given) in evolved:
         return evolved[str(given)]
     if not str(given) or not Path(given).is_dir():  # an empty path is the current directory
-        known = ", ".join([*SCRIPTS, SOLVED, *evolved])
-        raise ValueError(f"{name}: expected one of {known}, or a run directory, got {str(given)!r}")
+        names = ", ".join([*SCRIPTS, SOLVED, *evolved])
+        raise ValueError(f"{name}: expected one of {names}, or a run directory, got {str(given)!r}")
     return last_generation(given, team)

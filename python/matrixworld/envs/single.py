@@ -17,12 +17,11 @@ from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWr
 from typing_extensions import Unpack
 
 from matrixworld._util import checks
-from matrixworld.envs.opponents import BuiltInTeam, HasOpponents, Opponents, one_team
+from matrixworld.envs.opponents import BuiltInTeam, Opponents, PlaysTeam, one_team
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Drawing
 from matrixworld.world.arrays import WORLD_FIELDS, WorldArrays, python_value
 from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
-from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
 
@@ -48,11 +47,7 @@ OPTIONS = ("episode", "pursuers", "evaders", "obstacles")
 
 
 class Status(WorldArrays):
-    """Results of the last step for all agents at once, as fresh arrays: see `array_specs`.
-
-    Pursuers come before evaders. An agent keeps its index when others are gone. `World.reset`
-    accepts `seed` and `episode`.
-    """
+    """Results of the last step for all agents, as fresh arrays: see `array_specs`."""
 
     def __init__(self, world: World) -> None:
         arrays = world.read(*(WORLD_FIELDS.keys() - {"views", "state"}))
@@ -91,12 +86,9 @@ class Status(WorldArrays):
         return [dict(zip(of_agents, row, strict=True)) | of_all for row in rows]
 
 
-class MatrixWorldBase(HasOpponents):
+class MatrixWorldBase(PlaysTeam):
     """What both environments share; `MatrixWorldParallel` tells its arguments and attributes."""
 
-    world: World
-    possible_agents: list[str]
-    render_mode: str | None
     _actions: NDArray[np.int64]
 
     def __init__(
@@ -112,27 +104,17 @@ class MatrixWorldBase(HasOpponents):
         **changes: Unpack[WorldSettings],
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
-        if render_mode not in (None, *RENDER_MODES):
-            raise ValueError(
-                f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
-            )
         limited = with_limit("max_cycles", max_cycles, changes)
-        self.config: WorldConfig = WorldConfig.of(config, **limited)
-        self._masks = ActionMasks(action_mask, self.config)
+        self._set_up(config, limited, action_mask, render_mode, *RENDER_MODES)
         self.world = World(self.config)
-        self.render_mode = render_mode
-        self.metadata: dict[str, Any] = {
-            "name": f"pursuit_evasion_{variant_name(self.config.rules).lower() or 'custom'}_v0",
-            "render_modes": list(RENDER_MODES),
-            "render_fps": 10,
-            "is_parallelizable": True,
-        }
+        variant = variant_name(self.config.rules).lower() or "custom"
+        self.metadata |= {"name": f"pursuit_evasion_{variant}_v0", "is_parallelizable": True}
         built_in = one_team(pursuers, evaders)
         self._team = None if built_in is None else BuiltInTeam(*built_in, self.config)
         played = range(self.config.n_agents) if self._team is None else self._team.learners
         self._names = {agent: self.config.agent_name(agent) for agent in played}
         self._index = {name: agent for agent, name in self._names.items()}
-        self.possible_agents = list(self._index)
+        self.possible_agents: list[str] = list(self._index)
         self.agents: list[str] = []
         kept = checks.check_bool("record", record) or render_mode is not None
         self._drawing = Drawing(self.world, render_mode) if kept else None
@@ -165,7 +147,7 @@ class MatrixWorldBase(HasOpponents):
 
     @property
     def np_random(self) -> np.random.Generator:
-        """A generator for wrappers that draw, seeded by `reset`; the world never uses it."""
+        """A generator for wrappers that draw; `reset` seeds it, and the world never uses it."""
         if self._np_random is None:
             self._np_random = np.random.default_rng(self.world.seed)
         return self._np_random
@@ -176,7 +158,7 @@ class MatrixWorldBase(HasOpponents):
         return Status(self.world)
 
     def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[Info]:
-        """Return the info of each agent, in which `views` are what the agents see now."""
+        """Return the info of each agent, by what the agents see now."""
         infos = status.infos()
         if self._masks.given:
             for info, mask in zip(infos, self._masks.of(views), strict=True):
@@ -206,16 +188,16 @@ class MatrixWorldBase(HasOpponents):
             self._drawing.show()
 
     def _note_round(self) -> None:
-        """Record and show the round that was just played."""
         if self._drawing is not None:
             self._drawing.note(self._actions)
             self._drawing.show()
 
-    def _chosen(self, agent: str, action: Any) -> int:
-        return checks.check_integer(f"action of {agent}", action, 0, self.config.n_actions - 1)
+    def _choose(self, agent: str, action: Any) -> None:
+        most = self.config.n_actions - 1
+        chosen = checks.check_integer(f"action of {agent}", action, 0, most)
+        self._actions[self._index[agent]] = chosen
 
     def _decide(self, actions: NDArray[np.int64], agents: range) -> None:
-        """Write the actions of the team that the environment plays itself, if it plays one."""
         if self._team is not None:
             self._team.decide(self.world, agents, actions)
 
@@ -225,10 +207,7 @@ class MatrixWorldBase(HasOpponents):
         return None if self._team is None else int(self._team.chosen[0])
 
     def render(self) -> NDArray[np.uint8] | str | None:
-        """Draw the present moment: pixels (height, width, 3) uint8 or a text; None for "human".
-
-        ValueError if the environment has no render mode, RuntimeError before the first reset.
-        """
+        """Draw the present moment: pixels (height, width, 3) uint8 or a text; None for "human"."""
         if self.render_mode is None or self._drawing is None:
             raise ValueError(f"render_mode: expected one of {RENDER_MODES}, got None")
         self._require_begun()
@@ -240,10 +219,7 @@ class MatrixWorldBase(HasOpponents):
 
     @property
     def recorded(self) -> Episode:
-        """The episode so far, to `replay` or save.
-
-        RuntimeError before the first reset, and if steps are not kept (see ``record``).
-        """
+        """The episode so far, to `replay` or save; RuntimeError if steps are not kept."""
         if self._drawing is None:
             raise RuntimeError("no episode was kept: make the environment with record=True")
         self._require_begun()
@@ -251,12 +227,15 @@ class MatrixWorldBase(HasOpponents):
 
 
 class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type: ignore[misc]
-    """An environment in which all agents act at once.
+    """Environment of PettingZoo's parallel API: all agents act at once.
+
+    Where the rules take turns, a step plays a round with actions that were chosen before it.
 
     Parameters
     ----------
     config : WorldConfig, Rules or str, optional
-        The settings, the rules, or the name of a variant. The default is ``"O"``.
+        The settings, the rules, or the name of a variant such as ``"O"`` (the default) or
+        ``"pursuit-evasion-o"``.
     render_mode : {None, "human", "rgb_array", "ansi"}, optional
         "human" shows every step in a notebook's output or the terminal. "rgb_array" returns
         pictures, uint8 of shape (height, width, 3); "ansi" returns text.
@@ -264,15 +243,14 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         Whether to keep every step for `recorded`. With a render mode steps are always kept.
     action_mask : bool or str, optional
         Whether infos have an ``action_mask``, int8 of shape (n_actions,): 1 for allowed actions.
-        True or "obstacles": for moves that run into neither an obstacle nor the border; needs a
-        `fov` of at least 3. "right-of-way": for moves that cannot put the agent at fault if its
-        teammates keep to their masks, too; needs a `fov` of at least 5. The default is False.
+        True or "obstacles" allows moves that run into neither an obstacle nor the border (`fov` at
+        least 3); "right-of-way" those that cannot put the agent at fault if its teammates keep to
+        their masks, too (`fov` at least 5). The default is False.
     max_cycles : int, optional
         Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
     pursuers, evaders : Opponents, optional
-        What plays for one of the teams, if the environment plays it itself; see
-        `matrixworld.envs.opponents`. Each episode draws one of several. Agents of that team are not
-        in `possible_agents`. By default the caller plays both teams.
+        What plays for one of the teams, see `matrixworld.envs.opponents`: one of several is drawn
+        for each episode. Its agents are not in `possible_agents`. By default the caller plays both.
     **changes
         Fields of `WorldConfig` to change.
 
@@ -307,17 +285,9 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
     ) -> tuple[dict[str, View], dict[str, Info]]:
         """Start an episode, and return observations and infos by the name of the agent.
 
-        Parameters
-        ----------
-        seed : int, optional
-            Seed of the episode, 0 to 2**64 - 1. Without it the next episode of the present seed
-            starts. The first seed is drawn from the operating system.
-        options : mapping, optional
-            Arguments of `World.reset` under the keys of `OPTIONS`: ``pursuers`` and ``evaders``
-            (cells, shape (n, 2)), ``obstacles`` (a map), ``episode`` (a number). Other keys are
-            ignored with a warning.
-
-        ValueError or TypeError as `World.reset`; the environment then stays as it was.
+        Without a seed the next episode of the present seed starts; the first one is drawn from the
+        operating system. `options` are arguments of `World.reset`, under the keys of `OPTIONS`;
+        others are ignored with a warning. If it is refused, the environment stays as it was.
         """
         self._reset_world(seed, options)
         views = self.world.views()
@@ -327,41 +297,23 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
     def step(
         self, actions: Mapping[str, Any]
     ) -> tuple[
-        dict[str, View],
-        dict[str, float],
-        dict[str, bool],
-        dict[str, bool],
-        dict[str, Info],
+        dict[str, View], dict[str, float], dict[str, bool], dict[str, bool], dict[str, Info]
     ]:
-        """Play a round.
+        """Play a round; `actions` are those of `agents`, by name.
 
-        Parameters
-        ----------
-        actions : mapping of str to int
-            An action for each of `agents`. Those of agents that are gone are ignored.
-
-        Returns
-        -------
-        observations, rewards, terminations, truncations, infos : dict
-            By the name of the agent, for all that acted. An agent that disappears in this step
-            observes zeros, terminates, and leaves `agents`.
-
-        Raises
-        ------
-        RuntimeError
-            If there are actions although the episode has ended. A step without actions then returns
-            five empty dicts, because wrappers of PettingZoo rely on it.
-        ValueError, TypeError
-            For a bad or missing action or an unknown agent. Nothing has changed then.
+        Returns observations, rewards, terminations, truncations and infos by the name of the agent,
+        for all that acted. An agent that disappears in this step observes zeros, terminates, and
+        leaves `agents`. RuntimeError if the episode has ended; ValueError or TypeError, and no
+        change, for a bad or missing action or an unknown agent.
         """
         if not self.agents:
             if actions or not self._seeded:
                 raise RuntimeError("the episode has ended, or never began: call reset()")
-            return {}, {}, {}, {}, {}
+            return {}, {}, {}, {}, {}  # on which wrappers of PettingZoo rely
         acting = self.agents
-        committed = self._committed(actions)
-        self._decide(committed, range(self.config.n_agents))
-        self.world.step(committed)
+        self._choose_all(actions)
+        self._decide(self._actions, range(self.config.n_agents))
+        self.world.step(self._actions)
         self._note_round()
         status, views = Status(self.world), self.world.views()
         observations = self._by_agent(acting, views)
@@ -373,7 +325,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         self.agents: list[str] = [a for a in acting if not (terminations[a] or truncations[a])]
         return observations, rewards, terminations, truncations, infos
 
-    def _committed(self, actions: Mapping[str, Any]) -> NDArray[np.int64]:
+    def _choose_all(self, actions: Mapping[str, Any]) -> None:
         if not isinstance(actions, Mapping):
             raise TypeError(
                 f"actions: expected a mapping by names of agents, got {checks.shown(actions)}"
@@ -386,19 +338,13 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
             raise ValueError(f"actions: expected names of agents, got {unknown}")
         self._actions = np.zeros(self.config.n_agents, np.int64)
         for agent in self.agents:
-            self._actions[self._index[agent]] = self._chosen(agent, actions[agent])
-        return self._actions
+            self._choose(agent, actions[agent])
 
 
 class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[misc]
-    """An environment in which one agent acts after the other.
+    """An environment in which one agent acts after the other, with arguments of `parallel_env`.
 
     Actions are collected until all agents of a turn have chosen; then the turn is played.
-
-    Parameters
-    ----------
-    config, **settings
-        As for `MatrixWorldParallel`.
     """
 
     agent_selection: str
@@ -435,9 +381,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
     def step(self, action: Any) -> None:
         """Choose the action of `agent_selection`; the last choice of a turn plays the turn.
 
-        The action of an agent that has terminated or is truncated is None. If an action is refused
-        (ValueError out of range, TypeError if it is no integer), nothing has changed. RuntimeError
-        if the episode has ended.
+        The action of an agent that has ended is None. If one is refused, nothing has changed.
         """
         if not self.agents:
             raise RuntimeError("the episode has ended, or never began: call reset()")
@@ -445,7 +389,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         if self.terminations[agent] or self.truncations[agent]:
             self._was_dead_step(action)
             return
-        self._actions[self._index[agent]] = self._chosen(agent, action)
+        self._choose(agent, action)
         self._cumulative_rewards[agent] = 0.0
         self._clear_rewards()
         if self._to_commit:
@@ -468,11 +412,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
             self._note_round()
 
     def _play_until_actors(self) -> None:
-        """Play turns in which no living agent of the caller acts, and select those that act next.
-
-        They are turns of agents that are gone, which PettingZoo never asks to act, and of the team
-        that the environment plays itself.
-        """
+        """Play turns of agents that are gone or built in, and select those that act next."""
         ended: list[Status] = []
         while not (actors := self._living_actors()):
             if self.world.turn == 0 and (self.world.terminated or self.world.truncated):
@@ -495,29 +435,13 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self.infos |= self._by_agent(self.agents, self._infos(status, self._views))
 
     def _living_actors(self) -> list[str]:
-        """Return the caller's living agents of the next turn; none when the world is terminated."""
         if self.world.terminated:
             return []
         alive, actors = self.world.alive, self.world.actors
         return [self._names[i] for i in actors if i in self._names and alive[i]]
 
 
-def parallel_env(
-    config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
-) -> MatrixWorldParallel:
-    """Make an environment of PettingZoo's parallel API: all agents act at once.
-
-    Where the rules take turns, a step plays a whole round with actions that were all chosen before
-    it.
-
-    Parameters
-    ----------
-    config : WorldConfig, Rules or str, optional
-        The world, its rules, or the name of a variant such as ``"O"`` or ``"pursuit-evasion-o"``.
-    **settings
-        Arguments of `MatrixWorldParallel`, and fields of `WorldConfig` to change.
-    """
-    return MatrixWorldParallel(config, **settings)
+parallel_env = MatrixWorldParallel
 
 
 def aec_env(
@@ -526,14 +450,9 @@ def aec_env(
     """Make an environment of PettingZoo's AEC API: one agent acts after the other.
 
     Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
-    Where they do not, agents only choose one after the other; the round is played when the last
-    agent has chosen. The environment is in the usual wrappers of PettingZoo, which refuse actions
-    out of range and calls out of order.
-
-    Parameters
-    ----------
-    config, **settings
-        As for `parallel_env`.
+    Where they do not, agents only choose one after the other, and the last choice plays the round.
+    Takes `config` and `settings` as `parallel_env` does. PettingZoo's wrappers around it refuse
+    actions out of range and calls out of order.
     """
     env: MatrixWorldAEC = OrderEnforcingWrapper(
         AssertOutOfBoundsWrapper(MatrixWorldAEC(config, **settings))
@@ -548,25 +467,18 @@ class AgentEnv(gymnasium.Env[Any, Any]):
 
     Parameters
     ----------
-    config : WorldConfig, Rules or str, optional
-        The world, its rules, or the name of a variant. The default is ``"O"``.
+    config, **settings
+        As for `parallel_env`.
     agent : str, optional
         The agent that the caller plays, such as ``"evader_2"``. The default is ``"pursuer_0"``.
     pursuers, evaders : Opponents, optional
-        What plays the other agents of each team, as for `parallel_env`: a script, a held-out
-        opponent, a run directory, a policy, or several, of which each episode draws one. The
-        defaults are ``"clumsy-chaser"`` and ``"clumsy-fleer"``, against which first attempts learn.
-    **settings
-        Other arguments of `parallel_env`: a render mode, and fields of `WorldConfig` to change.
+        What plays the other agents of each team, as for `parallel_env`. The defaults are
+        ``"clumsy-chaser"`` and ``"clumsy-fleer"``, against which first attempts learn.
 
     Attributes
     ----------
     env : MatrixWorldParallel
         The environment of the agent's team. Its ``status``, ``recorded`` and ``world`` tell more.
-    observation_space : Box
-        ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers and obstacles around the agent.
-    action_space : Discrete
-        5 actions, or 9 with diagonal moves; see `Action`.
 
     Notes
     -----
@@ -622,20 +534,14 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     def reset(
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[View, dict[str, Any]]:
-        """Start an episode and return observation and info; see `MatrixWorldParallel.reset`.
-
-        Without a seed the next episode of the present seed starts.
-        """
+        """Start an episode and return observation and info; see `MatrixWorldParallel.reset`."""
         observations, infos = self.env.reset(seed, options)
         super().reset(seed=None if seed is None else int(seed))
         self._mates.draw(0, self.env.world.seed, self.env.world.episode)
         return observations[self.agent], infos[self.agent]
 
     def step(self, action: int) -> tuple[View, float, bool, bool, dict[str, Any]]:
-        """Play a round; return observation, reward, terminated, truncated and info of the agent.
-
-        Raises RuntimeError if the episode has ended, ValueError or TypeError for a bad action.
-        """
+        """Play a round; return observation, reward, terminated, truncated and info of the agent."""
         env = self.env
         if self.agent not in env.agents:
             raise RuntimeError("the episode has ended, or never began: call reset()")
@@ -651,10 +557,7 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         return seen[mine], reward[mine], terminated[mine], truncated[mine], info[mine]
 
     def action_masks(self) -> NDArray[np.bool_]:
-        """Return which actions are allowed now, bool (n_actions,), for learners that ask for it.
-
-        All are, unless the environment was made with an ``action_mask``.
-        """
+        """Return which actions are allowed now, bool (n_actions,): all without an `action_mask`."""
         env = self.env
         masks: NDArray[np.bool_] = env._masks.of(env.world.views())[env._index[self.agent]] > 0
         return masks

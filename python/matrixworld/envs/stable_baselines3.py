@@ -21,13 +21,9 @@ def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settin
 
     Parameters
     ----------
-    config : WorldConfig, Rules or str, optional
-        The world, its rules, or the name of a variant. The default is ``"O"``.
-    n_worlds : int, optional
-        Worlds that are stepped together. The default is 8.
-    **settings
-        Other arguments of `matrixworld.VectorEnv`: ``pursuers`` or ``evaders`` (what plays that
-        team, by default ``evaders="clumsy-fleer"``), and fields of `WorldConfig` to change.
+    config, n_worlds, **settings
+        As for `matrixworld.VectorEnv`, with 8 worlds by default. ``pursuers`` or ``evaders`` says
+        what plays that team, by default ``evaders="clumsy-fleer"``.
 
     Returns
     -------

@@ -15,25 +15,10 @@ from typing_extensions import Unpack
 
 from matrixworld._core import Autoreset
 from matrixworld._util import checks
-from matrixworld.envs.opponents import (
-    BuiltInWorlds,
-    HasOpponents,
-    Opponents,
-    one_team,
-    own_and_other,
-)
-from matrixworld.world.arrays import (
-    BATCH_FIELDS,
-    WORLD_FIELDS,
-    Specs,
-    array_specs,
-    episode_specs,
-    integers,
-    new_arrays,
-)
+from matrixworld.envs.opponents import BuiltInWorlds, Opponents, PlaysTeam, one_team
+from matrixworld.world import arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
-from matrixworld.world.masks import ActionMasks
 from matrixworld.world.render import rgb
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
@@ -55,12 +40,14 @@ Results = TypeVar("Results", bound="tuple[Any, ...]")
 """What `reset` or `step` of a vector environment returns."""
 
 EPISODE_KEYS = {
-    name.removeprefix("episode_"): name for name in BATCH_FIELDS if name.startswith("episode_")
+    name.removeprefix("episode_"): name
+    for name in arrays.BATCH_FIELDS
+    if name.startswith("episode_")
 }
 """The keys of ``infos["episode"]``, and the arrays of `episode_specs` that they are."""
 
 AGENT_KEYS = (
-    *(name for name, field in WORLD_FIELDS.items() if field.axes[:1] == ("agents",)),
+    *(name for name, field in arrays.WORLD_FIELDS.items() if field.axes[:1] == ("agents",)),
     *("acted", "final_obs", "action_mask", *(f"cost_{kind}" for kind in COLLISION_KINDS)),
 )
 """The keys of infos whose arrays have an axis of agents after that of worlds."""
@@ -74,7 +61,7 @@ _NOT_IN_INFOS = {
 _RENAMED = {"steps": "step", "episode": "episode_number"}
 
 
-class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
+class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     """Vector environment of W worlds with A agents each, pursuers first.
 
     Parameters
@@ -84,9 +71,8 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     n_worlds : int, optional
         W. The default is 1.
     copy : bool, optional
-        Whether `reset` and `step` return copies that belong to the caller, as in Gymnasium's own
-        vector environments. With False they return the arrays that every step overwrites, which is
-        faster. The default is True.
+        Whether `reset` and `step` return copies that belong to the caller (the default), or the
+        arrays that every step overwrites, which is faster.
     autoreset_mode : gymnasium.vector.AutoresetMode or str, optional
         What happens after the end of an episode. ``NextStep`` (the default): the next step ignores
         that world's actions and starts its seed's next episode. ``SameStep``: the last step also
@@ -101,8 +87,7 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     state : bool, optional
         Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``.
     action_mask : bool or str, optional
-        Whether ``infos["action_mask"]`` marks the allowed actions, and which mask allows them: True
-        or "obstacles", or "right-of-way", as for `parallel_env`. The default is False.
+        Whether and how ``infos["action_mask"]`` marks allowed actions, as for `parallel_env`.
     render_mode : {None, "rgb_array"}, optional
         What `render` returns. The default is None.
     pursuers, evaders : Opponents, optional
@@ -132,9 +117,8 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     world terminates, and stays terminated. ``infos["acted"]`` marks the agents that acted in this
     step: a learner uses the transitions of these.
 
-    What `reset` and `step` return belongs to the caller. With ``copy=False``, and in the attributes
-    always, it is the same arrays at every step: copy what you keep. Only one thread of Python may
-    use an environment at a time, see `Batch`.
+    With ``copy=False``, and in the attributes always, arrays are the same at every step: copy what
+    you keep. Only one thread of Python may use an environment at a time, see `Batch`.
 
     ``infos`` has the same keys at every step:
 
@@ -185,22 +169,13 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         **changes: Unpack[WorldSettings],
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
-        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self._set_up(config, changes, action_mask, render_mode, "rgb_array")
         self.num_envs: int = checks.check_integer("n_worlds", n_worlds, 1)
-        if render_mode not in (None, "rgb_array"):
-            raise ValueError(f"render_mode: expected None or 'rgb_array', got {render_mode!r}")
-        self.render_mode = render_mode
-        modes = [each.value for each in AutoresetMode]
         given = getattr(autoreset_mode, "value", autoreset_mode)
-        checks.check_choice("autoreset_mode", given, modes)
+        checks.check_choice("autoreset_mode", given, [each.value for each in AutoresetMode])
         mode = AutoresetMode(given)
-        self.metadata: dict[str, Any] = {
-            "autoreset_mode": mode,
-            "render_modes": ["rgb_array"],
-            "render_fps": 10,
-        }
+        self.metadata["autoreset_mode"] = mode
         self.copy: bool = checks.check_bool("copy", copy)
-        self._masks = ActionMasks(action_mask, self.config)
         built_in = one_team(pursuers, evaders)
         left_out = set() if checks.check_bool("state", state) else {"state"}
         waits = mode is not AutoresetMode.SAME_STEP
@@ -208,14 +183,13 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
             left_out.add("final_views")
         kept = _make_buffers(self.config, self.num_envs, dtype, left_out)
         reset = Autoreset[mode.name]
-        self.agents: range = range(self.config.n_agents)
-        if built_in is not None:
-            self.agents = own_and_other(built_in[0], self.config)[1]
-        mine = _of_agents(kept, self.agents)
         self._batch = Batch(
             self.num_envs, self.config, threads=threads, autoreset=reset, buffers=kept
         )
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
+        everyone = range(self.config.n_agents)
+        self.agents: range = everyone if self._team is None else self._team.learners
+        mine = _of_agents(kept, self.agents)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
         seen = (
@@ -275,10 +249,7 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
             Any of `OPTIONS`: ``reset_mask``, bool, shape (W,), the worlds to reset; ``episode``,
             ``pursuers``, ``evaders`` and ``obstacles`` as for `Batch.reset`.
 
-        Raises
-        ------
-        ValueError, gymnasium.error.ClosedEnvironmentError
-            For other options, and as `Batch.reset` does; then no world has changed. After `close`.
+        If something is refused, no world has changed.
         """
         self._start(seed, options)
         return self._returned((self.observations, self.infos))
@@ -292,9 +263,14 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
         mask = given.pop("reset_mask", None)
-        unseeded = isinstance(seed, list | tuple) and len(seed) == self.num_envs and None in seed
-        if unseeded:
-            self._reset_with_some_seeds(seed, mask, given)
+        if isinstance(seed, list | tuple) and len(seed) == self.num_envs and None in seed:
+            # Such worlds start their seed's next episode, as in Gymnasium.
+            anew = np.array([each is None for each in seed])
+            chosen = np.ones_like(anew) if mask is None else np.asarray(mask)
+            known = [0 if each is None else each for each in seed]
+            self._batch.reset(known, mask=chosen & ~anew, **given)
+            given.pop("episode", None)
+            self._batch.reset(mask=chosen & anew, **given)
         else:
             self._batch.reset(seed, mask=mask, **given)
         if self._team is not None:
@@ -303,35 +279,14 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         self._seeded = True
         self._write_masks()
 
-    def _reset_with_some_seeds(self, seeds: Any, mask: Any, given: dict[str, Any]) -> None:
-        """Reset as Gymnasium does: worlds whose seed is None start their seed's next episode."""
-        anew = np.array([each is None for each in seeds])
-        chosen = np.ones_like(anew) if mask is None else np.asarray(mask)
-        known = [0 if each is None else each for each in seeds]
-        self._batch.reset(known, mask=chosen & ~anew, **given)
-        places = {name: value for name, value in given.items() if name != "episode"}
-        self._batch.reset(mask=chosen & anew, **places)
-
     def step(
         self, actions: ArrayLike | None = None
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
         """Play one round in every world.
 
-        Parameters
-        ----------
-        actions : array_like of int, shape (W, A), optional
-            See `Action`. The default is what the attribute `actions` holds. Actions of gone agents
-            and in ended worlds are ignored.
-
-        Returns
-        -------
-        observations, rewards, terminations, truncations, infos : ndarray and dict
-            The attributes of the same names, or copies of them; see `VectorEnv`.
-
-        Raises
-        ------
-        RuntimeError, ValueError, TypeError
-            Before the first reset, and as `Batch.step` does.
+        `actions`, (W, A), are by default those of the attribute; of gone agents and in ended worlds
+        they are ignored. Returns observations, rewards, terminations, truncations
+        and infos, the attributes or copies of them. RuntimeError before the first reset.
         """
         self._play(actions)
         return self._returned(
@@ -386,56 +341,44 @@ def make_vec(
 
 
 class TeamView:
-    """One team's part of a `VectorEnv`'s arrays, without copies, for n agents.
+    """One team's part of the arrays and infos of a `VectorEnv`; shapes begin with (W, n).
 
-    ``observations``, ``actions``, ``rewards``, ``terminations`` and ``truncations`` are parts of
-    the environment's attributes, ``alive``, ``acted``, ``cost``, ``positions``, ``involved`` and
-    ``fault`` of its infos: shapes begin with (W, n). Every step overwrites these arrays, also with
-    ``copy=True``: copy what you keep.
+    Every step overwrites these arrays, also with ``copy=True``: copy what you keep.
     """
 
+    observations: NDArray[Any]
+    actions: NDArray[np.int64]
+    rewards: NDArray[np.float32]
+    terminations: NDArray[np.bool_]
+    truncations: NDArray[np.bool_]
+    alive: NDArray[np.bool_]
+    acted: NDArray[np.bool_]
+    cost: NDArray[np.float32]
+    positions: NDArray[np.int32]
+    involved: NDArray[np.bool_]
+    fault: NDArray[np.bool_]
+
     def __init__(self, env: VectorEnv, agents: slice) -> None:
+        whole = vars(env) | env.infos
+        vars(self).update({name: whole[name][:, agents] for name in TeamView.__annotations__})
         self.agents: slice = agents
-        self.observations: NDArray[Any] = env.observations[:, agents]
-        self.actions: NDArray[np.int64] = env.actions[:, agents]
-        self.rewards: NDArray[np.float32] = env.rewards[:, agents]
-        self.terminations: NDArray[np.bool_] = env.terminations[:, agents]
-        self.truncations: NDArray[np.bool_] = env.truncations[:, agents]
-        self.alive: NDArray[np.bool_] = env.infos["alive"][:, agents]
-        self.acted: NDArray[np.bool_] = env.infos["acted"][:, agents]
-        self.cost: NDArray[np.float32] = env.infos["cost"][:, agents]
-        self.positions: NDArray[np.int32] = env.infos["positions"][:, agents]
-        self.involved: NDArray[np.bool_] = env.infos["involved"][:, agents]
-        self.fault: NDArray[np.bool_] = env.infos["fault"][:, agents]
 
 
 class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     """The agents of a `VectorEnv` as sub-environments, for learners and wrappers of single agents.
 
-    Sub-environment ``w * n + i`` is agent i of the n agents in world w: ``num_envs`` is W * n,
-    rewards, terminations and truncations are ``(W * n,)``, a single observation is a Box and a
-    single action is Discrete.
+    Sub-environment ``w * n + i`` is agent i of the n agents in world w: ``num_envs`` is W * n. A
+    single observation is a Box and a single action is Discrete.
 
     Parameters
     ----------
     worlds : VectorEnv
-        The W worlds. Their settings hold here, too: ``copy``, the autoreset mode, dtype and so on.
+        The W worlds, an attribute, too: ``worlds.infos["capture_rate"]``. Their settings hold here:
+        ``copy``, the autoreset mode, dtype and so on.
     team : {None, "pursuer", "evader"}, optional
         The team whose agents are sub-environments; None (the default) for all agents that the
         caller plays. If that is both teams, the other one plays what ``worlds.actions`` holds for
         it at a step: fill ``worlds.evaders.actions[:]`` before it. At first that is staying.
-
-    Attributes
-    ----------
-    worlds : VectorEnv
-        The worlds, with arrays of whole worlds (``worlds.infos["capture_rate"]``).
-    num_envs : int
-        W * n.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For an unknown team, and for one that the worlds play themselves.
 
     Notes
     -----
@@ -453,9 +396,8 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     step in which `NextStep` only starts an episode), and takes ``terminations | ~infos["alive"]``
     for the ends of agents: the value after them is 0.
 
-    ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``: ``alive``,
-    ``acted``, ``positions``, ``involved``, ``fault``, ``cost`` and its kinds, ``action_mask``,
-    ``final_obs`` with ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
+    ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``, and
+    ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
 
     With ``copy=False`` and both teams, arrays are overwritten by the next step as in `VectorEnv`;
     those of one team are copies in any case.
@@ -522,8 +464,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     def _worlds_of(self, mask: ArrayLike) -> NDArray[Any]:
         """Return the mask of the worlds whose agents are all in a mask of agents."""
         agents = np.asarray(mask)
-        if agents.shape != (self.num_envs,):
-            raise ValueError(f"reset_mask: expected shape {(self.num_envs,)}, got {agents.shape}")
+        arrays.check_shape("reset_mask", agents, self.num_envs)
         by_world = agents.reshape(self.worlds.n_worlds, -1)
         differ = (by_world != by_world[:, :1]).any(axis=1)
         if differ.any():
@@ -538,12 +479,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
         """Play one round in every world with an action of each sub-environment, (W * n,).
 
-        Returns observations (W * n, ...), rewards, terminations, truncations, all (W * n,), and
-        infos; see `AgentVectorEnv`. Raises as `VectorEnv.step` does.
+        Returns observations (W * n, ...), rewards, terminations, truncations, (W * n,), and infos.
         """
-        chosen = integers("actions", actions)
-        if chosen.shape != (self.num_envs,):
-            raise ValueError(f"actions: expected shape {(self.num_envs,)}, got {chosen.shape}")
+        chosen = arrays.integers("actions", actions)
+        arrays.check_shape("actions", chosen, self.num_envs)
         worlds = self.worlds
         everyone: NDArray[np.int64] = worlds.actions.copy()
         everyone[:, self._slice] = chosen.reshape(worlds.n_worlds, -1)
@@ -573,19 +512,12 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         return flat.copy() if self.worlds.copy and shared else flat
 
     def action_masks(self) -> NDArray[np.bool_]:
-        """Return which actions are allowed now, bool (W * n, n_actions).
-
-        All are, unless the worlds were made with an ``action_mask``. Learners that mask actions,
-        such as MaskablePPO of sb3-contrib, ask for it.
-        """
+        """Return which actions are allowed now, bool (W * n, n_actions), as `AgentEnv` does."""
         worlds = self.worlds
         return self._flat(worlds._masks.of(worlds._views, worlds.agents.start)) > 0
 
     def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
-        """Return an attribute of each sub-environment, or what its method returns.
-
-        Sub-environments have ``spec`` and ``render_mode``, and ``render`` as method.
-        """
+        """Return `spec`, `render_mode` or the result of `render` of each sub-environment."""
         if name == "render":
             pictures = self.render(*args, **kwargs)
             return (None,) * self.num_envs if pictures is None else pictures
@@ -635,18 +567,18 @@ def _make_buffers(
     views = np.dtype(dtype)
     if views not in (np.uint8, np.float32):
         raise ValueError(f"dtype: expected uint8 or float32, got {views}")
-    specs = array_specs(config) | episode_specs(config)
-    chosen: Specs = {
+    specs = arrays.array_specs(config) | arrays.episode_specs(config)
+    chosen: arrays.Specs = {
         name: (shape, views if name.endswith("views") else dtype)
         for name, (shape, dtype) in specs.items()
         if name not in left_out
     }
-    return new_arrays(chosen, n_worlds)
+    return arrays.new_arrays(chosen, n_worlds)
 
 
 def _of_agents(buffers: dict[str, NDArray[Any]], agents: range) -> dict[str, NDArray[Any]]:
     """Return the same arrays with some agents only, without copies."""
-    fields, part = WORLD_FIELDS | BATCH_FIELDS, slice(agents.start, agents.stop)
+    fields, part = arrays.WORLD_FIELDS | arrays.BATCH_FIELDS, slice(agents.start, agents.stop)
     return {
         name: array[:, part] if fields[name].axes[:1] == ("agents",) else array
         for name, array in buffers.items()
@@ -669,10 +601,7 @@ def _make_infos(buffers: dict[str, NDArray[Any]], observations: NDArray[Any]) ->
 
 
 def _copied(value: Any, copies: dict[int, NDArray[Any]]) -> Any:
-    """Return copies of arrays, in tuples and dicts, too; of one array in two places a single one.
-
-    `copies` has those that were made.
-    """
+    """Return copies of arrays, in tuples and dicts, too; `copies` has those that were made."""
     if isinstance(value, dict):
         return {key: _copied(each, copies) for key, each in value.items()}
     if isinstance(value, tuple):

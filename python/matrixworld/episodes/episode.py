@@ -13,11 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, shown
-from matrixworld._util.files import DamagedFileError, load_arrays, parse_json, replacing
-from matrixworld.episodes.films import PIXELS, Animation, few_times
-from matrixworld.world.canvas import fitting_cell
+from matrixworld._util.files import DamagedFileError, load_arrays, read_json, replacing
 from matrixworld.world.conflicts import Conflict, conflict_of
-from matrixworld.world.render import MARK_STEPS, Scene, rgb
+from matrixworld.world.render import MARK_STEPS, Scene
 
 FORMAT = "matrixworld episode 3"  # marks a saved file; a new layout, a new number
 
@@ -71,20 +69,13 @@ class Episode:
     n_pursuers : int
         P.
     config : mapping, optional
-        The settings of the world, as plain values that JSON can hold. The default is none.
-        `WorldConfig.from_json` makes the settings from them.
+        The settings of the world, as `WorldConfig.to_json` returns them. The default is none.
     conflict_table : ndarray of int32, shape (n, 11), optional
         All conflicts: the step, from 1, and the numbers that
         `matrixworld.world.conflicts.CONFLICT_COLUMNS` names. The default is None: not recorded.
     seat : int, optional
         The agent that a person has played, as on the page of ``matrixworld playground``. The
         default is None: nobody has.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For another dtype or shape, an action of a living agent outside 0 to 8, and a config that is
-        not a mapping.
     """
 
     positions: NDArray[np.int32]
@@ -133,11 +124,9 @@ class Episode:
     def _arrays(self) -> dict[str, Any]:
         """Return the arrays that this recording has."""
         arrays = {name: getattr(self, name) for name in _ARRAYS}
-        return {
-            name: array
-            for name, array in arrays.items()
-            if array is not None or name not in OPTIONAL
-        }
+        if self.conflict_table is None:
+            del arrays["conflict_table"]
+        return arrays
 
     def __repr__(self) -> str:
         rows, cols = self.map.shape
@@ -147,11 +136,9 @@ class Episode:
         )
 
     def _repr_html_(self) -> str:
-        cell = fitting_cell(self.map.shape, PIXELS)
-        shown = Animation.of(
-            lambda step: rgb(scene(self, step), cell=cell), few_times(self.length), fps=10, hold=2
-        )
-        return shown._repr_html_()
+        from matrixworld.episodes.replay import animation  # which draws episodes
+
+        return animation(self)._repr_html_()
 
     @property
     def length(self) -> int:
@@ -180,17 +167,9 @@ class Episode:
 
         They are those of `World.conflicts`; ``str`` of each is a sentence.
 
-        Parameters
-        ----------
-        step : int, optional
-            The number of the step, 1 to T: it led to the moment that `replay.scene` draws for the
-            same number. Negative numbers count from the end; the default is the last step. Moment 0
-            has no step and no conflicts.
-
-        Raises
-        ------
-        IndexError, ValueError
-            If the step is outside the episode, and if the recording has no conflicts.
+        Step 1 to T led to the moment that `replay.scene` draws for the same number; moment 0 has no
+        conflicts. Negative numbers count from the end. IndexError outside the episode, ValueError
+        if the recording has no conflicts.
         """
         if self.conflict_table is None:
             raise ValueError("conflict_table: expected a recording with conflicts, got none")
@@ -199,10 +178,9 @@ class Episode:
         return [conflict_of(numbers, self.n_pursuers) for numbers in rows]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the episode to a file of the format npz, without pickle.
+        """Write the episode to an npz file, which appears complete or not at all.
 
-        The file appears complete or not at all, and replaces an older one of this name. ValueError
-        for a name that ends otherwise than in ``.npz``, such as that of a picture.
+        ValueError for a name that ends otherwise than in ``.npz``, such as that of a picture.
         """
         if Path(path).suffix not in ("", ".npz"):
             raise ValueError(
@@ -222,11 +200,7 @@ class Episode:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Episode:
-        """Read an episode that `save` wrote.
-
-        Raises OSError if the file cannot be read, and DamagedFileError, a ValueError that names the
-        file, if it is cut, altered or not an episode.
-        """
+        """Read an episode that `save` wrote; DamagedFileError, a ValueError, for another file."""
         path = Path(path)
         entries = load_arrays(path)
         if str(entries.pop("format", "")) != FORMAT:
@@ -239,7 +213,7 @@ class Episode:
         try:
             return cls(
                 n_pursuers=int(entries["n_pursuers"]),
-                config=parse_json(path, str(entries["config"])),
+                config=read_json(path, str(entries["config"])),
                 seat=int(entries["seat"]) if "seat" in entries else None,
                 **arrays,
             )
@@ -250,7 +224,7 @@ class Episode:
 
 
 def step_number(step: int, length: int) -> int:
-    """Return a number of steps, 0 to the length, from one that may count from the end."""
+    """Return a number of steps from one that may count from the end."""
     number = check_integer("step", step)
     if not -length - 1 <= number <= length:
         raise IndexError(f"step: expected {-length - 1} to {length}, got {number}")
@@ -258,24 +232,11 @@ def step_number(step: int, length: int) -> int:
 
 
 def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:
-    """Return one moment of an episode, to be drawn.
+    """Return one moment of an `episode`, to be drawn; IndexError outside the episode.
 
-    Parameters
-    ----------
-    episode : Episode
-        The recording.
-    step : int, optional
-        The number of steps played before the moment. Negative numbers count from the end; the
-        default is the end.
-    trail : int, optional
-        Steps back that the trails of the agents go.
-    title : str, optional
-        A line of text. By default the step and the share of the evaders that are captured.
-
-    Raises
-    ------
-    IndexError
-        If the step is outside the episode.
+    `step` is the number of steps played before it; negative numbers count from the end, the
+    default. Trails of the agents go `trail` steps back. `title` is a line of text, by default the
+    step and the share of the evaders that are captured.
     """
     check_instance("episode", episode, Episode)
     now, trail = step_number(step, episode.length), check_integer("trail", trail, 0)

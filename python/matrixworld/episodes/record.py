@@ -13,7 +13,7 @@ from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
 from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
-from matrixworld.world.arrays import array_specs, integers
+from matrixworld.world.arrays import array_specs, check_shape, integers
 from matrixworld.world.config import MapLike, WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.policy import EnginePolicy, check_team
@@ -26,13 +26,10 @@ FPS = 10.0
 
 
 class Recorder:
-    """Record of a world's episode: call `begin` after a reset and `note` after each round.
+    """Record of the episode of a `world` that the caller plays.
 
-    Parameters
-    ----------
-    world : World
-        The world that the caller plays. Its present moment, between two rounds, is the first of the
-        recording. From now on it keeps the conflicts of every step, which the recording contains.
+    Call `begin` after a reset and `note` after each round. The recording begins with the present
+    moment. From now on the world keeps the conflicts of every step, which the recording contains.
     """
 
     def __init__(self, world: World) -> None:
@@ -58,10 +55,7 @@ class Recorder:
     def note(self, actions: ArrayLike) -> None:
         """Record the round that was just played, with its actions (A,)."""
         row = integers("actions", actions)
-        if row.shape != (self.world.config.n_agents,):
-            raise ValueError(
-                f"actions: expected shape {(self.world.config.n_agents,)}, got {row.shape}"
-            )
+        check_shape("actions", row, self.world.config.n_agents)
         # The world counts its own rounds: a difference means that a call is missing.
         noted, played = len(self._kept["actions"]) + 1, self.world.steps - self._start
         if noted != played:
@@ -121,16 +115,11 @@ def record_actions(
     evaders: ArrayLike | None = None,
     obstacles: MapLike | None = None,
 ) -> Episode:
-    """Play given actions and return the episode with every moment of it.
+    """Play given actions, (T, A), and return the episode with every moment of it.
 
-    Parameters
-    ----------
-    config : WorldConfig, Rules or str
-        A configuration, rules, or the name of a variant.
-    actions : array_like of int, shape (T, A)
-        The actions, one row for each round. Rows after the end of the episode are ignored.
-    seed, episode, pursuers, evaders, obstacles : optional
-        The episode, as `World.reset` takes it. The default is episode 0 of seed 0.
+    `actions` after the end of the episode are ignored. `config` is as for `World`; `seed`,
+    `episode`, `pursuers`, `evaders` and `obstacles` as for `World.reset`, by default episode 0 of
+    seed 0.
     """
     world = World(config)
     world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
@@ -196,7 +185,7 @@ class Drawing(Recorder):
         self._due = 0.0
 
     def render(self) -> NDArray[np.uint8] | str | None:
-        """Return a picture or a text; None for "human", in which `show` is called at every step."""
+        """Return a picture or a text; None for "human", which `show` draws."""
         if self._mode == "human":
             return None
         return ansi(self.scene()) if self._mode == "ansi" else rgb(self.scene())
@@ -226,16 +215,16 @@ class Notebook:
         self._shell = shell  # of IPython
         self._display = display  # `IPython.display.display`
         self._handle: Any = None
-        self._run = -1  # execution count of the cell that shows it
+        self._run: Any = None  # execution count of the cell that shows it
 
     def show(self, scene: Scene) -> None:
         """Show a scene."""
         data = {"image/png": png(scene)}
-        if self._handle is not None and self._run == self._shell.execution_count:
+        if self._run == self._shell.execution_count:
             self._handle.update(data, raw=True)
-            return
-        self._run = self._shell.execution_count
-        self._handle = self._display(data, raw=True, display_id=True)
+        else:
+            self._run = self._shell.execution_count
+            self._handle = self._display(data, raw=True, display_id=True)
 
 
 class Text:

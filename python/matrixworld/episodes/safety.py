@@ -14,6 +14,7 @@ from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
+from matrixworld.world.arrays import check_shape
 from matrixworld.world.rules import COLLISION_KINDS
 
 _COUNTED = ("collisions", "faults", "agent_steps", "capture_rate")
@@ -70,7 +71,7 @@ class SafetySummary(Readable):
 
     def _parts(self) -> Parts:
         plural = "" if self.episodes == 1 else "s"
-        kinds = [(t, k) for t in range(len(TEAMS)) for k in range(len(COLLISION_KINDS))]
+        kinds = np.ndindex(len(TEAMS), len(COLLISION_KINDS))
         return [
             f"{self.episodes} episode{plural}, capture rate {self.capture_rate:.2f}, "
             f"{self.safe_episodes:.0%} without anybody at fault",
@@ -102,8 +103,8 @@ class SafetyMonitor:
     """Collects collisions of episodes and summarizes them.
 
     Episodes come from a rollout (`add_statistics`), a `VectorEnv` (`add_infos` after each step), a
-    recording such as ``env.recorded`` (`add_episode`), or as arrays (`add`). ``monitor + other`` is
-    a monitor of the episodes of both.
+    recording such as ``env.recorded`` (`add_episode`), or as arrays (`add`). ``monitor + other``
+    has the episodes of both.
 
     Examples
     --------
@@ -135,28 +136,17 @@ class SafetyMonitor:
         agent_steps: ArrayLike,
         capture_rate: ArrayLike,
     ) -> None:
-        """Collect episodes given as arrays, which are copied; the leading axes (...) are episodes.
+        """Collect episodes (...) given as arrays, which are copied.
 
-        Parameters
-        ----------
-        collisions, faults : array_like of int, shape (..., 2, 3)
-            Agent-steps involved in a collision, and at fault in one, by team and kind.
-        agent_steps : array_like of int, shape (..., 2)
-            Agent-steps of each team.
-        capture_rate : array_like of float, shape (...)
-            Share of the evaders captured.
-
-        Raises
-        ------
-        ValueError, TypeError
-            If the shapes do not fit, or not 0 <= faults <= collisions <= agent_steps.
+        Arguments are as in `EpisodeStatistics`: collisions and faults are (..., 2, 3), agent_steps
+        (..., 2), capture_rate (...). ValueError unless faults <= collisions <= agent_steps.
         """
         rates = checks.check_floats("capture_rate", capture_rate)
         if not ((rates >= 0) & (rates <= 1)).all():
             raise ValueError(f"capture_rate: expected shares, 0 to 1, got {rates.tolist()}")
-        involved = _counts("collisions", collisions, (*rates.shape, 2, 3))
-        at_fault = _counts("faults", faults, (*rates.shape, 2, 3))
-        steps = _counts("agent_steps", agent_steps, (*rates.shape, 2))
+        involved = _counts("collisions", collisions, *rates.shape, 2, 3)
+        at_fault = _counts("faults", faults, *rates.shape, 2, 3)
+        steps = _counts("agent_steps", agent_steps, *rates.shape, 2)
         if (at_fault > involved).any() or (involved > steps[..., np.newaxis]).any():
             raise ValueError("safety: expected faults <= collisions <= agent_steps everywhere")
         by_kind = involved.reshape(-1, 2, 3), at_fault.reshape(-1, 2, 3)
@@ -180,17 +170,14 @@ class SafetyMonitor:
     def add_episode(self, episode: Episode) -> None:
         """Collect a recorded episode."""
         checks.check_instance("episode", episode, Episode)
-        counts = (
-            each.sum(axis=0) for each in (episode.involved, episode.fault, episode.alive[:-1])
-        )
         sides = slice(None, episode.n_pursuers), slice(episode.n_pursuers, None)
         collisions, faults, agent_steps = (
-            np.stack([each[side].sum(axis=0) for side in sides]) for each in counts
+            np.stack([each[:, side].sum(axis=(0, 1)) for side in sides])
+            for each in (episode.involved, episode.fault, episode.alive[:-1])
         )
         self.add(collisions, faults, agent_steps, episode.capture_rate)
 
     def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
-        """Return a monitor of the episodes of both."""
         if not isinstance(other, SafetyMonitor):
             return NotImplemented
         both = SafetyMonitor()
@@ -220,10 +207,9 @@ class SafetyMonitor:
         )
 
 
-def _counts(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.int64]:
+def _counts(name: str, given: ArrayLike, *shape: int) -> NDArray[np.int64]:
     array = checks.check_integers(name, given, np.int64)
-    if array.shape != shape:
-        raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
+    check_shape(name, array, *shape)
     return array
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_bool, check_choice
-from matrixworld._util.files import DamagedFileError, parse_npz, read_content, save_arrays
+from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, TEAMS, Network, Population, Team
 
@@ -243,12 +243,12 @@ def read_genome(path: str | os.PathLike[str]) -> tuple[Team, Population]:
     DamagedFileError
         If it is damaged or not of this form.
     """
-    return parse_genome(Path(path), read_content(Path(path)))
+    return parse_genome(Path(path))
 
 
-def parse_genome(path: Path, content: bytes) -> tuple[Team, Population]:
-    """Return what `read_genome` returns, from the content of the file `path`."""
-    arrays = parse_npz(path, content)
+def parse_genome(path: Path, content: bytes | None = None) -> tuple[Team, Population]:
+    """Return what `read_genome` returns, from the file or from its content."""
+    arrays = load_arrays(path, content)
     for name, (kinds, ndim) in FORMS.items():
         if name not in arrays:
             raise DamagedFileError(path, f"expected an array {name!r}, got {', '.join(arrays)}")

@@ -177,6 +177,12 @@ def integers(name: str, given: ArrayLike) -> NDArray[Any]:
     return check_integers(name, given, np.int64, None)
 
 
+def check_shape(name: str, array: NDArray[Any], *expected: int) -> None:
+    """Raise ValueError unless an array has a shape."""
+    if array.shape != expected:
+        raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+
+
 def check_written(name: str, array: NDArray[np.int64]) -> None:
     """Raise TypeError unless the engine can write actions into an array."""
     if not isinstance(array, np.ndarray) or array.dtype != np.int64:
