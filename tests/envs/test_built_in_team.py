@@ -33,10 +33,12 @@ def same(played: mw.Episode, recorded: mw.Episode) -> None:
 @pytest.mark.parametrize("name", [*TOGETHER, *IN_TURNS])
 def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
     """Where the rules take turns, the built-in team sees what earlier turns did."""
-    config = config_of(name, obstacles=0.1, max_steps=10)
+    config = config_of(name, obstacles=0.1, max_steps=10, diagonal=team == "evader")
+    both = random_team(config, 1, activation="tanh"), random_team(config, 2, memory="gru")
     pairs = [
-        ("random", "chaser"),
-        (random_team(config, 1), random_team(config, 2)),
+        *((script, script) for script in mw.SCRIPTS),
+        both,
+        both[::-1],
         (random_team(config, 3, sampled=False), "dodger"),
     ]
     for seed, (mine, theirs) in enumerate(pairs):
