@@ -1,6 +1,5 @@
 """Policies outside of rollouts act as they do inside, with the same random numbers."""
 
-
 import numpy as np
 import pytest
 
