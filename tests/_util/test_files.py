@@ -99,9 +99,6 @@ READERS = {
 @pytest.mark.parametrize("name", READERS)
 def test_a_file_that_cannot_be_read_is_refused_by_its_name(tmp_path, name, content):
     path = tmp_path / name
-    if content is None:
-        path.mkdir()
-    else:
-        path.write_bytes(content)
+    path.mkdir() if content is None else path.write_bytes(content)
     with pytest.raises(ValueError, match=f"{name}: "):
         READERS[name](path)

@@ -60,6 +60,7 @@ def with_all(call: Callable[..., object]) -> partial[object]:
     return partial(call, **dict.fromkeys(inspect.signature(call).parameters))
 
 
+PLAIN = CONFIG.to_json()
 WORLD = mw.World(CONFIG)
 MOMENT = WORLD._core.snapshot()
 ACTIONS = np.zeros(CONFIG.n_agents, np.int64)
@@ -70,7 +71,14 @@ TURNS.reset(seed=0)
 STATES = solve.States(mw.WorldConfig(rows=2, cols=2, n_pursuers=1, n_evaders=1))
 
 
+def from_json(part: str | None, /, **changes: object) -> mw.WorldConfig:
+    plain = {part: PLAIN[part] | changes} if part else changes
+    return mw.WorldConfig.from_json(PLAIN | plain)
+
+
 CALLS = [
+    partial(from_json, None, **PLAIN, unknown=None),
+    *(partial(from_json, part, **PLAIN[part]) for part in ("rules", "rewards")),
     with_all(mw.Rules),
     with_all(mw.Rewards),
     partial(
@@ -190,7 +198,7 @@ def test_a_malformed_value_is_a_value_or_type_error(
         if (name, parameter, what) in ACCEPTED:
             continue
         with pytest.raises((TypeError, ValueError)) as caught:
-            call.func(**{**others, parameter: wrong})
+            call.func(*call.args, **{**others, parameter: wrong})
         assert re.search(SAID, str(caught.value)), (what, caught.value)
         # `create` and `save` write files if they are not refused.
         assert list(tmp_path.iterdir()) == [], what

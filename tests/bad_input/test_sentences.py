@@ -28,10 +28,7 @@ def with_buffer(name: str, array: Any) -> Any:
 VALUES = [
     value(config(rules="Q"), "one of D, R, B, O, S | got 'Q'"),
     value(config(rows=0), "1 to 4096 | got 0"),
-    value(
-        config(n_pursuers=12),
-        "at least 13 cells (rows x cols) for 12 pursuers and 1 evaders | got 3 x 4",
-    ),
+    value(config(n_pursuers=12), "at least 13 cells (rows x cols) for 12 | got 3 x 4"),
     value(config(fov=4), "an odd number | got 4"),
     value(config(obstacles=1.0), "a number in [0, 1) | got 1.0"),
     value(config(obstacles=0.9), "at most 1 agents | got 3"),
@@ -54,10 +51,20 @@ VALUES = [
     value(with_buffer("reward", np.zeros((2, 3), np.float32)), "some of positions | ['reward']"),
     kind(with_buffer("rewards", np.zeros((2, 3), ">f4")), "dtype float32 | got >f4"),
     value(with_buffer("positions", np.zeros((2, 4, 2), np.int32)), "shape (2, 3, 2) | (2, 4, 2)"),
-    value(
-        with_buffer("positions", np.zeros((2, 3, 4), np.int32)[:, :, ::2]),
-        "a writeable C-contiguous array | positions",
-    ),
+    value(with_buffer("positions", np.zeros((2, 3, 4), "i4")[:, :, ::2]), "a writeable C | pos"),
+    # Environments
+    value(lambda: mw.VectorEnv("O", 0), "at least 1 | got 0"),
+    value(lambda: mw.VectorEnv(dtype=np.float64), "uint8 or float32 | float64"),
+    value(lambda: mw.VectorEnv("O", fov=1, action_mask=True), "a fov | 1"),
+    value(lambda: mw.VectorEnv(autoreset_mode="Never"), "one of | 'Never'"),
+    value(lambda: mw.VectorEnv(render_mode="human"), "None or | 'human'"),
+    value(lambda: mw.VectorEnv("O", 4).world(4), "0 to 3 | got 4"),
+    value(lambda: mw.VectorEnv().reset(options={"map": 1}), "some of | map"),
+    value(lambda: mw.AgentVectorEnv(mw.VectorEnv(), "both"), "one of | both"),
+    value(lambda: mw.AgentVectorEnv(mw.VectorEnv(evaders="fleer"), "evader"), "the | evader"),
+    value(lambda: mw.AgentEnv("O", agent="prey"), "one of pursuer_0 | got 'prey'"),
+    value(lambda: mw.parallel_env(max_cycles=3, max_steps=5), "one of them | max_cycles"),
+    # Maps
     value(lambda: mw.read_map([]), "at least one row | got []"),
     value(lambda: mw.read_map(["...", ".."]), "3 cells as in row 0 | row 1"),
     value(lambda: mw.read_map(["..?", "..x"]), "'.GS' (free) or '#@OTW' (obstacle) | row 0"),
@@ -113,12 +120,12 @@ def test_maps_are_read_in_all_forms(tmp_path: Path) -> None:
     assert mw.read_map(path).tolist() == [[False] * 3, [True] * 3]
 
 
+HOLE = ["....", ".#..", "...."]
 WORLD_CALLS = [
     value(lambda w: w.step([0, 0]), "shape (3,) | got (2,)"),
     kind(lambda w: w.step([0.0, 1, 2]), "an integer | got 0.0"),
     value(
-        lambda w: w.step([0, 2**63, np.uint64(1)]),
-        "-9223372036854775808 to 9223372036854775807 | got 9223372036854775808",
+        lambda w: w.step([0, 2**63, np.uint64(1)]), "-9223372036854775808 to | 9223372036854775808"
     ),
     value(lambda w: w.step([mw.Action.NORTHEAST, 0, 0]), "0 to 4 | got 5 (world 0, agent 0)"),
     value(lambda w: w.reset(-1), "0 to 18446744073709551615 | got -1"),
@@ -126,10 +133,7 @@ WORLD_CALLS = [
     value(lambda w: w.reset(evaders=[[0, 1, 2]]), "shape (1, 2) | (1, 3)"),
     value(lambda w: w.reset(pursuers=[[1, 2], [1, 2]]), "distinct cells | two agents on (1, 2)"),
     value(lambda w: w.reset(evaders=[[2**40, 0]]), "-2147483648 to 2147483647 | got 1099511627776"),
-    value(
-        lambda w: w.reset(evaders=[[1, 1]], obstacles=["....", ".#..", "...."]),
-        "a free cell | position (1, 1)",
-    ),
+    value(lambda w: w.reset(evaders=[[1, 1]], obstacles=HOLE), "a free cell | position (1, 1)"),
     value(lambda w: w.reset(obstacles=["...", "..."]), "shape (3, 4) | got (2, 3)"),
     value(lambda w: w.reset(obstacles=["####", "####", "##.."]), "at least 3 free cells | got 2"),
 ]

@@ -105,9 +105,6 @@ def test_record_episode_statistics(team: str | None, mode: str) -> None:
 
 
 def test_refuses() -> None:
-    for worlds, team in ((worlds_of(), "both"), (worlds_of(evaders="fleer"), "evader")):
-        with pytest.raises(ValueError, match="^team:"):
-            mw.AgentVectorEnv(worlds, team)
     env = mw.AgentVectorEnv(worlds_of())
     env.reset(seed=1)
     with pytest.raises(ValueError, match="^actions:"):
@@ -127,8 +124,7 @@ def test_it_tells_the_allowed_actions_and_attributes_of_each_agent(team: str) ->
     assert envs.call("render_mode") == envs.call("render") == (None,) * envs.num_envs
     with pytest.raises(AttributeError, match="expected render, render_mode or spec, got 'color'"):
         envs.call("color")
-    plain = mw.AgentVectorEnv(mw.VectorEnv("O", 3), team)
-    assert plain.action_masks().all()
+    assert mw.AgentVectorEnv(mw.VectorEnv("O", 3), team).action_masks().all()
 
 
 SMALL: dict[str, Any] = {"rows": 8, "cols": 8, "n_pursuers": 3, "n_evaders": 2, "max_steps": 30}
@@ -159,27 +155,22 @@ def test_the_specification_tells_the_time_limit(limit: dict[str, int]) -> None:
 def test_it_tells_the_allowed_actions() -> None:
     env = gymnasium.make("matrixworld/pursuit-evasion-o", action_mask="right-of-way", **SMALL)
     _, info = env.reset(seed=0)
-    for _ in range(5):
-        masks = env.get_wrapper_attr("action_masks")()
-        assert masks.dtype == bool
-        np.testing.assert_array_equal(masks, info["action_mask"])
-        info = env.step(0)[4]
+    masks = env.get_wrapper_attr("action_masks")()
+    assert masks.dtype == bool
+    np.testing.assert_array_equal(masks, info["action_mask"])
     assert mw.AgentEnv("O", **SMALL).action_masks().all()  # without a mask
 
 
 def test_mates_and_opponents_are_drawn_independently() -> None:
     env = mw.AgentEnv("O", pursuers=["chaser", "random"], evaders=["fleer", "random"], **SMALL)
-    env.reset(seed=0)
     pairs = set()
-    for _ in range(40):
+    for seed in range(40):
+        env.reset(seed=seed)
         pairs.add((int(env._mates.chosen[0]), env.env.opponent))
-        env.reset()
     assert len(pairs) == 4
 
 
 def test_it_refuses() -> None:
-    with pytest.raises(ValueError, match=r"^agent: expected one of pursuer_0, .*, got 'prey'"):
-        mw.AgentEnv("O", agent="prey")
     env = mw.AgentEnv("O", **SMALL)
     with pytest.raises(RuntimeError, match=r"call reset\(\)"):
         env.step(0)

@@ -33,10 +33,12 @@ def same(played: mw.Episode, recorded: mw.Episode) -> None:
 @pytest.mark.parametrize("name", [*TOGETHER, *IN_TURNS])
 def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
     """Where the rules take turns, the built-in team sees what earlier turns did."""
-    config = config_of(name, obstacles=0.1, max_steps=10)
+    config = config_of(name, obstacles=0.1, max_steps=10, diagonal=team == "evader")
+    both = random_team(config, 1, activation="tanh"), random_team(config, 2, memory="gru")
     pairs = [
-        ("random", "chaser"),
-        (random_team(config, 1), random_team(config, 2)),
+        *((script, script) for script in mw.SCRIPTS),
+        both,
+        both[::-1],
         (random_team(config, 3, sampled=False), "dodger"),
     ]
     for seed, (mine, theirs) in enumerate(pairs):
@@ -137,15 +139,12 @@ def test_each_episode_draws_an_opponent_by_its_seed() -> None:
 
 def test_opponents_that_are_set_play_from_the_next_episode_on() -> None:
     config = config_of("R")
-    env = mw.parallel_env(config, evaders="still")
+    env, plain = mw.parallel_env(config, evaders="still"), mw.parallel_env(config)
     env.opponents = ["fleer", random_team(config, 1)]
     env.reset(seed=1)
-    assert env.opponents[0] == "fleer"
     with pytest.raises(ValueError, match="evaders: expected one of"):
         env.opponents = "nobody"
-    assert len(env.opponents) == 2
-    plain = mw.parallel_env(config)
-    assert plain.opponents == ()
-    assert plain.opponent is None
+    assert env.opponents[0] == "fleer"
+    assert (plain.opponents, plain.opponent) == ((), None)
     with pytest.raises(ValueError, match="opponents: expected an environment that plays a team"):
         plain.opponents = "still"

@@ -1,6 +1,7 @@
 """PettingZoo's own tests, for every variant and some other rows of rules."""
 
 import io
+import itertools
 import warnings
 from contextlib import redirect_stdout
 from functools import partial
@@ -33,12 +34,7 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'"),
 ]
 OPPONENTS = ["chaser", "random"]
-SETTINGS: dict[str, dict[str, Any]] = {
-    "plain": {},
-    "masks": {"action_mask": True},
-    "pursuers are played": {"pursuers": OPPONENTS},
-    "evaders are played": {"evaders": OPPONENTS},
-}
+SETTINGS = [{"action_mask": True}, {"pursuers": OPPONENTS}, {"evaders": OPPONENTS}]
 
 
 @pytest.fixture(autouse=True)
@@ -48,18 +44,14 @@ def _quiet() -> Any:
 
 
 @pytest.mark.parametrize(
-    ("name", "settings"),
+    ("name", "given"),
     [
-        *((name, "plain") for name in NAMES),
-        *(
-            (name, each)
-            for name in ("SDB", "TO", "swarm-D", "agents-SD")
-            for each in [*SETTINGS][1:]
-        ),
+        *((name, {}) for name in NAMES),
+        *itertools.product(("SDB", "TO", "swarm-D", "agents-SD"), SETTINGS),
     ],
 )
-def test_api_and_seeds(name: str, settings: str) -> None:
-    config, given = config_of(name, obstacles=0.1), SETTINGS[settings]
+def test_api_and_seeds(name: str, given: dict[str, Any]) -> None:
+    config = config_of(name, obstacles=0.1)
     api_test(mw.aec_env(config, **given), num_cycles=60)
     parallel_api_test(mw.parallel_env(config, **given), num_cycles=60)
     seed_test(lambda: mw.aec_env(config, **given), num_cycles=20)

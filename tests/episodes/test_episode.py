@@ -29,8 +29,7 @@ def same(a: Episode, b: Episode) -> bool:
 
 
 def test_round_trip(tmp_path: Path) -> None:
-    episode = EPISODE
-    path = tmp_path / "an episode"
+    episode, path = EPISODE, tmp_path / "an episode"
     episode.save(path)
     loaded, written = Episode.load(path), path.read_bytes()
     assert same(loaded, episode)

@@ -88,7 +88,6 @@ def test_a_gif_shows_every_step(tmp_path: Path) -> None:
         ("fps", {"fps": 0}),
         ("every", {"every": 0}),
         ("hold", {"hold": -1}),
-        ("cell", {"cell": 0}),
         ("viewers", {"viewers": ["evader_7"]}),
         ("path", {"path": "episode.avi"}),
     ],

@@ -56,11 +56,11 @@ class Sight(NamedTuple):
 def goals_of(script: str, sight: Sight) -> list[Cell]:
     adversaries, mates = sight.in_view(sight.adversaries), sight.in_view(sight.teammates)
     if script == "hunter":
-        lead = {
-            cell: min((sight.distance(mate, cell) for mate in mates), default=math.inf)
+        own = [
+            cell
             for cell in adversaries
-        }
-        own = [cell for cell in adversaries if sight.distance(sight.here, cell) <= lead[cell]]
+            if all(sight.distance(sight.here, cell) <= sight.distance(mate, cell) for mate in mates)
+        ]
         return own or adversaries
     if script == "surrounder":
         beside = {cell for adversary in adversaries for cell in sight.neighbors(adversary)[1:]}
@@ -114,13 +114,13 @@ def choices_in(
                 yield actions[agent], good
 
 
-def sides(team: str, script: str, other: str) -> tuple[str, str]:
-    return (other, script) if team == "evader" else (script, other)
+def recorded(config: mw.WorldConfig, team: str, script: str, other: str, seed: int) -> mw.Episode:
+    return mw.record(config, *((other, script) if team == "evader" else (script, other)), seed=seed)
 
 
 def check_choices(config: mw.WorldConfig, script: str, team: str, seed: int) -> list[int]:
     """Check every choice of a team in an episode; return the numbers of moves to choose from."""
-    episode = mw.record(config, *sides(team, script, "random"), seed=seed)
+    episode = recorded(config, team, script, "random", seed)
     choices = list(choices_in(episode, config, script, team))
     assert all(action in good for action, good in choices)
     return [len(good) for _, good in choices]
@@ -185,7 +185,7 @@ def test_clumsy_scripts_slip_in_half_of_their_steps(script: str, sober: str) -> 
     config = arena("R", rows=9, cols=9, n_pursuers=4, n_evaders=4, fov=17, max_steps=60)
     expected = variance = hits = 0.0
     for seed in range(15):
-        episode = mw.record(config, *sides(team, script, "still"), seed=seed)
+        episode = recorded(config, team, script, "still", seed)
         for action, good in choices_in(episode, config, sober, team):
             chance = 0.5 + 0.5 * len(good) / config.n_actions
             expected += chance

@@ -103,12 +103,10 @@ def play_on(batch, first=0):
 """
 
 
-def forked(script: str) -> str:
-    return run(FORK + script)
-
-
 def test_a_child_steps_like_its_parent() -> None:
-    forked("""
+    run(
+        FORK
+        + """
 expected = play_on(mw.Batch(100, threads=1))
 batch = mw.Batch(100, threads=3)
 for step in range(3):
@@ -120,13 +118,16 @@ def play():
 assert in_child(play) == 0
 play()  # the parent's threads are still there
 assert in_child(lambda: batch.step(actions[0])) == 0
-""")
+"""
+    )
 
 
 @pytest.mark.slow
 def test_a_child_plays_matches_while_its_parent_does() -> None:
     """The child is forked in the middle of a rollout of another thread."""
-    forked("""
+    run(
+        FORK
+        + """
 matches = mw.Matches.of(0, 0, np.arange(40))
 done = threading.Event()
 
@@ -144,4 +145,5 @@ codes = [in_child(lambda: np.testing.assert_array_equal(rollout(), expected)) fo
 done.set()
 thread.join()
 assert codes == [0] * 5
-""")
+"""
+    )

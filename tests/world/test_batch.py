@@ -7,7 +7,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.world.arrays import new_arrays
-from rows import NAMES, config_of, random_actions
+from rows import NAMES, config_of, random_actions, random_team
 
 MOMENT = ("positions", "last_positions", "alive", "steps", "seed", "episode", "views", "state")
 
@@ -17,7 +17,10 @@ def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
 
 
 class SingleWorld:
-    """Reference for one world of a batch, in Python."""
+    """Reference for one world of a batch, in Python, without the statistics of episodes.
+
+    Those are compared with rollouts in tests/envs/test_vector_opponents.py.
+    """
 
     def __init__(
         self, config: mw.WorldConfig, seed: int, episode: int, autoreset: mw.Autoreset
@@ -26,10 +29,10 @@ class SingleWorld:
         self.world.reset(seed, episode=episode)
         self.autoreset = autoreset
         self.arrays: dict[str, Any] = {
-            name: np.zeros(shape) for name, (shape, _) in mw.episode_specs(config).items()
+            name: np.zeros(mw.episode_specs(config)[name][0])
+            for name in ("acted", "ended", "final_views")
         }
         self.read()
-        self.steps: list[dict[str, Any]] = []
 
     def read(self) -> None:
         self.arrays |= self.world.read(*mw.array_specs(self.world.config))
@@ -45,42 +48,17 @@ class SingleWorld:
         if was_ended and self.autoreset is mw.Autoreset.NEXT_STEP:
             self.world.reset()
             self.read()
-            self.steps = []
         elif was_ended:
             for name in ("rewards", "involved", "fault", "captors", "cost"):
                 self.arrays[name] = np.zeros_like(self.arrays[name])
         else:
             self.world.step(actions)
             self.read()
-            self.steps.append(dict(self.arrays))
             if self.ended:
-                self.finish()
+                self.arrays |= {"ended": True, "final_views": self.arrays["views"]}
         if self.ended and self.autoreset is mw.Autoreset.SAME_STEP:
             self.world.reset()
             self.arrays |= self.world.read(*MOMENT)
-            self.steps = []
-
-    def finish(self) -> None:
-        """Compute the statistics of the episode from the arrays of its steps."""
-        pursuers = self.world.config.n_pursuers
-        teams = slice(0, pursuers), slice(pursuers, None)
-
-        def total(name: str) -> np.ndarray:
-            by_agent = np.sum([step[name] for step in self.steps], axis=0, dtype=np.float64)
-            return np.array([by_agent[team].sum(axis=0) for team in teams])
-
-        self.arrays |= {
-            "ended": True,
-            "final_views": self.arrays["views"],
-            "episode_return": total("rewards").round(4),
-            "episode_length": len(self.steps),
-            "episode_capture_rate": self.arrays["capture_rate"],
-            "episode_ever_capture_rate": np.float32(self.world.ever_captured.mean()),
-            "episode_survivors": [self.world.alive[team].sum() for team in teams],
-            "episode_collisions": total("involved"),
-            "episode_faults": total("fault"),
-            "episode_agent_steps": total("acted"),
-        }
 
 
 @pytest.mark.parametrize("autoreset", mw.Autoreset)
@@ -98,11 +76,8 @@ def test_each_world_is_a_single_world(name: str, autoreset: mw.Autoreset) -> Non
     actions = random_actions(1, config.n_actions, 24, n_worlds, config.n_agents)
     for row in [*actions, None]:
         for what in worlds[0].arrays:
-            got = batch.buffers[what]
-            # The batch adds float32 numbers, `total` float64 ones.
-            got = got.round(4) if what == "episode_return" else got
             expected = np.array([world.arrays[what] for world in worlds])
-            np.testing.assert_array_equal(got, expected, what)
+            np.testing.assert_array_equal(batch.buffers[what], expected, what)
         if row is not None:
             row[[world.ended for world in worlds]] = 99  # ended worlds do not read their actions
             batch.step(row)
@@ -161,3 +136,36 @@ def test_an_int_seeds_consecutive_worlds() -> None:
         other.reset(seeds)
         np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
     np.testing.assert_array_equal(new.buffers["positions"], one.buffers["positions"])
+
+
+@pytest.mark.parametrize("name", ["D", "SB", "TO", "agents-R"])
+def test_worlds_of_a_batch_decide_as_single_worlds(name: str) -> None:
+    """Each with the policy that was chosen for it, for any number of threads."""
+    config = config_of(name, obstacles=0.1, max_steps=9)
+    league = [
+        "hunter",
+        random_team(config, 1),
+        None,
+        random_team(config, 2, sampled=False),
+        "random",
+        random_team(config, 3, memory="gru"),
+    ]
+    n_worlds = 60  # ten for each of the league
+    place = np.random.default_rng(0).integers(len(league), size=n_worlds)
+    batches = [mw.Batch(n_worlds, config, threads=threads) for threads in (1, 3)]
+    for batch in batches:
+        batch.reset(5)
+    agents = range(config.n_pursuers, config.n_agents)
+    for _ in range(11):  # two steps more than an episode has
+        expected = np.full((n_worlds, config.n_agents), 7)
+        for world, row in enumerate(expected):
+            if league[place[world]] is not None:
+                batches[0].world(world).decide(league[place[world]], agents, row)
+        for batch in batches:
+            # No legal action: what is not written stays visible.
+            actions = np.full_like(expected, 7)
+            batch.decide(league, place, agents, actions)
+            assert np.array_equal(actions, expected)
+            assert (actions[:, : config.n_pursuers] == 7).all()
+            batch.step(actions % 5)
+    assert (expected == 7).all()  # nobody decides in an episode that has ended
