@@ -8,7 +8,7 @@ from matplotlib.text import Annotation
 import matrixworld as mw
 from course import figures
 from course.figures import CROSSINGS, MOVES, PER_TEAM, SITUATIONS, resolve
-from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS
+from matrixworld.world.rules import INTERACTION_TEXTS, OUTCOME_TEXTS
 from right_of_way import from_the_right
 
 
@@ -68,23 +68,6 @@ def test_an_arrow_leads_in_and_a_bar_keeps_out() -> None:
             along = (1 - x) * right + (1 - y) * down
             assert along == pytest.approx(0.35 if leads_in else 0.5)
             assert (1 - x) * down + (1 - y) * right == pytest.approx(0)
-
-
-def test_the_table_shows_the_rules() -> None:
-    (axes,) = figures.rules_table().axes
-    (table,) = axes.tables
-    rows: dict[int, list[str]] = {}
-    for (row, _), cell in sorted(table.get_celld().items()):
-        rows.setdefault(row - 1, []).append(cell.get_text().get_text())
-    for row, (name, rules) in enumerate(mw.VARIANTS.items()):
-        outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
-        assert rows[row] == [
-            name,
-            INTERACTION_TEXTS[rules.interaction],
-            *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
-            CAPTURE_TEXTS[rules.capture],
-            "disappear" if rules.removes_captured else "stay",
-        ]
 
 
 def test_each_turn_shows_who_acts() -> None:

@@ -154,11 +154,6 @@ def checkerboards(
     return Checkerboards(count, math.comb(rows, 2) * math.comb(columns, 2))
 
 
-def clear_checkerboards(matrix: Rates) -> Checkerboards:
-    """Return the checkerboards that judgement and tables count: with `MARGIN` and no level."""
-    return checkerboards(thinned(matrix), margin=MARGIN, level=None)
-
-
 def strongest_checkerboards(
     matrix: Rates, *, count: int = 12, margin: float = 0.0
 ) -> tuple[Checkerboard, ...]:
