@@ -74,7 +74,6 @@ NUMBERS, TYPE = "an array of numbers, got", r"expected .* got "
         (exploit, [[0.5] * 3], ValueError, "weights of the pursuers with sum 1, got 1.5"),
         (analysis.elo_over_episodes, [np.zeros((2, 2, 1))], ValueError, "at least 2 episodes"),
         (analysis.disengagements, [[[0.5] * 3]], ValueError, r"shape \(K, 2\), got \(1, 3\)"),
-        (analysis.lag_profile(PENNIES).at, [0.5], TypeError, TYPE),
         (over_runs, [[]], ValueError, r"values of runs with 1 dimension.* got shape \(0,\)"),
         (over_runs, [["0.1", "0.2"]], TypeError, TYPE),
         (partial(over_runs, level="0.9"), [[0.1, 0.2]], TypeError, TYPE),

@@ -1,14 +1,12 @@
 """Figures of the game show what the engine does, and the rules that it plays."""
 
 import numpy as np
-import pytest
 from matplotlib.patches import Circle, RegularPolygon
-from matplotlib.text import Annotation
 
 import matrixworld as mw
 from course import figures
-from course.figures import CROSSINGS, MOVES, PER_TEAM, SITUATIONS, resolve
-from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS
+from course.figures import CROSSINGS, MOVES, PER_TEAM, SITUATIONS, may_go, resolve, turns_of
+from matrixworld.world.rules import OUTCOME_TEXTS
 from right_of_way import from_the_right
 
 
@@ -51,40 +49,15 @@ def test_the_drawing_shows_what_the_engine_made_of_each_situation() -> None:
             assert len(triangles) == sum(name[0] == "P" for name in drawn)
 
 
-def test_an_arrow_leads_in_and_a_bar_keeps_out() -> None:
-    for axes, (*_, moves) in zip(figures.right_of_way().axes, CROSSINGS, strict=True):
+def test_those_go_first_who_come_from_the_right() -> None:
+    for *_, moves in CROSSINGS:
         steps = {move: tuple(MOVES[move]) for move in moves}
 
         def first(one: int, other: int, steps=steps) -> bool:
             faces = np.add(steps[one], steps[other]).any() == 0
             return one < other if faces else from_the_right(steps[other], steps[one])
 
-        ways = [each for each in axes.texts if isinstance(each, Annotation)]
-        arrows = [each.arrowprops["arrowstyle"] == "-|>" for each in ways]
-        assert arrows == [all(first(m, o) for o in moves if o != m) for m in moves]
-        for way, move, leads_in in zip(ways, moves, arrows, strict=True):
-            # Both cross, or end at, the border over which the move leads.
-            (x, y), (down, right) = np.mean([way.xy, way.xyann], axis=0), MOVES[move]
-            along = (1 - x) * right + (1 - y) * down
-            assert along == pytest.approx(0.35 if leads_in else 0.5)
-            assert (1 - x) * down + (1 - y) * right == pytest.approx(0)
-
-
-def test_the_table_shows_the_rules() -> None:
-    (axes,) = figures.rules_table().axes
-    (table,) = axes.tables
-    rows: dict[int, list[str]] = {}
-    for (row, _), cell in sorted(table.get_celld().items()):
-        rows.setdefault(row - 1, []).append(cell.get_text().get_text())
-    for row, (name, rules) in enumerate(mw.VARIANTS.items()):
-        outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
-        assert rows[row] == [
-            name,
-            INTERACTION_TEXTS[rules.interaction],
-            *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
-            CAPTURE_TEXTS[rules.capture],
-            "disappear" if rules.removes_captured else "stay",
-        ]
+        assert may_go(moves) == [all(first(m, o) for o in moves if o != m) for m in moves]
 
 
 def test_each_turn_shows_who_acts() -> None:
@@ -94,10 +67,4 @@ def test_each_turn_shows_who_acts() -> None:
         mw.Interaction.SWARM_TURNS: [everyone[:PER_TEAM], everyone[PER_TEAM:]],
         mw.Interaction.AGENT_TURNS: [[agent] for agent in everyone],
     }
-    for axes, (interaction, found) in zip(
-        figures.interaction_models().axes, turns.items(), strict=True
-    ):
-        assert axes.get_title().strip() == INTERACTION_TEXTS[interaction]
-        marks = [line for line in axes.lines if line.get_marker() in ("o", "^")]
-        drawn = [(float(line.get_xdata()[0]), int(line.get_ydata()[0])) for line in marks]
-        assert drawn == [(turn + 0.5, agent) for turn, each in enumerate(found) for agent in each]
+    assert {each: [*map(list, turns_of(each))] for each in mw.Interaction} == turns

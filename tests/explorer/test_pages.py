@@ -139,19 +139,6 @@ def test_paper_is_light_and_has_nothing_to_press(
 
 
 @pytest.mark.nightly
-def test_letters_of_a_class_matrix_are_readable_on_a_phone(
-    browser: Browser, tmp_path: Path
-) -> None:
-    write_page(tmp_path / "page.html", page_of_a_class(tmp_path))
-    browser.open(tmp_path / "page.html", PHONE)
-    sizes = browser.js(
-        "[...document.querySelectorAll('.matrix text')].map((text) => (({a, b}) =>"
-        " text.getAttribute('font-size') * Math.hypot(a, b))(text.getScreenCTM()))"
-    )
-    assert min(sizes) > 11.9
-
-
-@pytest.mark.nightly
 @pytest.mark.parametrize("page", MADE)
 def test_readers_with_disabilities_are_not_hindered(
     browser: Browser, page: str, tmp_path: Path

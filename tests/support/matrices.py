@@ -17,11 +17,6 @@ def payoffs(*, least: int = 1, most: int = 6, parts: int = 16) -> st.SearchStrat
     return arrays.arrays(np.float64, shapes, elements=rates)
 
 
-def staircase(size: int) -> np.ndarray:
-    """Return a matrix where pursuers capture evaders of the same or an earlier generation only."""
-    return np.tri(size)
-
-
 def circular(size: int, period: float = 5.0) -> np.ndarray:
     """Return a pure cycle: the rate depends on the difference of two positions on a circle."""
     generation = np.arange(size)

@@ -1,14 +1,10 @@
 """Numbers of the package `rliable` 1.2.0 for the scores below, to compare ours with.
 
-    python -m venv .venv-rliable && .venv-rliable/bin/pip install rliable==1.2.0 "pandas<3"
-    .venv-rliable/bin/python tests/support/rliable_numbers.py
-
-prints them again. The tests do not install it, because it needs pandas, seaborn and an old arch,
-which fails to import beside pandas 3.
+The tests do not install it, because it needs pandas, seaborn and an old arch, which fails to import
+beside pandas 3. ``iqm`` is `metrics.aggregate_iqm` of ONE, OTHER and TASK, ``improvement`` is
+`metrics.probability_of_improvement` of ONE and OTHER, and ``iqm_ends`` are those of
+`library.get_interval_estimates` of TASK with 200,000 samples, `RandomState(0)` and this LEVEL.
 """
-
-import json
-import sys
 
 import numpy as np
 
@@ -29,26 +25,3 @@ NUMBERS = {
     "iqm_ends": [0.06333333333333334, 0.32],
     "improvement": 0.5492063492063493,
 }
-
-
-def main() -> None:
-    """Print the numbers, with rliable."""
-    from rliable import library, metrics
-
-    ends = library.get_interval_estimates(
-        {"task": TASK},
-        lambda x: np.array([metrics.aggregate_iqm(x)]),
-        reps=200_000,
-        confidence_interval_size=LEVEL,
-        random_state=np.random.RandomState(0),
-    )[1]["task"]
-    numbers = {
-        "iqm": [float(metrics.aggregate_iqm(each)) for each in (ONE, OTHER, TASK)],
-        "iqm_ends": ends.ravel().tolist(),
-        "improvement": float(metrics.probability_of_improvement(ONE, OTHER)),
-    }
-    sys.stdout.write(json.dumps(numbers, indent=4) + "\n")
-
-
-if __name__ == "__main__":
-    main()

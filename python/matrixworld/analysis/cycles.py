@@ -7,9 +7,9 @@ of time, and it may saturate. A checkerboard contradicts every such order.
 
 from __future__ import annotations
 
+import heapq
 import math
 from dataclasses import dataclass
-from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -154,11 +154,6 @@ def checkerboards(
     return Checkerboards(count, math.comb(rows, 2) * math.comb(columns, 2))
 
 
-def clear_checkerboards(matrix: Rates) -> Checkerboards:
-    """Return the checkerboards that judgement and tables count: with `MARGIN` and no level."""
-    return checkerboards(thinned(matrix), margin=MARGIN, level=None)
-
-
 def strongest_checkerboards(
     matrix: Rates, *, count: int = 12, margin: float = 0.0
 ) -> tuple[Checkerboard, ...]:
@@ -166,12 +161,22 @@ def strongest_checkerboards(
 
     The strongest one of two pursuers counts; no two have more than two generations in common.
     """
-    boards = [_strongest_of(matrix, *pair) for pair in combinations(range(len(matrix)), 2)]
+    # Of two rows, no margin exceeds what one gains over the other in some column, and loses in
+    # another. In the order of these bounds, some dozens of pairs have to be looked at.
+    pairs: list[tuple[float, int, int, Checkerboard | None]] = []
+    for p, row in enumerate(matrix[:-1]):
+        gains = row - matrix[p + 1 :]
+        bounds = np.minimum(gains.max(axis=1), -gains.min(axis=1)).tolist()
+        pairs += [(-most, p, q, None) for q, most in enumerate(bounds, p + 1) if most > margin]
+    heapq.heapify(pairs)
     chosen: list[Checkerboard] = []
-    for board in sorted(boards, key=lambda board: -board.margin):
-        if board.margin <= margin or len(chosen) == count:
-            break
-        if all(_in_common(board, other) <= 2 for other in chosen):
+    while pairs and len(chosen) < count:
+        _, p, q, board = heapq.heappop(pairs)
+        if board is None:
+            board = _strongest_of(matrix, p, q)
+            if board.margin > margin:
+                heapq.heappush(pairs, (-board.margin, p, q, board))
+        elif all(_in_common(board, other) <= 2 for other in chosen):
             chosen.append(board)
     return tuple(chosen)
 

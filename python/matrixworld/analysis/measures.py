@@ -237,7 +237,8 @@ def _of_triangle(matrix: Rates, team: str, number: str) -> float:
 
 
 def _checkerboards(matrix: Rates) -> float:
-    return cycles.clear_checkerboards(matrix).share
+    matrix = cycles.thinned(matrix)
+    return cycles.checkerboards(matrix, margin=cycles.MARGIN, level=None).share
 
 
 def _deciding(

@@ -8,7 +8,7 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_floats, check_integer
+from matrixworld._util.checks import check_floats
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.payoffs import (
@@ -46,11 +46,6 @@ class LagProfile(Readable):
     means: Rates
     cells: NDArray[np.int64]
 
-    def at(self, lag: int) -> float:
-        """Return the mean at one lag, or raise ValueError if the profile does not contain it."""
-        first, last = int(self.lags[0]), int(self.lags[-1])
-        return float(self.means[check_integer("lag", lag, first, last) - first])
-
 
 def lag_profile(payoff: ArrayLike) -> LagProfile:
     """Return the mean capture rate in `payoff` (n, m) for every lag between pursuers and evaders.
@@ -71,8 +66,8 @@ def lag_rise(matrix: Rates) -> float:
     """Return the lag profile at a third of the generations minus that at minus as much."""
     # Long enough for strength to grow by more than noise, short enough to leave many cells. Both
     # lags have the same number of cells in a square matrix, so both means are equally noisy.
-    profile, lag = lag_profile(matrix), max(1, min(matrix.shape) // 3)
-    return profile.at(lag) - profile.at(-lag)
+    lag = max(1, min(matrix.shape) // 3)
+    return float(np.diagonal(matrix, -lag).mean()) - float(np.diagonal(matrix, lag).mean())
 
 
 def team_phase_rates(payoff: ArrayLike) -> Rates:

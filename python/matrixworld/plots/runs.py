@@ -159,7 +159,6 @@ def run_curves(
 
 SCORES = {"pursuer": "capture rate", "evader": "escape rate"}
 """What the score of a team is called."""
-FEWEST = fewest_runs()
 
 
 def seed_scores(
@@ -199,7 +198,9 @@ def seed_scores(
         axes.set_title(f"{team}s", size="medium")
         style.plain_axis(axes)
     _label_dots(
-        panels[0], "mean of one run", f"interquartile mean, 95% interval from {FEWEST} seeds on"
+        panels[0],
+        "mean of one run",
+        f"interquartile mean, 95% interval from {fewest_runs()} seeds on",
     )
     style.legend_below(figure, style.labelled(panels[0]), columns=2)
     style.entitle(figure, title)
@@ -234,10 +235,8 @@ def seed_bands(
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
     )
-    width, known = (
-        style.room(figure, max(2, columns) + 0.3),
-        style.by_name("judgements", judgements),
-    )
+    width = style.room(figure, max(2, columns) + 0.3)
+    known = style.by_name("judgements", judgements)
     for number, (column, (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
         matrices = analysis.read_payoffs(source).matrices
         _draw_group(column, matrices)

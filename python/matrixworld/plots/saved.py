@@ -39,25 +39,9 @@ def figures_of(
 ) -> dict[Path, Callable[[], Figure]]:
     """Return the files of the figures of runs, each with the function that draws it.
 
-    The figures of a run go into its directory, those of several runs into `root`. Races of several
-    seeds have figures of all seeds together in place of those of each run; several races of one
-    seed are drawn side by side, too.
-
-    Parameters
-    ----------
-    groups : sequence of RunGroup
-        The runs. The names of groups are shown as they are.
-    root : str or Path
-        The directory of what shows several runs.
-    name : str, optional
-        One of `OF_RUN` or `OF_GROUPS`, for this figure alone.
-    suffix : {"png", "pdf", "svg"}, optional
-        The format.
-    baselines : mapping of str to sequence of SavedRun, optional
-        Runs of teams that were trained in another way, for the figure of generalization: one for
-        each seed of the races, or one in all.
-    each : bool, optional
-        Whether those of each run are drawn beside those of several seeds.
+    Figures of a run go into its directory, those of several runs into `root`. Seeds of a race are
+    drawn together, and with `each` alone, too; several races of one seed side by side. `name`, one
+    of `OF_RUN` or `OF_GROUPS`, is for this figure alone.
     """
     if name is not None:
         check_choice("name", name, {**OF_RUN, **OF_GROUPS})
@@ -78,18 +62,14 @@ def figures_of(
     found: dict[Path, Callable[[], Figure]] = {}
     for single in [single for group in alone for single in group.singles]:
         for figure in OF_RUN:
-            if _is_usual(single, figure) or (single.is_race and figure == name):
+            # A run of one team alone has the curve of its training only.
+            if single.is_race or figure == "training":
                 file = single.runs[0].path / f"{figure}.{suffix}"
                 found[file] = partial(OF_RUN[figure], single, baselines)
     drawn = {group.name: group for group in seeds or races}
     for figure in together:
         found[Path(root) / f"{figure}.{suffix}"] = partial(OF_GROUPS[figure], drawn, baselines)
     return {file: draw for file, draw in found.items() if name in (None, file.stem)}
-
-
-def _is_usual(group: RunGroup, figure: str) -> bool:
-    """Return whether a figure of a run is drawn if nobody asks for it."""
-    return group.is_race or figure == "training"
 
 
 def _title(group: RunGroup, shown: str) -> str:

@@ -110,11 +110,9 @@ def columns_of_groups(
     heights: tuple[float, ...],
     least: float = 0.0,
 ) -> tuple[Figure, list[list[Axes]], int]:
-    """Return a figure with a column of panels for each of some groups, line by line.
+    """Return a figure, a column of panels for each group, and how many are beside each other.
 
-    At most so many columns stand beside each other, and lines are equally long: 5 of 4 are 3 and 2.
-    Width and height have a part of their own, and one for each column and line; `least` is the
-    least width. The last result is the number of columns.
+    Lines are equally long: 5 of 4 are 3 and 2. Width and height have a part for each column, line.
     """
     lines = -(-count // most)
     columns = -(-count // lines)
