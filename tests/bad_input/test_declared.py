@@ -52,7 +52,8 @@ def wrong_values(item: Field[Any], hint: Any) -> list[Any]:
     elif get_origin(hint) is tuple:
         wrong = ["32", (0,), (1.5,), 0, {}, math.nan]
     elif get_origin(hint) is Mapping:
-        wrong = [3, "text", {1: 2}, {"rate": object()}]
+        unfit = (object(), [1], None, math.nan)
+        wrong = [3, "text", {1: 2}, {"my rate": 2}, *({"rate": each} for each in unfit)]
     elif bool in accepted:
         wrong = [*NO_BOOLS]
     elif int in accepted:

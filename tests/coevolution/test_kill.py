@@ -71,6 +71,7 @@ def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
         assert at < 200  # more than there are events
     assert at >= 15
     assert results(tmp_path / "run") == straight(kind)
+    assert not list((tmp_path / "run").glob(".*.tmp"))
 
 
 def test_a_job_that_is_killed_while_it_is_made_is_none_or_whole(tmp_path):

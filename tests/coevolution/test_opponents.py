@@ -169,19 +169,14 @@ def test_a_sample_holds_available_opponents_once_each(sampler, available, count,
         assert 0 <= sample.min() <= sample.max() < known
 
 
-SHARED, PRIORITIZED, NASH = (
-    opponents.SharedSampling(), opponents.Prioritized(), opponents.NashOpponents(),
-)  # fmt: skip
+NASH = opponents.NashOpponents()
 
 
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: opponents.Prioritized(decay=0.0), "decay: "),
-        (lambda: opponents.Prioritized("easy"), "weighting: expected one of hard, even"),
-        (lambda: opponents.NashOpponents(episodes=0), "episodes: expected at least 1, got 0"),
-        (lambda: told(SHARED, ([0], [[2.0]])), "scores: expected numbers in"),
-        (lambda: told(PRIORITIZED, ([0, 1], [[0.5]])), r"scores: expected shape \(n, 2\)"),
+        (lambda: told(SAMPLERS["shared"], ([0], [[2.0]])), "scores: expected numbers in"),
+        (lambda: told(SAMPLERS["hard"], ([0, 1], [[0.5]])), r"scores: expected shape \(n, 2\)"),
         (lambda: NASH.update(NASH.start(), 1, 1, lambda *_: [1.0]), r"payoff: expected \(1, 1\)"),
         (
             lambda: chosen(NASH, 3, state={"weights": np.ones(2) / 2}),

@@ -3,14 +3,13 @@
 import os
 import pickle
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from matrixworld.coevolution import (
-    TEAMS,
     CmaEs,
     EvolutionStrategy,
     GeneticAlgorithm,
@@ -34,6 +33,7 @@ from tiny_race import (
     check_resumes,
     hall_of_fame,
     played,
+    results,
     tiny_race,
     tiny_single,
 )
@@ -51,17 +51,7 @@ def folder(tmp_path, monkeypatch):
 # Names as data
 
 
-def test_settings_import_nothing():
-    settings = RaceSettings.of(
-        {"learner": "no.such:Learner", "schedule": "alternating", "schedule.evaders_meet": "no:S"}
-    )
-    assert settings.learner.code == "no.such:Learner"
-    assert settings.schedule.evaders_meet.code == "no:S"
-    assert "no" not in sys.modules
-
-
 def test_a_run_is_read_without_its_code(folder):
-    """What a stranger's run names is imported when it goes on, and not before."""
     imported = folder / "imported"
     (folder / "mine.py").write_text(
         f"from pathlib import Path\nPath({str(imported)!r}).touch()\n"
@@ -115,15 +105,6 @@ def test_a_class_and_an_instance_stand_for_their_name_and_settings():
         RaceSettings(learner=Inside)
 
 
-@pytest.mark.parametrize(
-    "given",
-    ["sigma=0.1", {"sigma": [1]}, {"sigma": None}, {"sigma": float("nan")}, {1: 2}, {"my s": 2}],
-)
-def test_bad_settings_are_refused(given):
-    with pytest.raises((TypeError, ValueError), match="^settings: expected "):
-        OwnOpponents(code="own_code:HillClimber", settings=given)
-
-
 # Imports
 
 
@@ -146,22 +127,16 @@ def test_what_cannot_be_found_is_said(name, message, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("settings", "message"),
+    ("value", "message"),
     [
-        (
-            {"sgima": 0.1},
-            r"expected its settings \(population, sigma, shrink\), got {'sgima': 0.1}",
-        ),
+        ({"sgima": 1}, r"expected its settings \(population, sigma, shrink\), got {'sgima': 1}"),
         ({"sigma": -1}, "sigma: expected a number above 0, got -1"),
-        (
-            {"sigma": "x"},
-            r"expected its settings .*, got {'sigma': 'x'} \(sigma: expected a number",
-        ),
+        ({"sigma": "x"}, r"expected its settings .*{'sigma': 'x'} \(sigma: expected a number"),
     ],
 )
-def test_settings_are_those_of_the_fields(settings, message):
+def test_settings_are_those_of_the_fields(value, message):
     with pytest.raises(ValueError, match=f"^own_code:HillClimber: {message}"):
-        OwnLearner(code="own_code:HillClimber", settings=settings).load()
+        OwnLearner(code="own_code:HillClimber", settings=value).load()
 
 
 def test_a_mask_needs_a_learner_that_keeps_it(tmp_path):
@@ -194,15 +169,17 @@ def test_a_module_or_a_class_that_fails_is_named_with_its_error(folder):
 
 @pytest.mark.parametrize(
     "learner",
-    [HillClimber(sigma=0.3), CmaEs(sigma=0.1), EvolutionStrategy(), GeneticAlgorithm(elites=1)],
+    [
+        HillClimber(sigma=0.3),
+        CmaEs(sigma=0.1),
+        EvolutionStrategy(sigma=0.1, learning_rate=0.1, relative_sigma=0.4),
+        EvolutionStrategy(sigma=0.1, learning_rate=0.1, relative_sigma=0.4, momentum=0.9),
+        GeneticAlgorithm(elites=1, mutation=0.1),
+    ],
 )
 def test_a_learner_that_keeps_all_promises(learner):
     # With numbers from the global generator a run would not be repeated by its seed.
     before = np.random.get_state()[1].copy()  # noqa: NPY002
-    if isinstance(learner, EvolutionStrategy):
-        learner = replace(learner, sigma=0.1, learning_rate=0.1, relative_sigma=0.4, momentum=0.9)
-    if isinstance(learner, GeneticAlgorithm):
-        learner = replace(learner, mutation=0.1)
     check_learner(learner)
     assert np.array_equal(np.random.get_state()[1], before)  # noqa: NPY002
 
@@ -236,21 +213,25 @@ def tells(change):
     return changed(tell=tell)
 
 
+def draws_otherwise(self, state, rng):
+    return HillClimber.ask(self, state, np.random.default_rng())
+
+
 def forgets(self, state, results):
     """Keep the step size in the class, as no checkpoint does."""
     type(self).kept = 0.9 * getattr(type(self), "kept", 0.1)
     return {**HillClimber.tell(self, state, results), "sigma": np.array(type(self).kept)}
 
 
-OTHER_NOISE = changed(
-    ask=lambda self, state, rng: HillClimber.ask(self, state, np.random.default_rng())
-)
-
-
 @pytest.mark.parametrize(
     ("learner", "message"),
     [
-        (OTHER_NOISE, "expected equal results from equal generators, got others in epoch 0"),
+        (
+            changed(
+                ask=lambda self, state, _: HillClimber.ask(self, state, np.random.default_rng())
+            ),
+            "expected equal results from equal generators, got others in epoch 0",
+        ),
         (changed(tell=forgets), "expected equal results from equal generators, got others in"),
         (InPlace(), "state: expected arrays that stay as they were, got some that change"),
         (asks(lambda asked: asked.astype(float)), r"ask: .*, got float64 \(4, "),
@@ -299,14 +280,9 @@ def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
         played(tiny_race(learner="own_code:Fails"), tmp_path / "run")
     if sys.version_info >= (3, 11):
         assert caught.value.__notes__ == [f"in stage 1 of the run {tmp_path / 'run'}"]
-    # The files hold the last finished stage, as after any other error.
-    assert Run(tmp_path / "run").stage == 0
-
-
-def test_a_learner_that_exits_does_not_end_the_program(tmp_path):
-    with pytest.raises(PluginError, match="called exit"):
-        played(tiny_race(learner="own_code:Exits"), tmp_path / "run")
-    assert Run(tmp_path / "run").stage == 0
+    assert Run(tmp_path / "run").stage == 0  # the last finished one
+    with pytest.raises(PluginError, match="called exit"):  # it does not end the program
+        played(tiny_race(learner="own_code:Exits"), tmp_path / "exits")
 
 
 # Runs
@@ -337,26 +313,16 @@ def test_each_interruption_is_resumed_bit_for_bit(kind: str, tmp_path: Path) -> 
     assert call >= 4
 
 
-@pytest.mark.parametrize(
-    ("own", "built_in"),
-    [
-        (
-            alternating(evaders_meet="matrixworld.coevolution.opponents:SharedSampling"),
-            alternating(evaders_meet="shared-sampling"),
-        ),
-        (
-            tiny_race(
-                learner="matrixworld.coevolution:CmaEs",
-                settings={"sigma": 0.1, "population": 4},
-                hidden=(),
-            ),
-            tiny_race(learner="cma", sigma=0.1, hidden=()),
-        ),
-    ],
-    ids=["sampler", "learner"],
-)
-def test_a_class_of_the_package_by_its_path_gives_the_same_run(own, built_in, tmp_path):
-    runs = [played(own, tmp_path / "own"), played(built_in, tmp_path / "built-in")]
-    assert (runs[0].path / "log.csv").read_bytes() == (runs[1].path / "log.csv").read_bytes()
-    for team in TEAMS:
-        assert np.array_equal(*(run.archive()[team] for run in runs))
+def test_a_class_of_the_package_by_its_path_gives_the_same_run(tmp_path):
+    package = "matrixworld.coevolution"
+    own = {
+        "learner": f"{package}:CmaEs",
+        "settings": {"sigma": 0.1, "population": 4},
+        "evaders_meet": f"{package}.opponents:SharedSampling",
+    }
+    built_in = {"learner": "cma", "sigma": 0.1, "evaders_meet": "shared-sampling"}
+    one, other = (
+        results(played(alternating(hidden=(), **each), tmp_path / str(number)).path)
+        for number, each in enumerate((own, built_in))
+    )
+    assert all(one[name] == other[name] for name in ("log.csv", "pursuers.npy", "evaders.npy"))

@@ -6,7 +6,6 @@ import os
 import shutil
 import sys
 import time
-import warnings
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -23,9 +22,9 @@ from matrixworld.coevolution import (
     create,
     finish,
     open_run,
-    storage,
 )
 from matrixworld.coevolution.storage import COLUMNS, FORMAT, RunWriter
+from scripts import wait_until
 from tiny_race import StopAt, begun, directory_in_memory, played, results, tiny_race, tiny_single
 
 SETTINGS = {
@@ -33,11 +32,6 @@ SETTINGS = {
     "hall-of-fame": tiny_race(schedule="hall-of-fame", contemporaries=1, hall_sample=1),
     "single": tiny_single(team="evader", learner="ga"),
 }
-
-
-def row(epoch):
-    values = {int: epoch, float: epoch / 3, str: "evader"}
-    return {name: values[kind] for name, kind in COLUMNS.items()}
 
 
 def archive(generations):
@@ -48,7 +42,8 @@ def archive(generations):
 
 def save(files_of_run, stage):
     """Save a stage with one generation and one row of the log."""
-    rows = [row(stage - 1)] if stage else []
+    values = {int: stage - 1, float: stage / 3, str: "evader"}
+    rows = [{name: values[kind] for name, kind in COLUMNS.items()}] if stage else []
     states = {"pursuer": {"mean": np.array([stage])}, "pursuer.opponents": {"wins": np.zeros(2)}}
     files_of_run.save(stage, archive(1 + stage), rows, {"matches": stage}, states)
 
@@ -60,52 +55,23 @@ def new_run(path):
     return made
 
 
-@pytest.fixture
-def run(tmp_path):
-    """A directory with three stages: the untrained generation and two more."""
-    made = new_run(tmp_path / "run")
-    save(made, 1)
-    save(made, 2)
-    return made
-
-
 def cut(path):
     path.write_bytes(path.read_bytes()[:-10])
 
 
-def alter(path, position):
-    content = bytearray(path.read_bytes())
-    content[position] ^= 1  # a single bit
-    path.write_bytes(bytes(content))
-
-
-def test_stages_come_back(run):
-    restored = RunWriter(run.path).restore()
-    assert [int(stage["matches"]) for stage in restored.stages] == [0, 1, 2]
-    assert restored.states["pursuer"]["mean"].tolist() == [2]
-    assert restored.states["pursuer.opponents"]["wins"].tolist() == [0, 0]
-    assert restored.states["evader"] == restored.states["evader.opponents"] == {}
-    assert np.array_equal(restored.archive["pursuer"], archive(3)["pursuer"])
-    assert np.array_equal(run.archive()["evader"], archive(3)["evader"])
-    assert run.log()["epoch"].tolist() == [0, 1]
-    assert run.log()["fitness_best"] == pytest.approx([0.0, 1 / 3])
-    assert [each["epoch"] for each in run.rows(1)] == [1]
-    assert (run.newest(), run.matches()) == (2, 2)
-
-
 @pytest.mark.parametrize("name", ["stage-0002.npz", "checkpoint-0002.npz"])
-def test_the_stage_before_is_used_if_the_newest_one_is_damaged(run, name):
+def test_the_stage_before_is_used_if_the_newest_one_is_damaged(tmp_path, name):
+    run = new_run(tmp_path / "run")
+    save(run, 1)
+    save(run, 2)
     cut(run.path / name)
     reopened = RunWriter(run.path)
     with pytest.warns(UserWarning, match=f"{name}: cut.*; continuing from the stage"):
         restored = reopened.restore()
     assert restored.states["pursuer"]["mean"].tolist() == [1]
     assert len(restored.archive["evader"]) == 2
-    save(reopened, 2)  # played again
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert len(RunWriter(run.path).restore().stages) == 3
-    assert len(run.archive()["evader"]) == 3
+    save(reopened, 2)  # played again, so that no warning, which is an error here, comes
+    assert len(RunWriter(run.path).restore().stages) == len(run.archive()["evader"]) == 3
     assert (run.path / f"{name}.damaged").exists()
     cut(run.path / "checkpoint-0002.npz")
     cut(run.path / "checkpoint-0001.npz")  # now neither of the two states can be read
@@ -127,14 +93,6 @@ def test_a_stage_costs_the_same_in_every_generation(tmp_path):
         assert len(before.keys() - after.keys()) == (stage > 1)
         sizes.append(sum(path.stat().st_size for path in changed))
     assert max(sizes) - min(sizes) < 100  # numbers in the log have one digit or more
-
-
-def test_temporary_files_and_old_checkpoints_of_killed_writers_are_removed(run):
-    shutil.copy(run.path / "checkpoint-0001.npz", run.path / "checkpoint-0000.npz")
-    (run.path / ".123.tmp").write_bytes(b"half")
-    run.restore()
-    names = {path.name for path in run.path.glob("*")}
-    assert not names & {"checkpoint-0000.npz", ".123.tmp"}
 
 
 # Files of several moments beside each other:
@@ -193,9 +151,8 @@ def test_a_partial_copy_is_refused_or_a_whole_moment(life, tmp_path, count):
             shutil.rmtree(partial)
 
 
-def save_all_the_time(path, made):
+def save_all_the_time(path):
     run = new_run(path)
-    made.set()
     for stage in itertools.count(1):
         time.sleep(0.02)  # so that the reader is faster than the run grows
         save(run, stage)
@@ -203,16 +160,14 @@ def save_all_the_time(path, made):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows does not replace open files")
 def test_a_reader_beside_a_writer_never_fails(tmp_path):
-    context = multiprocessing.get_context("spawn")
-    made = context.Event()
-    writer = context.Process(target=save_all_the_time, args=(tmp_path / "run", made), daemon=True)
+    writer = multiprocessing.get_context("spawn").Process(
+        target=save_all_the_time, args=(tmp_path / "run",), daemon=True
+    )
     writer.start()
-    assert made.wait(60)
     generations = 0
     try:
-        until = time.monotonic() + 60
-        # From the first stage to the twentieth.
-        while generations < 20 and time.monotonic() < until:
+        wait_until((tmp_path / "run/config.json").exists, "a run")
+        while generations < 20:
             run = RunWriter(tmp_path / "run")
             found, log = run.archive(), run.log()
             assert np.array_equal(found["pursuer"], archive(len(found["pursuer"]))["pursuer"])
@@ -220,10 +175,10 @@ def test_a_reader_beside_a_writer_never_fails(tmp_path):
             generations = len(found["pursuer"])
             assert log["epoch"].tolist() == list(range(len(log["epoch"])))
             assert len(log["epoch"]) >= generations - 1
+            assert writer.is_alive()
     finally:
         writer.kill()
         writer.join()
-    assert generations >= 20
 
 
 # Damaged directories: an error that names the file, or repaired; never a wrong result.
@@ -242,25 +197,23 @@ FILES = {
 """Files of a finished run, and of a run that was stopped in its third stage."""
 OF_EITHER = [(run, name) for run, names in FILES.items() for name in names]
 PREVIOUS = ("checkpoint-0003.npz", "checkpoint-0001.npz")
-"""The state before the newest one: it is needed only if the newest one is damaged."""
+"""The state before the newest one, which is needed only if the newest one is damaged."""
 
 
 @pytest.fixture(scope="module")
 def straight(tmp_path_factory):
-    """A finished race."""
     return played(tiny_race(), tmp_path_factory.mktemp("straight") / "run").path
 
 
 @pytest.fixture(scope="module")
 def stopped(tmp_path_factory):
-    """The same race, stopped in its second to last team phase."""
     directory = tmp_path_factory.mktemp("stopped") / "run"
     with pytest.raises(KeyboardInterrupt):
         played(tiny_race(), directory, play=StopAt(6))
     return directory
 
 
-@pytest.fixture(params=["straight", "stopped"])
+@pytest.fixture(params=FILES)
 def copy(request, tmp_path):
     """A copy of the finished or of the stopped race, to be damaged."""
     return Path(shutil.copytree(request.getfixturevalue(request.param), tmp_path / "run"))
@@ -271,11 +224,10 @@ def copy(request, tmp_path):
 @pytest.mark.parametrize(("copy", "name"), OF_EITHER, indirect=["copy"])
 def test_damage_is_repaired_or_reported(copy, straight, name, damage):
     whole = (copy / name).read_bytes()
-    if damage == "deleted":
-        (copy / name).unlink()
-    else:
+    (copy / name).unlink()
+    if damage == "half":
         (copy / name).write_bytes(whole[: len(whole) // 2])
-    if (name, damage) == ("config.json", "deleted"):
+    elif name == "config.json":
         with pytest.raises(FileNotFoundError, match="holds no run"):
             Run(copy)
         with pytest.raises(FileExistsError):
@@ -299,38 +251,8 @@ def test_damage_is_repaired_or_reported(copy, straight, name, damage):
     assert repaired or name != ".lock"
 
 
-def held(value):
-    """Return all that a value of a run holds, so that it can be compared."""
-    if isinstance(value, dict):
-        return {name: held(each) for name, each in value.items()}
-    if isinstance(value, np.ndarray):
-        return value.dtype.str, value.shape, value.tobytes()
-    return value
-
-
-def everything(directory):
-    """Return all that the files of a finished run hold."""
-    run = RunWriter(directory)
-    restored = run.restore()
-    parts = run.config, run.archive(), run.log(), run.payoff().arrays(), run.summary()
-    return [*map(held, parts), held(restored.states), [*map(held, restored.stages)]]
-
-
-@pytest.mark.parametrize("name", [name for name in FILES["straight"] if name.endswith(".npz")])
-def test_an_altered_byte_of_a_run_is_found_or_changes_nothing(name, straight, tmp_path):
-    """In each file; a checkpoint that is not needed any more need not be read."""
-    copy = Path(shutil.copytree(straight, tmp_path / "run"))
-    expected, whole = everything(copy), (copy / name).read_bytes()
-    found = 0
-    for position in range(0, len(whole), max(1, len(whole) // 25)):
-        alter(copy / name, position)
-        try:  # a warning is an error here
-            assert everything(copy) == expected
-        except (DamagedFileError, OtherVersionError, UserWarning) as error:
-            assert name in str(error)  # noqa: PT017, it may be harmless as well
-            found += 1
-        (copy / name).write_bytes(whole)
-    assert found > 12 or name == PREVIOUS[0]
+def held(arrays):
+    return {name: (each.dtype, each.shape, each.tobytes()) for name, each in arrays.items()}
 
 
 def test_every_altered_byte_of_arrays_is_found_or_changes_nothing(tmp_path):
@@ -382,19 +304,6 @@ def test_other_files_are_not_replaced(tmp_path, left_over):
     with pytest.raises(FileExistsError, match=r"found stage-0000\.npz"):
         create(tiny_race(), tmp_path)
     assert (tmp_path / "stage-0000.npz").read_bytes() == b"mine"
-
-
-def test_a_run_whose_making_was_stopped_can_be_made_again(straight, tmp_path, monkeypatch):
-    def interrupted(*args, **options):
-        raise KeyboardInterrupt
-
-    with monkeypatch.context() as patch:
-        patch.setattr(storage, "save_json", interrupted)
-        with pytest.raises(KeyboardInterrupt):
-            create(tiny_race(), tmp_path / "run")
-    with pytest.raises(FileNotFoundError, match="holds no run"):
-        Run(tmp_path / "run")
-    assert results(played(tiny_race(), tmp_path / "run").path) == results(straight)
 
 
 @contextmanager

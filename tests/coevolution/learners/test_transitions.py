@@ -51,49 +51,6 @@ def test_the_matches_are_those_of_a_rollout(team: Team, opponents, worlds: int) 
     np.testing.assert_array_equal(faults, scores.faults[:, :, side].sum(axis=2).ravel())
 
 
-def by_hand(team: Team, seed: int, opponent: Population) -> Experience:
-    """Play one match with `World`, agent by agent."""
-    world = World(CONFIG)
-    world.reset(seed=seed)
-    part = slice(0, 3) if team == "pursuer" else slice(3, 7)
-    rows: list[tuple] = []
-    while not (world.terminated or world.truncated):
-        acted = world.alive[part].copy()
-        views = world.views()[part][acted].reshape(acted.sum(), 75)
-        actions = np.zeros(7, np.int64)
-        sides = [genomes(0, 1), opponent]
-        for agents, policy in zip(
-            (range(3), range(3, 7)), sides if team == "pursuer" else sides[::-1], strict=True
-        ):
-            world.decide(policy, agents, actions)
-        world.step(actions)
-        last = world.alive[part] & world.truncated
-        after = world.views()[part][last].reshape(last.sum(), 75)
-        rows.append((acted, views, actions[part][acted], world.rewards[part][acted], last, after))
-    acted, views, chosen, rewards, last, after = zip(*rows, strict=True)
-    return Experience(
-        np.stack(acted)[:, None],
-        np.concatenate(views),
-        np.concatenate(chosen),
-        np.concatenate(rewards),
-        np.zeros(0, np.float32),
-        np.stack(last)[:, None],
-        np.concatenate(after),
-    )
-
-
-@pytest.mark.parametrize("team", TEAMS)
-@pytest.mark.parametrize("number", range(4))
-def test_transitions_are_those_of_a_world_that_is_played_by_hand(team: Team, number: int) -> None:
-    opponents = genomes(1, 3)
-    one = slice(number, number + 1)
-    found = experience(CONFIG, team, genomes(0, 1), opponents, CHOSEN[one], SEEDS[one], threads=1)
-    opponent = Population(opponents.genomes[CHOSEN[number]], NETWORK)
-    expected = by_hand(team, int(SEEDS[number]), opponent)
-    for name in ("acted", "views", "actions", "rewards", "last", "last_views"):
-        np.testing.assert_array_equal(getattr(found, name), getattr(expected, name), err_msg=name)
-
-
 def test_states_are_kept_if_asked_for() -> None:
     found = experience(
         CONFIG, "evader", genomes(0, 1), "random", CHOSEN, SEEDS, states=True, threads=1
