@@ -1,15 +1,15 @@
-/* built from web/ by "npm run build"; sources 820cc4993b66ffd374b15558c030637f9916f198dfc13f0a2fe0582ee999a851 */
-(()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,yn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
+/* built from web/ by "npm run build"; sources 677605e860753e6fdc9294ecdb6e969d966da11745000413e15cb3d79b5f06f0 */
+(()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,yn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
-"state")}get ticks(){return this.#c}set ticks(e){this.#c=e,this.#i("state")}get pace(){return this.#r||Math.max(yn,this.#e/we)}get speed(){return this.#r}set speed(e){
+"state")}get ticks(){return this.#h}set ticks(e){this.#h=e,this.#i("state")}get pace(){return this.#r||Math.max(yn,this.#e/we)}get speed(){return this.#r}set speed(e){
 this.#r=e,this.#i("state")}changeSpeed(e){let r=re.findIndex(n=>n>=this.pace);this.speed=re[Math.min(re.length-1,Math.max(0,r+e))]}play(){this.#a||!this.#e||(this.#t===
 this.#e&&this.jump(0),this.#a=!0,this.#i("state"),this.#m())}pause(){this.#a&&(this.#a=!1,this.#i("state"))}toggle(){this.#a?this.pause():this.play()}move(e){this.
-pause();let r=Math.min(this.#e,Math.max(0,this.#t+e));Math.abs(r-this.#o)>1?this.jump(r):this.#h(r),this.#m()}jump(e){this.#o=Math.min(this.#e,Math.max(0,Math.round(
-e))),this.#h(this.#o),this.#i("frame")}#h(e){e!==this.#t&&(this.#t=e,this.#i("step"),this.#n&&this.#i("frame"))}#m(){this.#s===null&&(this.#l=performance.now(),
+pause();let r=Math.min(this.#e,Math.max(0,this.#t+e));Math.abs(r-this.#o)>1?this.jump(r):this.#c(r),this.#m()}jump(e){this.#o=Math.min(this.#e,Math.max(0,Math.round(
+e))),this.#c(this.#o),this.#i("frame")}#c(e){e!==this.#t&&(this.#t=e,this.#i("step"),this.#n&&this.#i("frame"))}#m(){this.#s===null&&(this.#l=performance.now(),
 this.#s=requestAnimationFrame(()=>this.#f()))}#f(){this.#s=null;let e=performance.now();this.#d(Math.min(.25,(e-this.#l)/1e3)),this.#l=e,(!this.#n||this.arrived)&&
 this.#i("frame"),(this.#a||this.#o!==this.#t)&&(this.#s=requestAnimationFrame(()=>this.#f()))}#d(e){let r=e;for(;r>0;){if(this.#o===this.#t){if(!this.#a)return;
-if(this.#t===this.#e)return this.pause();this.#h(this.#t+1)}let n=this.#a?this.pace:1/this.glide,o=this.#t-this.#o,a=Math.min(Math.abs(o),r*n);r-=a/n,this.#o=a===
+if(this.#t===this.#e)return this.pause();this.#c(this.#t+1)}let n=this.#a?this.pace:1/this.glide,o=this.#t-this.#o,a=Math.min(Math.abs(o),r*n);r-=a/n,this.#o=a===
 Math.abs(o)?this.#t:this.#o+Math.sign(o)*a}this.#a&&this.#o===this.#e&&this.pause()}#i(e){this.dispatchEvent(new Event(e))}};function xe(t,e){if(e.ctrlKey||e.metaKey||
 e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
 "+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var Tt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ne={DISAPPEAR:0,REACH:1,BOUNCE:2},Ct={OCCUPATION:0,SURROUND:1},Et={FAULT:0,INVOLVED:1};var kt=["obstacle","teammate","adversary"],We=["vertex","edge","chain"],_t=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Be=["p\
@@ -38,24 +38,24 @@ return[this.text(a),i?Lt:xn(l),l.length,this.copy(Ge(l))]}),o=this.copy(Ge(Int32
 addresses)this.engine._free(e)}};function $t(t,e){let r=t.HEAPU8;return wn.decode(r.subarray(e,r.indexOf(0,e)))}function V(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/Pt,n=e[r+1]/Pt,o={};for(let a=n;a<n+e[r]*Nt;a+=Nt){let s=je[e[a+1]],i=e[a+2]*s.BYTES_PER_ELEMENT,l=e[a+3];o[$t(t,e[a])]=new s(t.HEAPU8.slice(
 l,l+i).buffer)}return o}function z(t,e){let r=new Ve(t);try{let n=e(r);if(n===0)throw new U($t(t,t._last_error()));return n}finally{r.free()}}var Sn=2**31-1,zt=["none","gru"],An=2n**64n-1n,Tn=34028234663852886e22;function P(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Sn)throw v(t,"an\
- integer",e);return Int32Array.of(e)}function Se(t,e){if(typeof e!="boolean")throw v(t,"true or false",e);return new j(Uint8Array.of(Number(e)))}function F(t,e,r){
+ integer",e);return Int32Array.of(e)}function Se(t,e){if(typeof e!="boolean")throw v(t,"true or false",e);return new j(Uint8Array.of(Number(e)))}function D(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw v(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function qe(t,e){
 if(typeof e!="number"||!(Math.abs(e)<=Tn))throw v(t,"a finite number",e);return e}function se(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
-e)?BigInt(e):-1n;if(n<0n||n>An)throw v(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Cn(t){return{"rules.interaction":F("interaction",
-t.interaction,Tt),"rules.obstacle":F("obstacle",t.obstacle,ne),"rules.teammate":F("teammate",t.teammate,ne),"rules.evader":F("evader",t.evader,ne),"rules.pursue\
-r":F("pursuer",t.pursuer,ne),"rules.capture":F("capture",t.capture,Ct),"rules.captured_disappear":Se("captured_disappear",t.captured_disappear)}}function Ut(t,e){
+e)?BigInt(e):-1n;if(n<0n||n>An)throw v(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Cn(t){return{"rules.interaction":D("interaction",
+t.interaction,Tt),"rules.obstacle":D("obstacle",t.obstacle,ne),"rules.teammate":D("teammate",t.teammate,ne),"rules.evader":D("evader",t.evader,ne),"rules.pursue\
+r":D("pursuer",t.pursuer,ne),"rules.capture":D("capture",t.capture,Ct),"rules.captured_disappear":Se("captured_disappear",t.captured_disappear)}}function Ut(t,e){
 let r=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(r)||r.length!==3)throw v(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>qe(t,n))}function En(t){let e=(r,n)=>Float32Array.
 of(qe(r,t[r]),qe(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.ste\
 p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":Ut("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Ut("evader_collide",t.evader_collide),
-"rewards.blame":F("blame",t.blame,Et),"rewards.capture_repeats":Se("capture_repeats",t.capture_repeats)}}function Dt(t){if(t===void 0||typeof t=="number")return new Uint8Array(
+"rewards.blame":D("blame",t.blame,Et),"rewards.capture_repeats":Se("capture_repeats",t.capture_repeats)}}function Ft(t){if(t===void 0||typeof t=="number")return new Uint8Array(
 0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=Ot;for(let[n,o]of t.entries()){if(o.length!==t[0]?.length)throw v(`map, row ${n}`,`${t[0]?.length} \
 cells as in row 0`,o.length);let a=[...o].find(s=>!e.includes(s)&&!r.includes(s));if(a)throw v(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,a)}return Uint8Array.
 from([...t.join("")],n=>Number(r.includes(n)))}function Wt(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
 throw v("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function q(t){Wt(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
 ...Cn(t.rules),...En(t.rewards),rows:P("rows",t.rows),cols:P("cols",t.cols),n_pursuers:P("n_pursuers",t.n_pursuers),n_evaders:P("n_evaders",t.n_evaders),fov:P("\
-fov",t.fov),diagonal:Se("diagonal",t.diagonal),max_steps:P("max_steps",t.max_steps),density:Float64Array.of(e),map:Dt(t.obstacles)}}function Ft(t,e){return Int32Array.
-from((e??[]).flat(),r=>P(t,r)[0])}function Bt(t,e){return Wt(t.obstacles,e),{seed:se("seed",t.seed??0n),episode:se("episode",t.episode??0),pursuers:Ft("pursuers",
-t.pursuers),evaders:Ft("evaders",t.evaders),map:Dt(t.obstacles)}}function Ae(t){return{actions:Int32Array.from(t,e=>P("actions",e)[0])}}function K(t){if(typeof t==
+fov",t.fov),diagonal:Se("diagonal",t.diagonal),max_steps:P("max_steps",t.max_steps),density:Float64Array.of(e),map:Ft(t.obstacles)}}function Dt(t,e){return Int32Array.
+from((e??[]).flat(),r=>P(t,r)[0])}function Bt(t,e){return Wt(t.obstacles,e),{seed:se("seed",t.seed??0n),episode:se("episode",t.episode??0),pursuers:Dt("pursuers",
+t.pursuers),evaders:Dt("evaders",t.evaders),map:Ft(t.obstacles)}}function Ae(t){return{actions:Int32Array.from(t,e=>P("actions",e)[0])}}function K(t){if(typeof t==
 "string"){if(!Object.hasOwn(He,t))throw v("policy",`one of ${Object.keys(He).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
 t.activation!=="tanh")throw v("activation","'relu' or 'tanh'",t.activation);if(!zt.includes(t.memory))throw v("memory",`one of ${zt.join(", ")}`,t.memory);return{
 hidden:Int32Array.from(t.hidden,e=>P("hidden",e)[0]),activation:new TextEncoder().encode(t.activation),sampled:Se("sampled",t.sampled),memory:new TextEncoder().
@@ -108,8 +108,8 @@ u"){let t=matchMedia("(prefers-color-scheme: dark)");t.addEventListener("change"
 Qt(),ue(!1)}),addEventListener("afterprint",()=>ue(e))}function er(){return h("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Ye},
 "◐")}var tr=(t,e,...r)=>h("header",{class:"top"},h("div",{},h("h1",{},t),e?h("p",{class:"lead"},e):null),h("div",{class:"tools"},...r,er()));var C=Uint8Array,Z=Uint16Array,zn=Int32Array,rr=new C([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),nr=new C([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),Un=new C([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),or=function(t,e){for(var r=new Z(31),n=0;n<31;++n)r[n]=e+=
-1<<t[n-1];for(var o=new zn(r[30]),n=1;n<30;++n)for(var a=r[n];a<r[n+1];++a)o[a]=a-r[n]<<5|n;return{b:r,r:o}},ar=or(rr,2),sr=ar.b,Fn=ar.r;sr[28]=258,Fn[258]=28;var ir=or(
-nr,0),Dn=ir.b,Ra=ir.r,Qe=new Z(32768);for(y=0;y<32768;++y)N=(y&43690)>>1|(y&21845)<<1,N=(N&52428)>>2|(N&13107)<<2,N=(N&61680)>>4|(N&3855)<<4,Qe[y]=((N&65280)>>8|
+1<<t[n-1];for(var o=new zn(r[30]),n=1;n<30;++n)for(var a=r[n];a<r[n+1];++a)o[a]=a-r[n]<<5|n;return{b:r,r:o}},ar=or(rr,2),sr=ar.b,Dn=ar.r;sr[28]=258,Dn[258]=28;var ir=or(
+nr,0),Fn=ir.b,Ra=ir.r,Qe=new Z(32768);for(y=0;y<32768;++y)N=(y&43690)>>1|(y&21845)<<1,N=(N&52428)>>2|(N&13107)<<2,N=(N&61680)>>4|(N&3855)<<4,Qe[y]=((N&65280)>>8|
 (N&255)<<8)>>1;var N,y,ce=(function(t,e,r){for(var n=t.length,o=0,a=new Z(e);o<n;++o)t[o]&&++a[t[o]-1];var s=new Z(e);for(o=1;o<e;++o)s[o]=s[o-1]+a[o-1]<<1;var i;
 if(r){i=new Z(1<<e);var l=15-e;for(o=0;o<n;++o)if(t[o])for(var u=o<<4|t[o],m=e-t[o],c=s[t[o]-1]++<<m,f=c|(1<<m)-1;c<=f;++c)i[Qe[c]>>l]=u}else for(i=new Z(n),o=0;o<
 n;++o)t[o]&&(i[o]=Qe[s[t[o]-1]++]>>15-t[o]);return i}),he=new C(288);for(y=0;y<144;++y)he[y]=8;var y;for(y=144;y<256;++y)he[y]=9;var y;for(y=256;y<280;++y)he[y]=
@@ -125,11 +125,11 @@ T=0;T<pt;){var gt=mn[_(t,c,hn)];c+=gt&15;var x=gt>>4;if(x<16)ee[T++]=x;else{var 
 18&&(ge=11+_(t,c,127),c+=7);ge--;)ee[T++]=W}}var vt=ee.subarray(0,$e),$=ee.subarray($e);p=Xe(vt),b=Xe($),d=ce(vt,p,1),g=ce($,b,1)}else R(1);else{var x=Hn(c)+4,L=t[x-
 4]|t[x-3]<<8,Q=x+L;if(Q>o){l&&R(0);break}i&&u(f+L),r.set(t.subarray(x,Q),f),e.b=f+=L,e.p=c=Q*8,e.f=m;continue}if(c>A){l&&R(0);break}}i&&u(f+131072);for(var fn=(1<<
 p)-1,dn=(1<<b)-1,Ue=c;;Ue=c){var W=d[Je(t,c)&fn],B=W>>4;if(c+=W&15,c>A){l&&R(0);break}if(W||R(2),B<256)r[f++]=B;else if(B==256){Ue=c,d=null;break}else{var bt=B-
-254;if(B>264){var T=B-257,te=rr[T];bt=_(t,c,(1<<te)-1)+sr[T],c+=te}var Fe=g[Je(t,c)&dn],De=Fe>>4;Fe||R(3),c+=Fe&15;var $=Dn[De];if(De>3){var te=nr[De];$+=Je(t,c)&
+254;if(B>264){var T=B-257,te=rr[T];bt=_(t,c,(1<<te)-1)+sr[T],c+=te}var De=g[Je(t,c)&dn],Fe=De>>4;De||R(3),c+=De&15;var $=Fn[Fe];if(Fe>3){var te=nr[Fe];$+=Je(t,c)&
 (1<<te)-1,c+=te}if(c>A){l&&R(0);break}i&&u(f+131072);var wt=f+bt;if(f<$){var xt=a-$,pn=Math.min($,wt);for(xt+f<0&&R(3);f<pn;++f)r[f]=n[xt+f]}for(;f<wt;++f)r[f]=
 r[f-$]}}e.l=d,e.p=Ue,e.b=f,e.f=m,d&&(m=1,e.m=p,e.d=g,e.n=b)}while(!m);return f!=r.length&&s?Gn(r,0,f):r.subarray(0,f)};var qn=new C(0);var Kn=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&R(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&R(6,"invalid zlib data: "+(t[1]&32?"need":"u\
 nexpected")+" dictionary"),(t[1]>>3&4)+2};function ur(t,e){return Vn(t.subarray(Kn(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Zn=typeof TextDecoder<"u"&&new TextDecoder,Yn=0;try{Zn.decode(qn,{stream:!0}),Yn=1}catch{}function cr(t){let e=atob(et(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function et(t){return document.getElementById(
-t)?.textContent??""}function hr(){return JSON.parse(et("data"))}var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var D=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Xn=(t,e)=>t[0]===e[0]&&t[1]===e[1],rt=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,nt=(t,e,r=3)=>t!==
+t)?.textContent??""}function hr(){return JSON.parse(et("data"))}var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var F=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Xn=(t,e)=>t[0]===e[0]&&t[1]===e[1],rt=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,nt=(t,e,r=3)=>t!==
 void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),ot=(t,e)=>nt(t.fault,e),mr=(t,e)=>!ot(t,e)&&nt(t.involved,e,2);function Ce(t,e,r){let n=!Xn(w(t,r),w(e,r)),o=e.involved===
 void 0||nt(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function Ee(t,e,r){let[n,o]=w(t,r),[a,s]=tt[e.actions?.[r]??0];return[n+a,o+s]}function me(t,e,r){
 return Array.from({length:r.everCaptured.length},(o,a)=>a).filter(o=>r.everCaptured[o]&&!e.everCaptured[o]).map(o=>t.nPursuers+o)}var fr=t=>t.moments.flatMap((e,r)=>r&&
@@ -138,7 +138,7 @@ me(t,t.moments[r-1],e).length?[r]:[]);function ke(t,e){return Array.from({length
 alive[n])continue;let[o,a]=w(e,n),s=o*t.cols+a,i=r.get(s);i?i.push(n):r.set(s,[n])}return r}function yr(t,e){let r=Array.from(e.alive,(n,o)=>{let[a,s]=w(e,o);return{
 x:s+.5,y:a+.5,size:1,alpha:0}});for(let n of fe(t,e).values()){let o=pr[Math.min(n.length,pr.length)-1];n.forEach((a,s)=>{let[i,l]=o.at[Math.min(s,o.at.length-1)],
 u=r[a];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return r}var gr=t=>t*t*(3-2*t),Y=(t,e,r)=>t+(e-t)*r,vr=t=>Math.min(1,Math.max(0,t));function br(t,e,r,n){let o={SIMULTANEOUS:1,
-SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return gr(n);let a=o===r?e:+!D(t,e),s=Math.max(1/o,Qn);return gr(vr((n-a/(o-1)*(1-s))/s))}function _e(t,e){
+SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return gr(n);let a=o===r?e:+!F(t,e),s=Math.max(1/o,Qn);return gr(vr((n-a/(o-1)*(1-s))/s))}function _e(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],a=yr(t,o);if(n===r||e===n)return a;let s=t.moments[n+1],i=yr(t,s);return a.map((l,u)=>{let m=br(
 t,u,a.length,e-n);return to(o,s,u,l,i[u],m)})}function at(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[a,s]=[t.moments[o],t.moments[Math.min(o+1,
 n)]],i=br(t,e,a.alive.length,r-o),[[l,u],[m,c]]=[w(a,e),w(s,e)];return[Y(u,c,i)+.5,Y(l,m,i)+.5]}function to(t,e,r,n,o,a){let s=n.alpha>o.alpha,i={x:Y(n.x,o.x,a),
@@ -147,7 +147,7 @@ PI*a);i.x+=(c-u)*f,i.y+=(m-l)*f}return i}var wr=2*Math.PI;function de(t,e,r,n){t
 o]);t.beginPath(),t.moveTo((a[2][0]+a[0][0])/2,(a[2][1]+a[0][1])/2),a.forEach(([s,i],l)=>{let[u,m]=a[(l+1)%3];t.arcTo(s,i,u,m,n*.09)}),t.closePath()}function Mr(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function Sr(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let a=n/
 2*(o%2?.6:.95),s=wr*o/16;t.lineTo(e+a*Math.sin(s),r-a*Math.cos(s))}t.closePath()}function Ar(t,e,r,n,o,a){let s=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-a*Math.cos(s+i*.6),o-a*Math.sin(s+i*.6))}var Tr=4,ro=1.6,no=.95,oo=5,ao=.16,so=9,io=.09,lo=.2,Cr=.75,E=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function X(t,e,r){return D(e,r)?t.colors.pursuer:t.
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-a*Math.cos(s+i*.6),o-a*Math.sin(s+i*.6))}var Tr=4,ro=1.6,no=.95,oo=5,ao=.16,so=9,io=.09,lo=.2,Cr=.75,E=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function X(t,e,r){return F(e,r)?t.colors.pursuer:t.
 colors.evader}function Er({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:a,rows:s,cols:i}=e,[l,u]=[i*a,s*a];if(t.fillStyle=r.paper,t.fillRect(n,o,l,u),a<oo)return;
 t.fillStyle=r.line;let m=Math.max(1,Math.round(a/60));for(let c=1;c<i;c++)t.fillRect(n+c*a,o,m,u);for(let c=1;c<s;c++)t.fillRect(n,o+c*a,l,m)}function kr({ctx:t,
 grid:e,colors:r},n){let{left:o,top:a,cell:s,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let u=0;u<i*l;u++){if(!n.obstacles[u])continue;let[m,c]=[Math.floor(u/l),
@@ -165,7 +165,7 @@ r.paper,t.lineJoin="round",t.lineWidth=m*.35,t.strokeText("You",l,f),t.fillStyle
 i=Ir(t,e,n,o),l=X(t,e,r);a.globalAlpha=.11,a.fillStyle=l,a.fillRect(...i),a.globalAlpha=.8,a.strokeStyle=l,a.lineWidth=Math.max(1,s.cell/24),a.strokeRect(...i),
 a.globalAlpha=1}function Lr(t,e,r,n,o){let{ctx:a,grid:s}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];a.lineCap="round",a.lineWidth=Math.min(so,
 Math.max(1,s.cell*ao));for(let u=Math.max(1,Math.floor(r-n)+1);u<=i;u++){let[m,c]=[e.moments[u-1],e.moments[u]],f=Math.max(0,Math.min(1,(r-u)/n));a.globalAlpha=
-Cr+(lo-Cr)*f;for(let d=0;d<c.alive.length;d++){let g=u===i&&r<i;if(!m.alive[d]||!(l.alive[d]||g))continue;let p=(D(e,d)?-1:1)*io,[b,A]=w(m,d),[I,x]=w(c,d);if(b===
+Cr+(lo-Cr)*f;for(let d=0;d<c.alive.length;d++){let g=u===i&&r<i;if(!m.alive[d]||!(l.alive[d]||g))continue;let p=(F(e,d)?-1:1)*io,[b,A]=w(m,d),[I,x]=w(c,d);if(b===
 I&&A===x)continue;let L=g?o[d].x:x+.5,Q=g?o[d].y:I+.5;a.strokeStyle=X(t,e,d),a.beginPath(),a.moveTo(E(s,A+.5+p),k(s,b+.5+p)),a.lineTo(E(s,L+p),k(s,Q+p)),a.stroke()}}
 a.globalAlpha=1}function $r(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Tr+1);o<=n;o++){let[a,s]=[e.moments[o-1],e.moments[o]],
 i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Tr,l=me(e,a,s);for(let u of ke(a,s))l.includes(u)||co(t,w(s,u),i);for(let u of l)uo(t,w(s,u),i)}t.ctx.globalAlpha=1}function uo({
@@ -175,41 +175,40 @@ r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}func
 t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[s,i]of n){if(s<0||i<0||s>=e.rows||i>=e.cols)continue;let l=[
 E(e,i)+a,k(e,s)+a,e.cell-2*a,e.cell-2*a];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Ur({ctx:t,
 grid:e,colors:r},n,o,a,s){t.globalAlpha=s,de(t,E(e,n),k(e,o),Math.max(8,e.cell*a*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
-a)),t.stroke(),t.globalAlpha=1}var ho=.8,mo=.92,fo=15,po=7,st=9;function Fr(t,e,r,n,o,a){n.forEach((s,i)=>{s.alpha>0&&yo(t,e,r,i,s,o,a)}),t.ctx.globalAlpha=1;for(let s of fe(e,r).values())s.length>
-st&&go(t,n[s[st-1]],s.length-st+1)}function yo(t,e,r,n,o,a,s){let{ctx:i,grid:l,colors:u}=t,m=D(e,n),[c,f]=[l.left+o.x*l.cell,l.top+o.y*l.cell],d=Math.max(4,l.cell*
+a)),t.stroke(),t.globalAlpha=1}var ho=.8,mo=.92,fo=15,po=7,st=9;function Dr(t,e,r,n,o,a){n.forEach((s,i)=>{s.alpha>0&&yo(t,e,r,i,s,o,a)}),t.ctx.globalAlpha=1;for(let s of fe(e,r).values())s.length>
+st&&go(t,n[s[st-1]],s.length-st+1)}function yo(t,e,r,n,o,a,s){let{ctx:i,grid:l,colors:u}=t,m=F(e,n),[c,f]=[l.left+o.x*l.cell,l.top+o.y*l.cell],d=Math.max(4,l.cell*
 o.size*(m?mo:ho)),g=X(t,e,n),p=!m&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(m?xr:de)(i,c,f,d),d>po*s&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(2,
 d*.1),i.stroke()),i.fillStyle=p?u.paper:g,i.fill(),p&&(de(i,c,f,d*.82),i.strokeStyle=g,i.lineWidth=d*.18,i.stroke()),!a||d<fo*s)return;let b=String(m?n:n-e.nPursuers);
 i.font=`700 ${Math.round(d*(m?.4:.5)*(b.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=p?g:u.paper,i.fillText(
 b,c,f+d*(m?.17:.03))}function go({ctx:t,grid:e,colors:r},n,o){let[a,s]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,a,s),t.fillStyle=r.ink,t.fillText(`+${o}`,
-a,s)}var vo=.46,bo=.86,wo=.66,Dr=.48,xo=.78,Mo=.58;function Wr(t,e,r,n){let[o,a]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:s,grid:i,colors:l}=t;s.strokeStyle=
+a,s)}var vo=.46,bo=.86,wo=.66,Fr=.48,xo=.78,Mo=.58;function Wr(t,e,r,n){let[o,a]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:s,grid:i,colors:l}=t;s.strokeStyle=
 l.collision,s.lineWidth=Math.max(1.5,i.cell*.07),s.lineCap="butt",s.globalAlpha=n;for(let u=0;u<a.alive.length;u++)Ce(o,a,u)&&So(t,e,w(o,u),Ee(o,a,u));s.globalAlpha=
 1}function So({ctx:t,grid:e},r,n,o){let[a,s]=[o[1]-n[1],o[0]-n[0]],i=c=>E(e,n[1]+.5+a*c),l=c=>k(e,n[0]+.5+s*c),u=rt(r,o)?xo:Mo;t.setLineDash([e.cell*.09,e.cell*
-.06]),t.beginPath(),t.moveTo(i(Dr),l(Dr)),t.lineTo(i(u),l(u)),t.stroke(),t.setLineDash([]);let m=.17*e.cell/Math.hypot(a,s);t.beginPath(),t.moveTo(i(u)-s*m,l(u)+
+.06]),t.beginPath(),t.moveTo(i(Fr),l(Fr)),t.lineTo(i(u),l(u)),t.stroke(),t.setLineDash([]);let m=.17*e.cell/Math.hypot(a,s);t.beginPath(),t.moveTo(i(u)-s*m,l(u)+
 a*m),t.lineTo(i(u)+s*m,l(u)-a*m),t.stroke()}function Br(t,e,r,n,o,a){let s=tt[a];if(!a||!s)return;let{ctx:i,grid:l,colors:u}=t,m=rt(e,[n[0]+s[0],n[1]+s[1]])?bo:
 wo,c=vo*o.size,f=[E(l,o.x+s[1]*c),k(l,o.y+s[0]*c),E(l,o.x+s[1]*m),k(l,o.y+s[0]*m)],d=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,p]of[[u.paper,
 d*2.1],[X(t,e,r),d]])i.strokeStyle=g,i.lineWidth=p,Ar(i,...f,l.cell*.2),i.stroke()}var Gr={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function jr(t,e,r,n,o){let{ctx:a,grid:s,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),u=e.moments[l],m=r===l,c=_e(e,r),f=m?1:Math.max(0,1-2*(l-r));a.clearRect(0,0,a.canvas.width,a.canvas.height),Er(t);for(let p of n.
 viewers)c[p]?.alpha&&Nr(t,e,p,...at(e,p,r));kr(t,e),n.axes&&Rr(t,o),Lr(t,e,r,n.trail,c),zr(t,u.contested??[],f),$r(t,e,r),Wr(t,e,l,f),c.forEach(({x:p,y:b,size:A},I)=>{
-let x=mr(u,I)?.4:0,L=ot(u,I)?1:x;L&&Ur(t,p,b,A,L*f)});let d=m?u:e.moments[Math.max(0,l-1)];if(Fr(t,e,d,c,n.numbers,o),m&&n.plan)for(let[p,b]of c.entries())b.alpha&&
+let x=mr(u,I)?.4:0,L=ot(u,I)?1:x;L&&Ur(t,p,b,A,L*f)});let d=m?u:e.moments[Math.max(0,l-1)];if(Dr(t,e,d,c,n.numbers,o),m&&n.plan)for(let[p,b]of c.entries())b.alpha&&
 Br(t,e,p,w(u,p),b,n.plan[p]??0);n.you!==null&&(n.fog&&Or(t,e,...at(e,n.you,r)),Pr(t,c[n.you],o)),a.lineWidth=Math.max(2,2.5*o),a.strokeStyle=i.focus;let g=n.selected===
 null?void 0:c[n.selected];g?.alpha&&Hr(t,g.x,g.y,g.size*.96),n.cursor&&(a.setLineDash([s.cell*.12,s.cell*.08]),Hr(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),a.setLineDash(
 []))}function Hr({ctx:t,grid:e},r,n,o){let a=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-a/2,e.top+n*e.cell-a/2,a,a,a*.1),t.stroke()}var Vr=(t,e)=>(e+.24)/(t+.24);function qr(t,e,r,n,o,a){let s=r?28*a:0,i=(u,m)=>(u-s)/(m+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+s)/2),top:Math.round((o-t*l+s)/2)}}function Kr(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
 0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Ao={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Zr(t){let e=getComputedStyle(t),r=Object.entries(Ao).map(([n,o])=>[n,e.getPropertyValue(
-o).trim()]);return Object.fromEntries(r)}var it=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Re=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#a;#s;constructor(e,r={}){
-this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#n={...Gr,...r},this.#a=new ResizeObserver(()=>this.#c()),this.#a.observe(e),this.#s=new MutationObserver(
-()=>this.redraw()),this.#s.observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",this.#l)}close(){this.#a.disconnect(),this.#s.disconnect(),
-removeEventListener("beforeprint",this.#l),cancelAnimationFrame(this.#o)}get look(){return this.#n}set look(e){this.#n={...this.#n,...e},this.#u(),this.redraw()}show(e,r){
-this.#e=e,this.#r=Math.min(Math.max(0,r),e.moments.length-1),this.#u(),this.redraw()}redraw=()=>{this.#o||(this.#o=requestAnimationFrame(()=>this.drawNow()))};#l=()=>this.
-drawNow();drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let e=this.canvas.getContext("2d");if(!e||!this.#e)return;let{rows:r,cols:n}=this.#e,o=devicePixelRatio||
+o).trim()]);return Object.fromEntries(r)}var it=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Re=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#o=0;constructor(e,r={}){
+this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#n={...Gr,...r},new ResizeObserver(()=>this.#s()).observe(e),new MutationObserver(()=>this.
+redraw()).observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",()=>this.drawNow())}get look(){return this.#n}set look(e){this.#n={...this.#n,
+...e},this.#a(),this.redraw()}show(e,r){this.#e=e,this.#r=Math.min(Math.max(0,r),e.moments.length-1),this.#a(),this.redraw()}redraw(){this.#o||(this.#o=requestAnimationFrame(
+()=>this.drawNow()))}drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let e=this.canvas.getContext("2d");if(!e||!this.#e)return;let{rows:r,cols:n}=this.#e,o=devicePixelRatio||
 1;this.#t=qr(r,n,this.#n.axes,this.canvas.width,this.canvas.height,o);let a={ctx:e,grid:this.#t,colors:Zr(this.canvas)};jr(a,this.#e,this.#r,this.#n,o)}cellAt(e,r){
 let n=this.canvas.getBoundingClientRect(),o=this.canvas.width/n.width;return Kr(this.#t,(e-n.left)*o,(r-n.top)*o)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)
 return null;let o=this.#e.moments[Math.round(this.#r)],a=fe(this.#e,o).get(n[0]*this.#e.cols+n[1])??[],s=_e(this.#e,Math.round(this.#r)),i=l=>{let[u,m]=this.pointOf(
 s[l].x,s[l].y);return Math.hypot(u-e,m-r)};return a.length?a.reduce((l,u)=>i(u)<i(l)?u:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),o=n.width/
-this.canvas.width,{left:a,top:s,cell:i}=this.#t;return[n.left+(a+e*i)*o,n.top+(s+r*i)*o]}#u(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty(
-"--board-aspect",String(Vr(e,r)))}#c(){let e=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
+this.canvas.width,{left:a,top:s,cell:i}=this.#t;return[n.left+(a+e*i)*o,n.top+(s+r*i)*o]}#a(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty(
+"--board-aspect",String(Vr(e,r)))}#s(){let e=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
 r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var To=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Yr(){let t=[["pursu\
 er",M("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",M("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",M("polygon",{points:To,class:"\
 filled-capture"})],["captured evader",M("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",M("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
@@ -246,9 +245,9 @@ e,this.#e.world,{seed:BigInt(this.#e.match_seed)},this.actions(r))}};var Oe=clas
 {class:"words","aria-live":"off","aria-label":"What happened in this step"});#l=h("p",{class:"check small","aria-live":"polite"});#u=null;constructor(e,r){[this.#e,
 this.#r,this.#n]=[e,r,new Ie(e)];let n=h("canvas",{"aria-label":"The match"});this.#t=new Re(n,{numbers:!1}),this.element=h("section",{class:"card match-card","\
 aria-label":"Match",id:"match"},h("header",{class:"match-head"},this.#o,this.#a),h("div",{class:"stage"},n),Jr(this.player),this.#l,Yr(),this.#s),this.player.addEventListener(
-"frame",()=>this.replay&&this.#t.show(this.replay.recording,this.player.time)),this.player.addEventListener("step",()=>this.#d()),r.on("pair",()=>this.#h()),r.on(
-"play",()=>this.#c()),this.#f()}start(e){this.#u=e,this.#h()}#c(){this.replay&&(this.player.jump(0),it()||this.player.play(),this.element.scrollIntoView({block:"\
-nearest"}))}#h(){this.player.pause(),this.#f();let{pair:e}=this.#r;this.#u&&(this.replay=this.#n.has(e)?this.#n.play(this.#u,e):null,this.element.dataset.played=
+"frame",()=>this.replay&&this.#t.show(this.replay.recording,this.player.time)),this.player.addEventListener("step",()=>this.#d()),r.on("pair",()=>this.#c()),r.on(
+"play",()=>this.#h()),this.#f()}start(e){this.#u=e,this.#c()}#h(){this.replay&&(this.player.jump(0),it()||this.player.play(),this.element.scrollIntoView({block:"\
+nearest"}))}#c(){this.player.pause(),this.#f();let{pair:e}=this.#r;this.#u&&(this.replay=this.#n.has(e)?this.#n.play(this.#u,e):null,this.element.dataset.played=
 this.replay?`${e.pursuer} ${e.evader}`:"",this.element.classList.toggle("without-recording",!this.replay),this.player.length=this.replay?.length??0,this.player.
 marks=this.replay?fr(this.replay.recording):[],this.player.jump(0),this.#m(),this.#d())}#m(){let{pursuer:e,evader:r}=this.#r.pair;if(!this.replay){this.#l.textContent=
 "The page holds no recording of this match: it would be too large.";return}let[n,o]=[this.replay.statistics.capture_rate,this.#e.first[e][r]],a=Math.abs(n-o)<.001;
@@ -268,11 +267,11 @@ Math.max(11,.78*n)),a=No([...this.#e.names.pursuer,...this.#e.names.evader].map(
 Matrix of capture rates; arrow keys choose a match, Enter plays it",preserveAspectRatio:"xMidYMin meet",viewBox:`${-a} ${-a} ${s} ${e*n+a}`,onpointermove:u=>this.#r.
 point(this.#m(u,n)),onpointerleave:()=>this.#r.point(null),onclick:u=>{let m=this.#m(u,n);m&&this.#r.play(m)},onkeydown:u=>this.#f(u)}),l=this.#n.flatMap((u,m)=>this.#t.
 map((c,f)=>{let d=this.#e.capture_rate[u][c];return M("rect",{x:f*n,y:m*n,width:n,height:n,fill:mt(d),"data-pair":`${u} ${c}`})}));return i.append(...l,...this.#u(
-n),...this.#c("pursuer",n,o),...this.#c("evader",n,o),this.#a),this.#a.dataset.size=String(n),i.style.minWidth=`${Po/o*s}px`,i}#u(e){return Math.max(this.#n.length,
+n),...this.#h("pursuer",n,o),...this.#h("evader",n,o),this.#a),this.#a.dataset.size=String(n),i.style.minWidth=`${Po/o*s}px`,i}#u(e){return Math.max(this.#n.length,
 this.#t.length)>Oo?[]:this.#n.flatMap((r,n)=>this.#t.map((o,a)=>{let s=this.#e.capture_rate[r][o];return M("text",{x:(a+.5)*e,y:(n+.5)*e,fill:ht(s),"font-size":Math.
-min(30,.38*e),class:"in-cell"},S(s))}))}#c(e,r,n){return(e==="pursuer"?this.#n:this.#t).map((a,s)=>{let i=(s+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:
-{transform:`translate(${i} -6) rotate(-90)`,"text-anchor":"start"};return M("text",{...l,class:`name ${this.#h(e,a).kind}`,"font-size":n,"data-name":`${e} ${a}`},
-an(this.#e.names[e][a]))})}#h(e,r){return this.#e.standings[e].find(n=>n.number===r)}#m(e,r){let n=new DOMPoint(e.clientX,e.clientY).matrixTransform(this.#s.getScreenCTM().
+min(30,.38*e),class:"in-cell"},S(s))}))}#h(e,r,n){return(e==="pursuer"?this.#n:this.#t).map((a,s)=>{let i=(s+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:
+{transform:`translate(${i} -6) rotate(-90)`,"text-anchor":"start"};return M("text",{...l,class:`name ${this.#c(e,a).kind}`,"font-size":n,"data-name":`${e} ${a}`},
+an(this.#e.names[e][a]))})}#c(e,r){return this.#e.standings[e].find(n=>n.number===r)}#m(e,r){let n=new DOMPoint(e.clientX,e.clientY).matrixTransform(this.#s.getScreenCTM().
 inverse()),[o,a]=[this.#n[Math.floor(n.y/r)],this.#t[Math.floor(n.x/r)]];return o===void 0||a===void 0||n.x<0||n.y<0?null:{pursuer:o,evader:a}}#f(e){let n={ArrowUp:[
 -1,0],ArrowDown:[1,0],ArrowLeft:[0,-1],ArrowRight:[0,1]}[e.key];if(e.key==="Enter")this.#r.play(this.#r.pair);else if(n)this.#d(n);else return;e.preventDefault(),
 e.stopPropagation()}#d([e,r]){let{pursuer:n,evader:o}=this.#r.pair,a=this.#n[this.#n.indexOf(n)+e],s=this.#t[this.#t.indexOf(o)+r];a!==void 0&&s!==void 0&&this.#r.
@@ -302,12 +301,12 @@ width=`${100*l/a}%`,h("div",{class:"vote"},h("span",{},i),h("span",{class:"bar",
 ed"),h("p",{class:"small muted"},"Predictions of the course: the first choice of each student, before the experiment.")),h("table",{},h("tbody",{},...r)))]}function cn(t){
 if(!t.length)return[];let e=t.map(({file:r,reason:n})=>h("div",{class:"refusal"},h("dt",{},r),h("dd",{},n)));return[h("section",{class:"card refused","aria-labe\
 l":"Refused"},h("header",{},h("h2",{},`Refused (${t.length})`),h("p",{class:"small muted"},"These did not play, or broke a rule while they played; their matches\
- count for no one.")),h("dl",{},...e))]}var O=hr(),[Fo]=O.standings.pursuer,Le=new Ne({pursuer:Fo.number,evader:O.standings.evader[0].number}),J=new Oe(O,Le);function Do({world:t,episodes:e,seed:r,matrixworld:n}){
+ count for no one.")),h("dl",{},...e))]}var O=hr(),[Do]=O.standings.pursuer,Le=new Ne({pursuer:Do.number,evader:O.standings.evader[0].number}),J=new Oe(O,Le);function Fo({world:t,episodes:e,seed:r,matrixworld:n}){
 return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps} steps · ${e} episodes a pair · seed ${r} · m\
 atrixworld ${n}`}var Wo=["Every pursuer played every evader from the same starts. A score is a mean over all opponents, scripts included. Scripts are the packag\
 e's own policies, for comparison; they have no rank.","A rank such as 2 to 5 means that these episodes cannot tell which of these ranks is the true one: the dif\
 ference to some others is within chance. Each range misses the true rank with a probability of at most 5 %.","Keys: Space plays, ← and → step, D changes light a\
-nd dark; in the matrix arrow keys choose a match and Enter plays it."];document.getElementById("page").replaceWith(tr(O.title,Do(O)),h("main",{class:"stages"},h(
+nd dark; in the matrix arrow keys choose a match and Enter plays it."];document.getElementById("page").replaceWith(tr(O.title,Fo(O)),h("main",{class:"stages"},h(
 "div",{class:"tables"},ft(O,"pursuer",Le),ft(O,"evader",Le)),new Pe(O,Le).element,J.element),...un(O),...cn(O.refusals),h("section",{class:"card reading","aria-\
 label":"How to read this page"},h("h2",{},"How to read this page"),...Wo.map(t=>h("p",{},t))));document.addEventListener("keydown",t=>{let e=t.target instanceof
 HTMLSelectElement||t.target instanceof HTMLInputElement,r=t.target instanceof HTMLButtonElement&&(t.key===" "||t.key==="Enter");if(!(e||r||t.defaultPrevented||t.

@@ -25,28 +25,16 @@ export class Board {
   #look: Look;
   #grid: Geometry = { rows: 1, cols: 1, left: 0, top: 0, cell: 1 };
   #due = 0;
-  #sizes: ResizeObserver;
-  #themes: MutationObserver;
 
   constructor(canvas: HTMLCanvasElement, look: Partial<Look> = {}) {
     this.canvas = canvas;
     canvas.classList.add("board");
     canvas.setAttribute("role", "img");
     this.#look = { ...PLAIN, ...look };
-    this.#sizes = new ResizeObserver(() => this.#resize());
-    this.#sizes.observe(canvas);
+    new ResizeObserver(() => this.#resize()).observe(canvas);
     // The theme is an attribute of the page.
-    this.#themes = new MutationObserver(() => this.redraw());
-    this.#themes.observe(document.documentElement, { attributes: true });
-    addEventListener("beforeprint", this.#print);
-  }
-
-  /** Release what observes the page; the canvas stays as it is. */
-  close(): void {
-    this.#sizes.disconnect();
-    this.#themes.disconnect();
-    removeEventListener("beforeprint", this.#print);
-    cancelAnimationFrame(this.#due);
+    new MutationObserver(() => this.redraw()).observe(document.documentElement, { attributes: true });
+    addEventListener("beforeprint", () => this.drawNow());
   }
 
   get look(): Look {
@@ -68,11 +56,9 @@ export class Board {
   }
 
   /** Draw again with the next frame: the theme or the size is another one. */
-  readonly redraw = (): void => {
+  redraw(): void {
     if (!this.#due) this.#due = requestAnimationFrame(() => this.drawNow());
-  };
-
-  readonly #print = (): void => this.drawNow();
+  }
 
   /** Draw at once, as tests and pictures need it. */
   drawNow(): void {

@@ -10,8 +10,6 @@ export interface Axis {
   readonly label: string;
   /** Whether ticks are whole numbers. */
   readonly whole?: boolean;
-  /** Whether it counts from the middle to both sides. */
-  readonly mirrored?: boolean;
 }
 
 /** The axes of a chart and its scales, in pixels. */
@@ -51,7 +49,7 @@ export function frame(width: number, height: number, horizontal: Axis, vertical:
     );
   }
   for (const value of ticks(horizontal.low, horizontal.high, (right - left) / TICK_ROOM.x, horizontal.whole)) {
-    axes.append(svg("text", { x: x(value), y: bottom + 16, "text-anchor": "middle" }, shown(horizontal.mirrored ? Math.abs(value) : value)));
+    axes.append(svg("text", { x: x(value), y: bottom + 16, "text-anchor": "middle" }, shown(value)));
   }
   axes.append(
     svg("line", { x1: left, x2: right, y1: bottom, y2: bottom, class: "axis" }),

@@ -7,7 +7,7 @@ import { chart, frame, legend, line, mark } from "../explorer/chart.ts";
 import { rate } from "../explorer/format.ts";
 import { scaleOfRates } from "../explorer/heatmap.ts";
 import { html, svg } from "../page/dom.ts";
-import { matrixOf } from "./matrices.ts";
+import { matrixOf } from "./pictures.ts";
 import type { WidgetPart } from "./data.ts";
 import { slider } from "./inputs.ts";
 import { HANDS, PAYOFF, alternate, bestAnswer, generator, sharesOf } from "./toys.ts";

@@ -10,13 +10,11 @@ import { html, started } from "../page/dom.ts";
 import { top } from "../page/top.ts";
 import { isPrediction, predictionsOf, readLesson } from "./data.ts";
 import type { Lesson, Part, Section, WidgetPart } from "./data.ts";
-import { exitWidget } from "./exit.ts";
 import { handsMatrix, handsWidget } from "./hands.ts";
-import { flatCurve, racesToGuess, sameDiagonals } from "./matrices.ts";
+import { flatCurve, racesToGuess, rightOfWay, sameDiagonals } from "./pictures.ts";
 import { gamesWidget, numbersWidget } from "./numbers.ts";
-import { exercisePart, paragraphs, predictionPart } from "./parts.ts";
+import { exercisePart, exitWidget, paragraphs, predictionPart } from "./parts.ts";
 import { chase, evolving, explorer, judgement } from "./races.ts";
-import { rightOfWay } from "./right_of_way.ts";
 import { Store } from "./store.ts";
 import { votePage } from "./vote_page.ts";
 

@@ -7,7 +7,7 @@ import { scaleOfRates } from "../explorer/heatmap.ts";
 import { html, svg } from "../page/dom.ts";
 import type { WidgetPart } from "./data.ts";
 import { choice, slider } from "./inputs.ts";
-import { matrixOf } from "./matrices.ts";
+import { matrixOf } from "./pictures.ts";
 import { BITS, GAMES, NumbersGame, USUAL, generator, meanScore } from "./toys.ts";
 import type { GameName, Settings } from "./toys.ts";
 

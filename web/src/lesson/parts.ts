@@ -1,14 +1,15 @@
-// Texts, predictions and exercises as elements.
+// Texts, predictions, exercises and the exit question as elements.
 
+import { saveFile } from "../page/dialog.ts";
 import { html } from "../page/dom.ts";
 import { checkOf } from "./exercises.ts";
-import type { Exercise, Prediction } from "./data.ts";
+import type { Exercise, Prediction, WidgetPart } from "./data.ts";
 import type { Store } from "./store.ts";
 
 /** Return paragraphs of a text in which **this** is bold. */
 export const paragraphs = (text: string): HTMLElement[] => text.trim().split(/\n\s*\n/).map((each) => html("p", {}, ...inline(each)));
 
-export const inline = (text: string): Node[] =>
+const inline = (text: string): Node[] =>
   text.split("**").map((each, place) => (place % 2 ? html("strong", {}, each) : document.createTextNode(each)));
 
 /** Return a question with options. The choice is made once, and the reply appears with it. */
@@ -89,4 +90,44 @@ function tableOf(matrix: readonly (readonly number[])[]): HTMLElement {
       html("tr", {}, html("th", { class: "pursuer" }, "generation of the pursuers"), ...names.map((each) => html("th", { scope: "col" }, each)))),
     html("tbody", {}, ...matrix.map((row, generation) =>
       html("tr", {}, html("th", { scope: "row" }, generation), ...row.map((rate) => html("td", {}, rate.toFixed(1))))))));
+}
+
+// ---- The exit question
+
+/** A shorter text answers no part of the question. */
+const SHORTEST = 40;
+
+export function exitWidget({ question = "", points = [] }: WidgetPart, store: Store): HTMLElement {
+  const field = html("textarea", { id: "exit-answer", rows: 8 });
+  const printed = html("p", { class: "printed" });
+  const status = html("p", { class: "small muted", role: "status" });
+  const done = html("button", { type: "submit", class: "primary" }, "I am done");
+  const form = html("form", { class: "exercise" },
+    html("label", { for: "exit-answer" }, html("strong", {}, "Exit question. "), question), field, printed,
+    html("div", { class: "buttons" }, done,
+      html("button", { type: "button", onclick: () => saveFile("exit_answer.txt", `${question}\n\n${field.value}\n`) }, "Save my answer"), status));
+  const show = (): void => {
+    printed.textContent = store.exit.exit;
+    if (!store.exit.done) return;
+    [field.readOnly, done.hidden] = [true, true];
+    form.append(html("div", { class: "reply" }, html("p", {}, html("strong", {}, "A good answer has:")),
+      html("ul", {}, ...points.map((point) => html("li", {}, ...inline(point))))));
+  };
+  field.value = store.exit.exit;
+  field.addEventListener("input", () => {
+    store.exit = { exit: field.value };
+    printed.textContent = field.value;
+  });
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    if (field.value.trim().length < SHORTEST) {
+      status.textContent = "Write two explanations and an experiment first. Then the page shows what a good answer has.";
+      return;
+    }
+    status.textContent = "";
+    store.exit = { done: true };
+    show();
+  });
+  show();
+  return html("div", { class: "widget" }, form);
 }

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 820cc4993b66ffd374b15558c030637f9916f198dfc13f0a2fe0582ee999a851 */
+/* built from web/ by "npm run build"; sources 677605e860753e6fdc9294ecdb6e969d966da11745000413e15cb3d79b5f06f0 */
 "use strict";(()=>{var Nn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Qe={DISAPPEAR:0,REACH:1,BOUNCE:2},$n={OCCUPATION:0,SURROUND:1},In={FAULT:0,INVOLVED:1};var Pr=["obstacle","teammate","adversary"],Lr=["vertex","edge","chain"],Fn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Nr=["p\
 ursuer_{number}","evader_{number}"],Un={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},et={"both held":"both bounce","both doomed":"\
@@ -215,12 +215,11 @@ population),String(f.steps),String(f.seed),f.way],[o.value,a.value]=[String(f.pu
 u=>u>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(r/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(u,h)=>(i+h)*a)}var Kt={left:46,right:12,top:10,bottom:42},Ls={x:56,y:34};function $s(r,e,t,n){let[s,o]=[Kt.left,Kt.top],a=Math.max(s+40,r-Kt.right),i=Math.max(o+40,e-Kt.bottom),
 l=(f,g,b)=>S=>g+(S-f.low)/(f.high-f.low||1)*(b-g),[u,h]=[l(t,s,a),l(n,i,o)],c=v("g"),d=v("svg",{width:r,height:e,viewBox:`0 0 ${r} ${e}`,class:"plot"}),p=v("g",
 {class:"axes"});for(let f of ct(n.low,n.high,(i-o)/Ls.y,n.whole))p.append(v("line",{x1:s,x2:a,y1:h(f),y2:h(f),class:"grid"}),v("text",{x:s-8,y:h(f),"text-anchor":"\
-end","dominant-baseline":"middle"},Ns(f)));for(let f of ct(t.low,t.high,(a-s)/Ls.x,t.whole))p.append(v("text",{x:u(f),y:i+16,"text-anchor":"middle"},Ns(t.mirrored?
-Math.abs(f):f)));return p.append(v("line",{x1:s,x2:a,y1:i,y2:i,class:"axis"}),v("text",{x:(s+a)/2,y:e-6,"text-anchor":"middle",class:"label"},t.label),v("text",
-{transform:`translate(12 ${(o+i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),d.append(p,c),{root:d,marks:c,left:s,right:a,top:o,bottom:i,x:u,
-y:h,at:f=>{let g=f-d.getBoundingClientRect().left;return t.low+(g-s)/(a-s)*(t.high-t.low)}}}var Ns=r=>String(Number(r.toPrecision(6))).replace("-","−");function Is(r,e,t,n){
-let s="",o="M";t.forEach((a,i)=>{a===null?o="M":(s+=`${o}${r.x(e[i]).toFixed(1)} ${r.y(a).toFixed(1)}`,o="L")}),r.root.insertBefore(v("path",{d:s,class:`line ${n}`}),
-r.marks)}function Fs(...r){return m("p",{class:"legend small"},...r.map(([e,t])=>m("span",{class:`key ${t}`},e)))}function Us(r,e,t,n){let s=m("div",{class:"chart choose\
+end","dominant-baseline":"middle"},Ns(f)));for(let f of ct(t.low,t.high,(a-s)/Ls.x,t.whole))p.append(v("text",{x:u(f),y:i+16,"text-anchor":"middle"},Ns(f)));return p.
+append(v("line",{x1:s,x2:a,y1:i,y2:i,class:"axis"}),v("text",{x:(s+a)/2,y:e-6,"text-anchor":"middle",class:"label"},t.label),v("text",{transform:`translate(12 ${(o+
+i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),d.append(p,c),{root:d,marks:c,left:s,right:a,top:o,bottom:i,x:u,y:h,at:f=>{let g=f-d.getBoundingClientRect().
+left;return t.low+(g-s)/(a-s)*(t.high-t.low)}}}var Ns=r=>String(Number(r.toPrecision(6))).replace("-","−");function Is(r,e,t,n){let s="",o="M";t.forEach((a,i)=>{
+a===null?o="M":(s+=`${o}${r.x(e[i]).toFixed(1)} ${r.y(a).toFixed(1)}`,o="L")}),r.root.insertBefore(v("path",{d:s,class:`line ${n}`}),r.marks)}function Fs(...r){return m("p",{class:"legend small"},...r.map(([e,t])=>m("span",{class:`key ${t}`},e)))}function Us(r,e,t,n){let s=m("div",{class:"chart choose\
 s",role:"img","aria-label":r}),o=null,a=()=>{o?.marks.replaceChildren(),o&&t(o)};s.addEventListener("click",l=>o&&n(o.at(l.clientX),o,l));let i=()=>{let{clientWidth:l,
 clientHeight:u}=s;l<50||u<50||(o=e(l,u),s.replaceChildren(o.root),a())};return new ResizeObserver(i).observe(s),{element:s,update:a,redraw:i}}var Be=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function Ds(r,e,t){let[n,s]=[e[0]-r[0],e[1]-r[1]];return!t&&Math.abs(n)>Math.abs(s)?s=0:t||
 (n=0),Be.findIndex(([o,a])=>o===Math.sign(n)&&a===Math.sign(s))}var Ce=(r,e)=>e<r.nPursuers,k=(r,e)=>[r.positions[2*e],r.positions[2*e+1]],Oi=(r,e)=>r[0]===e[0]&&
@@ -293,33 +292,32 @@ null?void 0:c[n.selected];y?.alpha&&yo(r,y.x,y.y,y.size*.96),n.cursor&&(o.setLin
 cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((s-r*l+a)/2)}}function xo(r,e,t){let n=Math.floor((t-r.top)/r.cell),s=Math.floor((e-r.left)/r.cell);return n>=
 0&&n<r.rows&&s>=0&&s<r.cols?[n,s]:null}var tl={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function rr(r){let e=getComputedStyle(r),t=Object.entries(tl).map(([n,s])=>[n,e.getPropertyValue(
-s).trim()]);return Object.fromEntries(t)}var ye=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Se=class{canvas;#e=null;#r=0;#t;#s={rows:1,cols:1,left:0,top:0,cell:1};#i=0;#n;#u;constructor(e,t={}){
-this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#t={...go,...t},this.#n=new ResizeObserver(()=>this.#d()),this.#n.observe(e),this.#u=new MutationObserver(
-()=>this.redraw()),this.#u.observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",this.#h)}close(){this.#n.disconnect(),this.#u.disconnect(),
-removeEventListener("beforeprint",this.#h),cancelAnimationFrame(this.#i)}get look(){return this.#t}set look(e){this.#t={...this.#t,...e},this.#a(),this.redraw()}show(e,t){
-this.#e=e,this.#r=Math.min(Math.max(0,t),e.moments.length-1),this.#a(),this.redraw()}redraw=()=>{this.#i||(this.#i=requestAnimationFrame(()=>this.drawNow()))};#h=()=>this.
-drawNow();drawNow(){cancelAnimationFrame(this.#i),this.#i=0;let e=this.canvas.getContext("2d");if(!e||!this.#e)return;let{rows:t,cols:n}=this.#e,s=devicePixelRatio||
+s).trim()]);return Object.fromEntries(t)}var ye=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Se=class{canvas;#e=null;#r=0;#t;#s={rows:1,cols:1,left:0,top:0,cell:1};#i=0;constructor(e,t={}){
+this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#t={...go,...t},new ResizeObserver(()=>this.#u()).observe(e),new MutationObserver(()=>this.
+redraw()).observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",()=>this.drawNow())}get look(){return this.#t}set look(e){this.#t={...this.#t,
+...e},this.#n(),this.redraw()}show(e,t){this.#e=e,this.#r=Math.min(Math.max(0,t),e.moments.length-1),this.#n(),this.redraw()}redraw(){this.#i||(this.#i=requestAnimationFrame(
+()=>this.drawNow()))}drawNow(){cancelAnimationFrame(this.#i),this.#i=0;let e=this.canvas.getContext("2d");if(!e||!this.#e)return;let{rows:t,cols:n}=this.#e,s=devicePixelRatio||
 1;this.#s=wo(t,n,this.#t.axes,this.canvas.width,this.canvas.height,s);let o={ctx:e,grid:this.#s,colors:rr(this.canvas)};vo(o,this.#e,this.#r,this.#t,s)}cellAt(e,t){
 let n=this.canvas.getBoundingClientRect(),s=this.canvas.width/n.width;return xo(this.#s,(e-n.left)*s,(t-n.top)*s)}agentAt(e,t){let n=this.cellAt(e,t);if(!n||!this.#e)
 return null;let s=this.#e.moments[Math.round(this.#r)],o=dt(this.#e,s).get(n[0]*this.#e.cols+n[1])??[],a=er(this.#e,Math.round(this.#r)),i=l=>{let[u,h]=this.pointOf(
 a[l].x,a[l].y);return Math.hypot(u-e,h-t)};return o.length?o.reduce((l,u)=>i(u)<i(l)?u:l):null}pointOf(e,t){let n=this.canvas.getBoundingClientRect(),s=n.width/
-this.canvas.width,{left:o,top:a,cell:i}=this.#s;return[n.left+(o+e*i)*s,n.top+(a+t*i)*s]}#a(){if(!this.#e)return;let{rows:e,cols:t}=this.#e;this.canvas.style.setProperty(
-"--board-aspect",String(bo(e,t)))}#d(){let e=devicePixelRatio||1,{width:t,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
+this.canvas.width,{left:o,top:a,cell:i}=this.#s;return[n.left+(o+e*i)*s,n.top+(a+t*i)*s]}#n(){if(!this.#e)return;let{rows:e,cols:t}=this.#e;this.canvas.style.setProperty(
+"--board-aspect",String(bo(e,t)))}#u(){let e=devicePixelRatio||1,{width:t,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
 t*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};function pn(r,e,t){return{rows:r.rows,cols:r.cols,nPursuers:r.n_pursuers,fov:r.fov,interaction:r.rules.interaction,obstacles:e,moments:t}}function fn(r,e){return{
 positions:r.read("last_positions"),alive:r.read("alive"),captured:r.read("captured"),everCaptured:r.read("ever_captured"),actions:e,involved:r.read("involved"),
 fault:r.read("fault"),contested:r.conflicts().map(t=>t.cell)}}function nr(r){let e=Array.from({length:r.length+1},(t,n)=>rl(r,n));return pn(r.config,r.map,e)}function rl(r,e){
 let t=r.n_agents,n=r.config.n_evaders,s=(a,i,l)=>a.subarray(i*l,(i+1)*l),o={positions:s(r.last_positions,e,2*t),alive:s(r.alive,e,t),captured:s(r.captured,e,n),
 everCaptured:s(r.ever_captured,e,n)};return e===0?o:{...o,actions:s(r.actions,e-1,t),involved:s(r.involved,e-1,3*t),fault:s(r.fault,e-1,3*t),get contested(){return r.
-conflicts(e).map(a=>a.cell)}}}var mt=[.5,1,2,4,8,16,32,64],sr=0,or=12,nl=2,Ae=class extends EventTarget{#e;#r;#t;#s=0;#i=0;#n=!1;#u=null;#h=0;#a=[];#d=[];glide=.28;constructor(e,t={}){super(),
+conflicts(e).map(a=>a.cell)}}}var mt=[.5,1,2,4,8,16,32,64],sr=0,or=12,nl=2,Ae=class extends EventTarget{#e;#r;#t;#s=0;#i=0;#n=!1;#u=null;#h=0;#a=[];#m=[];glide=.28;constructor(e,t={}){super(),
 this.#e=e,this.#r=t.speed??4,this.#t=t.still??!1}get step(){return this.#s}get time(){return this.#t?this.#s:this.#i}get arrived(){return this.#i===this.#s}get playing(){
 return this.#n}get length(){return this.#e}set length(e){this.#e=e,this.#s>e&&this.jump(e),this.#o("state")}get marks(){return this.#a}set marks(e){this.#a=e,this.#o(
-"state")}get ticks(){return this.#d}set ticks(e){this.#d=e,this.#o("state")}get pace(){return this.#r||Math.max(nl,this.#e/or)}get speed(){return this.#r}set speed(e){
+"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#o("state")}get pace(){return this.#r||Math.max(nl,this.#e/or)}get speed(){return this.#r}set speed(e){
 this.#r=e,this.#o("state")}changeSpeed(e){let t=mt.findIndex(n=>n>=this.pace);this.speed=mt[Math.min(mt.length-1,Math.max(0,t+e))]}play(){this.#n||!this.#e||(this.#s===
 this.#e&&this.jump(0),this.#n=!0,this.#o("state"),this.#l())}pause(){this.#n&&(this.#n=!1,this.#o("state"))}toggle(){this.#n?this.pause():this.play()}move(e){this.
 pause();let t=Math.min(this.#e,Math.max(0,this.#s+e));Math.abs(t-this.#i)>1?this.jump(t):this.#c(t),this.#l()}jump(e){this.#i=Math.min(this.#e,Math.max(0,Math.round(
 e))),this.#c(this.#i),this.#o("frame")}#c(e){e!==this.#s&&(this.#s=e,this.#o("step"),this.#t&&this.#o("frame"))}#l(){this.#u===null&&(this.#h=performance.now(),
-this.#u=requestAnimationFrame(()=>this.#p()))}#p(){this.#u=null;let e=performance.now();this.#m(Math.min(.25,(e-this.#h)/1e3)),this.#h=e,(!this.#t||this.arrived)&&
-this.#o("frame"),(this.#n||this.#i!==this.#s)&&(this.#u=requestAnimationFrame(()=>this.#p()))}#m(e){let t=e;for(;t>0;){if(this.#i===this.#s){if(!this.#n)return;
+this.#u=requestAnimationFrame(()=>this.#p()))}#p(){this.#u=null;let e=performance.now();this.#d(Math.min(.25,(e-this.#h)/1e3)),this.#h=e,(!this.#t||this.arrived)&&
+this.#o("frame"),(this.#n||this.#i!==this.#s)&&(this.#u=requestAnimationFrame(()=>this.#p()))}#d(e){let t=e;for(;t>0;){if(this.#i===this.#s){if(!this.#n)return;
 if(this.#s===this.#e)return this.pause();this.#c(this.#s+1)}let n=this.#n?this.pace:1/this.glide,s=this.#s-this.#i,o=Math.min(Math.abs(s),t*n);t-=o/n,this.#i=o===
 Math.abs(s)?this.#s:this.#i+Math.sign(s)*o}this.#n&&this.#i===this.#e&&this.pause()}#o(e){this.dispatchEvent(new Event(e))}};function ar(r,e){if(e.ctrlKey||e.metaKey||
 e.altKey)return!1;let t=e.shiftKey?10:1,s={" ":()=>r.toggle(),ArrowRight:()=>r.move(t),ArrowLeft:()=>r.move(-t),Home:()=>r.move(-r.length),End:()=>r.move(r.length),
@@ -347,20 +345,20 @@ round(100*e)}%`,m("button",{type:"button",class:"episode",title:`Episode ${t+1}:
 i;a.fillStyle=o.paper,a.fillRect(0,0,r.width,r.height);for(let h=0;t&&h<i*i;h++){let[c,d]=[(h%i+.5)*l,(Math.floor(h/i)+.5)*l],p=f=>!!t[f*i*i+h];p(ll)&&(a.fillStyle=
 o.obstacle,a.fillRect(c-l/2,d-l/2,l,l));let y=p(Ao)&&p(Mo)?l*.18:0;p(Ao)&&Eo(a,ke,c+y,d+y,l*.74,o.evader),p(Mo)&&Eo(a,tr,c-y,d-y,l*.86,o.pursuer)}a.strokeStyle=
 n<e.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let u=Math.floor(i/2)*l;a.strokeRect(u,u,l,l)}function Eo(r,e,t,n,s,o){e(r,t,n,s),r.fillStyle=o,r.fill()}var Co="What it remembers: a number for each unit, from -1 to 1",ur=class{element;#e;#r=m("canvas",{class:"seen",role:"img"});#t=m("h3");#s=m("p",{class:"small \
-muted"});#i=m("div",{class:"answers"});#n=m("div",{title:Co});#u=null;#h=null;#a=null;#d=null;#c=null;#l=null;#p=0;constructor(e){this.#e=e,this.element=m("div",
+muted"});#i=m("div",{class:"answers"});#n=m("div",{title:Co});#u=null;#h=null;#a=null;#m=null;#c=null;#l=null;#p=0;constructor(e){this.#e=e,this.element=m("div",
 {class:"inspector","data-open":"false"},m("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its network answers."),m("div",{class:"\
 inspected"},this.#r,m("div",{class:"answer"},this.#t,this.#s,this.#n),this.#i))}get agent(){return this.#l}show(e,t,n,s){this.#u?.free(),this.#u=e.world(n.config),
-this.#a!==t&&(this.#h=null,this.#l!==null&&this.choose(null)),[this.#a,this.#d,this.#c]=[t,n,s]}set solution(e){this.#h=e,this.at(this.#p)}choose(e){this.#l=e,this.
-element.dataset.open=String(e!==null),this.#e(e),this.at(this.#p)}next(e){let t=this.#d;if(!t)return;let n=this.#l??(e>0?-1:0);for(let s=0;s<t.n_agents;s++)if(n=
-(n+e+t.n_agents)%t.n_agents,t.alive[this.#p*t.n_agents+n])return this.choose(n)}at(e){this.#p=e;let[t,n,s,o,a]=[this.#d,this.#u,this.#a,this.#c,this.#l];if(!t||
+this.#a!==t&&(this.#h=null,this.#l!==null&&this.choose(null)),[this.#a,this.#m,this.#c]=[t,n,s]}set solution(e){this.#h=e,this.at(this.#p)}choose(e){this.#l=e,this.
+element.dataset.open=String(e!==null),this.#e(e),this.at(this.#p)}next(e){let t=this.#m;if(!t)return;let n=this.#l??(e>0?-1:0);for(let s=0;s<t.n_agents;s++)if(n=
+(n+e+t.n_agents)%t.n_agents,t.alive[this.#p*t.n_agents+n])return this.choose(n)}at(e){this.#p=e;let[t,n,s,o,a]=[this.#m,this.#u,this.#a,this.#c,this.#l];if(!t||
 !n||!s||!o||a===null)return;let i=a<t.config.n_pursuers?"pursuer":"evader";this.#n.replaceChildren(),this.#t.replaceChildren(m("span",{class:i},G(a,t.config.n_pursuers)));
 let l={pursuers:Q(s,"pursuer",o.pursuer),evaders:Q(s,"evader",o.evader)};t.seek(n,e,l);let u=t.actions.subarray(e*t.n_agents,(e+1)*t.n_agents);for(;u.length&&!n.
 over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(u);let h=!!(t.alive[e*t.n_agents+a]&&n.read("alive")[a]);To(this.#r,t.config,h?n.view(a):null,a),this.#r.ariaLabel=
-`Field of view of ${G(a,t.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let c=u[a]??null;if(!h)return this.#m([],"It is gone.");let d=l[`${i}s`],
+`Field of view of ${G(a,t.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let c=u[a]??null;if(!h)return this.#d([],"It is gone.");let d=l[`${i}s`],
 p=typeof d=="string"?null:n.answer(d,a),y=p?.probabilities??null;p?.memory.length&&this.#n.replaceChildren(m("p",{class:"small muted"},"It remembers:"),dl(p.memory));
 let f=this.#h?.game(n)??null,g=typeof d=="string"?`The script "${d}" plays for it${c===null?"":`; it goes ${le[c]}`}.`:d.sampled?"Its action is drawn from these\
- probabilities.":"It takes the most probable action.",b=[["network",y],["perfect",f?.marginal(a)??null]],S=w=>m("p",{class:"small muted"},w);this.#m([...f?[S(`V\
-alue ${f.value.toFixed(2)} under perfect play.`)]:[],...cl(b,c)],c===null?"The episode is over.":g)}#m(e,t){this.#i.replaceChildren(...e),this.#s.textContent=t}};
+ probabilities.":"It takes the most probable action.",b=[["network",y],["perfect",f?.marginal(a)??null]],S=w=>m("p",{class:"small muted"},w);this.#d([...f?[S(`V\
+alue ${f.value.toFixed(2)} under perfect play.`)]:[],...cl(b,c)],c===null?"The episode is over.":g)}#d(e,t){this.#i.replaceChildren(...e),this.#s.textContent=t}};
 function cl(r,e){let t=r.filter(([,o])=>o);if(!t.length)return[];let n=m("div",{class:"action muted"},m("span"),...t.map(([o])=>m("span",{class:"head"},o))),s=Array.
 from(t[0][1],(o,a)=>m("div",{class:a===e?"action taken":"action"},m("span",{},le[a]),...t.flatMap(([,i])=>hl(i[a]))));return t.length>1||t[0][0]!==r[0][0]?[n,...s]:
 s}function hl(r){let e=m("span",{class:"filled"});return e.style.width=`${100*r}%`,[m("span",{class:"track"},e),m("span",{class:"numbers"},r.toFixed(2))]}function dl(r){
@@ -397,26 +395,26 @@ end",text:El(r),agents:[]}),u}function Ml({config:r}){return`${r.n_pursuers} pur
  steps`}function El(r){let e=Math.round(r.statistics.capture_rate*r.config.n_evaders);return`The episode ends after ${r.length} steps with ${e} of ${r.config.n_evaders}\
  evaders captured`}var Tl=60,pr=class{element;player=new Ae(0,{speed:sr,still:ye()});inspector;match=null;recording=null;actions;#e;#r;#t;#s;#i=m("h2",{class:"match-title"});#n=m(
 "p",{class:"tally numbers"});#u=m("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#h=m("p",{class:"problem",role:"a\
-lert"});#a=null;#d=null;#c=0;#l=!1;#p=0;#m=[];constructor(e,t,n){[this.#r,this.#t]=[e,t];let s=m("canvas",{"aria-label":"The match"});this.#e=new Se(s,{numbers:!1}),
+lert"});#a=null;#m=null;#c=0;#l=!1;#p=0;#d=[];constructor(e,t,n){[this.#r,this.#t]=[e,t];let s=m("canvas",{"aria-label":"The match"});this.#e=new Se(s,{numbers:!1}),
 this.#s=new lr(t),this.inspector=new ur(o=>this.#S(o)),s.addEventListener("click",o=>this.inspector.choose(this.#e.agentAt(o.clientX,o.clientY))),this.actions=m(
 "div",{class:"beside"},m("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.
 dispatchEvent(new Event("takeover"))},"Take over"),n&&$o(()=>this.shown,n)),this.element=m("section",{class:"card match-card","aria-label":"Match",id:"match"},m(
 "div",{class:"match"},m("header",{class:"match-head"},this.#i,this.#n),this.#h,m("div",{class:"stage"},s),m("div",{class:"aside"},this.#u,It(),this.actions,this.
 inspector.element),ir(this.player),this.#s.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.
 player.addEventListener("step",()=>this.#x()),t.on("match",()=>this.#f()),this.#b(),this.#w(0,0)}get#o(){return this.#r[this.#t.selected.run]}reveal(){this.#e.canvas.
-scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#d&&{match:this.match,step:this.player.step,champions:this.#d}}start(e){this.#a=e,this.#y()}playSoon(){
+scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){this.#a=e,this.#y()}playSoon(){
 this.#l=!0,this.#c||this.#v()}goTo(e){this.#p=e,!this.#c&&this.match&&this.#y()}#v(){!this.#l||!this.match||(this.#l=!1,this.player.jump(0),ye()||this.player.play())}#f(){
 this.#b(),clearTimeout(this.#c),this.#c=setTimeout(()=>this.#y(),Tl)}#y(){clearTimeout(this.#c),this.#c=0,this.player.pause(),this.#b();let{selected:e}=this.#t,
-t=We.map(o=>Wt(this.#o,o,e[o])).find(Boolean)??"";if(this.#h.textContent=t,t||!this.#a)return;this.match=Es(this.#a,this.#o,e);let[n,s]=this.names(e);this.#d={pursuer:{
+t=We.map(o=>Wt(this.#o,o,e[o])).find(Boolean)??"";if(this.#h.textContent=t,t||!this.#a)return;this.match=Es(this.#a,this.#o,e);let[n,s]=this.names(e);this.#m={pursuer:{
 name:n,policy:Q(this.#o,"pursuer",e.pursuer)},evader:{name:s,policy:Q(this.#o,"evader",e.evader)}},this.recording=nr(this.match),this.#s.show(this.#o,this.match),
-this.inspector.show(this.#a,this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=Xt(this.recording),this.#m=this.player.ticks=[],this.player.
+this.inspector.show(this.#a,this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=Xt(this.recording),this.#d=this.player.ticks=[],this.player.
 jump(this.#p),this.#p=0,this.#x(),this.#g(this.#a,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??""}`,this.#v()}async#g(e,t){
-let n=await cr(e,t.config);if(this.match!==t||!n)return;let s=e.world(t.config);t.seek(s,0),this.#m=hr(n,s,Cl(t)),s.free(),this.player.ticks=dr(this.#m),this.inspector.
+let n=await cr(e,t.config);if(this.match!==t||!n)return;let s=e.world(t.config);t.seek(s,0),this.#d=hr(n,s,Cl(t)),s.free(),this.player.ticks=dr(this.#d),this.inspector.
 solution=n,this.#x()}names({run:e,pursuer:t,evader:n}){let{teams:s}=this.#r[e];return[s.pursuer.script??oe("pursuer",t),s.evader.script??oe("evader",n)]}#b(){let{
 episode:e,seed:t}=this.#t.selected,{payoff:n}=this.#o,[s,o]=this.names(this.#t.selected),a=t===null?e<n.episodes?`episode ${e+1} of ${n.episodes}`:`episode ${e+
 1}, not part of the cell`:`seed ${t}`;this.#i.replaceChildren(m("span",{class:"pursuer"},qt(s))," against ",m("span",{class:"evader"},o),m("span",{class:"muted \
 small"},a))}#x(){let e=this.match;if(!e||!this.recording)return;let t=this.player.step,n=this.recording.moments[t];this.#w(Array.from(n.everCaptured).filter(Boolean).
-length,t),this.#u.replaceChildren(...this.#m.filter(s=>s.step===t).map(s=>m("li",{class:`loss-${s.team}`},yt(s))),...mr(e,this.recording,t).map(s=>m("li",{class:s.
+length,t),this.#u.replaceChildren(...this.#d.filter(s=>s.step===t).map(s=>m("li",{class:`loss-${s.team}`},yt(s))),...mr(e,this.recording,t).map(s=>m("li",{class:s.
 kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(t),this.#A()}#w(e,t){this.#n.replaceChildren(m("strong",{},e),` of ${this.#o.world.n_evaders}\
  captured`,m("span",{class:"muted"},` · step ${t}`))}#S(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#A()}#A(){let e=this.inspector.agent;for(let t of this.#u.
 children){let n=t.dataset.agents?.split(" ")??[];t.classList.toggle("about",e!==null&&n.includes(String(e)))}}},Cl=({actions:r,length:e,n_agents:t})=>Array.from(
@@ -436,9 +434,9 @@ span",{class:"evader"},i+f)),d=m("button",{type:"button","aria-label":"Close: al
 p","aria-label":"Cells around the tap"},...h,d,...c);return p.style.gridTemplateColumns=`2.4rem repeat(${u}, minmax(0, 1fr))`,p.addEventListener("click",y=>y.stopPropagation()),
 p}function Pl(r,e,t,n){let s=m("button",{type:"button",onclick:()=>n({pursuer:e,evader:t})});return Ko(s,ze(r,e,t)?.rate,`${oe("pursuer",e)} against ${oe("evade\
 r",t)}`),s}var Jo=(r,e)=>Math.max(0,Math.min(e-yr,r-Math.floor(yr/2)));var re={left:52,bottom:46,top:76,right:84},ce=10,Ll=160,vt=re.right-ce-14,Oe=re.top-ce-14,gr=class{element;#e;#r;#t=m("canvas",{"aria-hidden":"true"});#s=v("svg",
-{"aria-hidden":"true"});#i=v("g");#n;#u=m("h2");#h=m("strong",{class:"rate numbers"});#a=m("span",{class:"small muted"});#d=m("p",{class:"of-both-teams small mu\
+{"aria-hidden":"true"});#i=v("g");#n;#u=m("h2");#h=m("strong",{class:"rate numbers"});#a=m("span",{class:"small muted"});#m=m("p",{class:"of-both-teams small mu\
 ted numbers"});#c=null;constructor(e,t){[this.#r,this.#e]=[e,t],this.#n=m("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
-ch, Enter plays it."},this.#t,this.#s);let n=m("header",{class:"readout","aria-live":"polite"},m("div",{},this.#u,this.#d),m("div",{class:"of-cell"},this.#h,this.#a));
+ch, Enter plays it."},this.#t,this.#s);let n=m("header",{class:"readout","aria-live":"polite"},m("div",{},this.#u,this.#m),m("div",{class:"of-cell"},this.#h,this.#a));
 this.element=m("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#n,Zo("0 all escape","1 all caught")),this.#f(),new ResizeObserver(()=>this.#p()).
 observe(this.#n),this.#n.addEventListener("pointermove",s=>this.#b(s)),this.#n.addEventListener("pointerleave",()=>t.point({})),this.#n.addEventListener("click",
 s=>this.#x(s)),this.#n.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),Ho(this.#n,
@@ -447,7 +445,7 @@ r",()=>this.#v())}get#l(){return this.#r[this.#e.selected.run]}#p(){let[e,t]=thi
 max(Ll,Math.min(n-re.left-re.right,s-re.top-re.bottom))/Math.max(e,t),i=Math.max(re.left,(n-t*a-re.right+re.left)/2),l=re.top+Math.max(0,(s-re.top-re.bottom-e*a)/
 2),u={width:n,height:s,left:i,top:l,cell:a,rows:e,columns:t};this.#c=u,qo(this.#t,this.#l.payoff,{left:i,top:l,width:t*a,height:e*a});for(let[h,c,d]of[["left",i,
 n],["top",l,s],["width",t*a,n],["height",e*a,s]])this.#t.style.setProperty(h,`${100*c/d}%`);this.#n.style.setProperty("--shape",`${n} / ${s}`),this.#s.setAttribute(
-"viewBox",`0 0 ${n} ${s}`),this.#s.replaceChildren(Nl(u),...$l(u),...this.#o(u),this.#i),this.#v()}#m(e){let t=this.#l.findings?.generalization;if(!t)return[];let{
+"viewBox",`0 0 ${n} ${s}`),this.#s.replaceChildren(Nl(u),...$l(u),...this.#o(u),this.#i),this.#v()}#d(e){let t=this.#l.findings?.generalization;if(!t)return[];let{
 selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=ea(e,t.pursuers.mean[o]??0,o),[u,h]=ta(e,t.evaders.mean[a]??0,a);return[v("cir\
 cle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),v("circle",{class:"dot of-evaders",cx:u,cy:h,r:5})]}#o(e){let t=this.#l.findings?.generalization;if(!t)return[];let{
 left:n,top:s,cell:o,rows:a,columns:i}=e,[l,u]=[n+i*o+ce,s-ce],h={class:"side"};return[v("rect",{...h,x:l,y:s,width:vt,height:a*o}),v("rect",{...h,x:n,y:u-Oe,width:i*
@@ -457,10 +455,10 @@ ck",x:n-6,y:u-Oe+8,"text-anchor":"end"},"1"),v("text",{class:"label of-pursuers"
 aders",x:n+i*o+ce,y:u-Oe+10,"text-anchor":"start"},"escapes")]}#v(){let e=this.#c;if(!e)return;let{selected:t,hover:n}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,
 u=y=>o+(i-1-y)*a,h=[],c=(y,f)=>v("rect",{class:f,x:s,y:u(y),width:l*a+ce+vt,height:a}),d=(y,f)=>v("rect",{class:f,x:s+y*a,y:o-ce-Oe,width:a,height:ce+Oe+i*a});h.
 push(c(t.pursuer,"strip pursuer"),d(t.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&h.push(c(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&h.push(
-d(n.evader,"strip hover")),h.push(...this.#m(e));let p={x:s+t.evader*a,y:u(t.pursuer),width:a,height:a};h.push(v("rect",{class:"chosen under",...p}),v("rect",{class:"\
+d(n.evader,"strip hover")),h.push(...this.#d(e));let p={x:s+t.evader*a,y:u(t.pursuer),width:a,height:a};h.push(v("rect",{class:"chosen under",...p}),v("rect",{class:"\
 chosen",...p})),this.#i.replaceChildren(...h),this.#f()}#f(){let{selected:e,hover:t}=this.#e,n=t.pursuer??e.pursuer,s=t.evader??e.evader,o=ze(this.#l,n,s);this.#u.
 replaceChildren(m("span",{class:"pursuer"},qt(oe("pursuer",n)))," against ",m("span",{class:"evader"},oe("evader",s))),this.#h.textContent=o?J(o.rate,3):"-",this.#a.
-textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#d.textContent=this.#y(n,s)}#y(e,t){let n=this.#l.findings?.generalization;
+textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#m.textContent=this.#y(n,s)}#y(e,t){let n=this.#l.findings?.generalization;
 if(!n)return"";let s=(o,a)=>Ps(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,t)}`}#g(e){
 let t=this.#c;if(!t)return null;let n=this.#n.getBoundingClientRect(),s=Math.floor((e.clientX-n.left-t.left)/t.cell),o=t.rows-1-Math.floor((e.clientY-n.top-t.top)/
 t.cell),[a,i]=[o>=0&&o<t.rows,s>=0&&s<t.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#b(e){let t=this.#g(e);this.#e.point(t?{pursuer:t.g<0?null:t.g,
@@ -515,16 +513,16 @@ return bt({format:S(Bl),n_pursuers:b(n.n_pursuers),config:S(JSON.stringify(n)),s
 ...w]))},map:{dtype:"|b1",shape:[n.rows,n.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[y.length/11,11],data:Int32Array.from(
 y)}})}var jl=[0,1,2,4,8],xr=class{element;player=new Ae(0,{speed:4,still:ye()});#e;#r;#t=m("canvas",{tabindex:0,"aria-describedby":"play-keys"});#s=m("h2");#i=m("p",{
 class:"play-told",role:"status"});#n=ha(e=>this.act(e));#u=ne(jl.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#C());#h=m("input",{type:"checkbox"});#a=m("in\
-put",{type:"checkbox"});#d=m("label",{class:"play-choice"},this.#a,"Best move");#c=m("p",{class:"small muted play-keys",id:"play-keys"});#l=m("section",{class:"\
-play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#p=ir(this.player);#m=null;#o=null;#v=[];#f=null;#y=null;#g=[];#b=0;#x=0;constructor(e){this.#e=e,this.#r=
+put",{type:"checkbox"});#m=m("label",{class:"play-choice"},this.#a,"Best move");#c=m("p",{class:"small muted play-keys",id:"play-keys"});#l=m("section",{class:"\
+play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#p=ir(this.player);#d=null;#o=null;#v=[];#f=null;#y=null;#g=[];#b=0;#x=0;constructor(e){this.#e=e,this.#r=
 new Se(this.#t,{numbers:!1}),this.#t.setAttribute("role","application"),this.#h.addEventListener("change",()=>this.#S()),this.#a.addEventListener("change",()=>this.#k()),
 da(this.#r,()=>{let t=this.#f!==null&&this.#o&&k(this.#o.recording.moments.at(-1),this.#f);return t?{cell:t,diagonal:this.#o.config.diagonal}:null},t=>this.act(
 t)),this.player.addEventListener("frame",()=>this.#o&&this.#r.show(this.#o.recording,this.player.time)),this.player.addEventListener("step",()=>this.#k()),this.
 element=m("div",{class:"play"},m("header",{class:"play-head"},this.#s,this.#i),m("div",{class:"play-stage"},this.#t),m("div",{class:"play-side"},this.#l,this.#n.
 element,m("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#u),m("label",{class:"play-choice"},this.#h,m("span",{},"Fog",m("span",{class:"at-le\
-ngth"},": see only what it sees"))),this.#d,this.#c),this.#p)}get played(){return this.#m&&{...this.#m.played,moves:this.#v}}get live(){return this.#o}play(e){this.#w(
-wn(this.#e,e.played),e.played.seat,e.title),[this.#m,this.#v,this.#b]=[e,[...e.played.moves],0],this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),
-wr(this.#o,e.played.seat)&&this.#_()}watch(e,t,n){this.#m=null,this.#w(e,t,n),this.#R()}stop(){this.#C(),this.player.pause(),this.#m=null}act(e){let[t,n]=[this.#m,
+ngth"},": see only what it sees"))),this.#m,this.#c),this.#p)}get played(){return this.#d&&{...this.#d.played,moves:this.#v}}get live(){return this.#o}play(e){this.#w(
+wn(this.#e,e.played),e.played.seat,e.title),[this.#d,this.#v,this.#b]=[e,[...e.played.moves],0],this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),
+wr(this.#o,e.played.seat)&&this.#_()}watch(e,t,n){this.#d=null,this.#w(e,t,n),this.#R()}stop(){this.#C(),this.player.pause(),this.#d=null}act(e){let[t,n]=[this.#d,
 this.#o];if(!t||!n||this.element.dataset.state!=="playing")return;this.#b=e;let s=Number(this.#u.value);this.#x||(this.#O(),s&&this.element.dataset.state==="pla\
 ying"&&(this.#x=setInterval(()=>this.#O(),1e3/s)))}key(e){let{target:t,key:n}=e;if(t instanceof HTMLSelectElement||t instanceof HTMLInputElement&&(t.type==="tex\
 t"||n===" ")||t instanceof HTMLButtonElement&&(n===" "||n==="Enter")||!this.#o)return!1;if(this.element.dataset.state!=="playing")return ar(this.player,e);let o=ca(
@@ -532,20 +530,20 @@ e,this.#o.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#w(e,t,n){t
 ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#n.show(e.config.diagonal),this.#c.replaceChildren(m("span",{class:"at-length"},`W A S D or t\
 he arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the board: swipe, or tap where to go."),this.#A(
 e),this.#l.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#S(){this.#r.look={you:this.#f,fog:this.#h.checked,viewers:this.#f===
-null?[]:[this.#f],plan:this.#T()}}#A(e){this.#y=null,this.#g=this.player.ticks=[],this.#d.hidden=this.#a.disabled=!!Pt(e.config),cr(this.#e,e.config,Uo(e.config)).
+null?[]:[this.#f],plan:this.#T()}}#A(e){this.#y=null,this.#g=this.player.ticks=[],this.#m.hidden=this.#a.disabled=!!Pt(e.config),cr(this.#e,e.config,Uo(e.config)).
 then(t=>{this.#o===e&&(this.#y=t,this.#E(),this.#k())})}#E(){let[e,t]=[this.#o,this.#y];if(!t||this.element.dataset.state==="playing")return;let n=this.#e.world(
-e.config);n.reset(e.start),this.#g=hr(t,n,e.actions),n.free(),this.player.ticks=dr(this.#g)}get#M(){return this.#a.checked&&this.#m&&this.element.dataset.state===
+e.config);n.reset(e.start),this.#g=hr(t,n,e.actions),n.free(),this.player.ticks=dr(this.#g)}get#M(){return this.#a.checked&&this.#d&&this.element.dataset.state===
 "playing"&&this.#y&&this.#o.game(this.#y)||null}#T(){let[e,t]=[this.#f,this.#f!==null&&this.#M?.marginal(this.#f)];return e!==null&&t?Object.assign(Array(e).fill(
 0),{[e]:t.indexOf(Math.max(...t))}):null}#C(){clearInterval(this.#x),this.#x=0,this.#i.ariaLive=Number(this.#u.value)?"off":"polite"}#O(){let[{policies:e,seat:t},
-n]=[this.#m.played,this.#o];n.step(e,t,this.#b),this.#v.push(this.#b),this.player.length=n.length,this.player.glide=Math.min(.22,.9/(Number(this.#u.value)||4)),
-this.player.move(n.length-this.player.step),wr(n,t)&&this.#_()}#_(){this.#C();let[e,t,n]=[this.#m,this.#o,this.played],s=Nt()?e.link(n):null;this.#l.replaceChildren(
+n]=[this.#d.played,this.#o];n.step(e,t,this.#b),this.#v.push(this.#b),this.player.length=n.length,this.player.glide=Math.min(.22,.9/(Number(this.#u.value)||4)),
+this.player.move(n.length-this.player.step),wr(n,t)&&this.#_()}#_(){this.#C();let[e,t,n]=[this.#d,this.#o,this.played],s=Nt()?e.link(n):null;this.#l.replaceChildren(
 m("h3",{id:"play-headline"},Vl(t,n.seat)),...e.ending(t,n),m("div",{class:"play-buttons"},m("button",{type:"button",class:"primary",onclick:()=>e.again()},"Agai\
 n"),m("button",{type:"button",onclick:()=>this.#R()},"Watch it"),m("button",{type:"button",onclick:()=>this.#P(t,n.seat)},"Save"),s&&m("button",{type:"button",onclick:({
 currentTarget:a})=>ql(a,s)},"Link"))),this.element.dataset.state="ended",this.#E();let o=this.#g.filter(({team:a})=>a===he(t.config,n.seat));o.length&&this.#l.children[0].
 after(m("p",{class:"small muted"},Wo(o))),this.#l.focus({preventScroll:!0}),this.#l.scrollIntoView({block:"nearest"})}#R(){this.element.dataset.state="watched",
 this.player.length=this.#o.length,this.player.jump(0),ye()||this.player.play()}#P(e,t){$t(`${G(t,e.config.n_pursuers)}-${e.length}-steps.npz`,ga(this.#e,e,t))}#k(){
-let[e,t,{step:n}]=[this.#o,this.#f,this.player];if(!e||n>e.length)return;let s=mr(e,e.recording,n).filter(({agents:l})=>t===null||l.includes(t)),o=this.#m&&n===
-0,a=o?[Hl(e.config,t),this.#m.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&t!==null&&a.push(Gl(e,n,t)),a.push(...this.#g.filter(
+let[e,t,{step:n}]=[this.#o,this.#f,this.player];if(!e||n>e.length)return;let s=mr(e,e.recording,n).filter(({agents:l})=>t===null||l.includes(t)),o=this.#d&&n===
+0,a=o?[Hl(e.config,t),this.#d.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&t!==null&&a.push(Gl(e,n,t)),a.push(...this.#g.filter(
 l=>l.step===n).map(yt));let i=n===e.length&&t!==null?this.#M:null;i&&a.push(`Perfect play: ${Bo(i,t)||"decided in its turn"}; ${zo(this.#y,i,n)}`),this.#S(),this.#i.
 textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function Hl(r,e){let t=r.rules.capture==="SURROUND";return he(r,e)==="evader"?`Run away: you win if ${t?
 "the pursuers do not surround you":"no pursuer reaches your cell"} in ${r.max_steps} steps`:`Capture evaders: ${t?"surround them with your team":"move onto thei\
@@ -569,9 +567,9 @@ s,"pursuer",a),evader:Q(s,"evader",i)},y={config:s.world,seed:BigInt(u??s.seeds[
 null?{}:{seed:u}};xn(n,this.view,d,y,c,this.#s?f:null)}};var Zl=8,Jl=700,ba=1400,wt=class{element;player=new Ae(0,{speed:Zl,still:ye()});title=m("figcaption");generation=0;#e=m("canvas");#r;#t=m("p",{class:"small mute\
 d numbers"});#s=m("p",{class:"small",role:"status"});#i;#n=null;#u=0;#h=0;#a=!ye();constructor(e){this.#i=e,this.#r=new Se(this.#e,{numbers:!1}),this.element=m(
 "figure",{class:"chase"},this.title,this.#e,this.#t,this.#s),this.player.addEventListener("frame",()=>this.#l()),this.player.addEventListener("step",()=>this.#p()),
-this.player.addEventListener("state",()=>{this.#a&&!this.player.playing&&this.player.length&&this.player.step===this.player.length&&this.#d()})}set label(e){this.#e.
+this.player.addEventListener("state",()=>{this.#a&&!this.player.playing&&this.player.length&&this.player.step===this.player.length&&this.#m()})}set label(e){this.#e.
 ariaLabel=e}get runs(){return this.#a}set runs(e){this.#a=e,clearTimeout(this.#h),e?this.player.play():this.player.pause()}renew(e=!1){e||!this.#n||performance.
-now()-this.#u>ba?this.#c():this.#d(ba)}#d(e=Jl){clearTimeout(this.#h),this.#h=setTimeout(()=>this.#c(),e)}#c(){clearTimeout(this.#h);let e=this.#i();e&&(this.#n=
+now()-this.#u>ba?this.#c():this.#m(ba)}#m(e=Jl){clearTimeout(this.#h),this.#h=setTimeout(()=>this.#c(),e)}#c(){clearTimeout(this.#h);let e=this.#i();e&&(this.#n=
 nr(e),this.#u=performance.now(),this.player.jump(0),this.player.length=e.length,this.player.marks=Xt(this.#n),this.#p(),this.#a&&this.player.play())}#l(){this.#n&&
 this.#r.show(this.#n,this.player.time)}#p(){let e=this.#n?.moments[this.player.step]?.everCaptured;e&&(this.#t.textContent=`generation ${this.generation} · ${Array.
 from(e).filter(Boolean).length} of ${e.length} caught · step ${this.player.step}`)}drawWalls(e){let t=!1,n=!0,s=[0,0],o=([l,u])=>!!this.#n?.obstacles[l*this.#n.
@@ -626,14 +624,14 @@ subarray(0,d))+_n(r.subarray(d))}if(e<qe)return r.reduce((d,p)=>d+p,0);let t=r.s
 subarray(n).reduce((d,p)=>d+p,s+o+(a+i)+(l+u+(h+c)))}var C=["pursuer","evader"],Re=r=>r==="pursuer"?"evader":"pursuer";var Na=({world:r})=>r.rules.teammate==="REACH"?.2:0;var Cr={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},ru=20,nu=8,su=-1,kr=({world:r,policy:e},t,n)=>({fov:r.fov,hidden:e.hidden,mask:e.mask===
 "none"?null:t[n]}),Ke=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters=[];#e;#r;#t;#s={};#i=new Set;#n=0;#u=0;#h=0;constructor(e,t,n,s=Ra(
 t.seed)){[this.#e,this.settings,this.#r,this.#t]=[e,t,n,s];for(let o of C){let{initial_weight:a,initial_head:i}=t.policy,l=s("initial",C.indexOf(o)),u=t.learner.
-kind==="ga"?t.learner.population:1,h=Array.from({length:u},()=>Ea(this.shape(o),l,a,i));this.#d(o,h),this.archive[o].push(this.#s[o].genome)}this.#x()}shape(e){
+kind==="ga"?t.learner.population:1,h=Array.from({length:u},()=>Ea(this.shape(o),l,a,i));this.#m(o,h),this.archive[o].push(this.#s[o].genome)}this.#x()}shape(e){
 return kr(this.settings,this.#r,e)}get finished(){return Math.min(this.archive.pursuer.length,this.archive.evader.length)}*run(){yield*this.#w(0);for(let e=1;e<=
 this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let t of C)yield*this.#c(t,e);else yield*this.#l(e);this.#x(),yield*this.#w(
 e)}}change(e){let t=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(t))===JSON.stringify(l(e));this.settings=e;
-let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of C){let u=h=>Ta(h,n[l],this.shape(l));this.archive[l]=this.archive[l].map(u),this.#d(l,this.#a(
+let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of C){let u=h=>Ta(h,n[l],this.shape(l));this.archive[l]=this.archive[l].map(u),this.#m(l,this.#a(
 l).map(u))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#i.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:a.
 slice(0,this.finished),evader:i.slice(0,this.finished)}}}#a(e){let t=this.#s[e];if(!(t instanceof Mt))return[t.genome];let n=t.genome.length,s=Array.from({length:t.
-population.length/n},(o,a)=>t.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?t.genome:s[a%s.length])}#d(e,t){
+population.length/n},(o,a)=>t.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?t.genome:s[a%s.length])}#m(e,t){
 let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sigma],a=An(s),i=new Mr(Ye(s),this.#t("noise",C.indexOf(e)),o,a?.fixed??null),l=t.map(
 u=>Mn(u,a));this.#s[e]=n.kind==="ga"?new Mt(Tr(l),i,n):new Er(l[0],i,n)}*#c(e,t){for(let n=0;n<this.#o(e);n++){let s=this.archive[Re(e)].length,o=this.settings.
 schedule[`${e}s_meet`],a=o==="latest"?s-1:o==="round-robin"?n%s:this.#t("opponents",C.indexOf(e),t,n).choice(s,1)[0],i=e==="pursuer"?[t,a]:[a,t],l=this.#s[e],{groups:u}=l,
@@ -641,10 +639,10 @@ h=At([this.settings.seed,...i,Tn[e],n],Math.max(...u)+1),c=l.ask(this.#t("learn"
 [e]:c,[Re(e)]:this.archive[Re(e)][a]},f={[e]:d,[Re(e)]:p},g=this.#f(y,f,BigUint64Array.from(u,S=>h[S])),b=this.#g(g,e);this.#b(g,b,{generation:t,team:e,epoch:n,
 opponent:a}),l.tell(b),yield*this.#v(t,n,e)}this.archive[e].push(this.#s[e].genome)}*#l(e){for(let t=0;t<this.#o("pursuer");t++){let{schedule:n,learner:{population:s}}=this.
 settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#p("pursuer",e,t),evader:this.#p("evader",e,t)},l=this.#t("opponen\
-ts",0,e,t),u={pursuer:this.#m(o,l),evader:this.#m(o,l)},h=g=>Tr([i[g],...Array.from(u[Re(g)],b=>this.archive[g][b])]),c=[u.evader.length,u.pursuer.length],d=Pa(
+ts",0,e,t),u={pursuer:this.#d(o,l),evader:this.#d(o,l)},h=g=>Tr([i[g],...Array.from(u[Re(g)],b=>this.archive[g][b])]),c=[u.evader.length,u.pursuer.length],d=Pa(
 this.#s.pursuer.groups,a,c,l),p=At([this.settings.seed,e,e,Tn.both,t],Math.max(...d.group)+1),y={pursuer:h("pursuer"),evader:h("evader")},f=this.#f(y,d,BigUint64Array.
 from(d.group,g=>p[g]));for(let g of C){let b=La(d[g],d[Re(g)],s,this.#g(f,g));this.#b(f,b,{generation:e,team:g,epoch:t,opponent:su}),this.#s[g].tell(b)}yield*this.#v(
-e,t,"both")}for(let t of C)this.archive[t].push(this.#s[t].genome)}#p(e,t,n){return this.#s[e].ask(this.#t("learn",C.indexOf(e),t,n))}#m(e,t){let n=this.archive.
+e,t,"both")}for(let t of C)this.archive[t].push(this.#s[t].genome)}#p(e,t,n){return this.#s[e].ask(this.#t("learn",C.indexOf(e),t,n))}#d(e,t){let n=this.archive.
 pursuer.length;return e?t.choice(n,Math.min(e,n)):new Int32Array(0)}#o(e){let{schedule:t}=this.settings;return t.kind==="hall-of-fame"?t.joint_epochs:t[`${e}_ep\
 ochs`]}*#v(e,t,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#o("pursuer"),0]:[this.#o("pursuer"),this.#o("evader")],a=t+1+(n==="evader"?s:0),i=s+
 o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#f(e,t,n){let s={...this.settings.world,max_steps:this.settings.
@@ -672,8 +670,8 @@ e,this.world=e.world;for(let n of C)this.genomes[n]=[...t[n]];[this.payoff,this.
 lengths:s}){this.payoff.capture_rate[e][t]=L(n),this.payoff.capture_rates[e][t]=[...n],this.payoff.lengths[e][t]=[...s],this.findings={generalization:this.#n()}}#n(){
 let e=this.payoff.capture_rate,t=o=>({mean:o,low:null,high:null}),n=o=>{let a=o.filter(i=>i!==void 0);return a.length?L(a):null},s=[...this.genomes.pursuer.keys()];
 return{pursuers:t(s.map(o=>n(e[o]))),evaders:t(s.map(o=>n(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Et=r=>`${Math.round(100*r)} %`,ou=100,au=0,_r=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#r;#t;#s=m("h2",
-{class:"lane-title"});#i=m("p",{class:"facts numbers"});#n=m("div",{class:"lane-room",hidden:!0});#u=m("section",{class:"card measures",hidden:!0});#h=m("div");#a;#d={
-pursuer:[],evader:[]};#c=new Map;#l;#p;#m=()=>{};#o=0;#v=!0;#f=0;#y=null;constructor(e,t,n,s){super(),[this.#e,this.#r,this.#t,this.settings]=[e,t,n,s],this.newest=
+{class:"lane-title"});#i=m("p",{class:"facts numbers"});#n=m("div",{class:"lane-room",hidden:!0});#u=m("section",{class:"card measures",hidden:!0});#h=m("div");#a;#m={
+pursuer:[],evader:[]};#c=new Map;#l;#p;#d=()=>{};#o=0;#v=!0;#f=0;#y=null;constructor(e,t,n,s){super(),[this.#e,this.#r,this.#t,this.settings]=[e,t,n,s],this.newest=
 new wt(()=>this.#A(this.#a.newest)),this.beginning=new wt(()=>this.#A(0)),this.beginning.element.classList.add("beginning");let o=m("div",{class:"boards"},this.
 newest.element,this.beginning.element);this.element=m("section",{class:"lane"},this.#s,this.#i,o,this.#n,this.#u,this.#h),n.onmessage=({data:a})=>this.#b(a),this.
 reset(s)}reset(e){this.#g({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#S();let{archive:t}=new Ke(this.#r,e,this.#e.masks);this.#a.add(
@@ -684,18 +682,18 @@ let e=this.#a.newest;this.#p.play({run:0,pursuer:e,evader:e,episode:0,seed:null}
 this.#y=e,this.#g({type:"save"})})}get newestGeneration(){return this.#a.newest}close(){this.#t.terminate(),this.newest.runs=this.beginning.runs=!1}#g(e){this.#t.
 postMessage(e)}#b(e){if(e.type==="generation"){if(this.state!=="evolving")return;this.#a.add(e.genomes),this.#E(e.number===0)}else if(e.type==="cell"){let{pursuer:t,
 evader:n}=e.cell;this.#a.addCell(e.cell),this.#v&&t===n&&t===this.#a.newest&&this.#l.select({pursuer:t,evader:n}),this.#c.set(`${t} ${n}`,e.cell)}else if(e.type===
-"scores")for(let t of C)this.#d[t][e.number]=e.scores[t];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#w(),this.#E(!0)):e.type==="epoch"?this.
+"scores")for(let t of C)this.#m[t][e.number]=e.scores[t];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#w(),this.#E(!0)):e.type==="epoch"?this.
 done=e.done/e.of:e.type==="end"?(this.state==="evolving"&&([this.state,this.seconds,this.done]=["ended",e.seconds,1]),this.#T()):e.type==="saved"?this.#y?.(e.race):
 (this.#i.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#f||(this.#f=setTimeout(()=>requestAnimationFrame(()=>this.#x()),ou))}#x(){this.#f=
-0,this.#l.dispatchEvent(new Event("run")),this.#m(),this.#M()}#w(){this.#c=new Map,this.#d={pursuer:[],evader:[]},this.#u.hidden=!0}#S(){let e=`race ${au++}`,t=zt(
+0,this.#l.dispatchEvent(new Event("run")),this.#d(),this.#M()}#w(){this.#c=new Map,this.#m={pursuer:[],evader:[]},this.#u.hidden=!0}#S(){let e=`race ${au++}`,t=zt(
 this.settings);this.#a=new Or(this.settings,this.#e.masks,t,e),this.#w(),this.#v=!0,this.#l=new vr({run:0,pursuer:0,evader:0,episode:0,seed:null});let[n,s]=[new gr(
 [this.#a],this.#l),new pr([this.#a],this.#l,null)];n.element.ariaLabel=`Payoff matrix. ${t}`,this.#p=new Sr([this.#a],this.#l,s,!1),this.#p.start(this.#r);let o=m(
 "dialog",{class:"of-cell-match","aria-label":"Match"},m("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element);o.addEventListener("clo\
 se",()=>s.player.pause());let a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:u}=this.#l.selected;this.#v=!1,this.#a.payoff.capture_rate[l][u]!==
 void 0&&(o.showModal(),a||s.start(this.#r),a=!0,s.playSoon())});let i=Us(`Scores against scripts, by generation: ${Cr.pursuer.join(", ")} and ${Cr.evader.join("\
 , ")}`,(l,u)=>{let h=this.settings.schedule.generations,c=$s(l,u,{low:0,high:h,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let d of C){let p=Array.
-from(this.#d[d],y=>y??null);Is(c,[...p.keys()],p,`of-${d}s`)}return c},()=>{},l=>{let u=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#l.select({pursuer:u,
-evader:u})});this.#m=i.redraw,this.#n.replaceChildren(n.element,m("section",{class:"card scores"},m("h3",{},"Against opponents that never change"),m("p",{class:"\
+from(this.#m[d],y=>y??null);Is(c,[...p.keys()],p,`of-${d}s`)}return c},()=>{},l=>{let u=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#l.select({pursuer:u,
+evader:u})});this.#d=i.redraw,this.#n.replaceChildren(n.element,m("section",{class:"card scores"},m("h3",{},"Against opponents that never change"),m("p",{class:"\
 small muted"},"Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),Fs(["pursuers","of-pursuers"],["evaders",
 "of-evaders"]),i.element)),this.#h.replaceChildren(o,this.#p.dialog)}#A(e){let t=this.#a.newest;if(t<0||e<0)return null;let{world:n,payoff:s,seeds:o}=this.#a,a=this.#o++%
 s.episodes;this.newest.title.textContent=t?"Newest against newest":"Generation 0: nobody has learned anything yet",this.beginning.title.textContent="Pursuers of\
@@ -706,7 +704,7 @@ state!=="waiting")&&this.beginning.renew(e)}#M(){this.element.dataset.state=this
 ewest pursuers catch ${Et(L(e.capture_rates))} of the newest evaders`,`${iu(e).toFixed(0)} collisions in 1000 moves`]:[];this.#i.replaceChildren(...t.map(n=>m("\
 span",{},n))),this.dispatchEvent(new Event("state"))}#T(){this.#u.ariaLabel=`What came out. ${zt(this.settings)}`;let e=this.#a.payoff.capture_rate.slice(0,this.#a.
 newest+1).map(n=>n.slice(0,this.#a.newest+1));if(e.length<2||e.some(n=>Array.from(n).includes(void 0)))return;let t=[["Score against scripts: generation 0",n=>Et(
-this.#d[n][0]??0)],["Score against scripts: newest generation",n=>Et(this.#d[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Et(
+this.#m[n][0]??0)],["Score against scripts: newest generation",n=>Et(this.#m[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Et(
 xa(e,n))],["Below its own best so far, in the later half (forgetting)",n=>Et(Sa(e,n))]];this.#u.replaceChildren(m("h3",{},"What came out"),m("table",{class:"num\
 bers"},m("thead",{},m("tr",{},m("td"),...C.map(n=>m("th",{scope:"col",class:n},`${n}s`)))),m("tbody",{},...t.map(([n,s])=>m("tr",{},m("th",{scope:"row"},n),...C.
 map(o=>m("td",{},s(o))))))),m("p",{class:"small muted"},"These are measures without a verdict: one race proves little. Save it, and ",m("code",{},"matrixworld j\
@@ -734,18 +732,18 @@ counters:f,finished:g}=t;r({type:"saved",race:{settings:c,archive:d,rows:p,cells
 {type:"failed",message:String(c)})})};a.port1.onmessage=()=>{o=!1,u(i)},globalThis.onmessage=({data:h})=>u(()=>l(h))}var mu=250,Ln=class{#e;#r;lanes=[];#t=m("div",{class:"lanes"});#s=m("button",{type:"button",class:"evolve",onclick:()=>this.#g()});#i=m("progress",{max:1,value:0,
 "aria-label":"Progress of the race"});#n=m("p",{class:"small muted numbers",role:"status"});#u=m("button",{type:"button",class:"side",title:"A second race of th\
 e same seed with another schedule",onclick:()=>this.#x()},"Side by side");#h=m("button",{type:"button","aria-pressed":"false",title:"Drag over the board to draw\
- walls, and over walls to remove them",onclick:()=>this.#A()},"Draw walls");#a=m("button",{type:"button",onclick:()=>this.#w({walls:[]})},"No walls");#d=m("butt\
+ walls, and over walls to remove them",onclick:()=>this.#A()},"Draw walls");#a=m("button",{type:"button",onclick:()=>this.#w({walls:[]})},"No walls");#m=m("butt\
 on",{type:"button",onclick:()=>this.#E()});#c=m("span",{class:"small muted",role:"status"});#l=Rs((e,t)=>this.#w(e,t));#p=m("button",{type:"button",onclick:()=>{
-this.#C()},title:"An archive that matrixworld judge, explore and replay read"},"Save");#m=[];#o;#v=0;constructor(e,t){[this.#e,this.#r,this.#o]=[e,t,_s(e,location.
+this.#C()},title:"An archive that matrixworld judge, explore and replay read"},"Save");#d=[];#o;#v=0;constructor(e,t){[this.#e,this.#r,this.#o]=[e,t,_s(e,location.
 hash)];let n=m("div",{class:"doings",role:"group","aria-label":"What can be done"},this.#u,m("button",{type:"button",class:"to-play",title:"Play an evader again\
-st the newest pursuers",onclick:()=>this.lanes[0].takeOver()},"Take over"),this.#h,this.#a,this.#d,this.#p,this.#c);document.getElementById("page").replaceWith(
+st the newest pursuers",onclick:()=>this.lanes[0].takeOver()},"Take over"),this.#h,this.#a,this.#m,this.#p,this.#c);document.getElementById("page").replaceWith(
 cs("Evolve a chase","Triangles chase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other."),m("main",{},
 m("div",{class:"start"},this.#s,n,m("div",{class:"progress"},this.#i,this.#n)),this.#l.now,this.#t,this.#l.anew,m("div",{class:"card below"},It(),m("p",{class:"\
 small muted"},"The page plays and learns with the engine of matrixworld, in this browser; nothing is sent."),m("p",{class:"small muted of-saving"},"A saved race\
  is an archive: ",m("code",{},"matrixworld judge"),", ",m("code",{},"explore")," and ",m("code",{},"replay")," read it. Python plays its matches again, and does\
  not continue it."))),m("footer",{class:"muted small"},`matrixworld ${e.version}`)),this.#y(),this.#M()}#f(){return[this.#o.schedule,...this.#o.beside?[this.#o.
 beside]:[]]}#y(){for(let e of this.lanes.splice(0))e.close();for(let e of this.#f()){let t=new _r(this.#e,this.#r,Da("evolve"),Vt(this.#e,this.#o,e));t.addEventListener(
-"state",()=>this.#T()),this.lanes.push(t)}this.#m=this.lanes.map(e=>e.newest.drawWalls(([t,n],s)=>this.#S(t,n,s))),this.#h.ariaPressed="false",this.#t.dataset.count=
+"state",()=>this.#T()),this.lanes.push(t)}this.#d=this.lanes.map(e=>e.newest.drawWalls(([t,n],s)=>this.#S(t,n,s))),this.#h.ariaPressed="false",this.#t.dataset.count=
 String(this.lanes.length),this.#t.replaceChildren(...this.lanes.map(({element:e})=>e)),this.#l.show(this.#o),this.#T()}#g(){this.lanes.some(({state:e})=>e==="ev\
 olving")?this.lanes.forEach(e=>e.stop()):this.#b()}#b(){this.#c.textContent="";for(let[e,t]of this.#f().entries()){let n=this.lanes[e];n.settings=Vt(this.#e,this.#o,
 t),n.start()}}#x(){let e=this.#o.schedule==="specialist-specialist"?"generalist-generalist":"specialist-specialist";this.#w({beside:this.#o.beside?null:e},!0)}#w=(e,t=!1)=>{
@@ -753,8 +751,8 @@ let n=this.#f().length,s=this.lanes.every(({state:i})=>i==="waiting"),o={...this
 a,!a&&(Nt()&&history.replaceState(null,"",`#${Os(this.#o)}`),this.#f().length!==n&&this.#y(),t&&!s?this.#b():this.#f().forEach((i,l)=>this.lanes[l].change(Vt(this.#e,
 this.#o,i))))};#S(e,t,n){let{rows:s,cols:o}=this.lanes[0].settings.world,a={...this.#o,walls:ln(this.#o.walls,e*o+t,n)},i=Yt(a,this.lanes[0].settings.world);if(i)
 return i;let{walls:l}=this.#o=a,u=Uint8Array.from({length:s*o},(h,c)=>Number(l.includes(c)));for(let h of this.lanes)h.newest.show(u);return clearTimeout(this.#v),
-this.#v=setTimeout(()=>this.#w({walls:l}),mu),""}#A(){let e=this.#h.ariaPressed!=="true";this.#h.ariaPressed=String(e);for(let t of this.#m)t.active(e)}#E(){let e=!this.
-lanes[0].newest.runs;for(let{newest:t,beginning:n}of this.lanes)t.runs=n.runs=e;this.#M()}#M(){this.#d.textContent=this.lanes[0].newest.runs?"Pause boards":"Pla\
+this.#v=setTimeout(()=>this.#w({walls:l}),mu),""}#A(){let e=this.#h.ariaPressed!=="true";this.#h.ariaPressed=String(e);for(let t of this.#d)t.active(e)}#E(){let e=!this.
+lanes[0].newest.runs;for(let{newest:t,beginning:n}of this.lanes)t.runs=n.runs=e;this.#M()}#M(){this.#m.textContent=this.lanes[0].newest.runs?"Pause boards":"Pla\
 y boards"}#T(){if(!this.lanes.length)return;let e=this.lanes.map(({state:a})=>a),t=e.includes("evolving");document.body.dataset.state=e.every(a=>a==="waiting")?
 "waiting":t?"evolving":"ended",this.#s.textContent=t?"Stop":e[0]==="waiting"?"Evolve":"Again",this.#u.ariaPressed=String(this.lanes.length>1),this.#a.hidden=!this.#o.
 walls.length,this.#i.value=Math.min(...this.lanes.map(({done:a})=>a));let n=Math.max(...this.lanes.map(a=>a.seconds)),s=e.every(a=>a==="ended"),{seed:o}=this.#o;

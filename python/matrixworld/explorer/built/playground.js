@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 820cc4993b66ffd374b15558c030637f9916f198dfc13f0a2fe0582ee999a851 */
+/* built from web/ by "npm run build"; sources 677605e860753e6fdc9294ecdb6e969d966da11745000413e15cb3d79b5f06f0 */
 "use strict";(()=>{var ur={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},et={DISAPPEAR:0,REACH:1,BOUNCE:2},dr={OCCUPATION:0,SURROUND:1},pr={FAULT:0,INVOLVED:1};var tt=["obstacle","teammate","adversary"],mn=["vertex","edge","chain"],mr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],hn=["p\
 ursuer_{number}","evader_{number}"],hr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},nt={"both held":"both bounce","both doomed":"\
@@ -149,17 +149,17 @@ n,r,Number(t[3])]}function Pa(e){for(let t of["pursuers","evaders"]){let n=e[t].
 ed",`at most ${De} steps`,`${t.length} steps`);let s=a=>i=>(i.length!==o&&L(a,`${o} characters, one for each agent`,i),[...i].map(l=>Ia(a,l,e.diagonal?9:5,r)));
 return{...e,played:t.map(s("played")),next:n?s("next")(n):Array(o).fill(Se)}}function Ia(e,t,n,r){let o=/^\d$/.test(t)?Number(t):NaN;if(o<n)return o;if(t===Qr&&
 r.champions)return he;let s=r.scripts[t.charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??L(e,`actions 0 to ${n-1} or scripts a to ${a}`,
-t)}var pt=[.5,1,2,4,8,16,32,64],to=0,Dt=12,Ua=2,Fe=class extends EventTarget{#e;#n;#t;#r=0;#o=0;#s=!1;#i=null;#d=0;#l=[];#u=[];glide=.28;constructor(t,n={}){super(),
+t)}var pt=[.5,1,2,4,8,16,32,64],to=0,Dt=12,Ua=2,Fe=class extends EventTarget{#e;#n;#t;#r=0;#o=0;#s=!1;#i=null;#h=0;#c=[];#d=[];glide=.28;constructor(t,n={}){super(),
 this.#e=t,this.#n=n.speed??4,this.#t=n.still??!1}get step(){return this.#r}get time(){return this.#t?this.#r:this.#o}get arrived(){return this.#o===this.#r}get playing(){
-return this.#s}get length(){return this.#e}set length(t){this.#e=t,this.#r>t&&this.jump(t),this.#a("state")}get marks(){return this.#l}set marks(t){this.#l=t,this.#a(
-"state")}get ticks(){return this.#u}set ticks(t){this.#u=t,this.#a("state")}get pace(){return this.#n||Math.max(Ua,this.#e/Dt)}get speed(){return this.#n}set speed(t){
+return this.#s}get length(){return this.#e}set length(t){this.#e=t,this.#r>t&&this.jump(t),this.#a("state")}get marks(){return this.#c}set marks(t){this.#c=t,this.#a(
+"state")}get ticks(){return this.#d}set ticks(t){this.#d=t,this.#a("state")}get pace(){return this.#n||Math.max(Ua,this.#e/Dt)}get speed(){return this.#n}set speed(t){
 this.#n=t,this.#a("state")}changeSpeed(t){let n=pt.findIndex(r=>r>=this.pace);this.speed=pt[Math.min(pt.length-1,Math.max(0,n+t))]}play(){this.#s||!this.#e||(this.#r===
-this.#e&&this.jump(0),this.#s=!0,this.#a("state"),this.#p())}pause(){this.#s&&(this.#s=!1,this.#a("state"))}toggle(){this.#s?this.pause():this.play()}move(t){this.
-pause();let n=Math.min(this.#e,Math.max(0,this.#r+t));Math.abs(n-this.#o)>1?this.jump(n):this.#m(n),this.#p()}jump(t){this.#o=Math.min(this.#e,Math.max(0,Math.round(
-t))),this.#m(this.#o),this.#a("frame")}#m(t){t!==this.#r&&(this.#r=t,this.#a("step"),this.#t&&this.#a("frame"))}#p(){this.#i===null&&(this.#d=performance.now(),
-this.#i=requestAnimationFrame(()=>this.#f()))}#f(){this.#i=null;let t=performance.now();this.#c(Math.min(.25,(t-this.#d)/1e3)),this.#d=t,(!this.#t||this.arrived)&&
-this.#a("frame"),(this.#s||this.#o!==this.#r)&&(this.#i=requestAnimationFrame(()=>this.#f()))}#c(t){let n=t;for(;n>0;){if(this.#o===this.#r){if(!this.#s)return;
-if(this.#r===this.#e)return this.pause();this.#m(this.#r+1)}let r=this.#s?this.pace:1/this.glide,o=this.#r-this.#o,s=Math.min(Math.abs(o),n*r);n-=s/r,this.#o=s===
+this.#e&&this.jump(0),this.#s=!0,this.#a("state"),this.#u())}pause(){this.#s&&(this.#s=!1,this.#a("state"))}toggle(){this.#s?this.pause():this.play()}move(t){this.
+pause();let n=Math.min(this.#e,Math.max(0,this.#r+t));Math.abs(n-this.#o)>1?this.jump(n):this.#p(n),this.#u()}jump(t){this.#o=Math.min(this.#e,Math.max(0,Math.round(
+t))),this.#p(this.#o),this.#a("frame")}#p(t){t!==this.#r&&(this.#r=t,this.#a("step"),this.#t&&this.#a("frame"))}#u(){this.#i===null&&(this.#h=performance.now(),
+this.#i=requestAnimationFrame(()=>this.#f()))}#f(){this.#i=null;let t=performance.now();this.#l(Math.min(.25,(t-this.#h)/1e3)),this.#h=t,(!this.#t||this.arrived)&&
+this.#a("frame"),(this.#s||this.#o!==this.#r)&&(this.#i=requestAnimationFrame(()=>this.#f()))}#l(t){let n=t;for(;n>0;){if(this.#o===this.#r){if(!this.#s)return;
+if(this.#r===this.#e)return this.pause();this.#p(this.#r+1)}let r=this.#s?this.pace:1/this.glide,o=this.#r-this.#o,s=Math.min(Math.abs(o),n*r);n-=s/r,this.#o=s===
 Math.abs(o)?this.#r:this.#o+Math.sign(o)*s}this.#s&&this.#o===this.#e&&this.pause()}#a(t){this.dispatchEvent(new Event(t))}};function Wt(e,t){if(t.ctrlKey||t.metaKey||
 t.altKey)return!1;let n=t.shiftKey?10:1,o={" ":()=>e.toggle(),ArrowRight:()=>e.move(n),ArrowLeft:()=>e.move(-n),Home:()=>e.move(-e.length),End:()=>e.move(e.length),
 "+":()=>e.changeSpeed(1),"-":()=>e.changeSpeed(-1)}[t.key];return o?.(),o!==void 0}var ce=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function mt(e,t,n){let[r,o]=[t[0]-e[0],t[1]-e[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||
@@ -232,18 +232,17 @@ null?void 0:p[r.selected];f?.alpha&&_o(e,f.x,f.y,f.size*.96),r.cursor&&(s.setLin
 cell:l,left:Math.round((r-t*l+a)/2),top:Math.round((o-e*l+a)/2)}}function zo(e,t,n){let r=Math.floor((n-e.top)/e.cell),o=Math.floor((t-e.left)/e.cell);return r>=
 0&&r<e.rows&&o>=0&&o<e.cols?[r,o]:null}var ui={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Do(e){let t=getComputedStyle(e),n=Object.entries(ui).map(([r,o])=>[r,t.getPropertyValue(
-o).trim()]);return Object.fromEntries(n)}var gt=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Ge=class{canvas;#e=null;#n=0;#t;#r={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#s;#i;constructor(t,n={}){
-this.canvas=t,t.classList.add("board"),t.setAttribute("role","img"),this.#t={...Po,...n},this.#s=new ResizeObserver(()=>this.#u()),this.#s.observe(t),this.#i=new MutationObserver(
-()=>this.redraw()),this.#i.observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",this.#d)}close(){this.#s.disconnect(),this.#i.disconnect(),
-removeEventListener("beforeprint",this.#d),cancelAnimationFrame(this.#o)}get look(){return this.#t}set look(t){this.#t={...this.#t,...t},this.#l(),this.redraw()}show(t,n){
-this.#e=t,this.#n=Math.min(Math.max(0,n),t.moments.length-1),this.#l(),this.redraw()}redraw=()=>{this.#o||(this.#o=requestAnimationFrame(()=>this.drawNow()))};#d=()=>this.
-drawNow();drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let t=this.canvas.getContext("2d");if(!t||!this.#e)return;let{rows:n,cols:r}=this.#e,o=devicePixelRatio||
+o).trim()]);return Object.fromEntries(n)}var gt=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Ge=class{canvas;#e=null;#n=0;#t;#r={rows:1,cols:1,left:0,top:0,cell:1};#o=0;constructor(t,n={}){
+this.canvas=t,t.classList.add("board"),t.setAttribute("role","img"),this.#t={...Po,...n},new ResizeObserver(()=>this.#i()).observe(t),new MutationObserver(()=>this.
+redraw()).observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",()=>this.drawNow())}get look(){return this.#t}set look(t){this.#t={...this.#t,
+...t},this.#s(),this.redraw()}show(t,n){this.#e=t,this.#n=Math.min(Math.max(0,n),t.moments.length-1),this.#s(),this.redraw()}redraw(){this.#o||(this.#o=requestAnimationFrame(
+()=>this.drawNow()))}drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let t=this.canvas.getContext("2d");if(!t||!this.#e)return;let{rows:n,cols:r}=this.#e,o=devicePixelRatio||
 1;this.#r=Uo(n,r,this.#t.axes,this.canvas.width,this.canvas.height,o);let s={ctx:t,grid:this.#r,colors:Do(this.canvas)};$o(s,this.#e,this.#n,this.#t,o)}cellAt(t,n){
 let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.width;return zo(this.#r,(t-r.left)*o,(n-r.top)*o)}agentAt(t,n){let r=this.cellAt(t,n);if(!r||!this.#e)
 return null;let o=this.#e.moments[Math.round(this.#n)],s=ft(this.#e,o).get(r[0]*this.#e.cols+r[1])??[],a=Gt(this.#e,Math.round(this.#n)),i=l=>{let[c,u]=this.pointOf(
 a[l].x,a[l].y);return Math.hypot(c-t,u-n)};return s.length?s.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(t,n){let r=this.canvas.getBoundingClientRect(),o=r.width/
-this.canvas.width,{left:s,top:a,cell:i}=this.#r;return[r.left+(s+t*i)*o,r.top+(a+n*i)*o]}#l(){if(!this.#e)return;let{rows:t,cols:n}=this.#e;this.canvas.style.setProperty(
-"--board-aspect",String(Io(t,n)))}#u(){let t=devicePixelRatio||1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
+this.canvas.width,{left:s,top:a,cell:i}=this.#r;return[r.left+(s+t*i)*o,r.top+(a+n*i)*o]}#s(){if(!this.#e)return;let{rows:t,cols:n}=this.#e;this.canvas.style.setProperty(
+"--board-aspect",String(Io(t,n)))}#i(){let t=devicePixelRatio||1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
 n*t)),this.canvas.height=Math.max(1,Math.round(r*t)),this.drawNow()}};function Kt(e,t,n){return{rows:e.rows,cols:e.cols,nPursuers:e.n_pursuers,fov:e.fov,interaction:e.rules.interaction,obstacles:t,moments:n}}function vt(e,t){return{
 positions:e.read("last_positions"),alive:e.read("alive"),captured:e.read("captured"),everCaptured:e.read("ever_captured"),actions:t,involved:e.read("involved"),
 fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var In=.005,Bo=.05,di=["pursuer","evader"],pi=4,Ke=new Map;function Vt(e,t,n="capture-rate"){let r=JSON.stringify([{...t,rewards:null},n]),o=Ke.get(r)??(Ue(t)?Promise.
@@ -271,24 +270,24 @@ from(t.evaders,a=>Number(a[s]));return{...e.snapshot(),seed:BigUint64Array.of(t.
 -1:s),last_cells:Int32Array.from(r,(s,a)=>n[a].gone?s:-1),captured:o("captured"),ever_captured:o("everCaptured"),capture_paid:o("everCaptured"),captors:new Int32Array(
 t.evaders.length),rewards:new Float32Array(G(t)),report:new Int32Array(G(t)),participants:new Int32Array(0),steps:Int32Array.of(t.steps),terminated:Uint8Array.of(
 Number(t.ended)),truncated:Uint8Array.of(+(t.steps>=t.maxSteps))}}function Un(e,t){return Object.keys(e).every(r=>["played","next","rules","others"].includes(r)||
-e[r]===t[r])}var fi={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},yi=200,Qt=class extends EventTarget{data;player;#e;#n;#t;#r=[];#o=[];#s=[];#i=!1;#d="act";#l=0;#u=null;#m;constructor(t,n,r,o=null){
-super(),[this.#u,this.#m]=[o,r],this.#e=t,this.data=n,this.#n=r,this.#t=this.#f(r),this.player=new Fe(this.game.length,{still:gt()}),this.player.jump(this.game.
+e[r]===t[r])}var fi={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},yi=200,Qt=class extends EventTarget{data;player;#e;#n;#t;#r=[];#o=[];#s=[];#i=!1;#h="act";#c=0;#d=null;#p;constructor(t,n,r,o=null){
+super(),[this.#d,this.#p]=[o,r],this.#e=t,this.data=n,this.#n=r,this.#t=this.#f(r),this.player=new Fe(this.game.length,{still:gt()}),this.player.jump(this.game.
 length),this.player.addEventListener("frame",()=>this.#y()),this.#a()}get scene(){return this.#n}get game(){return this.#t[0]}get games(){return this.#t}get mode(){
-return this.#d}set mode(t){this.stop(),this.#d=t,this.#h()}get selected(){return this.#l}set selected(t){this.#l=t,this.#h()}get running(){return this.#i}get example(){
-return Un(this.#m,this.#n)?this.#u:null}get canStep(){return!this.game.over&&this.#n.played.length<De}change(t,n={}){let r;try{r=this.#f(t)}catch(o){if(!(o instanceof
-H))throw o;return this.say(o.message,!0),!1}return n.part||(this.#r=[...this.#r,this.#n].slice(-yi)),this.#o=[],n.example!==void 0&&([this.#u,this.#m]=[n.example,
-t]),this.#s=[],this.#c(t,r),!0}step(){if(!this.canStep){this.stop(),this.say(this.game.over?"The episode has ended. Go back, or restart.":`The playground plays ${De}\
+return this.#h}set mode(t){this.stop(),this.#h=t,this.#m()}get selected(){return this.#c}set selected(t){this.#c=t,this.#m()}get running(){return this.#i}get example(){
+return Un(this.#p,this.#n)?this.#d:null}get canStep(){return!this.game.over&&this.#n.played.length<De}change(t,n={}){let r;try{r=this.#f(t)}catch(o){if(!(o instanceof
+H))throw o;return this.say(o.message,!0),!1}return n.part||(this.#r=[...this.#r,this.#n].slice(-yi)),this.#o=[],n.example!==void 0&&([this.#d,this.#p]=[n.example,
+t]),this.#s=[],this.#l(t,r),!0}step(){if(!this.canStep){this.stop(),this.say(this.game.over?"The episode has ended. Go back, or restart.":`The playground plays ${De}\
  steps.`,!0);return}let n=this.#s.at(-1)===this.#n.next?this.#s.slice(0,-1):[],r=Br(this.#n);this.change({...r,next:n.at(-1)??r.next}),this.#s=n}back(){this.stop();
 let{played:t}=this.#n;if(!this.game.length)return;let n=this.#n,r=this.#s.at(-1)===n.next?[...this.#s]:[];for(let o=t.length;o>=this.game.length;o--)n=Fr(n),r.push(
 n.next);this.change(n),this.#s=r}restart(){this.stop();let{played:t}=this.#n;if(!t.length)return;let n=[...this.#s.at(-1)===this.#n.next?this.#s:[],...[...t].reverse()];
-this.change({...this.#n,played:[],next:t[0]}),this.#s=n}run(){if(this.#i)return this.stop();this.#i=this.canStep,this.step()}stop(){this.#i&&(this.#i=!1,this.#h())}undo(){
-this.#p(this.#r,this.#o)}redo(){this.#p(this.#o,this.#r)}solution(){let t=Be(this.#n,this.#n.rules);return Vt(this.#e,t,Yt(t))}get canUndo(){return this.#r.length>
-0}say(t,n=!1){this.dispatchEvent(new CustomEvent("message",{detail:{text:t,problem:n}}))}#p(t,n){let r=t.pop();r&&(this.stop(),n.push(this.#n),this.#s=[],this.#c(
+this.change({...this.#n,played:[],next:t[0]}),this.#s=n}run(){if(this.#i)return this.stop();this.#i=this.canStep,this.step()}stop(){this.#i&&(this.#i=!1,this.#m())}undo(){
+this.#u(this.#r,this.#o)}redo(){this.#u(this.#o,this.#r)}solution(){let t=Be(this.#n,this.#n.rules);return Vt(this.#e,t,Yt(t))}get canUndo(){return this.#r.length>
+0}say(t,n=!1){this.dispatchEvent(new CustomEvent("message",{detail:{text:t,problem:n}}))}#u(t,n){let r=t.pop();r&&(this.stop(),n.push(this.#n),this.#s=[],this.#l(
 r,this.#f(r)))}#f(t){let n=t.others?[t.rules,t.others]:[t.rules],r=this.#t??[];return n.map(o=>{let s=r.find(i=>i.rules===o),a=s?.follow(t)?s:new Xt(this.#e,t,o,
-this.data.champions);return a.actions(t.next),a})}#c(t,n){let[r,o]=[this.#n,this.#t.length];for(let l of this.#t)n.includes(l)||l.free();this.#n=t,this.#t=n,this.#l!==
-null&&this.#l>=ee(t).length&&(this.#l=null);let s=this.game.length,[a,i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#a(),
-i&&s&&this.player.jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(s-this.player.step):this.player.jump(s),this.#h()}#a(){this.player.glide=fi[this.#n.rules.interaction]}#y(){
-this.#i&&this.player.arrived&&this.step()}#h(){this.dispatchEvent(new Event("change"))}};function Go(e,t,n){let r=s=>new Qt(e,t,dt(s,t),Vo(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:Ko(s)}}}function Ko(e){
+this.data.champions);return a.actions(t.next),a})}#l(t,n){let[r,o]=[this.#n,this.#t.length];for(let l of this.#t)n.includes(l)||l.free();this.#n=t,this.#t=n,this.#c!==
+null&&this.#c>=ee(t).length&&(this.#c=null);let s=this.game.length,[a,i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#a(),
+i&&s&&this.player.jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(s-this.player.step):this.player.jump(s),this.#m()}#a(){this.player.glide=fi[this.#n.rules.interaction]}#y(){
+this.#i&&this.player.arrived&&this.step()}#m(){this.dispatchEvent(new Event("change"))}};function Go(e,t,n){let r=s=>new Qt(e,t,dt(s,t),Vo(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:Ko(s)}}}function Ko(e){
 if(e instanceof ut||e instanceof H)return`This link holds no scene. ${e.message}`;throw e}function Vo(e,t){return e.gallery.find(n=>n.scene===t)??null}function Ee(){
 try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}var wt=e=>new URLSearchParams(e).has("moves"),gi=100;function Yo(e,t,n){
 let[r,o,s]=[Ln(e.scene,e.data),Ee(),0],a=()=>{s=0,!(Ee()!==o||!t())&&(o=r,history.replaceState(null,"",`#${r}`))};e.addEventListener("change",()=>{r=Ln(e.scene,
@@ -461,38 +460,38 @@ ointerdown",({button:s,clientX:a,clientY:i})=>{r=s===0?[a,i]:null}),o.addEventLi
 clientY:a})=>{let[i,l]=[r,t()];if(r=null,!i||!l)return;let[c,u]=[s-i[0],a-i[1]],p=e.cellAt(s,a);Math.hypot(c,u)>=il?n(_s(u,c,l.diagonal)):p&&n(_s(p[0]-l.cell[0],
 p[1]-l.cell[1],l.diagonal))})}function Us(e,t){let n=r=>{let o=t[r]-e[r],s=ce.findIndex(a=>a[r]===Math.sign(o)&&a[1-r]===0);return o?`${Math.abs(o)} ${B[s]}`:""};
 return[n(0),n(1)].filter(Boolean).join(", ")||"on your cell"}var cl=[0,1,2,4,8],ln=class{element;player=new Fe(0,{speed:4,still:gt()});#e;#n;#t=d("canvas",{tabindex:0,"aria-describedby":"play-keys"});#r=d("h2");#o=d("p",{
-class:"play-told",role:"status"});#s=$s(t=>this.act(t));#i=it(cl.map(t=>[t,t?`${t} / s`:"step by step"]),()=>this.#x());#d=d("input",{type:"checkbox"});#l=d("in\
-put",{type:"checkbox"});#u=d("label",{class:"play-choice"},this.#l,"Best move");#m=d("p",{class:"small muted play-keys",id:"play-keys"});#p=d("section",{class:"\
-play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#f=Cs(this.player);#c=null;#a=null;#y=[];#h=null;#g=null;#v=[];#b=0;#w=0;constructor(t){this.#e=t,this.#n=
-new Ge(this.#t,{numbers:!1}),this.#t.setAttribute("role","application"),this.#d.addEventListener("change",()=>this.#T()),this.#l.addEventListener("change",()=>this.#S()),
-Is(this.#n,()=>{let n=this.#h!==null&&this.#a&&C(this.#a.recording.moments.at(-1),this.#h);return n?{cell:n,diagonal:this.#a.config.diagonal}:null},n=>this.act(
+class:"play-told",role:"status"});#s=$s(t=>this.act(t));#i=it(cl.map(t=>[t,t?`${t} / s`:"step by step"]),()=>this.#x());#h=d("input",{type:"checkbox"});#c=d("in\
+put",{type:"checkbox"});#d=d("label",{class:"play-choice"},this.#c,"Best move");#p=d("p",{class:"small muted play-keys",id:"play-keys"});#u=d("section",{class:"\
+play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#f=Cs(this.player);#l=null;#a=null;#y=[];#m=null;#g=null;#v=[];#b=0;#w=0;constructor(t){this.#e=t,this.#n=
+new Ge(this.#t,{numbers:!1}),this.#t.setAttribute("role","application"),this.#h.addEventListener("change",()=>this.#T()),this.#c.addEventListener("change",()=>this.#S()),
+Is(this.#n,()=>{let n=this.#m!==null&&this.#a&&C(this.#a.recording.moments.at(-1),this.#m);return n?{cell:n,diagonal:this.#a.config.diagonal}:null},n=>this.act(
 n)),this.player.addEventListener("frame",()=>this.#a&&this.#n.show(this.#a.recording,this.player.time)),this.player.addEventListener("step",()=>this.#S()),this.
-element=d("div",{class:"play"},d("header",{class:"play-head"},this.#r,this.#o),d("div",{class:"play-stage"},this.#t),d("div",{class:"play-side"},this.#p,this.#s.
-element,d("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#i),d("label",{class:"play-choice"},this.#d,d("span",{},"Fog",d("span",{class:"at-le\
-ngth"},": see only what it sees"))),this.#u,this.#m),this.#f)}get played(){return this.#c&&{...this.#c.played,moves:this.#y}}get live(){return this.#a}play(t){this.#A(
-Qn(this.#e,t.played),t.played.seat,t.title),[this.#c,this.#y,this.#b]=[t,[...t.played.moves],0],this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),
-rn(this.#a,t.played.seat)&&this.#k()}watch(t,n,r){this.#c=null,this.#A(t,n,r),this.#O()}stop(){this.#x(),this.player.pause(),this.#c=null}act(t){let[n,r]=[this.#c,
+element=d("div",{class:"play"},d("header",{class:"play-head"},this.#r,this.#o),d("div",{class:"play-stage"},this.#t),d("div",{class:"play-side"},this.#u,this.#s.
+element,d("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#i),d("label",{class:"play-choice"},this.#h,d("span",{},"Fog",d("span",{class:"at-le\
+ngth"},": see only what it sees"))),this.#d,this.#p),this.#f)}get played(){return this.#l&&{...this.#l.played,moves:this.#y}}get live(){return this.#a}play(t){this.#A(
+Qn(this.#e,t.played),t.played.seat,t.title),[this.#l,this.#y,this.#b]=[t,[...t.played.moves],0],this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),
+rn(this.#a,t.played.seat)&&this.#k()}watch(t,n,r){this.#l=null,this.#A(t,n,r),this.#O()}stop(){this.#x(),this.player.pause(),this.#l=null}act(t){let[n,r]=[this.#l,
 this.#a];if(!n||!r||this.element.dataset.state!=="playing")return;this.#b=t;let o=Number(this.#i.value);this.#w||(this.#E(),o&&this.element.dataset.state==="pla\
 ying"&&(this.#w=setInterval(()=>this.#E(),1e3/o)))}key(t){let{target:n,key:r}=t;if(n instanceof HTMLSelectElement||n instanceof HTMLInputElement&&(n.type==="tex\
 t"||r===" ")||n instanceof HTMLButtonElement&&(r===" "||r==="Enter")||!this.#a)return!1;if(this.element.dataset.state!=="playing")return Wt(this.player,t);let s=Ps(
-t,this.#a.config.diagonal);return s!==void 0&&this.act(s),s!==void 0}#A(t,n,r){this.#x(),this.player.pause(),[this.#a,this.#h]=[t,n],this.#r.textContent=r,this.#t.
-ariaLabel=`Board, ${t.config.rows} by ${t.config.cols} cells`,this.#s.show(t.config.diagonal),this.#m.replaceChildren(d("span",{class:"at-length"},`W A S D or t\
+t,this.#a.config.diagonal);return s!==void 0&&this.act(s),s!==void 0}#A(t,n,r){this.#x(),this.player.pause(),[this.#a,this.#m]=[t,n],this.#r.textContent=r,this.#t.
+ariaLabel=`Board, ${t.config.rows} by ${t.config.cols} cells`,this.#s.show(t.config.diagonal),this.#p.replaceChildren(d("span",{class:"at-length"},`W A S D or t\
 he arrow keys move, Space stays${t.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the board: swipe, or tap where to go."),this.#R(
-t),this.#p.replaceChildren(),this.player.length=t.length,this.player.jump(t.length),this.#S()}#T(){this.#n.look={you:this.#h,fog:this.#d.checked,viewers:this.#h===
-null?[]:[this.#h],plan:this.#L()}}#R(t){this.#g=null,this.#v=this.player.ticks=[],this.#u.hidden=this.#l.disabled=!!Ue(t.config),Vt(this.#e,t.config,Yt(t.config)).
+t),this.#u.replaceChildren(),this.player.length=t.length,this.player.jump(t.length),this.#S()}#T(){this.#n.look={you:this.#m,fog:this.#h.checked,viewers:this.#m===
+null?[]:[this.#m],plan:this.#L()}}#R(t){this.#g=null,this.#v=this.player.ticks=[],this.#d.hidden=this.#c.disabled=!!Ue(t.config),Vt(this.#e,t.config,Yt(t.config)).
 then(n=>{this.#a===t&&(this.#g=n,this.#C(),this.#S())})}#C(){let[t,n]=[this.#a,this.#g];if(!n||this.element.dataset.state==="playing")return;let r=this.#e.world(
-t.config);r.reset(t.start),this.#v=Zt(n,r,t.actions),r.free(),this.player.ticks=Fo(this.#v)}get#M(){return this.#l.checked&&this.#c&&this.element.dataset.state===
-"playing"&&this.#g&&this.#a.game(this.#g)||null}#L(){let[t,n]=[this.#h,this.#h!==null&&this.#M?.marginal(this.#h)];return t!==null&&n?Object.assign(Array(t).fill(
+t.config);r.reset(t.start),this.#v=Zt(n,r,t.actions),r.free(),this.player.ticks=Fo(this.#v)}get#M(){return this.#c.checked&&this.#l&&this.element.dataset.state===
+"playing"&&this.#g&&this.#a.game(this.#g)||null}#L(){let[t,n]=[this.#m,this.#m!==null&&this.#M?.marginal(this.#m)];return t!==null&&n?Object.assign(Array(t).fill(
 0),{[t]:n.indexOf(Math.max(...n))}):null}#x(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#i.value)?"off":"polite"}#E(){let[{policies:t,seat:n},
-r]=[this.#c.played,this.#a];r.step(t,n,this.#b),this.#y.push(this.#b),this.player.length=r.length,this.player.glide=Math.min(.22,.9/(Number(this.#i.value)||4)),
-this.player.move(r.length-this.player.step),rn(r,n)&&this.#k()}#k(){this.#x();let[t,n,r]=[this.#c,this.#a,this.played],o=lt()?t.link(r):null;this.#p.replaceChildren(
+r]=[this.#l.played,this.#a];r.step(t,n,this.#b),this.#y.push(this.#b),this.player.length=r.length,this.player.glide=Math.min(.22,.9/(Number(this.#i.value)||4)),
+this.player.move(r.length-this.player.step),rn(r,n)&&this.#k()}#k(){this.#x();let[t,n,r]=[this.#l,this.#a,this.played],o=lt()?t.link(r):null;this.#u.replaceChildren(
 d("h3",{id:"play-headline"},pl(n,r.seat)),...t.ending(n,r),d("div",{class:"play-buttons"},d("button",{type:"button",class:"primary",onclick:()=>t.again()},"Agai\
 n"),d("button",{type:"button",onclick:()=>this.#O()},"Watch it"),d("button",{type:"button",onclick:()=>this.#N(n,r.seat)},"Save"),o&&d("button",{type:"button",onclick:({
-currentTarget:a})=>hl(a,o)},"Link"))),this.element.dataset.state="ended",this.#C();let s=this.#v.filter(({team:a})=>a===ve(n.config,r.seat));s.length&&this.#p.children[0].
-after(d("p",{class:"small muted"},Ho(s))),this.#p.focus({preventScroll:!0}),this.#p.scrollIntoView({block:"nearest"})}#O(){this.element.dataset.state="watched",
+currentTarget:a})=>hl(a,o)},"Link"))),this.element.dataset.state="ended",this.#C();let s=this.#v.filter(({team:a})=>a===ve(n.config,r.seat));s.length&&this.#u.children[0].
+after(d("p",{class:"small muted"},Ho(s))),this.#u.focus({preventScroll:!0}),this.#u.scrollIntoView({block:"nearest"})}#O(){this.element.dataset.state="watched",
 this.player.length=this.#a.length,this.player.jump(0),gt()||this.player.play()}#N(t,n){Os(`${J(n,t.config.n_pursuers)}-${t.length}-steps.npz`,ws(this.#e,t,n))}#S(){
-let[t,n,{step:r}]=[this.#a,this.#h,this.player];if(!t||r>t.length)return;let o=Ms(t,t.recording,r).filter(({agents:l})=>n===null||l.includes(n)),s=this.#c&&r===
-0,a=s?[ul(t.config,n),this.#c.about??""]:[`Step ${r} of ${t.config.max_steps}`,...o.map(({text:l})=>l)];!s&&n!==null&&a.push(dl(t,r,n)),a.push(...this.#v.filter(
+let[t,n,{step:r}]=[this.#a,this.#m,this.player];if(!t||r>t.length)return;let o=Ms(t,t.recording,r).filter(({agents:l})=>n===null||l.includes(n)),s=this.#l&&r===
+0,a=s?[ul(t.config,n),this.#l.about??""]:[`Step ${r} of ${t.config.max_steps}`,...o.map(({text:l})=>l)];!s&&n!==null&&a.push(dl(t,r,n)),a.push(...this.#v.filter(
 l=>l.step===r).map(bt));let i=r===t.length&&n!==null?this.#M:null;i&&a.push(`Perfect play: ${Jt(i,n)||"decided in its turn"}; ${qt(this.#g,i,r)}`),this.#T(),this.#o.
 textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function ul(e,t){let n=e.rules.capture==="SURROUND";return ve(e,t)==="evader"?`Run away: you win if ${n?
 "the pursuers do not surround you":"no pursuer reaches your cell"} in ${e.max_steps} steps`:`Capture evaders: ${n?"surround them with your team":"move onto thei\
@@ -502,24 +501,24 @@ n_pursuers]&&2*l(p)<e.fov);if(!c.length)return`No ${a} in view`;let u=c.reduce((
 {lasted:n,out:r,captured:o},{config:s}]=[ke(e,t),e];return ve(s,t)==="pursuer"?`Your team captured ${o} of ${ml(s)} in ${n} steps.`:r?`You lasted ${n} of ${s.max_steps}\
  steps.`:`You escaped: ${n} steps.`}var ml=({n_evaders:e})=>`${e} evader${e===1?"":"s"}`;function hl(e,t){let n=ks("Link to this match");n.value=t,e.replaceWith(
 n),n.select(),navigator.clipboard?.writeText(t).catch(()=>{})}var Ds={escape:"Can you escape it?",match:"One match",file:"A match from a file"},cn=class extends EventTarget{element;view;game="escape";#e;#n;#t;#r=it([[0,"an\
- evader"],[1,"a pursuer"]],()=>{});#o;#s;#i;#d=d("ul",{class:"small muted about"});#l=d("p",{class:"problem",role:"alert"});#u=d("input",{type:"file",accept:".n\
-pz",hidden:!0});#m;constructor(t,n){super(),[this.#e,this.#n,this.view]=[t,n,new ln(t)],this.#t={pursuer:zs(n,"pursuer"),evader:zs(n,"evader")};let r=o=>it(this.#t[o].
+ evader"],[1,"a pursuer"]],()=>{});#o;#s;#i;#h=d("ul",{class:"small muted about"});#c=d("p",{class:"problem",role:"alert"});#d=d("input",{type:"file",accept:".n\
+pz",hidden:!0});#p;constructor(t,n){super(),[this.#e,this.#n,this.view]=[t,n,new ln(t)],this.#t={pursuer:zs(n,"pursuer"),evader:zs(n,"evader")};let r=o=>it(this.#t[o].
 map(({name:s},a)=>[a,s]),()=>this.#f());this.#o={pursuer:r("pursuer"),evader:r("evader")};for(let o of Ve)this.#o[o].selectedIndex=n.teams[o].usual;this.#s=d("d\
 iv",{class:"of-match"},d("label",{},"You are ",this.#r),d("label",{},"Pursuers ",this.#o.pursuer),d("label",{},"Evaders ",this.#o.evader),d("button",{type:"butt\
-on",class:"primary",onclick:()=>this.#c()},"Play"),this.#d),this.#i=d("div",{class:"of-match"},d("button",{type:"button",class:"primary",onclick:()=>this.#u.click()},
-"Choose a file"),this.#u,d("span",{class:"small muted"},"A match that this page or matrixworld.Episode has saved (.npz)."),this.#l),this.#u.addEventListener("ch\
-ange",()=>this.#y()),this.#m=d("section",{class:"card","aria-label":"Match"},this.view.element),this.element=d("section",{class:"games","aria-label":"Play"},d("\
-div",{class:"card setup"},this.#s,this.#i),this.#m)}begin(t){this.#p(t),t==="escape"?nr(this.view,this.#n.world,this.#t.pursuer):t==="match"?this.#c():(this.view.
-stop(),this.#m.hidden=!0)}follow(t){let n=Ts(t,this.#n.world),[r,o]=[Number(t.get("pursuers")??NaN),Number(t.get("evaders")??NaN)],s=/^\d{1,20}$/.test(t.get("se\
+on",class:"primary",onclick:()=>this.#l()},"Play"),this.#h),this.#i=d("div",{class:"of-match"},d("button",{type:"button",class:"primary",onclick:()=>this.#d.click()},
+"Choose a file"),this.#d,d("span",{class:"small muted"},"A match that this page or matrixworld.Episode has saved (.npz)."),this.#c),this.#d.addEventListener("ch\
+ange",()=>this.#y()),this.#p=d("section",{class:"card","aria-label":"Match"},this.view.element),this.element=d("section",{class:"games","aria-label":"Play"},d("\
+div",{class:"card setup"},this.#s,this.#i),this.#p)}begin(t){this.#u(t),t==="escape"?nr(this.view,this.#n.world,this.#t.pursuer):t==="match"?this.#l():(this.view.
+stop(),this.#p.hidden=!0)}follow(t){let n=Ts(t,this.#n.world),[r,o]=[Number(t.get("pursuers")??NaN),Number(t.get("evaders")??NaN)],s=/^\d{1,20}$/.test(t.get("se\
 ed")??"")?BigInt.asUintN(64,BigInt(t.get("seed"))):null;return!n||s===null||!this.#t.pursuer[r]||!this.#t.evader[o]?!1:([this.#o.pursuer.selectedIndex,this.#o.evader.
-selectedIndex]=[r,o],this.#r.selectedIndex=+(n.seat<this.#n.world.n_pursuers),this.#p("match"),this.#a({pursuer:r,evader:o,seed:s},n),!0)}#p(t){this.game=t,this.#s.
-hidden=t!=="match",this.#i.hidden=t!=="file",this.#s.parentElement.hidden=t==="escape",this.#m.hidden=!1,this.#l.textContent="",this.#f(),this.dispatchEvent(new Event(
-"game"))}#f(){this.#d.replaceChildren(...Ve.map(t=>{let{name:n,text:r}=this.#t[t][this.#o[t].selectedIndex];return d("li",{},d("span",{class:t},n),r&&`: ${r}`)}))}#c(){
+selectedIndex]=[r,o],this.#r.selectedIndex=+(n.seat<this.#n.world.n_pursuers),this.#u("match"),this.#a({pursuer:r,evader:o,seed:s},n),!0)}#u(t){this.game=t,this.#s.
+hidden=t!=="match",this.#i.hidden=t!=="file",this.#s.parentElement.hidden=t==="escape",this.#p.hidden=!1,this.#c.textContent="",this.#f(),this.dispatchEvent(new Event(
+"game"))}#f(){this.#h.replaceChildren(...Ve.map(t=>{let{name:n,text:r}=this.#t[t][this.#o[t].selectedIndex];return d("li",{},d("span",{class:t},n),r&&`: ${r}`)}))}#l(){
 let{pursuer:t,evader:n}=this.#o,r=this.#r.selectedIndex?0:this.#n.world.n_pursuers;this.#a({pursuer:t.selectedIndex,evader:n.selectedIndex,seed:on()},{seat:r,from:0,
 moves:[]})}#a(t,n){let[r,o]=[this.#n.world,this.#t],s=Ve[+(n.seat>=r.n_pursuers)],[a,i]=[o.pursuer[t.pursuer],o.evader[t.evader]],l={pursuer:a.policy(),evader:i.
 policy()},c=`You are ${J(n.seat,r.n_pursuers)}. Pursuers: ${a.name}; evaders: ${i.name}`;rr(this.#e,this.view,c,{config:r,seed:t.seed,episode:0,policies:l,...n},
-o[s],{pursuers:t.pursuer,evaders:t.evader,seed:t.seed})}#y(){let[t]=this.#u.files??[];this.#l.textContent="",t?.arrayBuffer().then(n=>xs(this.#e,new Uint8Array(
-n))).then(({live:n,seat:r})=>{this.#p("file"),this.view.watch(n,r,t.name)}).catch(n=>this.#l.textContent=`${t.name} holds no match: ${n.message}`),this.#u.value=
+o[s],{pursuers:t.pursuer,evaders:t.evader,seed:t.seed})}#y(){let[t]=this.#d.files??[];this.#c.textContent="",t?.arrayBuffer().then(n=>xs(this.#e,new Uint8Array(
+n))).then(({live:n,seat:r})=>{this.#u("file"),this.view.watch(n,r,t.name)}).catch(n=>this.#c.textContent=`${t.name} holds no match: ${n.message}`),this.#d.value=
 ""}};function zs({teams:e},t){let{names:n,texts:r,scripts:o,network:s}=e[t],a=i=>{let l=o[i];if(l||!s)return l;let[c,u]=[s.genome_size,o.slice(0,i).filter(p=>p===
 null).length];return{...s,genome:hs(t,c).subarray(u*c,(u+1)*c)}};return n.map((i,l)=>({name:i.replaceAll("-"," "),text:r[l],policy:()=>a(l)}))}var Fs={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},fl={e:5,c:6,y:7,z:7,q:8};function js(e){let t=d("div",{class:"arena"}),n=[Ws(e,0),Ws(e,1)];t.append(...n.
 map(o=>o.element));let r=()=>n.forEach(o=>o.update());return e.addEventListener("change",r),e.player.addEventListener("frame",r),r(),t}function Ws(e,t){let n=d(
