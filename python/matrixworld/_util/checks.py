@@ -123,6 +123,13 @@ def _no_number(given: ArrayLike) -> str:
     return shown(given)
 
 
+def check_shape(name: str, array: NDArray[Any], *expected: int) -> None:
+    """Raise TypeError unless an argument is an array, or ValueError if it has another shape."""
+    check_instance(name, array, np.ndarray)
+    if array.shape != expected:
+        raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+
+
 def check_bool(name: str, value: Any) -> bool:
     """Return an argument that must be True or False."""
     if not isinstance(value, bool):

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_sequence
+from matrixworld._util.checks import check_sequence, check_shape
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.network_policy import NetworkPolicy, check_fits
 from matrixworld.solve import solve
-from matrixworld.world.arrays import check_shape, integers
+from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import ActionMasks, check_script

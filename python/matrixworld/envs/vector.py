@@ -464,7 +464,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     def _worlds_of(self, mask: ArrayLike) -> NDArray[Any]:
         """Return the mask of the worlds whose agents are all in a mask of agents."""
         agents = np.asarray(mask)
-        arrays.check_shape("reset_mask", agents, self.num_envs)
+        checks.check_shape("reset_mask", agents, self.num_envs)
         by_world = agents.reshape(self.worlds.n_worlds, -1)
         differ = (by_world != by_world[:, :1]).any(axis=1)
         if differ.any():
@@ -482,7 +482,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         Returns observations (W * n, ...), rewards, terminations, truncations, (W * n,), and infos.
         """
         chosen = arrays.integers("actions", actions)
-        arrays.check_shape("actions", chosen, self.num_envs)
+        checks.check_shape("actions", chosen, self.num_envs)
         worlds = self.worlds
         everyone: NDArray[np.int64] = worlds.actions.copy()
         everyone[:, self._slice] = chosen.reshape(worlds.n_worlds, -1)
