@@ -1,8 +1,6 @@
-"""A team that an environment plays itself, against one or more policies.
+"""A team that an environment plays itself, as in ``parallel_env("O", evaders="fleer")``.
 
-``parallel_env("O", evaders="fleer")`` makes an environment of pursuers. An environment can have
-several opponents: each episode draws one of them by its seed and number, so that the same seed
-gives the same opponent.
+Of several opponents each episode draws one by its seed and number.
 """
 
 from __future__ import annotations
@@ -82,7 +80,7 @@ class BuiltInTeam:
         self.playing[world] = self.opponents[self.chosen[world]]
 
     def decide(self, world: World, agents: range, actions: NDArray[np.int64]) -> None:
-        """Write the actions (A,) of the team's agents among `agents` in the only world."""
+        """Write the actions (A,) of the team's agents among `agents`, in the only world."""
         acting = range(max(agents.start, self.agents.start), min(agents.stop, self.agents.stop))
         [policy] = self.playing
         if not acting:

@@ -348,15 +348,11 @@ def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
         raise ValueError(f"{name}: expected at least one row of at least one cell, got {rows!r}")
     for number, row in enumerate(rows):
         if len(row) != len(rows[0]):
-            raise ValueError(
-                f"{name}, row {number}: expected {len(rows[0])} cells as in row 0, got {len(row)}"
-            )
-        unknown = set(row) - set(FREE + BLOCKED)
-        if unknown:
-            raise ValueError(
-                f"{name}, row {number}: expected {FREE!r} (free) or {BLOCKED!r} (obstacle), "
-                f"got {sorted(unknown)}"
-            )
+            expected = f"{len(rows[0])} cells as in row 0"
+            raise ValueError(f"{name}, row {number}: expected {expected}, got {len(row)}")
+        if unknown := sorted(set(row) - set(FREE + BLOCKED)):
+            expected = f"{FREE!r} (free) or {BLOCKED!r} (obstacle)"
+            raise ValueError(f"{name}, row {number}: expected {expected}, got {unknown}")
     return np.array([[cell in BLOCKED for cell in row] for row in rows])
 
 
@@ -365,9 +361,8 @@ def _from_file(path: Path) -> NDArray[np.bool_]:
     lines = [line for line in lines if line]
     header = dict(line.split(maxsplit=1) for line in lines[:3] if len(line.split()) > 1)
     if lines[3:4] != ["map"] or set(header) != {"type", "height", "width"}:
-        raise ValueError(
-            f"{path}: expected a MovingAI map (lines type, height, width and map), got {lines[:4]}"
-        )
+        expected = "a MovingAI map (lines type, height, width and map)"
+        raise ValueError(f"{path}: expected {expected}, got {lines[:4]}")
     array = _from_rows(lines[4:], str(path))
     sizes = header["height"], header["width"]
     if [int(size) if size.isdecimal() else size for size in sizes] != list(array.shape):

@@ -147,7 +147,6 @@ class Network:
     memory: Memory = "none"
 
     def __post_init__(self) -> None:
-        # Text, bytes and mappings can be iterated over, but hold no sizes.
         given = checks.check_sequence("hidden", self.hidden, "ints")
         sizes = tuple(checks.check_integer("hidden", size, 1, _MAX_LAYER) for size in given)
         # A frozen dataclass lets its fields be set in this way only.
