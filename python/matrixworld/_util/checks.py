@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 INT_MAX = 2**31 - 1
-"""The largest number that the engine takes for a size or an index."""
+"""The largest size or index of the engine."""
 
 SEED_MAX = 2**64 - 1
 """The largest seed, and the largest number of an episode."""
@@ -123,6 +123,13 @@ def _no_number(given: ArrayLike) -> str:
     return shown(given)
 
 
+def check_shape(name: str, array: NDArray[Any], *expected: int) -> None:
+    """Raise TypeError unless an argument is an array, or ValueError if it has another shape."""
+    check_instance(name, array, np.ndarray)
+    if array.shape != expected:
+        raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+
+
 def check_bool(name: str, value: Any) -> bool:
     """Return an argument that must be True or False."""
     if not isinstance(value, bool):
@@ -224,10 +231,7 @@ def control_group_cores() -> float:
 
 
 def check_memory(what: str, **parts: float) -> None:
-    """Raise OutOfMemoryError if `what` needs more bytes than are available, in all its parts.
-
-    It is asked once, before a job writes anything. Other sizes that are too large fail as NumPy's.
-    """
+    """Raise OutOfMemoryError if `what` needs more bytes than are available, in all its parts."""
     needed, available = sum(parts.values()), available_memory()
     if available is not None and needed > available:
         largest = max(parts, key=parts.__getitem__)

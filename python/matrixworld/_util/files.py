@@ -57,13 +57,8 @@ BYTE_ORDER_MARKS = {b"\xef\xbb\xbf": "utf-8-sig", b"\xff\xfe": "utf-16", b"\xfe\
 LONGEST = 1000
 """Most characters of a message: it may quote what a file holds."""
 
-KINDS = {
-    stat.S_IFDIR: "a directory",
-    stat.S_IFLNK: "a symbolic link",
-    stat.S_IFIFO: "a FIFO",
-    stat.S_IFSOCK: "a socket",
-}
-"""Kinds of files that are not regular, by their modes; all others are devices."""
+KINDS = {stat.S_IFDIR: "a directory", stat.S_IFLNK: "a symbolic link", stat.S_IFIFO: "a FIFO"}
+"""Kinds of files that are not regular, by their modes; all others are called devices."""
 
 UNREADABLE = (
     *(AttributeError, EOFError, KeyError, MemoryError, NotImplementedError, OSError),
@@ -124,8 +119,8 @@ def printable(text: object) -> str:
 def check_regular(path: Path, mode: int) -> None:
     """Raise DamagedFileError unless a mode is that of a regular file."""
     if not stat.S_ISREG(mode):
-        problem = f"expected a file, got {KINDS.get(stat.S_IFMT(mode), 'a device')}"
-        raise DamagedFileError(path, problem)
+        kind = KINDS.get(stat.S_IFMT(mode), "a device")
+        raise DamagedFileError(path, f"expected a file, got {kind}")
 
 
 def read_content(path: Path) -> bytes:
@@ -199,16 +194,14 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """
     target = Path(path)
     check_replaceable(target)
-    # In the same directory, because a rename is atomic within one file system only. The name is
-    # random, so that writers do not share it.
+    # In the same directory: a rename is atomic within one file system only.
     temporary = target.with_name(f".{secrets.token_hex(8)}{TEMPORARY}")
     try:
         with open(temporary, "xb") as file:
             if target.exists():
                 os.chmod(temporary, stat.S_IMODE(target.stat().st_mode))
             yield file
-            # The content must be on the disk before the name is: a rename may survive a power
-            # cut that the content does not.
+            # A rename may survive a power cut that the content does not.
             file.flush()
             os.fsync(file.fileno())
         os.replace(temporary, target)
@@ -263,10 +256,7 @@ def save_json(path: Path, values: Mapping[str, Any]) -> None:
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Hold the lock file `path` inside the with block; LockedError if another process holds it.
-
-    The system releases the lock when the process ends, even if it is killed.
-    """
+    """Hold the lock file `path` inside the with block, or until the process ends."""
     check_replaceable(path)
     # The file is never removed: a process that still has it open would lock another file than one
     # that makes it anew.

@@ -20,11 +20,9 @@ from typing import Any
 
 HAS_PROCESSES = find_spec("_multiprocessing") is not None
 
+_LOCK = type("SemLock", (), {"SEM_VALUE_MAX": 1})
 _STAND_INS: dict[str, dict[str, Any]] = {
-    "_multiprocessing": {
-        "SemLock": type("SemLock", (), {"SEM_VALUE_MAX": 1}),
-        "sem_unlink": None,
-    },
+    "_multiprocessing": {"SemLock": _LOCK, "sem_unlink": None},
     "_posixshmem": {"shm_unlink": None},
     "moocore": {},
 }
@@ -52,8 +50,7 @@ def lazy(
         if name not in homes:
             told = f"module {package!r} has no attribute {name!r}"
             raise AttributeError(told, name=name, obj=sys.modules[package])
-        home = homes[name]
-        if home is None:
+        if (home := homes[name]) is None:
             return import_module(f"{package}.{name}")
         value = getattr(__import__(home, fromlist=[name]), name)
         setattr(sys.modules[package], name, value)  # found without this function from now on
@@ -63,10 +60,7 @@ def lazy(
 
 
 class ImportedWith(MetaPathFinder):
-    """Imports a module when one of some libraries is imported, which takes long and may not happen.
-
-    If one of them has been imported, the module is imported at once.
-    """
+    """Imports a module when one of some libraries is imported, or at once if one has been."""
 
     def __init__(self, libraries: set[str], module: str) -> None:
         self.libraries = libraries

@@ -28,8 +28,7 @@ NUMERIC = frozenset("0123456789.,%+-einaf")
 class Readable:
     """A dataclass, made with ``repr=False``, that people read.
 
-    Its ``repr`` is one line, in which arrays appear as dtype and shape, other long values as type
-    and size. Its `_parts` are printed by ``str``, and shown by notebooks.
+    Its ``repr`` is one line. Its `_parts` are printed by ``str``, and shown by notebooks.
     """
 
     def __repr__(self) -> str:
@@ -107,12 +106,9 @@ def _short(value: Any) -> str:
     text = repr(value)
     if len(text) <= LONGEST:
         return text
-    name = type(value).__name__
-    if isinstance(value, Mapping):
-        return f"<{name} of {', '.join(map(str, value))}>"
-    if isinstance(value, list | tuple):
-        return f"<{name} of {len(value)}>"
-    return f"<{name}>"
+    keys = ", ".join(map(str, value)) if isinstance(value, Mapping) else ""
+    size = keys or (len(value) if isinstance(value, list | tuple) else 0)
+    return f"<{type(value).__name__} of {size}>" if size else f"<{type(value).__name__}>"
 
 
 def _cell(value: Any) -> str:

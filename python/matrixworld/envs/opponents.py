@@ -1,8 +1,6 @@
-"""A team that an environment plays itself, against one or more policies.
+"""A team that an environment plays itself, as in ``parallel_env("O", evaders="fleer")``.
 
-``parallel_env("O", evaders="fleer")`` makes an environment of pursuers. An environment can have
-several opponents: each episode draws one of them by its seed and number, so that the same seed
-gives the same opponent.
+Of several opponents each episode draws one by its seed and number.
 """
 
 from __future__ import annotations
@@ -15,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_sequence
+from matrixworld._util.checks import check_sequence, check_shape
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.network_policy import NetworkPolicy, check_fits
 from matrixworld.solve import solve
-from matrixworld.world.arrays import check_shape, integers
+from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import ActionMasks, check_script
@@ -82,7 +80,7 @@ class BuiltInTeam:
         self.playing[world] = self.opponents[self.chosen[world]]
 
     def decide(self, world: World, agents: range, actions: NDArray[np.int64]) -> None:
-        """Write the actions (A,) of the team's agents among `agents` in the only world."""
+        """Write the actions (A,) of the team's agents among `agents`, in the only world."""
         acting = range(max(agents.start, self.agents.start), min(agents.stop, self.agents.stop))
         [policy] = self.playing
         if not acting:

@@ -27,7 +27,7 @@ from matrixworld.world.world import World
 
 
 class EnvSettings(WorldSettings, total=False):
-    """Keyword arguments of an environment, for type checkers; see `MatrixWorldParallel`."""
+    """Keyword arguments of an environment, for type checkers."""
 
     render_mode: str | None
     record: bool
@@ -203,7 +203,7 @@ class MatrixWorldBase(PlaysTeam):
 
     @property
     def opponent(self) -> int | None:
-        """The place in `opponents` of this episode's opponent, when it began; None without one."""
+        """The place in `opponents` of this episode's opponent; None without one."""
         return None if self._team is None else int(self._team.chosen[0])
 
     def render(self) -> NDArray[np.uint8] | str | None:
@@ -238,9 +238,9 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         ``"pursuit-evasion-o"``.
     render_mode : {None, "human", "rgb_array", "ansi"}, optional
         "human" shows every step in a notebook's output or the terminal. "rgb_array" returns
-        pictures, uint8 of shape (height, width, 3); "ansi" returns text.
+        pictures, uint8 (height, width, 3); "ansi" returns text.
     record : bool, optional
-        Whether to keep every step for `recorded`. With a render mode steps are always kept.
+        Whether to keep every step for `recorded`, as with a render mode.
     action_mask : bool or str, optional
         Whether infos have an ``action_mask``, int8 of shape (n_actions,): 1 for allowed actions.
         True or "obstacles" allows moves that run into neither an obstacle nor the border (`fov` at
@@ -258,17 +258,10 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
     ----------
     world : World
         The world that is played.
-    config : WorldConfig
-        Its settings.
     possible_agents : list of str
         Names of the caller's agents: ``pursuer_0`` and so on, then ``evader_0`` and so on.
     agents : list of str
         Names of the agents that still play; empty before the first reset and after the end.
-
-    Notes
-    -----
-    A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
-    independently.
 
     Examples
     --------
@@ -425,7 +418,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
             self.agent_selection, *self._to_commit = actors
 
     def _report(self, ended: list[Status]) -> None:
-        """Tell all agents the results of this round, and of rounds that ended before it."""
+        """Tell all agents the results of this round and of those that ended before it."""
         status = self.status
         for earlier in ended:
             status.add_collisions(earlier)
@@ -545,15 +538,12 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         env = self.env
         if self.agent not in env.agents:
             raise RuntimeError("the episode has ended, or never began: call reset()")
-        everyone = range(env.config.n_agents)
         # The policy decides for all agents of the team; the caller's agent then chooses itself.
-        actions = np.zeros(len(everyone), np.int64)
-        self._mates.decide(env.world, everyone, actions)
-        chosen = dict(zip(map(env.config.agent_name, everyone), actions.tolist(), strict=True))
+        actions = np.zeros(env.config.n_agents, np.int64)
+        self._mates.decide(env.world, range(len(actions)), actions)
+        chosen = env._by_agent(env.agents, actions.tolist()) | {self.agent: action}
+        seen, reward, terminated, truncated, info = env.step(chosen)
         mine = self.agent
-        seen, reward, terminated, truncated, info = env.step(
-            {**{name: chosen[name] for name in env.agents}, mine: action}
-        )
         return seen[mine], reward[mine], terminated[mine], truncated[mine], info[mine]
 
     def action_masks(self) -> NDArray[np.bool_]:

@@ -92,16 +92,10 @@ def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settin
 
 
 def policy(model: Any, deterministic: bool = False) -> Callable[[NDArray[Any]], NDArray[Any]]:
-    """Return a trained model as a function of observations (n, 3, fov, fov), which gives (n,).
+    """Return a trained `model` as a function of observations (n, 3, fov, fov), which gives (n,).
 
-    `matrixworld.score_policy` scores it, and environments take it as an opponent.
-
-    Parameters
-    ----------
-    model : stable_baselines3.common.base_class.BaseAlgorithm
-        A model that has learned from `vec_env`.
-    deterministic : bool, optional
-        Whether to take the most probable action instead of a drawn one. The default is False.
+    `matrixworld.score_policy` scores it, and environments take it as an opponent. `deterministic`
+    takes the most probable action instead of a drawn one.
     """
     shape = model.observation_space.shape
 

@@ -74,12 +74,9 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         Whether `reset` and `step` return copies that belong to the caller (the default), or the
         arrays that every step overwrites, which is faster.
     autoreset_mode : gymnasium.vector.AutoresetMode or str, optional
-        What happens after the end of an episode. ``NextStep`` (the default): the next step ignores
-        that world's actions and starts its seed's next episode. ``SameStep``: the last step also
-        starts the next episode. Observations, positions, alive, step, seed and state are then of
-        the new episode and everything else of the ended one; its last observations are in
-        ``infos["final_obs"]``. ``Disabled``: an ended world stays as it is, with rewards of 0,
-        until ``reset(options={"reset_mask": ended})``.
+        What happens after the end of an episode, as for `Batch`. With ``NextStep`` (the default)
+        the next step starts another episode, with ``SameStep`` the last step does, whose last
+        observations are in ``infos["final_obs"]``. ``Disabled`` waits for a reset of that world.
     dtype : dtype, optional
         Dtype of the observations, uint8 (the default) or float32.
     flatten : bool, optional
@@ -96,12 +93,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
 
     Attributes
     ----------
-    observations : ndarray
-        What each agent sees. Every step overwrites this array and the following ones.
-    rewards, terminations, truncations : ndarray, shape (W, A)
-        Results of the last step: float32, bool, bool.
-    infos : dict
-        See Notes.
+    observations, rewards, terminations, truncations, infos : ndarray and dict
+        Results of the last step, see Notes. Every step overwrites these arrays.
     actions : ndarray of int64, shape (W, A)
         Actions for a `step` without arguments, to be filled in place.
     pursuers, evaders : TeamView
@@ -111,38 +104,25 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
 
     Notes
     -----
-    Rewards, terminations and truncations are ``(W, A)``, one for each agent. Gymnasium's vector
-    environments of single agents, and the wrappers for them, have ``(W,)``: `AgentVectorEnv` has
-    this form, with each agent as a sub-environment. An agent terminates when it disappears or its
-    world terminates, and stays terminated. ``infos["acted"]`` marks the agents that acted in this
-    step: a learner uses the transitions of these.
+    Rewards, terminations and truncations are ``(W, A)``: float32, bool, bool. Gymnasium's wrappers
+    for vector environments of single agents want ``(W,)``, as `AgentVectorEnv` has. An agent
+    terminates when it disappears or its world terminates, and stays terminated. A learner uses the
+    transitions of agents that acted in this step, which ``infos["acted"]`` marks.
 
     With ``copy=False``, and in the attributes always, arrays are the same at every step: copy what
     you keep. Only one thread of Python may use an environment at a time, see `Batch`.
 
-    ``infos`` has the same keys at every step:
+    ``infos`` has the same keys at every step: all arrays of `array_specs` and `episode_specs` that
+    are not results, each with a leading axis of W worlds, under their names, but:
 
     | key | shape | |
     |---|---|---|
-    | ``alive`` | (W, A) bool | whether the agent is in its world now |
-    | ``acted`` | (W, A) bool | alive when the step began: its transition counts |
-    | ``positions`` | (W, A, 2) int32 | row and column; (-1, -1) when gone |
-    | ``captured``, ``ever_captured`` | (W, E) bool | captured at this moment; at some time of the episode |
-    | ``captors`` | (W, E) int32 | pursuers that took part in a capture of this step |
-    | ``involved``, ``fault`` | (W, A, 3) bool | in a collision with obstacle, teammate, adversary; at fault in it |
-    | ``cost`` | (W, A) float32 | number of kinds of collision in which it is at fault |
+    | ``step``, ``episode_number`` | (W,) | the arrays ``steps`` and ``episode`` |
     | ``cost_obstacle``, ``cost_teammate``, ``cost_adversary`` | (W, A) bool | at fault in a collision of this kind |
-    | ``capture_rate``, ``ever_capture_rate`` | (W,) float32 | shares of the evaders |
-    | ``survival_rate`` | (W, 2) float32 | shares of pursuers and of evaders that are alive |
-    | ``terminated``, ``truncated`` | (W,) bool | of the worlds |
-    | ``step`` | (W,) int32 | rounds played in the episode |
-    | ``seed``, ``episode_number`` | (W,) uint64 | the episode, as `World.reset` takes it |
     | ``action_mask`` | (W, A, n_actions) int8 | 1 for allowed actions; only with an ``action_mask`` |
     | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | last observations of an episode; whether it ended in this step |
     | ``opponent`` | (W,) int64 | place in `opponents`; only with a built-in team, whose last one is in ``episode``, too |
     | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | statistics of the last ended episode, as in `EpisodeStatistics`; whether it ended in this step |
-
-    A further array of `array_specs` or `episode_specs` appears under its own name.
     """  # noqa: E501  (a row of a table is one line)
 
     single_observation_space: spaces.Box
@@ -239,17 +219,9 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     ) -> tuple[NDArray[Any], dict[str, Any]]:
         """Start an episode in every world, or in some, and return observations and infos.
 
-        Parameters
-        ----------
-        seed : int or array_like of int, shape (W,), optional
-            An int s gives world w the seed s + w. Without a seed, or with None in a list, a world
-            starts its seed's next episode; worlds that never had a seed draw one from the operating
-            system.
-        options : mapping, optional
-            Any of `OPTIONS`: ``reset_mask``, bool, shape (W,), the worlds to reset; ``episode``,
-            ``pursuers``, ``evaders`` and ``obstacles`` as for `Batch.reset`.
-
-        If something is refused, no world has changed.
+        `seed` and `options` (any of `OPTIONS`) are as for `Batch.reset`, whose ``mask`` is
+        ``reset_mask`` here. With None in a list of seeds, too, a world starts its seed's next
+        episode; worlds that never had a seed draw one from the operating system.
         """
         self._start(seed, options)
         return self._returned((self.observations, self.infos))
@@ -391,10 +363,9 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     those of the agent, and every agent ends once in each episode.
 
     A learner that knows nothing of this trains on the steps of gone agents, too. They pay nothing,
-    but agents that see nobody in the open observe the same zeros. A learner that can mask
-    transitions does better with those where ``infos["acted"]`` is True (which also leaves out the
-    step in which `NextStep` only starts an episode), and takes ``terminations | ~infos["alive"]``
-    for the ends of agents: the value after them is 0.
+    but agents that see nobody observe the same zeros. A learner that can mask transitions does
+    better with those where ``infos["acted"]`` is True (not the step in which `NextStep` only starts
+    an episode), and with ``terminations | ~infos["alive"]`` as the ends of agents.
 
     ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``, and
     ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
@@ -452,8 +423,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     ) -> tuple[NDArray[Any], dict[str, Any]]:
         """Start an episode in every world, or in some, and return observations and infos.
 
-        As `VectorEnv.reset`, with seeds of the worlds, but ``reset_mask`` has the shape (W * n,),
-        with the same value for all agents of a world.
+        As `VectorEnv.reset`, but ``reset_mask`` is (W * n,), the same for all agents of a world.
         """
         given = dict(options or {})
         if given.get("reset_mask") is not None:
@@ -462,16 +432,13 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         return self._seen()
 
     def _worlds_of(self, mask: ArrayLike) -> NDArray[Any]:
-        """Return the mask of the worlds whose agents are all in a mask of agents."""
         agents = np.asarray(mask)
-        arrays.check_shape("reset_mask", agents, self.num_envs)
+        checks.check_shape("reset_mask", agents, self.num_envs)
         by_world = agents.reshape(self.worlds.n_worlds, -1)
         differ = (by_world != by_world[:, :1]).any(axis=1)
         if differ.any():
-            raise ValueError(
-                "reset_mask: expected the same value for all agents of a world, got both in world "
-                f"{int(differ.argmax())}"
-            )
+            expected, got = "the same value for all agents of a world", int(differ.argmax())
+            raise ValueError(f"reset_mask: expected {expected}, got both in world {got}")
         return by_world[:, 0]
 
     def step(
@@ -482,7 +449,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         Returns observations (W * n, ...), rewards, terminations, truncations, (W * n,), and infos.
         """
         chosen = arrays.integers("actions", actions)
-        arrays.check_shape("actions", chosen, self.num_envs)
+        checks.check_shape("actions", chosen, self.num_envs)
         worlds = self.worlds
         everyone: NDArray[np.int64] = worlds.actions.copy()
         everyone[:, self._slice] = chosen.reshape(worlds.n_worlds, -1)
@@ -548,11 +515,7 @@ def _views_box(shape: tuple[int, ...], dtype: np.dtype[Any]) -> spaces.Box:
 
 
 def _widened(space: spaces.Space[Any], shape: tuple[int, ...]) -> Any:
-    """Widen a space of one number to a shape.
-
-    It equals the space that Gymnasium would make, but its bounds, several arrays of numbers for all
-    worlds there, are views of one number.
-    """
+    """Widen a space of one number to a shape; its bounds are views of it, not large arrays."""
     bounds = {name: part for name, part in vars(space).items() if isinstance(part, np.ndarray)}
     for name, bound in bounds.items():
         setattr(space, name, np.broadcast_to(bound[0], shape))

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer
+from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer, check_shape
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
 from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
-from matrixworld.world.arrays import array_specs, check_shape, integers
+from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import MapLike, WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.policy import EnginePolicy, check_team

@@ -72,11 +72,7 @@ class Look(TypedDict, total=False):
 
 
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
-    """Show an episode in the terminal, in place, until its end or Ctrl-C.
-
-    A grid too large for the terminal is drawn in half blocks. Where there is no terminal, the last
-    moment is printed as plain text.
-    """
+    """Show an episode in the terminal, in place; without one, print the last moment."""
     fps = checks.check_number("fps", fps, least=0.0, positive=True)
     times, stream = _times(episode, every), sys.stdout
     if not stream.isatty():
@@ -139,9 +135,6 @@ def save(
 
     Raises
     ------
-    ValueError, IndexError
-        If the suffix is another, a value is out of range, `step` is outside the episode, or all
-        frames together would have more than 2**34 pixels.
     ImportError
         If the extra ``video`` is not installed, which MP4 needs.
 
@@ -205,7 +198,8 @@ class _Pictures:
         shape, cell = episode.map.shape, look.get("cell")
         if cell is None and field is not None:
             self._look["cell"] = cell = fitting_cell(shape, field, least)
-        self.pixels: int = Layout.of(shape, cell, least=least).pixels
+        layout = Layout.of(shape, cell, least=least)
+        self.pixels: int = layout.width * layout.height
 
     def draw(self, step: int) -> NDArray[np.uint8]:
         return rgb(scene(self._episode, step, trail=self._trail), **self._look)
@@ -278,8 +272,8 @@ def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
 def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
     """Write an endless animation with one frame for each time, and the last one `hold` s longer.
 
-    Durations are rounded to hundredths of a second. Pillow would keep all frames in memory. Here it
-    encodes each as a file of its own, whose header is cut off except for the first.
+    Pillow would keep all frames in memory. Here it encodes each as a file of its own, whose header
+    is cut off except for the first.
     """
     looked_at = np.unique(np.linspace(0, len(times) - 1, SAMPLES).round().astype(int))
     palette = _palette([draw(times[i]) for i in looked_at])

@@ -14,7 +14,6 @@ from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
-from matrixworld.world.arrays import check_shape
 from matrixworld.world.rules import COLLISION_KINDS
 
 _COUNTED = ("collisions", "faults", "agent_steps", "capture_rate")
@@ -209,7 +208,7 @@ class SafetyMonitor:
 
 def _counts(name: str, given: ArrayLike, *shape: int) -> NDArray[np.int64]:
     array = checks.check_integers(name, given, np.int64)
-    check_shape(name, array, *shape)
+    checks.check_shape(name, array, *shape)
     return array
 
 

@@ -50,16 +50,8 @@ def capture_rates(
 ) -> NDArray[np.float64]:
     """Play the episodes of a match side by side and return their capture rates, (episodes,).
 
-    Parameters
-    ----------
-    config : WorldConfig
-        The settings of the worlds.
-    pursuers, evaders : Population, str or callable
-        What plays for the teams; a population has one genome.
-    seed : int
-        The seed of the match. Episode j is the seed's episode j, as in `matrixworld.rollout`.
-    episodes : int
-        Number of episodes.
+    Arguments are as in `matrixworld.rollout`, but `pursuers` and `evaders` may be functions, too,
+    and a population has one genome. Episode j is the seed's episode j.
     """
     check_instance("config", config, WorldConfig)
     seed = check_integer("seed", seed, 0, SEED_MAX)

@@ -51,18 +51,6 @@ class NetworkPolicy:
     seed : int, optional
         Seed of the draws. The default is one from the operating system.
 
-    Attributes
-    ----------
-    network : Network
-        The network, with `sampled` as given.
-    genome : ndarray of float32, shape (genome_size,)
-        A copy.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `Population` does.
-
     Examples
     --------
     >>> import numpy as np
@@ -201,19 +189,8 @@ FORMS = {
 def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy) -> None:
     """Write a policy as a file that `read_genome` reads and that a class tournament plays.
 
-    Parameters
-    ----------
-    path : str or path
-        The file, which is replaced if it exists.
-    team : {"pursuer", "evader"}
-        The team for which it plays.
-    policy : NetworkPolicy
-        The policy, such as ``open_run(directory).policy("pursuer")``.
-
-    Raises
-    ------
-    ValueError
-        If there is no such team.
+    An older file at `path` is replaced. `policy` plays for `team`, such as
+    ``open_run(directory).policy("pursuer")``.
     """
     check_choice("team", team, TEAMS)
     arrays = asdict(policy.network) | {"genome": policy.genome, "team": team}
@@ -224,24 +201,8 @@ def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy)
 def read_genome(path: str | os.PathLike[str]) -> tuple[Team, Population]:
     """Return the team of a genome's file, and the genome as a population of one.
 
-    Parameters
-    ----------
-    path : str or path
-        The file, of `save_genome`, or of ``numpy.savez`` with the same keys.
-
-    Returns
-    -------
-    team : {"pursuer", "evader"}
-        The team for which it plays.
-    population : Population
-        The genome with its network.
-
-    Raises
-    ------
-    OSError
-        If the file cannot be read.
-    DamagedFileError
-        If it is damaged or not of this form.
+    The file at `path` is one of `save_genome`, or of ``numpy.savez`` with the same keys;
+    DamagedFileError, a ValueError, if it is not of this form.
     """
     return parse_genome(Path(path))
 

@@ -125,14 +125,7 @@ class Solution(Readable):
     ) -> NDArray[np.float64]:
         """Return with which probabilities a team plays, float64 (S, its joint actions).
 
-        Parameters
-        ----------
-        team : {"pursuer", "evader"}
-            The team. In an end its joint action is 0.
-        rounds : int, optional
-            Rounds left, this one included, at least 1. The default is all.
-        turn : int, optional
-            The turn of the round.
+        `rounds` are left, this one included, by default all. In an end the joint action is 0.
         """
         checks.check_choice("team", team, TEAMS)
         left = checks.check_integer(
@@ -149,10 +142,7 @@ class Solution(Readable):
         return played
 
     def policy(self, team: Team) -> TablePolicy:
-        """Return a team's play as a policy for rollouts, recordings, environments and scores.
-
-        All its members act on one draw of their joint action.
-        """
+        """Return a team's play as a policy, whose members act on one draw of a joint action."""
         checks.check_choice("team", team, TEAMS)
         rounds = len(self.values[0]) - 1
         axis = 1 + TEAMS.index(team)
@@ -235,7 +225,7 @@ def induct(
     payoff: PayoffName,
     champions: Mapping[Team, Champion],
 ) -> Solution:
-    """Check all arguments, list the states, and go back from the last round to the first."""
+    """Check all arguments, list the states, and go back through the rounds."""
     config = config_of(world)
     checks.check_choice("payoff", payoff, PAYOFFS)
     parts = {team: parts_of(config, champion, team) for team, champion in champions.items()}
@@ -330,20 +320,13 @@ def best_response(
 
     Parameters
     ----------
-    world : WorldConfig or States
-        The world, or its states.
     champion : Champion
-        What the champion plays.
+        What the champion plays. It cannot be a network with memory, a script that does not see what
+        it looks for, or a solution of other States or of fewer rounds.
     team : {"pursuer", "evader"}
         The champion's team.
-    steps, payoff
+    world, steps, payoff
         As in `solve`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If a network has a memory, or a script does not see what it looks for; if weights do not sum
-        to 1; if a solution is of other States, or of fewer rounds.
 
     Examples
     --------
@@ -369,16 +352,7 @@ def expected_payoff(
 ) -> float:
     """Return what a pair comes to on average, exactly: a cell of the payoff matrix without noise.
 
-    Raises as `best_response` does.
-
-    Parameters
-    ----------
-    world : WorldConfig or States
-        The world, or its states.
-    pursuers, evaders : Champion
-        What the teams play.
-    steps, payoff
-        As in `solve`.
+    `pursuers` and `evaders` are champions; `world`, `steps` and `payoff` are as in `solve`.
     """
     return induct(world, steps, payoff, {"pursuer": pursuers, "evader": evaders}).value
 
@@ -421,15 +395,9 @@ def guarantees(
 ) -> Guarantees:
     """Return what each generation of both teams guarantees against any opponent.
 
-    Parameters
-    ----------
-    world : WorldConfig or States
-        The world, or its states.
-    teams : mapping of str to Population or Champion
-        What each team plays, such as ``open_run("my-race").teams``: one genome for each generation,
-        or another champion, such as the name of a script, which is one generation.
-    steps : int, optional
-        As in `solve`.
+    `teams` says what each plays, such as ``open_run("my-race").teams``: a population of one genome
+    for each generation, or another champion, which is one generation. `world` and `steps` are as in
+    `solve`.
     """
     if not isinstance(teams, Mapping) or teams.keys() != set(TEAMS):
         raise TypeError(

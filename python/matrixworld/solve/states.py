@@ -48,8 +48,6 @@ class States:
 
     Attributes
     ----------
-    config : WorldConfig
-        The world.
     n_turns : int
         Turns of a round.
     starts : ndarray of int32, shape (n,)
@@ -87,7 +85,6 @@ class States:
         return world if isinstance(world, States) else cls(config_of(world))
 
     def __repr__(self) -> str:
-        """Return the size."""
         return f"States({self.count():,} states)"
 
     @property
@@ -131,9 +128,8 @@ class States:
     def decisions(self, policy: TeamPolicy, team: Team) -> tuple[NDArray[np.float64], ...]:
         """Return the probabilities with which a policy plays, for each turn (S, its joint actions).
 
-        Members decide independently of each other. The softmax of a network's outputs is computed
-        in float64; the engine draws with 24 bits. ValueError if a script sees nothing that it looks
-        for in some state, and so walks on as before.
+        Members decide independently of each other, by the softmax of a network in float64.
+        ValueError if a script sees nothing that it looks for in some state, and so walks on.
         """
         checks.check_choice("team", team, TEAMS)
         plain, evaders = check_team("champion", policy), team == "evader"

@@ -15,11 +15,10 @@ Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
 
 
 class OutputField(NamedTuple):
-    """One row of the engine's table of output arrays.
+    """One row of the engine's table of output arrays, with the axes of one world's part.
 
-    `axes` are those of one world's part: agents, evaders, teams, kinds, row_col, channels, fov,
-    rows or cols. `written` is when the engine writes it: "moment", "step", "step start" or "episode
-    end". After an automatic reset, a moment is of the new episode, a step still of the ended one.
+    `written` is when the engine writes it: "moment", "step", "step start" or "episode end". After
+    an automatic reset, a moment is of the new episode, a step still of the ended one.
     """
 
     name: str
@@ -75,20 +74,11 @@ def python_value(array: NDArray[Any]) -> Any:
 
 
 def array_specs(config: WorldConfig) -> Specs:
-    """Return shape and dtype, by name, of every array that a world can write.
+    """Return shape and dtype, by name, of every array that a world of a `config` can write.
 
-    The shapes are those of one world, without an axis of worlds.
-
-    Parameters
-    ----------
-    config : WorldConfig
-        It gives the sizes.
-
-    Notes
-    -----
-    A is the number of agents, pursuers first, E of evaders. An axis of 3 kinds is a collision with
-    an obstacle, a teammate, an adversary; one of 2 teams is pursuers, evaders; the 3 channels are
-    evaders, pursuers, obstacles.
+    Shapes are those of one world. A is the number of agents, pursuers first, E of evaders. An axis
+    of 3 kinds is a collision with an obstacle, a teammate, an adversary; one of 2 teams is
+    pursuers, evaders; the 3 channels are evaders, pursuers, obstacles.
 
     =================  ===================  =======  =======================================
     positions          (A, 2)               int32    row and column; (-1, -1) when gone
@@ -124,15 +114,8 @@ def array_specs(config: WorldConfig) -> Specs:
 
 
 def episode_specs(config: WorldConfig) -> Specs:
-    """Return shape and dtype of the arrays that only a batch writes, as `array_specs` does.
+    """Return shape and dtype of the arrays that only a batch writes, for a `config`.
 
-    Parameters
-    ----------
-    config : WorldConfig
-        It gives the sizes.
-
-    Notes
-    -----
     Letters and axes are those of `array_specs`.
 
     =========================  ================  =======  ======================================
@@ -175,12 +158,6 @@ def integers(name: str, given: ArrayLike) -> NDArray[Any]:
     if type(given) is np.ndarray and given.dtype in (np.uint8, np.int64):
         return given
     return check_integers(name, given, np.int64, None)
-
-
-def check_shape(name: str, array: NDArray[Any], *expected: int) -> None:
-    """Raise ValueError unless an array has a shape."""
-    if array.shape != expected:
-        raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
 
 
 def check_written(name: str, array: NDArray[np.int64]) -> None:

@@ -12,28 +12,22 @@ from typing_extensions import Unpack
 from matrixworld import _core
 from matrixworld._core import Autoreset
 from matrixworld._util import checks
-from matrixworld.world.arrays import (
-    array_specs,
-    check_written,
-    integers,
-    new_arrays,
-    positions_of,
-)
-from matrixworld.world.config import MapLike, WorldConfig, WorldSettings, read_map
+from matrixworld.world.arrays import array_specs, check_written, integers, new_arrays
+from matrixworld.world.config import MapLike, WorldConfig, WorldSettings
 from matrixworld.world.policy import EnginePolicy, check_agents, check_team
 from matrixworld.world.rules import Rules
-from matrixworld.world.world import World
+from matrixworld.world.world import Turns, World, start_of
 
 
-class Batch:
+class Batch(Turns):
     """W worlds of one configuration, stepped together into the caller's arrays.
 
     Parameters
     ----------
     n_worlds : int
         W.
-    config : WorldConfig, Rules or str, optional
-        A configuration, rules, or the name of a variant. The default is "O".
+    config, **changes
+        As for `World`.
     threads : int, optional
         Threads that share the worlds of a step. The default is one for each core that the process
         may use. No result depends on it.
@@ -44,23 +38,9 @@ class Batch:
         episode also starts the next one. The arrays of the last step are then of the ended episode,
         and the arrays of the present moment (see `array_specs`) of the new one.
     buffers : dict of str to ndarray, optional
-        The arrays to write into: any of `array_specs` and `episode_specs`, each with a leading axis
-        of W worlds. Views may also be float32. Every step writes into the same arrays. The default
-        is new arrays for all of `array_specs` but ``views`` and ``state``.
-    **changes
-        Fields of the configuration to change.
-
-    Attributes
-    ----------
-    buffers : dict of str to ndarray
-        The arrays that `reset`, `step` and `play_turn` write into.
-    autoreset : Autoreset
-        What happens to a world whose episode has ended.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If a buffer has another name, shape, dtype or memory layout, and as `WorldConfig` does.
+        The arrays that `reset`, `step` and `play_turn` write into: any of `array_specs` and
+        `episode_specs`, each with a leading axis of W worlds. Views may also be float32. The
+        default is new arrays for all of `array_specs` but ``views`` and ``state``.
 
     Notes
     -----
@@ -132,15 +112,11 @@ class Batch:
             raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
         if mask is not None:
             self._require_no_round("reset with a mask")
-        own_map = None if obstacles is None else read_map(obstacles)
-        self.config.check_map(own_map)
         self._core.reset(
             None if seed is None else self._seeds(seed),
             checks.check_integer("episode", episode, 0, checks.SEED_MAX),
             mask=None if mask is None else _mask(mask),
-            pursuers=positions_of("pursuers", pursuers, self.config.n_pursuers, self.n_worlds),
-            evaders=positions_of("evaders", evaders, self.config.n_evaders, self.n_worlds),
-            map=None if own_map is None else own_map.astype(np.uint8),
+            **start_of(self.config, pursuers, evaders, obstacles, self.n_worlds),
         )
         return self.buffers
 
@@ -164,10 +140,9 @@ class Batch:
     def play_turn(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
         """Play the next turn of a round in every world, and return the buffers.
 
-        Only the actions of `actors` are read; otherwise `actions` are as in `step`. Rewards, costs
-        and all that belongs to a round are written as they are so far, and what belongs to an
-        episode after the last turn. A world that ends in the middle of a round waits for the others
-        to finish it. ValueError unless `autoreset` is disabled.
+        Only the actions of `actors` are read. Rewards, costs and all that belongs to a round are
+        written as they are so far, and what belongs to an episode after the last turn. A world that
+        ends in the middle of a round waits for the others. ValueError with automatic resets.
         """
         if self.autoreset is not Autoreset.DISABLED:
             raise ValueError(f"autoreset: expected DISABLED to play turns, got {self.autoreset}")
@@ -181,21 +156,6 @@ class Batch:
                 f"before {call}"
             )
 
-    @property
-    def n_turns(self) -> int:
-        """Turns in a round: 1 where all agents move at once, 2 for teams, A for single agents."""
-        return self._core.n_turns()
-
-    @property
-    def turn(self) -> int:
-        """Number of the next turn in the round, from 0."""
-        return self._core.turn()
-
-    @property
-    def actors(self) -> range:
-        """Indices of the agents that act in the next turn, including agents that are gone."""
-        return range(*self._core.actors())
-
     def decide(
         self,
         policies: Sequence[EnginePolicy | None],
@@ -208,16 +168,9 @@ class Batch:
         A policy uses the random numbers that it has in a rollout for the same seed, episode, step
         and agent. The worlds stay as they are, and if something does not fit them, so do `actions`.
 
-        Parameters
-        ----------
-        policies : sequence of Population, str or None
-            Populations of one genome and names of scripts; None leaves a world's actions alone.
-        chosen : array_like of int, shape (W,)
-            The place in `policies` of each world's policy.
-        agents : range
-            The agents that act; all are of one team.
-        actions : ndarray of int64, shape (W, A)
-            Where to write; not for gone agents, other agents and ended worlds.
+        `chosen` (W,) is the place in `policies` of each world's policy, which may be None. They act
+        for `agents` of one team; entries of `actions`, int64 (W, A), of gone agents, other agents
+        and ended worlds stay as they are.
         """
         teams = [
             policy if policy is None else check_team("policies", policy) for policy in policies
@@ -227,7 +180,7 @@ class Batch:
         self._core.decide(teams, numbers, *check_agents(agents), actions)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Refuse copies and pickles: a copy could not share the caller's buffers."""
+        """Refuse copies and pickles."""
         raise TypeError(
             "a batch cannot be copied or pickled, because its buffers belong to the caller: "
             "copy single worlds with world(number)"

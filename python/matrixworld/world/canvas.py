@@ -50,28 +50,19 @@ class Layout:
         given = fitting_cell(shape, FIELD_PIXELS, least) if cell is None else cell
         chosen = check_integer("cell", given)
         if not least <= chosen <= LARGEST_SIDE // max(rows, cols):
-            raise ValueError(
-                f"cell: expected {least} to {LARGEST_SIDE // max(rows, cols)} pixels "
-                f"for {rows} x {cols} cells, got {chosen}"
-            )
+            expected = f"{least} to {LARGEST_SIDE // max(rows, cols)} pixels"
+            raise ValueError(f"cell: expected {expected} for {rows} x {cols} cells, got {chosen}")
         return cls(rows, cols, chosen)
 
     @property
-    def pixels(self) -> int:
-        """Pixels of the whole picture."""
-        return self.width * self.height
-
-    # Width and height are even, because video needs it.
-
-    @property
     def width(self) -> int:
-        """Width of the whole picture."""
+        """Width of the whole picture, even, as video needs it."""
         wide = max(self.cols * self.cell + 2 * self.margin, NARROWEST)
         return wide + wide % 2
 
     @property
     def height(self) -> int:
-        """Height of the whole picture."""
+        """Height of the whole picture, even."""
         high = self.header + self.rows * self.cell + self.margin
         return high + high % 2
 

@@ -94,7 +94,7 @@ def _all_fields(what: str, kind: type[Any], plain: object) -> dict[str, Any]:
     return dict(plain)
 
 
-def _enum_member(kind: type[Any], name: str, value: object) -> Any:
+def _field(kind: type[Any], name: str, value: object) -> Any:
     """Return the value of a field, the member of that name where the field is an enumeration."""
     expected = type(getattr(kind(), name))
     if not issubclass(expected, Enum):
@@ -128,15 +128,9 @@ class WorldConfig:
     obstacles : float or map, optional
         A number in [0, 1) is the share of the cells that become obstacles at every reset. They are
         drawn uniformly, so free cells need not be connected. Anything else is a fixed map as
-        `read_map` takes it: a bool array of shape (rows, cols), rows of text, or a path. By default
-        there are no obstacles.
+        `read_map` takes it. By default there are no obstacles.
     rewards : Rewards, optional
         The rewards. The default is `Rewards()`, those of the paper.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If a value is out of range or has a wrong type, or there are more agents than free cells.
 
     Warns
     -----
@@ -205,10 +199,10 @@ class WorldConfig:
         self.check_map(self.map)
         sizes = self.rows, self.cols, self.n_pursuers, self.n_evaders
         if min(sizes) > 0 and self.n_agents > self.rows * self.cols:
+            teams = f"{self.n_pursuers} pursuers and {self.n_evaders} evaders"
             raise ValueError(
-                f"rows: expected at least {self.n_agents} cells (rows x cols) for "
-                f"{self.n_pursuers} pursuers and {self.n_evaders} evaders, got {self.rows} x "
-                f"{self.cols}"
+                f"rows: expected at least {self.n_agents} cells (rows x cols) for {teams}, got "
+                f"{self.rows} x {self.cols}"
             )
         # Building the engine's form checks the ranges, so a bad config fails here and not later.
         self.setup  # noqa: B018
@@ -219,11 +213,7 @@ class WorldConfig:
     def of(
         cls, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> WorldConfig:
-        """Return a config, or the one of some rules, with fields other than `rules` changed.
-
-        It is `config` itself if that is a WorldConfig and nothing changes. Raises as `WorldConfig`
-        does, and TypeError for an unknown keyword.
-        """
+        """Return a config, or the one of some rules, with fields other than `rules` changed."""
         checks.check_keywords(changes, WorldSettings.__annotations__, cls.of)
         if isinstance(config, WorldConfig):
             values: dict[str, Any] = {**changes}  # fields are narrower than what `__init__` takes
@@ -259,10 +249,8 @@ class WorldConfig:
     def check_map(self, obstacles: NDArray[np.bool_] | None) -> None:
         """Raise ValueError unless a map has the size of the world; None passes."""
         if obstacles is not None and np.shape(obstacles) != (self.rows, self.cols):
-            raise ValueError(
-                f"obstacle map: expected shape {(self.rows, self.cols)}, the rows and cols, "
-                f"got {np.shape(obstacles)}"
-            )
+            expected = f"shape {(self.rows, self.cols)}, the rows and cols"
+            raise ValueError(f"obstacle map: expected {expected}, got {np.shape(obstacles)}")
 
     def to_json(self) -> dict[str, Any]:
         """Return the settings as values that JSON can hold; a map becomes rows of text."""
@@ -270,25 +258,14 @@ class WorldConfig:
 
     @classmethod
     def from_json(cls, plain: Mapping[str, Any]) -> WorldConfig:
-        """Return the settings from plain values, such as ``episode.config`` of a recorded episode.
-
-        Raises TypeError or ValueError if a setting is missing, unknown or not valid.
-
-        Examples
-        --------
-        >>> import matrixworld as mw
-        >>> episode = mw.record(mw.WorldConfig("SB", max_steps=20), "chaser", "fleer", seed=1)
-        >>> config = mw.WorldConfig.from_json(episode.config)
-        >>> config.rules == mw.VARIANTS["SB"], config.max_steps
-        (True, 20)
-        """
+        """Return the settings from plain values, such as ``episode.config`` of a recording."""
         values = _all_fields("config", cls, plain)
         # A text would be the path of a map: plain values must not choose a file to read.
         if not isinstance(values["obstacles"], float | int | list):
             raise TypeError(f"obstacles: expected a number or a list, got {values['obstacles']!r}")
         for name, kind in (("rules", Rules), ("rewards", Rewards)):
             given = _all_fields(name, kind, values[name])
-            values[name] = kind(**{key: _enum_member(kind, key, given[key]) for key in given})
+            values[name] = kind(**{key: _field(kind, key, given[key]) for key in given})
         return cls(**values)
 
     # Not by the dataclass, which would compare a map element by element.
@@ -306,22 +283,18 @@ class WorldConfig:
     @cached_property
     def setup(self) -> _core.Setup:
         """The engine's form of the settings."""
-        rewards = self.rewards
+        rewards, numbers = self.rewards, self.__getstate__()
+        for name in ("rules", "rewards", "obstacles"):
+            del numbers[name]
         paid = {name: rewards.by_team(name) for name in ("capture", "neighbor", "collide", "step")}
         return _core.Setup(
             rules=_core.Rules(**vars(self.rules)),
             rewards=_core.Rewards(
                 **paid, blame=rewards.blame, capture_repeats=rewards.capture_repeats
             ),
-            rows=self.rows,
-            cols=self.cols,
-            n_pursuers=self.n_pursuers,
-            n_evaders=self.n_evaders,
-            fov=self.fov,
-            diagonal=self.diagonal,
-            max_steps=self.max_steps,
             density=self.density,
             map=None if self.map is None else self.map.astype(np.uint8),
+            **numbers,
         )
 
 
@@ -332,17 +305,8 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
     ----------
     source : array_like of bool, str, sequence of str, or path
         An array of shape (rows, cols) of bools, or of 0 and 1; rows of text with the characters of
-        `FREE` and `BLOCKED`, or all rows as one text; or the path of a MovingAI ``.map`` file.
-
-    Raises
-    ------
-    ValueError, TypeError, FileNotFoundError
-        If the map is empty, its rows differ in length, or a character is unknown.
-
-    References
-    ----------
-    N. R. Sturtevant (2012). Benchmarks for grid-based pathfinding. IEEE Transactions on
-    Computational Intelligence and AI in Games 4(2).
+        `FREE` and `BLOCKED`, or all rows as one text; or the path of a MovingAI ``.map`` file
+        (Sturtevant 2012, "Benchmarks for grid-based pathfinding").
 
     Examples
     --------
@@ -384,15 +348,11 @@ def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
         raise ValueError(f"{name}: expected at least one row of at least one cell, got {rows!r}")
     for number, row in enumerate(rows):
         if len(row) != len(rows[0]):
-            raise ValueError(
-                f"{name}, row {number}: expected {len(rows[0])} cells as in row 0, got {len(row)}"
-            )
-        unknown = set(row) - set(FREE + BLOCKED)
-        if unknown:
-            raise ValueError(
-                f"{name}, row {number}: expected {FREE!r} (free) or {BLOCKED!r} (obstacle), "
-                f"got {sorted(unknown)}"
-            )
+            expected = f"{len(rows[0])} cells as in row 0"
+            raise ValueError(f"{name}, row {number}: expected {expected}, got {len(row)}")
+        if unknown := sorted(set(row) - set(FREE + BLOCKED)):
+            expected = f"{FREE!r} (free) or {BLOCKED!r} (obstacle)"
+            raise ValueError(f"{name}, row {number}: expected {expected}, got {unknown}")
     return np.array([[cell in BLOCKED for cell in row] for row in rows])
 
 
@@ -401,9 +361,8 @@ def _from_file(path: Path) -> NDArray[np.bool_]:
     lines = [line for line in lines if line]
     header = dict(line.split(maxsplit=1) for line in lines[:3] if len(line.split()) > 1)
     if lines[3:4] != ["map"] or set(header) != {"type", "height", "width"}:
-        raise ValueError(
-            f"{path}: expected a MovingAI map (lines type, height, width and map), got {lines[:4]}"
-        )
+        expected = "a MovingAI map (lines type, height, width and map)"
+        raise ValueError(f"{path}: expected {expected}, got {lines[:4]}")
     array = _from_rows(lines[4:], str(path))
     sizes = header["height"], header["width"]
     if [int(size) if size.isdecimal() else size for size in sizes] != list(array.shape):

@@ -26,24 +26,19 @@ LEAST_FOV: dict[Mask, int] = {"none": 1, "obstacles": 3, "right-of-way": 5}
 """The smallest field of view in which an agent sees all that a mask looks at."""
 
 
-def check_mask(name: str, mask: str, config: WorldConfig) -> None:
+def check_mask(name: str, mask: str, config: WorldConfig, user: str = "") -> None:
     """Raise ValueError unless a mask exists and agents see enough for it."""
     check_choice(name, mask, MASKS)
     least = LEAST_FOV[mask]  # type: ignore[index]  # one of the choices
     if config.fov < least:
-        raise ValueError(
-            f"{name}: expected a fov of at least {least} for the mask {mask}, got {config.fov}"
-        )
+        expected = f"a fov of at least {least} for {user or f'the mask {mask}'}"
+        raise ValueError(f"{name}: expected {expected}, got {config.fov}")
 
 
 def check_script(name: str, player: str, config: WorldConfig) -> None:
     """Raise ValueError if a player is a careful script and agents see too little for it."""
-    careful = player in SCRIPTS and player.startswith(CAREFUL)
-    if careful and config.fov < LEAST_FOV["right-of-way"]:
-        raise ValueError(
-            f"{name}: expected a fov of at least {LEAST_FOV['right-of-way']} for {player}, got "
-            f"{config.fov}"
-        )
+    if player in SCRIPTS and player.startswith(CAREFUL):
+        check_mask(name, "right-of-way", config, player)
 
 
 def right_of_way_cells(config: WorldConfig, team: Team) -> list[list[tuple[int, int, int]]]:
@@ -76,11 +71,7 @@ def forbidding_cells(config: WorldConfig, mask: str, team: Team) -> NDArray[np.i
 
 
 class ActionMasks:
-    """The masks of both teams in a world of one configuration, for environments.
-
-    `chosen` is False for none, True for obstacles, or a name of `MASKS`. Raises ValueError or
-    TypeError for anything else, and for views that show too little.
-    """
+    """The masks of both teams: none for False, obstacles for True, or those of a name."""
 
     def __init__(self, chosen: bool | str, config: WorldConfig) -> None:
         if not isinstance(chosen, bool | str):
@@ -107,8 +98,7 @@ class ActionMasks:
 def action_masks(views: NDArray[Any], cells: NDArray[np.intp]) -> NDArray[np.int8]:
     """Return which actions are allowed, int8 (..., n_actions), in views (..., 3, fov, fov).
 
-    `cells` are `forbidding_cells`. Staying is always allowed. All actions of an agent that is gone,
-    which sees zeros, are allowed.
+    `cells` are `forbidding_cells`. All actions of an agent that is gone are allowed.
     """
     flat = views.reshape(*views.shape[:-3], math.prod(views.shape[-3:]))
     masks = np.ones((*flat.shape[:-1], 1 + len(cells)), np.int8)
@@ -122,7 +112,7 @@ def leaves_captures(config: WorldConfig) -> bool:
     Where contact captures, they must be allowed to enter the cell of an evader; otherwise a cell
     beside an evader, which the evader could enter, too.
     """
-    _, north, *_ = _core.right_of_way(config.setup, False)
+    north, *_ = right_of_way_cells(config, "pursuer")
     evaders = {(row, col) for channel, row, col in north if channel == CHANNEL["evader"]}
     entered = tuple(MOVES[Action.NORTH])
     if config.rules.capture is Capture.OCCUPATION:

@@ -116,12 +116,6 @@ class Network:
         The recurrent layer after the first hidden layer, of as many units: none, or gated recurrent
         units (Cho et al. 2014, "Learning phrase representations using RNN encoder-decoder").
 
-    Raises
-    ------
-    ValueError, TypeError
-        If a size is below 1 or above 2**20, `fov` is even, or there is memory without a hidden
-        layer.
-
     Notes
     -----
     A genome is a flat array of float32. It holds, layer by layer, the weights as an (inputs,
@@ -153,7 +147,6 @@ class Network:
     memory: Memory = "none"
 
     def __post_init__(self) -> None:
-        # Text, bytes and mappings can be iterated over, but hold no sizes.
         given = checks.check_sequence("hidden", self.hidden, "ints")
         sizes = tuple(checks.check_integer("hidden", size, 1, _MAX_LAYER) for size in given)
         # A frozen dataclass lets its fields be set in this way only.
@@ -206,11 +199,9 @@ class Network:
     ) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
         """Return weights (inputs, outputs) and biases (outputs,) of each layer, views of a genome.
 
-        Changing a returned array changes the genome. Raises ValueError if it has another shape.
+        Changing a returned array changes the genome.
         """
-        checks.check_instance("genome", genome, np.ndarray)
-        if genome.shape != (self.genome_size,):
-            raise ValueError(f"genome: expected shape {(self.genome_size,)}, got {genome.shape}")
+        checks.check_shape("genome", genome, self.genome_size)
         layers, start = [], 0
         for n_in, n_out in self.shapes:
             middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
@@ -222,7 +213,6 @@ class Network:
         """Return the outputs before any softmax, float32 (n, n_actions), computed in NumPy.
 
         Of views, uint8 (n, 3, fov, fov); with memory, of agents in the first step of an episode.
-        ValueError if the views or the genome, (genome_size,), have another shape.
         """
         return self.advance(genome, views)[0]
 
@@ -235,7 +225,6 @@ class Network:
         """Return the outputs of agents, as `logits` does, and their next states (n, state_size).
 
         `states`, float32 (n, state_size), are what the agents remember; the default is zeros.
-        ValueError if an array has another shape.
         """
         expected = (CHANNELS, self.fov, self.fov)
         checks.check_instance("views", views, np.ndarray)
@@ -243,9 +232,7 @@ class Network:
             raise ValueError(f"views: expected shape (n, {str(expected)[1:]}, got {views.shape}")
         room = len(views), self.state_size
         states = np.zeros(room, np.float32) if states is None else states
-        checks.check_instance("states", states, np.ndarray)
-        if states.shape != room:
-            raise ValueError(f"states: expected shape {room}, got {states.shape}")
+        checks.check_shape("states", states, *room)
         x = views.reshape(len(views), self.sizes[0]).astype(np.float32)
         *hidden, last = self.layers(genome)
         for number, (weights, bias) in enumerate(hidden):
@@ -297,14 +284,7 @@ class Network:
     @cached_property
     def core(self) -> _core.Network:
         """The engine's form of this network."""
-        return _core.Network(
-            fov=self.fov,
-            hidden=list(self.hidden),
-            n_actions=self.n_actions,
-            activation=self.activation,
-            sampled=self.sampled,
-            memory=self.memory,
-        )
+        return _core.Network(**self.__getstate__() | {"hidden": list(self.hidden)})
 
 
 def _logistic(x: NDArray[Any]) -> NDArray[Any]:
@@ -322,19 +302,13 @@ class Population(Readable):
         The genomes. A single one becomes a population of one; other floats are copied to float32.
     network : Network
         The network that all of them belong to.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If dtype or shape is another, or a number is not finite.
     """
 
     genomes: NDArray[np.float32]
     network: Network
 
     def __post_init__(self) -> None:
-        if not isinstance(self.network, Network):
-            raise TypeError(f"network: expected a Network, got {self.network!r}")
+        checks.check_instance("network", self.network, Network)
         given = np.atleast_2d(self.genomes)
         floats = np.issubdtype(given.dtype, np.floating)
         if not floats or isinstance(given, np.ma.MaskedArray):
@@ -349,10 +323,8 @@ class Population(Readable):
             )
         if not np.isfinite(genomes).all():
             genome, gene = np.argwhere(~np.isfinite(genomes))[0]
-            raise ValueError(
-                f"genomes: expected finite numbers, got {genomes[genome, gene]} "
-                f"(genome {genome}, number {gene})"
-            )
+            got = f"{genomes[genome, gene]} (genome {genome}, number {gene})"
+            raise ValueError(f"genomes: expected finite numbers, got {got}")
         # The engine reads the genomes from one block of memory, without copying them.
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
 

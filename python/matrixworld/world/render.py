@@ -92,7 +92,7 @@ class Scene:
         return png(self)
 
     def agent(self, who: int | str) -> int:
-        """Return the number of an agent given by number or name; ValueError if there is none."""
+        """Return the number of an agent given by number or name."""
         names = [agent_name(agent, self.n_pursuers) for agent in range(len(self.alive))]
         if not isinstance(who, str):
             return checks.check_integer("viewers", who, 0, len(names) - 1)
@@ -122,17 +122,12 @@ class Scene:
         Agents that disappeared in a collision are included. A contact of adversaries without fault
         is not: it is the aim of the game.
         """
-        at_fault: set[Cell] = set()
-        involved: set[Cell] = set()
-        if self.fault is None:
-            return at_fault, involved
-        for agent, (row, col) in enumerate(self.positions.tolist()):
-            if row < 0:
-                continue
-            if self.fault[agent].any():
-                at_fault.add((row, col))
-            elif self.involved is not None and self.involved[agent, :2].any():  # no adversaries
-                involved.add((row, col))
+        if self.fault is None or self.involved is None:
+            return set(), set()
+        at_fault, involved = (
+            {(row, col) for row, col in self.positions[marked.any(axis=1)].tolist() if row >= 0}
+            for marked in (self.fault, self.involved[:, :2])  # no adversaries
+        )
         return at_fault, involved - at_fault
 
 
@@ -157,17 +152,10 @@ def rgb(
     fov : int, optional
         Side of the fields of view, odd. The default is 11.
     viewers : sequence of int or str, optional
-        The agents whose fields of view are outlined while they are alive, by number or by name
-        (``pursuer_0`` and so on, ``evader_0`` and so on).
+        The agents whose fields of view are outlined while they are alive, by number or by name.
     numbers : bool, optional
         Whether agents carry their numbers in their teams: 3 for ``pursuer_3`` and ``evader_3``.
         Cells then have at least 20 pixels. The default is False.
-
-    Raises
-    ------
-    ValueError
-        If `cell` is below 1 (20 with numbers) or gives too large a picture, `fov` is even, or a
-        viewer is unknown.
     """
     checks.check_instance("scene", scene, Scene)
     fov = checks.check_integer("fov", fov, 1)
@@ -430,11 +418,6 @@ def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
     compact : bool, optional
         Whether to draw half blocks: two rows of cells per line and one character per column. Only
         colors tell the teams apart then, so it needs colors.
-
-    Raises
-    ------
-    ValueError
-        If `color` is unknown, or `compact` is combined with "none".
     """
     checks.check_instance("scene", scene, Scene)
     checks.check_choice("color", color, MODES)

@@ -78,11 +78,6 @@ class Rules:
     captured_disappear : bool, optional
         Whether a surrounded evader is removed. Occupation does not read it.
 
-    Raises
-    ------
-    TypeError
-        If a field has another type.
-
     Notes
     -----
     Every combination is legal. Under occupation an evader can be captured only if its outcome is
@@ -175,17 +170,6 @@ class Rewards:
         of the game. With ``Blame.INVOLVED`` you may want ``pursuer_collide=(-12, -12, 0)``.
     capture_repeats : bool, optional
         Whether a capture is paid in every step that it lasts.
-
-    Raises
-    ------
-    ValueError
-        If a number is not finite as a float32, or a penalty has neither 1 nor 3 numbers.
-    TypeError
-        If a value has another type.
-
-    See Also
-    --------
-    Rewards.published : The rewards of the code that the paper's authors published.
 
     Notes
     -----

@@ -10,16 +10,7 @@ from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, shown
-from matrixworld.world.arrays import (
-    CHANNEL,
-    WORLD_FIELDS,
-    WorldArrays,
-    array_specs,
-    check_written,
-    integers,
-    positions_of,
-    python_value,
-)
+from matrixworld.world import arrays
 from matrixworld.world.config import MapLike, WorldConfig, WorldSettings, read_map
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.world.policy import EnginePolicy, check_agents, check_team
@@ -27,7 +18,45 @@ from matrixworld.world.render import Scene
 from matrixworld.world.rules import Rules
 
 
-class World(WorldArrays):
+class Turns:
+    """The turns of a round, in one world or in many that are in the same turn."""
+
+    _core: Any
+
+    @property
+    def n_turns(self) -> int:
+        """Turns in a round: 1 where all agents move at once, 2 for teams, A for single agents."""
+        return int(self._core.n_turns())
+
+    @property
+    def turn(self) -> int:
+        """Number of the next turn in the round, from 0."""
+        return int(self._core.turn())
+
+    @property
+    def actors(self) -> range:
+        """Indices of the agents that act in the next turn, including agents that are gone."""
+        return range(*self._core.actors())
+
+
+def start_of(
+    config: WorldConfig,
+    pursuers: ArrayLike | None,
+    evaders: ArrayLike | None,
+    obstacles: MapLike | None,
+    n_worlds: int | None = None,
+) -> dict[str, Any]:
+    """Return start cells and a map as the engine takes them."""
+    own_map = None if obstacles is None else read_map(obstacles)
+    config.check_map(own_map)
+    return {
+        "pursuers": arrays.positions_of("pursuers", pursuers, config.n_pursuers, n_worlds),
+        "evaders": arrays.positions_of("evaders", evaders, config.n_evaders, n_worlds),
+        "map": None if own_map is None else own_map.astype(np.uint8),
+    }
+
+
+class World(Turns, arrays.WorldArrays):
     """One world of pursuers and evaders on a grid.
 
     A new world is in its first episode of seed 0. `step` plays one round; `reset` starts another
@@ -54,11 +83,6 @@ class World(WorldArrays):
     positions, alive, rewards, terminated, ...
         All that `matrixworld.array_specs` lists: the present moment, and results of the last step.
         What has the shape () is a number of Python. `views` and `state` are methods.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `WorldConfig` does.
 
     Notes
     -----
@@ -102,7 +126,7 @@ class World(WorldArrays):
 
     def _begin(self, config: WorldConfig, keeps_conflicts: bool = False) -> None:
         self.config, self.keeps_conflicts = config, keeps_conflicts
-        self._specs = array_specs(config)
+        self._specs = arrays.array_specs(config)
         self._core = _core.World(config.setup)
         self._explained = False
 
@@ -120,8 +144,7 @@ class World(WorldArrays):
         Parameters
         ----------
         seed : int, optional
-            Seed of the episode, 0 to 2**64 - 1. Without it the next episode of the present seed
-            starts.
+            0 to 2**64 - 1. Without it the next episode of the present seed starts.
         episode : int, optional
             Number of the episode of `seed`, 0 to 2**64 - 1. Needs a seed. The default is 0.
         pursuers, evaders : array_like of int, shape (n, 2), optional
@@ -145,31 +168,15 @@ class World(WorldArrays):
                 check_integer("seed", seed, 0, SEED_MAX),
                 check_integer("episode", episode, 0, SEED_MAX),
             )
-        own_map = None if obstacles is None else read_map(obstacles)
-        self.config.check_map(own_map)
-        self._core.reset(
-            *key,
-            pursuers=positions_of("pursuers", pursuers, self.config.n_pursuers),
-            evaders=positions_of("evaders", evaders, self.config.n_evaders),
-            map=None if own_map is None else own_map.astype(np.uint8),
-        )
+        self._core.reset(*key, **start_of(self.config, pursuers, evaders, obstacles))
         self._explained = False
 
     def step(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
         """Play one round and return the rewards, float32 of shape (A,).
 
-        Parameters
-        ----------
-        actions : array_like of int, shape (A,)
-            The actions, see `Action`. Those of agents that are gone are ignored. Where the rules
-            take turns, all actions are chosen before the first turn.
-        explain : bool, optional
-            Whether to keep the list of `conflicts`. The default is False.
-
-        Raises
-        ------
-        RuntimeError, ValueError, TypeError
-            If the episode has ended, or a round is being played turn by turn; for other actions.
+        `actions` (A,) are numbers of `Action`; those of agents that are gone are ignored. Where the
+        rules take turns, all are chosen before the first turn. `explain` keeps the list of
+        `conflicts`. RuntimeError if the episode has ended, or a round is being played by turns.
         """
         self._require_open()
         if self.turn:
@@ -177,7 +184,7 @@ class World(WorldArrays):
                 f"turn {self.turn} of {self.n_turns} is next: finish the round by play_turn()"
             )
         keeps_list = check_bool("explain", explain) or self.keeps_conflicts
-        self._core.step(integers("actions", actions), keeps_list)
+        self._core.step(arrays.integers("actions", actions), keeps_list)
         self._explained = keeps_list
         return self.rewards
 
@@ -185,49 +192,32 @@ class World(WorldArrays):
         """Play the next turn of a round and return the rewards of the round so far.
 
         Only the actions of the living `actors` are read; otherwise the arguments are those of
-        `step`, with `explain` in every turn of the round. The round is over after its last turn;
-        then `steps` grows. Captors, involvement, fault and rewards accumulate over a round. If the
-        world terminates in the middle of a round, the remaining turns have to be played as well,
-        but nothing happens in them.
+        `step`, with `explain` in every turn. Captors, involvement, fault and rewards accumulate
+        over a round, and `steps` grows after its last turn. If the world terminates before, the
+        remaining turns have to be played as well, but nothing happens in them.
         """
         if not self.turn:
             self._require_open()
         # A list that misses the first turns of a round would be incomplete, so it is not kept.
         wanted = check_bool("explain", explain) or self.keeps_conflicts
         keeps_list = wanted and (self._explained or not self.turn)
-        self._core.play_turn(integers("actions", actions), keeps_list)
+        self._core.play_turn(arrays.integers("actions", actions), keeps_list)
         self._explained = keeps_list
         return self.rewards
 
     def decide(self, policy: EnginePolicy, agents: range, actions: NDArray[np.int64]) -> None:
         """Write the actions that a policy chooses at this moment for agents of one team.
 
-        The policy, a population of one genome or the name of a script, uses the random numbers that
-        it has in a rollout for the same seed, episode, step and agent. The world stays as it is.
-        Entries of `actions`, int64 of shape (A,), of gone agents and of agents that are not in
-        `agents` stay as they are; in an ended episode all do.
+        The policy uses the random numbers that it has in a rollout for the same seed, episode, step
+        and agent. The world stays as it is, and so do entries of `actions`, int64 (A,), of gone
+        agents and of agents that are not in `agents`; in an ended episode all do.
         """
-        check_written("actions", actions)
+        arrays.check_written("actions", actions)
         self._core.decide(check_team("policy", policy), *check_agents(agents), actions)
 
     def _require_open(self) -> None:
         if self.terminated or self.truncated:
             raise RuntimeError("the episode has ended: call reset() before the next step")
-
-    @property
-    def n_turns(self) -> int:
-        """Turns in a round: 1 where all agents move at once, 2 for teams, A for single agents."""
-        return self._core.n_turns()
-
-    @property
-    def turn(self) -> int:
-        """Number of the next turn in the round, from 0."""
-        return self._core.turn()
-
-    @property
-    def actors(self) -> range:
-        """Indices of the agents that act in the next turn, including agents that are gone."""
-        return range(*self._core.actors())
 
     @property
     def conflicts(self) -> list[Conflict]:
@@ -246,39 +236,35 @@ class World(WorldArrays):
         return np.array(rows, np.int32).reshape(-1, len(CONFLICT_COLUMNS))
 
     def read(self, *names: str) -> dict[str, NDArray[Any]]:
-        """Return several arrays of `array_specs` with one call of the engine, each a fresh copy.
-
-        Raises ValueError if a name is unknown.
-        """
+        """Return several arrays of `array_specs` with one call of the engine, each a fresh copy."""
         unknown = set(names) - set(self._specs)
         if unknown:
             raise ValueError(f"read: expected some of {list(self._specs)}, got {sorted(unknown)}")
-        arrays = {name: np.empty(*self._specs[name]) for name in names}
-        self._core.write(arrays)
-        return arrays
+        found = {name: np.empty(*self._specs[name]) for name in names}
+        self._core.write(found)
+        return found
 
     if not TYPE_CHECKING:  # or a misspelled attribute would pass the type checker
 
         def __getattr__(self, name: str) -> Any:
             """Return an array of `array_specs`, or its number if it has no axes."""
-            if name not in WORLD_FIELDS:
+            if name not in arrays.WORLD_FIELDS:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-            return python_value(self.read(name)[name])
+            return arrays.python_value(self.read(name)[name])
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *WORLD_FIELDS]
+        return [*super().__dir__(), *arrays.WORLD_FIELDS]
 
     @property
     def map(self) -> NDArray[np.bool_]:
         """Obstacles of this episode, bool of shape (rows, cols)."""
-        return np.asarray(self.state()[CHANNEL["obstacle"]], np.bool_)
+        return np.asarray(self.state()[arrays.CHANNEL["obstacle"]], np.bool_)
 
     def views(self) -> NDArray[np.uint8]:
         """Return what each agent sees, uint8 of shape (A, 3, fov, fov).
 
-        0 or 1, in the channels evaders, pursuers and obstacles, centred on the agent. Cells outside
-        the grid are obstacles. The agent itself is not drawn; a teammate on its cell is. An agent
-        that is gone sees zeros.
+        0 or 1, in the channels evaders, pursuers and obstacles (also outside the grid), centred on
+        the agent, which is not drawn; a teammate on its cell is. An agent that is gone sees zeros.
         """
         return self.read("views")["views"]
 
@@ -287,10 +273,7 @@ class World(WorldArrays):
         return self.read("state")["state"]
 
     def scene(self, title: str = "") -> Scene:
-        """Return this moment for `matrixworld.render`; a notebook shows it as a picture.
-
-        Collisions of the last step are marked. `title` is a line of text above the drawing.
-        """
+        """Return this moment, and a line of text above it, for `matrixworld.render`."""
         return Scene(
             positions=self.last_positions,
             alive=self.alive,
@@ -331,11 +314,9 @@ class World(WorldArrays):
         """Return a world that continues from a snapshot of the engine."""
         world = cls.__new__(cls)
         world._begin(config, keeps_conflicts)
-        # The engine's world starts anew with the same settings and is then set to the moment.
         try:
             world._core.restore(moment)
         except (OverflowError, RuntimeError, TypeError) as error:  # other values than its own
-            raise TypeError(
-                f"moment: expected that of a copied world, got {shown(moment)}"
-            ) from error
+            got = shown(moment)
+            raise TypeError(f"moment: expected that of a copied world, got {got}") from error
         return world
