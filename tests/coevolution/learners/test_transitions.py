@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution.learners.transitions import Experience, experience
+from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
