@@ -247,6 +247,7 @@ DIVERGING: dict[str, tuple[Any, str]] = {
     "one team": (tiny_single(**ES), "learning_rate"),
     "noise": (tiny_race(learner="es", sigma=1e300), "sigma"),
     "ga": (tiny_race(learner="ga", mutation=2e38), "mutation"),
+    "cma": (tiny_race(learner="cma", sigma=1e300), "sigma"),
     "actor": (tiny_race(learner="actor-critic", population=2, actor_rate=1e30), "actor_rate"),
     "critic": (tiny_race(learner="actor-critic", population=2, critic_rate=1e30), "critic_rate"),
 }

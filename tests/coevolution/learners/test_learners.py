@@ -18,7 +18,6 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     select_truncation,
 )
 from matrixworld.coevolution.learners.learner import (
-    DivergedError,
     adam,
     adam_state,
     draw_windows,
@@ -270,10 +269,3 @@ def test_elites_are_kept_and_an_operator_may_return_a_new_array():
     elite = first[np.argsort(-fitness)[:3]]
     assert np.array_equal(learner.genome(state), elite[0])
     assert np.array_equal(learner.ask(state, generator(1))[0], [*elite, *np.zeros((5, SIZE))])
-
-
-@pytest.mark.parametrize(("sigma", "advice"), [(1e-170, "larger"), (1e300, "smaller")])
-def test_cma_names_the_direction_of_a_better_sigma(sigma: float, advice: str) -> None:
-    learner = CmaEs(sigma=sigma, population=8)
-    with pytest.raises(DivergedError, match=f"{advice} sigma"):
-        teach(learner, begun(learner, genes=5), 300, score=lambda candidates: np.arange(8.0))
