@@ -12,6 +12,7 @@ from click.testing import CliRunner
 
 import matrixworld
 from matrixworld.cli import evolve
+from matrixworld.coevolution import jobs
 
 ROOT = str(Path(matrixworld.__file__).parent)
 MOST_FUNCTIONS, MOST_FILES = 30, 10
@@ -61,7 +62,7 @@ def test_a_value_passes_few_functions(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(evolve, "create_job", made := MadeJob(evolve.create_job))
+    monkeypatch.setattr(jobs, "create_job", made := MadeJob(jobs.create_job))
     seen: set[tuple[str, str, int]] = set()
 
     def follow(frame: Any, event: str, argument: Any) -> None:
