@@ -21,8 +21,8 @@ from command_line import (
     words,
 )
 from matrixworld._util.files import locked
-from matrixworld.cli.evolve import _default_directory, _new_job, _shown, evolve_command
-from matrixworld.cli.options import given_options
+from matrixworld.cli import options as cli_options
+from matrixworld.cli.evolve import default_directory, evolve_command, job_of, shown
 from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import (
     TEAMS,
@@ -78,7 +78,7 @@ def test_options_become_settings():
     more |= {"hidden": "5,4", "obstacles": "0.1", "schedule": "generalist-specialist"}
     typed = [*words({**RACE, **more}), "--variant", "sb"]
     with evolve_command.make_context("evolve", typed) as context:
-        assert settings_of(given_options(context.params)) == [
+        assert settings_of(cli_options.given(context.params)) == [
             tiny_race(
                 schedule="generalist-specialist", anneal=True, diagonal=True, activation="tanh",
                 rules="SB", sigma=0.2, hidden=(5, 4), obstacles=0.1,
@@ -146,7 +146,7 @@ def test_a_map_file_and_no_hidden_layer():
     ],
 )
 def test_the_default_directory_is_named_after_variant_and_seeds(options, name):
-    assert _default_directory(_new_job(options)) == Path("runs") / name
+    assert default_directory(job_of(options)) == Path("runs") / name
 
 
 # evolve
@@ -184,7 +184,7 @@ def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
 
 
 def test_the_runs_of_a_job_are_in_the_order_of_their_schedules():
-    job = _new_job({"schedule": ("hall-of-fame", "all"), "seeds": (10, 2)})
+    job = job_of({"schedule": ("hall-of-fame", "all"), "seeds": (10, 2)})
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
     assert [*job] == [f"{name}/seed-{seed}" for name in schedules for seed in (10, 2)]
 
@@ -233,7 +233,7 @@ def test_a_locked_run_gives_an_error_of_one_line(copy):
 
 
 def test_the_page_of_many_runs_grows_with_the_first_seeds() -> None:
-    names = _shown(_new_job({"seeds": range(10)}))
+    names = shown(job_of({"seeds": range(10)}))
     assert len(names) == 12
     assert {name.rpartition("/")[2] for name in names} == {f"seed-{n}" for n in range(4)}
 

@@ -12,7 +12,7 @@ from matrixworld._util.files import read_json
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs
 from matrixworld.analysis.judgement import summary
-from matrixworld.cli.judge import print_strip
+from matrixworld.cli.evaluate import print_strip
 from matrixworld.coevolution import evolve
 from matrixworld.coevolution.groups import open_groups
 from tiny_race import tiny_race

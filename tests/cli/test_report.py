@@ -10,9 +10,8 @@ from scipy import stats
 from command_line import matrixworld_command, run_together
 from matrixworld._util.files import read_json
 from matrixworld.analysis.judgement import summary
-from matrixworld.cli.console import progress
 from matrixworld.cli.evolve import Whole, report
-from matrixworld.coevolution import Progress, SavedRun, finish, open_run, score
+from matrixworld.coevolution import Progress, ProgressBar, SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import create_job, job_of
 from matrixworld.coevolution.types import TEAMS
@@ -66,7 +65,7 @@ def results(root: Path) -> list[SavedRun]:
 
 
 def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, undrawn):
-    report(Whole(JOB, job, progress()), results(job), {}, threads=1)
+    report(Whole(JOB, job, ProgressBar()), results(job), {}, threads=1)
     said = capsys.readouterr().out
     assert max(map(len, said.splitlines())) <= 80
     assert len(said.splitlines()) <= 24  # seen at once
@@ -95,7 +94,7 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, u
 def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     failed = job / FIRST / "seed-1"
     asked = {name: each for name, each in JOB.items() if FIRST in name}
-    whole = Whole(asked, job, progress())
+    whole = Whole(asked, job, ProgressBar())
     report(whole, results(job)[:1], {failed: "payoff.npz: cut or altered"}, 1)
     said = capsys.readouterr().out
     assert "Not finished: seeds 1, 2, 3." in said
@@ -103,7 +102,7 @@ def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     kept = read_json(job / "summary.json")["failed"]
     assert kept == {f"{FIRST}/seed-1": "payoff.npz: cut or altered"}
     Path("none").mkdir()
-    report(Whole(asked, Path("none"), progress()), [], {})
+    report(Whole(asked, Path("none"), ProgressBar()), [], {})
     assert f"{FIRST}\n  0 of 4 seeds finished" in capsys.readouterr().out
 
 

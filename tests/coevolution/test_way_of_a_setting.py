@@ -18,6 +18,10 @@ ROOT = str(Path(matrixworld.__file__).parent)
 MOST_FUNCTIONS, MOST_FILES = 30, 10
 
 
+class Enough(Exception):  # noqa: N818, it is no error
+    """The runs have been made."""
+
+
 def values_in(given: Any) -> Iterator[Any]:
     """Yield a value, and all values in a container or section."""
     yield given
@@ -32,51 +36,64 @@ def values_in(given: Any) -> Iterator[Any]:
         yield from values_in(part)
 
 
-def passed(frame: Any, value: float) -> bool:
-    """Return whether a function that is called receives a value, itself or in an argument."""
-    code = frame.f_code
+def passed(code: Any, arguments: dict[str, Any], value: float) -> bool:
+    """Return whether a function receives a value; a section does not receive what it holds."""
     count = code.co_argcount + code.co_kwonlyargcount
     count += bool(code.co_flags & 4) + bool(code.co_flags & 8)  # *args, **kwargs
     names = [name for name in code.co_varnames[:count] if name != "self"]
-    each = [part for name in names for part in values_in(frame.f_locals.get(name))]
-    return any(type(one) in (type(value), str) and one in (value, str(value)) for one in each)
+    return any(
+        type(each) in (type(value), str) and each in (value, str(value))
+        for name in names
+        for each in values_in(arguments.get(name))
+    )
 
 
 @pytest.mark.parametrize(
-    ("options", "section", "name", "value"),
+    ("options", "path", "value"),
     [
-        (["--set", "learner.sigma=0.123"], "learner", "sigma", 0.123),
-        (["--generations", "173"], "schedule", "generations", 173),
+        (["--set", "learner.sigma=0.123"], ("learner", "sigma"), 0.123),
+        (["--generations", "173"], ("schedule", "generations"), 173),
     ],
 )
 def test_a_value_passes_few_functions(
     options: list[str],
-    section: str,
-    name: str,
+    path: tuple[str, str],
     value: float,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    create_job, seen = jobs.create_job, set()
-
-    def make_and_end(*given: Any) -> None:
-        create_job(*given)
-        raise KeyboardInterrupt
+    monkeypatch.setattr(jobs, "create_job", made := MadeJob(jobs.create_job))
+    seen: set[tuple[str, str, int]] = set()
 
     def follow(frame: Any, event: str, argument: Any) -> None:
         code = frame.f_code
-        if event == "call" and code.co_filename.startswith(ROOT) and passed(frame, value):
-            seen.add((code.co_filename, code.co_name, code.co_firstlineno))
+        own = event == "call" and code.co_filename.startswith(ROOT)
+        if own and passed(code, frame.f_locals, value):
+            seen.add((code.co_filename.removeprefix(ROOT), code.co_name, code.co_firstlineno))
 
-    monkeypatch.setattr(jobs, "create_job", make_and_end)
-    words = ["--out", str(tmp_path / "job"), "--schedule", "specialist-specialist", *options]
+    words = ["--out", str(tmp_path / "job"), "--schedule", "specialist-specialist"]
     before = sys.getprofile()
     sys.setprofile(follow)
     try:
-        CliRunner().invoke(evolve.evolve_command, words)
+        result = CliRunner().invoke(evolve.evolve_command, [*words, *options])
     finally:
         sys.setprofile(before)
+    assert isinstance(result.exception, Enough), result.output
+    assert made.calls == 1
     [config] = (tmp_path / "job").glob("*/*/config.json")
-    assert json.loads(config.read_text())["settings"][section][name] == value
+    assert json.loads(config.read_text())["settings"][path[0]][path[1]] == value
+    files = {file for file, *_ in seen}
     assert len(seen) <= MOST_FUNCTIONS, sorted(seen)
-    assert len({file for file, *_ in seen}) <= MOST_FILES, sorted(seen)
+    assert len(files) <= MOST_FILES, sorted(files)
+
+
+class MadeJob:
+    """Makes a job, and ends the command."""
+
+    def __init__(self, create_job: Any) -> None:
+        self.create_job, self.calls = create_job, 0
+
+    def __call__(self, *args: Any) -> None:
+        self.create_job(*args)
+        self.calls += 1
+        raise Enough

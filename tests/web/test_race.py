@@ -14,7 +14,7 @@ from command_line import matrixworld_command
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import judge
 from matrixworld.analysis.strength import late_forgetting
-from matrixworld.cli.runs import unpacked
+from matrixworld.cli.options import unpacked
 from matrixworld.coevolution import RaceSettings, evolve, open_run, seeding
 from matrixworld.coevolution import run as run_module
 from matrixworld.coevolution.evaluation.tournament import tournament

@@ -14,12 +14,12 @@ from class_tournament.results import class_json, class_page
 from class_tournament.round_robin import play_class
 from matrixworld._util.files import one_line
 from matrixworld.cli import Commands
-from matrixworld.cli import options as shared
-from matrixworld.cli.console import TERMS, note, progress, say
+from matrixworld.cli import options as cli_options
+from matrixworld.cli.console import TERMS, note, say
 from matrixworld.cli.pages import open_page
-from matrixworld.cli.runs import run_in
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import open_run
+from matrixworld.coevolution import ProgressBar, open_run
+from matrixworld.coevolution.settings import MOST_SEED
 from matrixworld.explorer.page import write_page
 from matrixworld.play import save_genome
 from matrixworld.world.config import WorldConfig
@@ -48,7 +48,7 @@ def limit_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Give a command an option for each of the limits."""
     for limit in reversed(fields(Limits)):
         command = click.option(
-            shared.option_name(limit.name),
+            cli_options.option_name(limit.name),
             type=type(limit.default),
             default=limit.default,
             show_default=True,
@@ -70,21 +70,22 @@ def main() -> None:
 
 
 @main.command("play")
-@click.argument("directory", metavar="DIR", type=shared.Existing(file_okay=False))
-@shared.integer(
+@click.argument(
+    "directory", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
+)
+@cli_options.integer(
     "--episodes", "episodes of each pair; all pairs play the same starts", least=2, default=10
 )
-@click.option(
+@cli_options.integer(
     "--seed",
-    type=int,
-    callback=shared.checked_seed,
-    metavar="INTEGER",
-    help="repeat the tournament that printed this seed  [default: one that nobody can know before]",
+    "repeat the tournament that printed this seed  [default: one that nobody can know before]",
+    least=0,
+    most=MOST_SEED,
 )
-@shared.out_option("the page  [default: DIR.html, beside DIR]")
-@shared.options("open", "json", "force", "threads", "variant", "obstacles", "fov", "diagonal")
-@shared.options("rows", "cols", "n_pursuers", "n_evaders")
-@shared.integer("--steps", "most steps of an episode  [default: 100]")
+@cli_options.out("the page  [default: DIR.html, beside DIR]")
+@cli_options.shared("open", "json", "force", "threads", "variant", "obstacles", "fov", "diagonal")
+@cli_options.shared("rows", "cols", "n_pursuers", "n_evaders")
+@cli_options.integer("--steps", "most steps of an episode  [default: 100]")
 @limit_options
 @click.option(
     "--trust",
@@ -113,13 +114,13 @@ def play_command(
     """
     page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
     # The page is the only record of a tournament whose files may have changed.
-    shared.check_outputs(page, json_file, force=force, redraws=False)
+    cli_options.check_outputs(page, json_file, force=force, redraws=False)
     given = {name: options.pop(name) for name in ("episodes", "seed", "trust", "threads")}
     config, limits = _checked(options)
     if given["trust"]:
         note("Programs run with the rights of your own (--trust).")
     try:
-        with progress() as bar:
+        with ProgressBar() as bar:
             result = play_class(directory, config, limits=limits, report=bar, **given)
     except ValueError as error:
         raise click.ClickException(str(error)) from error
@@ -128,7 +129,7 @@ def play_command(
     say(f"--seed {result.seed} plays this tournament again.")
     write_page(page, class_page(result, title=one_line(directory.absolute().name)))
     say(f"\nWritten: {page}")
-    shared.write_json(json_file, class_json(result))
+    cli_options.write_json(json_file, class_json(result))
     open_page(page, opens)
 
 
@@ -146,7 +147,7 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
 
 @main.command("export")
 @click.argument("run")
-@shared.options("race")
+@cli_options.shared("race")
 @click.option(
     "--team", type=click.Choice(TEAMS), required=True, metavar="TEAM", help="pursuer or evader"
 )
@@ -157,8 +158,8 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
     metavar="INTEGER",
     help="the generation; negative numbers count from the end  [default: the last one]",
 )
-@shared.out_option("the file; its name ends in .npz", required=True)
-@shared.options("force")
+@cli_options.out("the file; its name ends in .npz", required=True)
+@cli_options.shared("force")
 def export_command(
     run: str, race: str | None, team: Team, generation: int, out: Path, force: bool
 ) -> None:
@@ -169,8 +170,8 @@ def export_command(
     """
     if out.suffix.lower() != SUFFIX:
         raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {out}")
-    shared.check_outputs(out, force=force)
+    cli_options.check_outputs(out, force=force)
     with usage_errors():
-        policy = open_run(run_in(run, race=race)).policy(team, generation)
+        policy = open_run(cli_options.run_in(run, race)).policy(team, generation)
     save_genome(out, team, policy)
     say(out)

@@ -21,7 +21,7 @@ __all__ = ["main"]
 COMMANDS = {
     "evolve": ("evolve", "Start races, or continue them."),
     "explore": ("pages", "Show runs as a page or as figures."),
-    "judge": ("judge", "Say what happened in races."),
+    "judge": ("evaluate", "Say what happened in races."),
     "playground": ("pages", "Play an agent or conflicts on a page."),
     "replay": ("replay", "Watch an episode, or write it to files."),
     "score": ("evaluate", "Play against held-out opponents."),
@@ -51,8 +51,7 @@ class Commands(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command."""
         from matrixworld._util.files import printable, sentence_of
-        from matrixworld.cli.console import INTERRUPTED, note
-        from matrixworld.cli.options import FAILURES
+        from matrixworld.cli import console, options
 
         try:
             return super().invoke(ctx)
@@ -65,11 +64,11 @@ class Commands(click.Group):
         except MemoryError as error:
             problem = "this machine has too little memory for these sizes"
             raise click.ClickException(problem) from error
-        except FAILURES as error:
+        except options.FAILURES as error:
             raise click.ClickException(printable(sentence_of(error))) from error
         except KeyboardInterrupt:
-            note("\nStopped. No file is half written.")
-            raise click.exceptions.Exit(INTERRUPTED) from None
+            console.note("\nStopped. No file is half written.")
+            raise click.exceptions.Exit(console.INTERRUPTED) from None
 
     def main(self, *args: Any, **options: Any) -> Any:
         """Run the command, and fail if standard output cannot take all that was printed."""

@@ -38,66 +38,39 @@ def on_cluster(where: str | None, threads: int | None = None) -> Iterator[Execut
         raise click.UsageError("--threads: expected it without --cluster, got both")
     dask = imported("distributed", "cluster")
     with ExitStack() as stack:
+        address: Any = where if "://" in where else None
         if where == AUTO:
             with without_interrupts():
-                address: Any = stack.enter_context(dask.LocalCluster(**_local()))
-        else:
-            address = where if "://" in where else _address_in(Path(where))
+                local = dask.LocalCluster(
+                    n_workers=usable_cores(),
+                    threads_per_worker=1,
+                    host="127.0.0.1",
+                    dashboard_address="127.0.0.1:0",
+                    worker_dashboard_address="127.0.0.1:0",
+                    # Dask would end workers at its own limit. Memory is estimated before a run.
+                    memory_limit=0,
+                    silence_logs="CRITICAL",
+                )
+                address = stack.enter_context(local)
+        elif address is None:
+            file = Path(where)
+            address = read_json(file).get("address")
+            if not isinstance(address, str):
+                problem = "expected a scheduler file of Dask, got no address in it"
+                raise DamagedFileError(file, problem)
         client = stack.enter_context(
             dask.Client(address, timeout=CONNECT_SECONDS, set_as_default=False)
         )
         client.wait_for_workers(1, timeout=FIRST_WORKER_SECONDS)
-        _check_versions(client)
+        for worker, found in client.run(versions, on_error="return").items():
+            if found != versions():  # which would give other results
+                raise click.ClickException(
+                    f"--cluster: expected workers with the versions {versions()} of matrixworld "
+                    f"and NumPy, got {found!r} of {worker}"
+                )
         yield stack.enter_context(client.get_executor(pure=False))
 
 
 def versions() -> tuple[str, str]:
     """Return what results depend on, besides settings and seeds."""
     return __version__, np.__version__
-
-
-def _check_versions(client: Any) -> None:
-    """Refuse workers with other versions, which would give other results."""
-    for address, found in client.run(versions, on_error="return").items():
-        if found != versions():
-            raise click.ClickException(
-                f"--cluster: expected workers with the versions {versions()} of matrixworld and "
-                f"NumPy, got {found!r} of {address}"
-            )
-
-
-def _local() -> dict[str, Any]:
-    return {
-        "n_workers": usable_cores(),
-        "threads_per_worker": 1,
-        "host": "127.0.0.1",
-        "dashboard_address": "127.0.0.1:0",
-        "worker_dashboard_address": "127.0.0.1:0",
-        # Dask would end workers at its own limit. The package estimates memory before a run.
-        "memory_limit": 0,
-        "silence_logs": "CRITICAL",
-    }
-
-
-def _address_in(file: Path) -> str:
-    address = read_json(file).get("address")
-    if not isinstance(address, str):
-        raise DamagedFileError(file, "expected a scheduler file of Dask, got no address in it")
-    return address
-
-
-def _where(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
-    if value not in (None, AUTO) and "://" not in value and not Path(value).is_file():
-        expected = f"{AUTO}, an address such as tcp://HOST:8786 or a scheduler file"
-        got = repr(value) if Path(value).exists() else f"{value}: no such file or directory"
-        raise click.BadParameter(f"expected {expected}, got {got}")
-    return value
-
-
-cluster_option = click.option(
-    "--cluster",
-    "where",
-    metavar="auto|ADDRESS|FILE",
-    callback=_where,
-    help="play on a Dask cluster: auto (this machine), tcp://HOST:8786, or a scheduler file",
-)

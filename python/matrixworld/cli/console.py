@@ -1,4 +1,4 @@
-"""What commands print: text, tables, notes, warnings, progress; and the command to type next."""
+"""What commands print: text, tables, notes and warnings; and the command to type next."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tqdm import tqdm
 
 from matrixworld._util.files import printable
 from matrixworld._util.readable import table_lines
-from matrixworld.coevolution.progress import ProgressBar
+from matrixworld.coevolution.groups import RunGroup
 
 INTERRUPTED = 130
 """Exit code of a program that Ctrl-C has ended: 128 + SIGINT, as shells report it."""
@@ -24,11 +24,6 @@ WIDEST = 80
 """Columns of printed text, also in a wider terminal."""
 TO_STDOUT = "matrixworld.json"
 """Key in the context of a command whose numbers take standard output, and its text the other."""
-
-
-def progress() -> ProgressBar:
-    """Return what shows progress on standard error: a bar in a terminal, else lines."""
-    return ProgressBar(sys.stderr)
 
 
 def say(text: object = "", *, bold: bool = False) -> None:
@@ -77,3 +72,14 @@ def command(name: str, *words: Path | str) -> str:
     """Return a command as a user can type it: paths are quoted, other words stay as they are."""
     quoted = [shlex.quote(str(word)) if isinstance(word, Path) else word for word in words]
     return " ".join(["matrixworld", name, *quoted])
+
+
+def print_missing(group: RunGroup) -> None:
+    """Name the seeds of a group that are not finished, if there are any."""
+    if group.missing:
+        print_wrapped(f"Not finished: seeds {', '.join(map(str, group.missing))}.")
+
+
+def seeds_finished(group: RunGroup) -> str:
+    """Return how many seeds of a group are finished, such as "9 of 10 seeds finished"."""
+    return f"{len(group.runs)} of {len(group.runs) + len(group.missing)} seeds finished"

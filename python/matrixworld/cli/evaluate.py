@@ -1,4 +1,4 @@
-"""``matrixworld score`` and ``tournament``: finished runs play more matches."""
+"""``matrixworld judge``, ``score`` and ``tournament``: what finished runs are worth."""
 
 from __future__ import annotations
 
@@ -9,34 +9,160 @@ from typing import Any
 
 import click
 
+from matrixworld import analysis
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis import headline, judge
+from matrixworld.analysis import judgement as judgements
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
 from matrixworld.analysis.runs import fewest_runs
+from matrixworld.cli import options
 from matrixworld.cli.cluster import on_cluster
-from matrixworld.cli.console import TERMS, print_head, print_wrapped, progress, say
-from matrixworld.cli.judge import print_judgement
-from matrixworld.cli.options import check_outputs, options, out_option, write_json
-from matrixworld.cli.runs import (
-    dashed_name,
-    finished_groups,
+from matrixworld.cli.console import (
+    TERMS,
+    WIDEST,
+    print_head,
     print_missing,
-    run_in,
-    runs_argument,
+    print_table,
+    print_wrapped,
+    say,
     seeds_finished,
 )
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import Progress, SavedRun, open_run, tournament
-from matrixworld.coevolution.evaluation.scores import (
-    HELD_OUT_VERSION,
-    HeldOutScores,
-    estimates_of,
-    score_runs,
-    score_table,
-)
+from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament
+from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.tournament import team_size
-from matrixworld.coevolution.groups import RunGroup
+from matrixworld.coevolution.groups import RunGroup, job_directory
 from matrixworld.coevolution.storage import find_runs
+
+# Judgements:
+
+SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
+SIGNS = {judgements.PRESENT: "+", judgements.ABSENT: "-", judgements.CANNOT_TELL: "?"}
+NOT_FINISHED = "."
+STRIP_LEGEND = (
+    f"{', '.join(f'{sign} {verdict}' for verdict, sign in SIGNS.items())}, {NOT_FINISHED} not "
+    "finished. In brackets: number of seeds with each verdict."
+)
+
+
+@click.command("judge")
+@options.runs(".csv", ".npz")
+@click.option("--all", "everything", is_flag=True, help="all measures, after the judgement")
+@click.option("--each", is_flag=True, help="judge each run and each file by itself")
+@click.option("--explain", "explained", is_flag=True, help="the reasons in sentences, too")
+@options.integer("--episodes", "episodes behind each cell of a file that holds means only")
+@options.shared("json", "force")
+def judge_command(
+    sources: list[Path],
+    everything: bool,
+    each: bool,
+    explained: bool,
+    episodes: int | None,
+    json_file: Path | None,
+    force: bool,
+) -> None:
+    """Say what happened in races.
+
+    Each condition, such as an arms race or cycling, is present or absent, or the intervals cannot
+    tell. RUN is the directory of a job or of a run. Runs that differ in their seed only are judged
+    together, with the verdict on each seed.
+
+    FILE is a payoff matrix of your own, .csv or .npz: pursuers in rows, evaders in columns, capture
+    rates from 0 to 1; or one line for each pair, run and episode. Several files are judged
+    together, as runs of one race.
+    """
+    options.check_outputs(json_file, force=force)
+    files = [path for path in sources if path.is_file()]
+    runs = [path for path in sources if path not in files]
+    if episodes is not None and not files:
+        raise click.UsageError("--episodes: expected a FILE; runs know their episodes")
+    judged: dict[str, tuple[Payoffs, RunGroup | None]] = {}
+    with usage_errors():
+        for group in options.finished_groups(runs) if runs else ():
+            if not group.is_race:
+                raise click.UsageError(f"{group.name}: expected a race, got a run of one team")
+            for one in group.singles if each else [group]:
+                judged[one.name] = one.payoffs, one
+        # One file may hold several runs; a list is of files of one run each.
+        parts: list[Path | list[Path]] = [files] if len(files) > 1 and not each else [*files]
+        for part in parts:
+            name = ", ".join(map(str, part)) if isinstance(part, list) else str(part)
+            judged[name] = analysis.read_payoffs(part, episodes=episodes), None
+    for payoffs, _ in judged.values():
+        if everything and min(payoffs.shape) < 2:
+            got = " x ".join(map(str, payoffs.shape))
+            raise click.UsageError(f"--all: expected at least 2 x 2 generations, got {got}")
+    found: dict[str, Any] = {}
+    for name, (payoffs, of_runs) in judged.items():
+        judgement = of_runs.judgement if of_runs else analysis.judge(payoffs)
+        print_head(name)
+        print_judgement(judgement)
+        if of_runs and of_runs.several:
+            say()
+            print_strip(judgement, of_runs.seeds, of_runs.missing)
+            print_missing(of_runs)
+            print_wrapped(STRIP_LEGEND)
+        if judgement.runs == 1:
+            print_wrapped(SINGLE_RUN)
+        if of_runs:
+            print_wrapped(of_runs.runs[0].settings.schedule.limits)
+        if explained:
+            say()
+            print_wrapped(analysis.explain(judgement))
+        found[name] = judgement.to_json()
+        if everything:
+            say(f"\n{analysis.measure_table(payoffs)}")
+            measures = plain_values(analysis.measure_all(payoffs))
+            found[name] = {"judgement": found[name], "measures": measures}
+    say(f"\n{TERMS}")
+    options.write_json(json_file, {"groups": found})
+
+
+def print_judgement(judgement: analysis.Judgement) -> None:
+    """Print a judgement: in words, the numbers of what was judged, its table, what limits it."""
+    for line in judgements.summary(judgement):
+        print_wrapped(line)
+    runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
+    pursuers, evaders = judgement.shape
+    played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
+    say(f"\n{runs}, {pursuers} pursuer and {evaders} evader generations{played}")
+    print_table(judgements.judgement_cells(judgement), "<<<<")
+    if judgement.episodes is None:
+        print_wrapped(
+            "The payoffs do not say how many episodes are behind each cell, and without their "
+            'noise some conditions have the verdict "cannot tell". Give the number with --episodes.'
+        )
+    elif judgement.episodes < EPISODES_TO_JUDGE:
+        print_wrapped(
+            f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions "
+            "from noise; matrixworld tournament RUN --episodes NUMBER plays more."
+        )
+    if judgement.window == "whole":
+        print_wrapped(
+            f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, "
+            f"and {2 * GENERATIONS_TO_JUDGE} to judge its halves."
+        )
+
+
+def print_strip(
+    judgement: analysis.Judgement, seeds: Sequence[int], missing: Sequence[int]
+) -> None:
+    """Print the verdict on each seed in columns, and how many seeds have which verdict."""
+    every = sorted([*seeds, *missing])
+    beside = max(1, (WIDEST - 50) // (2 + max(len(str(seed)) for seed in every)))
+    for first in range(0, len(every), beside):
+        part, is_last = every[first : first + beside], first + beside >= len(every)
+        together = f"together (seeds: {', '.join(SIGNS.values())})" if is_last else ""
+        rows = [("seed", *map(str, part), together)]
+        for name, finding in judgement.findings.items():
+            signs = {s: SIGNS[v] for s, v in zip(seeds, finding.by_run, strict=True)}
+            numbers = ", ".join(str(finding.by_run.count(verdict)) for verdict in SIGNS)
+            end = f"{finding.verdict} ({numbers})" if is_last else ""
+            rows.append((name, *(signs.get(seed, NOT_FINISHED) for seed in part), end))
+        print_table(rows, "<" + ">" * len(part) + "<")
+
+
+# Scores:
 
 ALL = "all"
 LEGEND = (
@@ -50,16 +176,14 @@ SEEDS_LEGEND = (
 
 
 def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int | None:
-    if value == ALL:
-        return None
     try:
-        return int(value)
+        return None if value == ALL else int(value)
     except ValueError:
         raise click.BadParameter(f"expected a generation or {ALL}, got {value!r}") from None
 
 
 @click.command("score")
-@runs_argument()
+@options.runs()
 @click.option(
     "--generation",
     default="-1",
@@ -67,7 +191,7 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
     metavar="NUMBER|all",
     help="which one, negative numbers from the last; all: means of every one  [default: the last]",
 )
-@options("episodes", "steps", "seed", "json", "force", "threads", "cluster")
+@options.shared("episodes", "steps", "seed", "json", "force", "threads", "cluster")
 def score_command(
     runs: list[Path],
     json_file: Path | None,
@@ -88,51 +212,42 @@ def score_command(
     With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
     --generation all and many episodes. The workers need not see RUN.
     """
-    check_outputs(json_file, force=force)
+    options.check_outputs(json_file, force=force)
     with usage_errors():
-        groups = finished_groups(runs, unfinished=True)
+        groups = options.finished_groups(runs, unfinished=True)
         every = [run for group in groups for run in group.runs]
-        with on_cluster(where, threads) as executor, progress() as bar:
-            played = score_runs(every, threads=threads, executor=executor, report=bar, **chosen)
-    found, matches = {}, 0
+        with on_cluster(where, threads) as executor, ProgressBar() as bar:
+            played = held_out.score_runs(
+                every, threads=threads, executor=executor, report=bar, **chosen
+            )
+    matches = sum(each.matches for of_run in played for each in of_run.values())
+    found = {}
     for group in groups:
         of_runs = [played.pop(0) for _ in group.runs]
-        teams = [[scores[team] for scores in of_runs] for team in of_runs[0]]
-        _print_scores(group, teams)
-        found[group.name] = _plain(group, teams)
-        matches += sum(each.matches for scores in teams for each in scores)
+        print_head(f"{group.name}: {seeds_finished(group)}" if group.several else group.name)
+        plain: dict[str, Any] = {
+            "seeds": list(group.seeds),
+            "missing": list(group.missing),
+            "held_out": held_out.HELD_OUT_VERSION,
+        }
+        for team, first in of_runs[0].items():
+            scores = [of_run[team] for of_run in of_runs]
+            say(held_out.score_table(scores))
+            if first.left_out:
+                print_wrapped(f"Left out: {first.left_out}.")
+            rows = range(len(first.generations))
+            by_seed = zip(group.seeds, scores, strict=True)
+            plain[f"{team}s"] = {
+                "generations": list(first.generations),
+                "estimates": plain_values([held_out.estimates_of(scores, row) for row in rows]),
+                "by_seed": {str(seed): each.to_json() for seed, each in by_seed},
+            }
+        print_missing(group)
+        found[group.name] = plain
     say()
     print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
     say(f"{matches:,} matches were played.")
-    write_json(json_file, {"seed": chosen["seed"], "groups": found})
-
-
-def _print_scores(group: RunGroup, teams: Sequence[Sequence[HeldOutScores]]) -> None:
-    several = f": {seeds_finished(group)}" if group.several else ""
-    print_head(f"{group.name}{several}")
-    for scores in teams:
-        say(score_table(scores))
-        if scores[0].left_out:
-            print_wrapped(f"Left out: {scores[0].left_out}.")
-    print_missing(group)
-
-
-def _plain(group: RunGroup, teams: Sequence[Sequence[HeldOutScores]]) -> dict[str, Any]:
-    plain: dict[str, Any] = {
-        "seeds": list(group.seeds),
-        "missing": list(group.missing),
-        "held_out": HELD_OUT_VERSION,
-    }
-    for scores in teams:
-        generations = scores[0].generations
-        rows = range(len(generations))
-        by_seed = zip(group.seeds, scores, strict=True)
-        plain[f"{scores[0].team}s"] = {
-            "generations": list(generations),
-            "estimates": [plain_values(estimates_of(scores, row)) for row in rows],
-            "by_seed": {str(seed): each.to_json() for seed, each in by_seed},
-        }
-    return plain
+    options.write_json(json_file, {"seed": chosen["seed"], "groups": found})
 
 
 # Tournaments:
@@ -143,11 +258,11 @@ SUFFIX = ".npz"
 @click.command("tournament")
 @click.argument("run", type=click.Path(path_type=Path))
 @click.argument("other", required=False, metavar="[RUN2]")
-@options("race", "episodes", "steps", "seed")
-@out_option("the payoff, .npz  [default: in RUN, named after the options]")
-@options("force", "threads", "cluster")
+@options.shared("race", "episodes", "steps", "seed")
+@options.out("the payoff, .npz  [default: in RUN, named after the options]")
+@options.shared("force", "threads", "cluster")
 def tournament_command(
-    run: Path, other: str | None, race: str | None, out: Path | None, force: bool, **chosen: Any
+    run: Path, other: str | None, race: str | None, out: Path | None, **chosen: Any
 ) -> None:
     """Play every generation against every other.
 
@@ -161,26 +276,26 @@ def tournament_command(
 
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
-    runs = (find_runs(run) if race is None else []) or [run_in(run, race=race)]
+    runs = (find_runs(run) if race is None else []) or [options.run_in(run, race)]
     for option, given in (("RUN2", other), ("--out", out)):
         if given is not None and len(runs) > 1:
             raise click.UsageError(
                 f"{option}: expected one race in RUN, got {len(runs)}; --race NAME chooses one"
             )
-    rival = None if other is None else open_run(run_in(other, race=race))
+    rival = None if other is None else open_run(options.run_in(other, race))
     for each in runs:
-        _play_one(open_run(each), rival, out, force, **chosen)
+        _play_one(open_run(each), rival, out, **chosen)
 
 
 def _play_one(
     ours: SavedRun,
     rival: SavedRun | None,
     out: Path | None,
-    force: bool,
     *,
     episodes: int,
     seed: int,
     steps: int | None,
+    force: bool,
     threads: int | None,
     where: str | None,
 ) -> None:
@@ -189,17 +304,16 @@ def _play_one(
     theirs = rival or ours
     _check_worlds(ours, theirs)
     steps = steps or ours.settings.world.max_steps
-    against = f"-against-{dashed_name(rival.path)}" if rival else ""
-    name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
-    target = out or ours.path / name
+    against = f"-against-{_dashed_name(rival.path)}" if rival else ""
+    target = out or ours.path / f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
     # With another suffix the figure could have the payoff's own name.
     if target.suffix.lower() != SUFFIX:
         raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
     figure = target.with_suffix(".png")
-    check_outputs(target, figure, force=force)
+    options.check_outputs(target, figure, force=force)
     pursuers, evaders = ours.teams["pursuer"], theirs.teams["evader"]
     total = team_size(pursuers) * team_size(evaders) * episodes
-    with on_cluster(where, threads) as executor, progress() as bar:
+    with on_cluster(where, threads) as executor, ProgressBar() as bar:
         # The first row may take minutes, and the bar should be there before.
         bar(Progress("tournament", 0, total))
         payoff = tournament(
@@ -213,14 +327,14 @@ def _play_one(
             executor=executor,
         )
     # Generations of two runs have no common order in time, and are not judged.
-    judgement = None if rival else judge(payoff.capture_rates, per_episode=True)
-    shown = f"against evaders of {theirs.title}" if judgement is None else headline(judgement)
+    judgement = None if rival else analysis.judge(payoff.capture_rates, per_episode=True)
+    shown = analysis.headline(judgement) if judgement else f"against evaders of {theirs.title}"
     title = f"{'pursuers of ' if rival else ''}{ours.title}\n{shown}"
     save_arrays(target, payoff.arrays())
     plots.save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), figure)
     print_head(str(ours.path))
     say(payoff)
-    if judgement is not None:
+    if judgement:
         say()
         print_judgement(judgement)
         say(f"\n{TERMS}")
@@ -234,3 +348,9 @@ def _check_worlds(ours: SavedRun, theirs: SavedRun) -> None:
         if other[name] != value:
             got = f"{name} {value!r} and {other[name]!r}"
             raise click.UsageError(f"expected two runs in the same world, got {got}")
+
+
+def _dashed_name(run: Path) -> str:
+    """Return a name of a run for files: that of its job, and its own in the job."""
+    path, job = run.absolute(), job_directory(run).absolute()
+    return "-".join([job.name, *path.relative_to(job).parts])

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path, PurePath
@@ -16,25 +15,13 @@ from tqdm import tqdm
 
 from matrixworld._util.files import LockedError, save_json
 from matrixworld.analysis.judgement import summary
-from matrixworld.cli import console, setting_options
-from matrixworld.cli.cluster import on_cluster
-from matrixworld.cli.options import (
-    FAILURES,
-    check_exists,
-    check_outputs,
-    given_options,
-    option_name,
-    options,
-)
-from matrixworld.cli.pages import first_seeds, open_page, write_explorer
-from matrixworld.cli.runs import MOST_NAMES, print_missing, resume_command, seeds_finished
-from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs
+from matrixworld.cli import cluster, console, options, pages, setting_options
+from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs, storage
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.groups import RunGroup, grouped
-from matrixworld.coevolution.progress import SECONDS, Report, silent
+from matrixworld.coevolution.progress import SECONDS, Report
 from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
-from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.page import write_page
@@ -56,7 +43,6 @@ Examples:
   matrixworld evolve --out my-races --seeds 0-9
   matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
   matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
-  matrixworld evolve --out my-races --seeds 0-999 --cluster tcp://head-node:8786
   matrixworld evolve --resume my-race
 """
 
@@ -83,10 +69,10 @@ def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> 
 def _write_page(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     if value:
         page = Path(evolve_page.PAGE)
-        check_outputs(page, force=False)
+        options.check_outputs(page, force=False)
         write_page(page, evolve_page.evolve_page())
         console.say(page)
-        open_page(page, opens=True)
+        pages.open_page(page, opens=True)
         ctx.exit()
 
 
@@ -106,7 +92,7 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     metavar="DIR",
     help="a new directory for the runs  [default: in runs/, named after variant and seed]",
 )
-@options("variant", "rows", "cols", "n_pursuers", "n_evaders")
+@options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
     type=click.Choice([*ALL_SCHEDULES, Against.kind, setting_options.ALL]),
@@ -128,7 +114,7 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     metavar="INTEGER",
     help="generations of a race  [default: 30]",
 )
-@options("seed", "seeds", "threads", "cluster")
+@options.shared("seed", "seeds", "threads", "cluster")
 @click.option(
     "--resume",
     "resumed",
@@ -136,8 +122,22 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     metavar="DIR",
     help="continue the run, or all runs, in this directory",
 )
-@setting_options.set_option
-@setting_options.config_option
+@click.option(
+    "--set",
+    "sets",
+    multiple=True,
+    callback=setting_options.pairs,
+    metavar="PATH=VALUE",
+    help="any other setting, such as learner.sigma=0.1; evolve --help-all lists them; may be given "
+    "several times",
+)
+@click.option(
+    "--config",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    callback=setting_options.configured,
+    metavar="FILE",
+    help="settings from a .toml file, or the config.json of a run; options replace them",
+)
 @_prints(
     "--page", _write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"
 )
@@ -172,15 +172,9 @@ def evolve_command(
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
     """
-    given = given_options(settings)
+    given = options.given(settings)
     with console.warnings_as_notes():
-        if resumed is None:
-            job = _new_job(given)
-            root = output or _default_directory(job)
-            _check_new(root)
-        else:
-            _refuse_settings(resumed, output, given)
-            root, job = resumed, jobs.found_job(resumed)
+        root, job = _new_job(given, output) if resumed is None else _found(resumed, given, output)
         # Some settings can be checked only when opponents and start genomes have been read.
         with setting_options.usage_errors():
             jobs.check_job(job, root, threads, elsewhere=where is not None)
@@ -189,31 +183,16 @@ def evolve_command(
         console.note(_plan(job, root))
         if resumed is None and not given:
             console.note(PAGE_HINT)
-        with _resumable(root), console.progress() as bar:
+        with _resumable(root), ProgressBar() as bar:
             whole = Whole(job, root, bar)
-            with on_cluster(where, threads) as executor:
-                results, failed = play_runs(job, root, threads, executor, whole.played)
+            results, failed = whole.play(where, threads)
             report(whole, results, failed, threads)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
                 f"{len(failed)} of {len(job)} runs failed:{lines}\nTo try them again:\n"
-                f"  {resume_command(root)}"
+                f"  {options.resume_command(root)}"
             )
-
-
-def _refuse_settings(resumed: Path, output: Path | None, given: dict[str, Any]) -> None:
-    check_exists(resumed)
-    if not find_runs(resumed):
-        raise click.UsageError(
-            f"--resume: expected a directory that holds a run, got {str(resumed)!r}"
-        )
-    names = [*(["--out"] if output else []), *map(option_name, given)]
-    if names:
-        raise click.UsageError(
-            f"--resume: expected no settings beside it, because a run keeps its own, got "
-            f"{', '.join(names)}"
-        )
 
 
 @contextmanager
@@ -223,34 +202,72 @@ def _resumable(root: Path) -> Iterator[None]:
         yield
     except (Exception, KeyboardInterrupt) as error:
         # Stopped before anything was made, the command itself is repeated.
-        if isinstance(error, click.ClickException | LockedError) or not find_runs(root):
+        if isinstance(error, click.ClickException | LockedError) or not storage.find_runs(root):
             raise
-        console.note(f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}")
+        again = options.resume_command(root)
+        console.note(f"\nStopped. Finished parts are saved; to continue:\n  {again}")
         if isinstance(error, KeyboardInterrupt):
             raise click.exceptions.Exit(console.INTERRUPTED) from None
         raise
 
 
-def _shown(job: jobs.Job) -> list[str]:
-    """Return the runs that go on and are shown: those of the page of finished runs."""
-    groups: dict[str, list[str]] = {}
-    for name in job:
-        groups.setdefault(PurePath(name).parent.as_posix(), []).append(name)
-    return first_seeds(groups.values(), MOST_RUNS)
+# Jobs:
 
 
-def _check_new(root: Path) -> None:
+def job_of(given: Mapping[str, Any]) -> jobs.Job:
+    """Return the job of the runs that options ask for, of several schedules and seeds."""
+    seeds = given.get("seeds")
+    if seeds is not None and "seed" in given:
+        raise click.UsageError("--seeds: expected it without --seed, got both")
+    # The order in which find_runs finds them, so that --resume prints and draws the same.
+    settings = setting_options.settings_of(given)
+    settings.sort(key=lambda each: storage.place_in_job(each.schedule.name))
+    if seeds is not None:
+        settings = [replace(each, seed=seed) for each in settings for seed in seeds]
+    with setting_options.usage_errors():
+        return jobs.job_of(settings)
+
+
+def _new_job(given: Mapping[str, Any], output: Path | None) -> tuple[Path, jobs.Job]:
+    """Return a new directory, and the job that options ask for."""
+    job = job_of(given)
+    root = output or default_directory(job)
     try:
-        check_empty(root)
+        storage.check_empty(root)
     except FileExistsError as error:
         told = f"--out: expected a new or empty directory, got {str(root)!r}"
-        if find_runs(root):
+        if storage.find_runs(root):
             again = "continues the run in it, or prints its result again"
-            told = f"{told}; {resume_command(root)} {again}"
+            told = f"{told}; {options.resume_command(root)} {again}"
         raise click.UsageError(told) from error
+    return root, job
 
 
-# What is announced:
+def _found(root: Path, given: Mapping[str, Any], output: Path | None) -> tuple[Path, jobs.Job]:
+    """Return a directory that holds runs, and its job, beside which there are no settings."""
+    if not storage.find_runs(root):
+        refused = options.refusal(root, "a directory that holds a run")
+        raise click.UsageError(f"--resume: {refused}")
+    names = [*(["--out"] if output else []), *map(options.option_name, given)]
+    if names:
+        raise click.UsageError(
+            f"--resume: expected no settings beside it, because a run keeps its own, got "
+            f"{', '.join(names)}"
+        )
+    return root, jobs.found_job(root)
+
+
+def default_directory(job: jobs.Job) -> Path:
+    """Return the directory named after a job's variant and seeds, such as ``runs/O-seeds0-9``."""
+    settings = next(iter(job.values()))
+    seeds = [*dict.fromkeys(each.seed for each in job.values())]
+    named = f"{seeds[0]}-{seeds[-1]}"
+    if seeds != [*range(seeds[0], seeds[0] + len(seeds))]:
+        most = options.MOST_NAMES
+        named = ",".join(map(str, seeds[:most])) + ",..." * (len(seeds) > most)
+    seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
+    what = f"-{settings.schedule.name}" if isinstance(settings.schedule, Against) else ""
+    return RUNS / f"{settings.variant}{what}-{seed}"
 
 
 def _plan(job: jobs.Job, root: Path) -> str:
@@ -262,34 +279,12 @@ def _plan(job: jobs.Job, root: Path) -> str:
     return f"{first.variant}, {teams}, {count}, in {root}"
 
 
-# Jobs:
-
-
-def _default_directory(job: jobs.Job) -> Path:
-    """Return the directory named after a job's variant and seeds, such as ``runs/O-seeds0-9``."""
-    settings = next(iter(job.values()))
-    seeds = [*dict.fromkeys(each.seed for each in job.values())]
-    named = f"{seeds[0]}-{seeds[-1]}"
-    if seeds != [*range(seeds[0], seeds[0] + len(seeds))]:
-        named = ",".join(map(str, seeds[:MOST_NAMES])) + ",..." * (len(seeds) > MOST_NAMES)
-    seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
-    what = f"-{settings.schedule.name}" if isinstance(settings.schedule, Against) else ""
-    return RUNS / f"{settings.variant}{what}-{seed}"
-
-
-def _new_job(given: dict[str, Any]) -> jobs.Job:
-    """Return the job of the runs that options ask for, of several schedules and seeds."""
-    seeds = given.get("seeds")
-    if seeds is not None and "seed" in given:
-        raise click.UsageError("--seeds: expected it without --seed, got both")
-    # The order in which find_runs finds them, so that --resume prints and draws the same.
-    settings = sorted(
-        setting_options.settings_of(given), key=lambda each: place_in_job(each.schedule.name)
-    )
-    if seeds is not None:
-        settings = [replace(each, seed=seed) for each in settings for seed in seeds]
-    with setting_options.usage_errors():
-        return jobs.job_of(settings)
+def shown(job: jobs.Job) -> list[str]:
+    """Return the runs that go on and are shown: those of the page of finished runs."""
+    groups: dict[str, list[str]] = {}
+    for name in job:
+        groups.setdefault(PurePath(name).parent.as_posix(), []).append(name)
+    return pages.first_seeds(groups.values(), MOST_RUNS)
 
 
 class Whole:
@@ -299,36 +294,52 @@ class Whole:
     in the same time.
     """
 
-    def __init__(self, job: jobs.Job, root: Path, bar: ProgressBar) -> None:
+    def __init__(self, job: jobs.Job, root: Path, bar: Report) -> None:
         self.job, self.root = job, root
-        races = [settings for settings in job.values() if settings.is_race]
         # A match takes as long as its steps. Seeds have few figures of their own.
         self._score = sum(
-            each.counted(0, SCORED) * each.world.max_steps / each.train_steps for each in races
+            each.counted(0, SCORED) * each.world.max_steps / each.train_steps
+            for each in job.values()
+            if each.is_race
         )
         groups = {settings.method for settings in job.values()}
         self._seconds = SECONDS_TO_DRAW * (len(groups) + min(len(job), MOST_RUNS))
-        self._bar, self._page, self._began = bar, GrowingPage(root, _shown(job)), time.monotonic()
-        self._done, self._draw = Progress("", 0, 1), 0.0
+        self._bar, self._page, self._began = bar, GrowingPage(root, shown(job)), time.monotonic()
+        self._played, self._draw = Progress("", 0, 1), 0.0
         # Runs of which the first one that ends is told.
         self._runs = [root / name for name in job] if len(job) > 1 else []
 
+    def play(
+        self, where: str | None, threads: int | None
+    ) -> tuple[list[SavedRun], dict[Path, str]]:
+        """Play the runs; return the finished ones, and why the others failed.
+
+        The error of a single run is raised.
+        """
+        job, root = self.job, self.root
+        with cluster.on_cluster(where, threads) as executor:
+            errors = jobs.play_job(
+                job, root, executor=executor, threads=threads, report=self.played
+            )
+        for error in errors.values():
+            if len(job) == 1:
+                raise error  # as it is: one sentence, or the traceback of the user's own code
+            if not isinstance(error, options.FAILURES):  # such as of the user's own code
+                console.note("".join(traceback.format_exception(error)))
+        failed = {root / name: jobs.described(root / name, error) for name, error in errors.items()}
+        return [SavedRun(root / name) for name in job if name not in errors], failed
+
     def played(self, progress: Progress) -> None:
-        """Show the progress of the runs."""
+        """Show the progress of the runs, on the page, too; tell of the first one that ends."""
+        told = self._runs if progress.what != self._played.what else ()
+        for path in [path for path in told if SavedRun(path).finished][:1]:
+            typed = console.command("replay", path)
+            console.note(f"The first run has ended. A match of it: {typed}")
+            self._runs = []
         rate = (progress.done - progress.before) / max(time.monotonic() - self._began, SECONDS)
-        if progress.what != self._done.what:
-            self._tell_first()
-        self._done, self._draw = progress, self._seconds * rate
+        self._played, self._draw = progress, self._seconds * rate
         self._page.write()
         self._show(f"evolve, {progress.what}", 0.0)
-
-    def _tell_first(self) -> None:
-        ended = [path for path in self._runs if SavedRun(path).finished]
-        if ended:
-            console.note(
-                f"The first run has ended. A match of it: {console.command('replay', ended[0])}"
-            )
-            self._runs = []
 
     def scored(self, progress: Progress) -> None:
         """Show the progress of matches against held-out opponents."""
@@ -340,39 +351,17 @@ class Whole:
 
     def end(self) -> str:
         """End the bar's line, which text below would break; return how long it all took."""
-        self._bar.__exit__()
+        if isinstance(self._bar, ProgressBar):
+            self._bar.__exit__()
         took: str = tqdm.format_interval(time.monotonic() - self._began)
         return took
 
     def _show(self, what: str, after: float) -> None:
-        one, total = self._done, self._done.total + self._score + self._draw
+        one, total = self._played, self._played.total + self._score + self._draw
         self._bar(replace(one, what=what, done=round(one.done + after), total=round(total)))
 
 
-def play_runs(
-    job: jobs.Job,
-    root: Path,
-    threads: int | None,
-    executor: Executor | None = None,
-    report: Report = silent,
-) -> tuple[list[SavedRun], dict[Path, str]]:
-    """Play the runs of a job; return the finished ones, and why the others failed.
-
-    The error of a single run is raised.
-    """
-    errors = jobs.play_job(job, root, executor=executor, threads=threads, report=report)
-    for error in errors.values():
-        if len(job) == 1:
-            raise error  # as it is: one sentence, or the traceback of the user's own code
-        if not isinstance(error, FAILURES):  # such as of the user's own code
-            console.note("".join(traceback.format_exception(error)))
-    failed = {root / name: jobs.described(root / name, error) for name, error in errors.items()}
-    return [SavedRun(root / name) for name in job if name not in errors], failed
-
-
 # The report at the end: what a newcomer asks first. Tables and intervals are those of `judge`.
-
-SUMMARY = "summary.json"
 
 
 def report(
@@ -387,8 +376,8 @@ def report(
     """
     root = whole.root
     runs = {root / name: settings for name, settings in whole.job.items()}
-    groups = grouped(runs, finished=[run.path for run in results])
-    groups = [group.inside(root) for group in groups]
+    found = grouped(runs, finished=[run.path for run in results])
+    groups = [group.inside(root) for group in found]
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]
     kept_scores([run for g in races for run in g.runs], threads=threads, report=whole.scored)
@@ -397,7 +386,13 @@ def report(
     took = whole.end()
     # The summary of a run that was started by itself lies in the same directory.
     if root not in [run.path for run in results]:
-        _save(groups, root, failed)
+        singles = [single for group in finished for single in group.singles]
+        numbers = {
+            "groups": {group.name: group.to_json() for group in groups},
+            "runs": {_place(one.runs[0].path, root): one.run_to_json() for one in singles},
+            "failed": {_place(path, root): problem for path, problem in failed.items()},
+        }
+        save_json(root / "summary.json", numbers)
     what = "races" if len(races) == len(finished) else "runs"
     done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
     page = f" Open {root / PAGE}" if finished else ""
@@ -405,17 +400,17 @@ def report(
     for group in groups:
         console.print_head(group.name)
         console.print_wrapped("\n".join(_lines(group)))
-        print_missing(group)
+        console.print_missing(group)
     if races:
         console.print_head(
             "Score against opponents nobody trained on (from 0 to 1, more is better)"
         )
-        console.print_table([("", "pursuers", "evaders"), *map(_held_out_row, races)], "<>>")
+        rows = [(g.name, *(f"{g.held_out(team).mean():.2f}" for team in TEAMS)) for g in races]
+        console.print_table([("", "pursuers", "evaders"), *rows], "<>>")
     for path, problem in failed.items():
         console.print_wrapped(f"Failed: {path}: {problem}")
-    if finished:
-        for why, typed in _hints(finished, root):
-            console.say(f"\n{why}\n  {typed}")
+    for why, typed in _hints(finished, root) if finished else ():
+        console.say(f"\n{why}\n  {typed}")
 
 
 def draw(groups: Sequence[RunGroup], root: Path, tell: Callable[[float], None]) -> None:
@@ -427,20 +422,16 @@ def draw(groups: Sequence[RunGroup], root: Path, tell: Callable[[float], None]) 
     from matrixworld.plots.saved import figures_of
 
     files = figures_of(groups, root)
-    for number, (file, figure) in enumerate(files.items()):
-        tell(number / (len(files) + 1))
+    for number, (file, figure) in enumerate(files.items(), 1):
         plots.save_figure(figure(), file)
-    tell(len(files) / (len(files) + 1))
-    write_explorer(groups, root / PAGE)
+        tell(number / (len(files) + 1))
+    pages.write_explorer(groups, root / PAGE)
     tell(1.0)
-
-
-# What is printed:
 
 
 def _lines(group: RunGroup) -> list[str]:
     if not group.runs:
-        return [seeds_finished(group)]
+        return [console.seeds_finished(group)]
     if group.is_race:
         return summary(group.judgement)
     schedule, means = group.runs[0].settings.schedule, group.means()
@@ -450,10 +441,6 @@ def _lines(group: RunGroup) -> list[str]:
         f"{schedule.team}s after {schedule.epochs:,} epochs against {schedule.opponent}",
         f"an episode takes {means['length'].value:.0f} steps",
     ]
-
-
-def _held_out_row(group: RunGroup) -> tuple[str, ...]:
-    return group.name, *(f"{group.held_out(team).mean():.2f}" for team in TEAMS)
 
 
 def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
@@ -473,13 +460,5 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
     return [more, ("Reasons and intervals:", console.command("judge --explain", root))]
 
 
-def _save(groups: Sequence[RunGroup], root: Path, failed: Mapping[Path, str]) -> None:
-    singles = [single for group in groups if group.runs for single in group.singles]
-    values = {
-        "groups": {group.name: group.to_json() for group in groups},
-        "runs": {
-            one.runs[0].path.relative_to(root).as_posix(): one.run_to_json() for one in singles
-        },
-        "failed": {path.relative_to(root).as_posix(): problem for path, problem in failed.items()},
-    }
-    save_json(root / SUMMARY, values)
+def _place(path: Path, root: Path) -> str:
+    return path.relative_to(root).as_posix()

@@ -1,28 +1,26 @@
-"""Options that several commands share, each declared once; output files; failures."""
+"""What several commands share: options, each declared once; runs as arguments; output files."""
 
 from __future__ import annotations
 
 import json
 import os
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor
-from pathlib import Path
+from pathlib import Path, PurePath
 from tempfile import TemporaryFile
 from typing import Any
+from zipfile import BadZipFile, ZipFile
 
 import click
 from click.core import ParameterSource
 
-from matrixworld._util.checks import INT_MAX, MOST_THREADS, OutOfMemoryError
-from matrixworld._util.files import DamagedFileError, LockedError, check_replaceable, save_json
-from matrixworld.cli.cluster import cluster_option
-from matrixworld.cli.console import TO_STDOUT, say
-from matrixworld.coevolution.jobs import FailedRunsError
+from matrixworld._util import checks, files
+from matrixworld.cli import cluster, console
+from matrixworld.coevolution import groups, storage
 from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.sections import WORLD_HELP
 from matrixworld.coevolution.settings import MOST_SEED
-from matrixworld.coevolution.storage import OtherVersionError
 from matrixworld.version import MissingExtraError
 from matrixworld.world.rules import VARIANTS
 
@@ -32,6 +30,19 @@ Option = Callable[[Any], Any]
 STDOUT = Path("-")
 MOST_SEEDS = 100_000
 """Most seeds that a range names. Each is a directory."""
+MOST_NAMES = 5
+"""Most runs that a message names."""
+FAILURES = (
+    BrokenExecutor,  # a lost cluster
+    DivergedError,
+    MissingExtraError,
+    OSError,
+    checks.OutOfMemoryError,
+    files.DamagedFileError,
+    files.LockedError,
+    storage.OtherVersionError,
+)
+"""Errors whose message says all that a user can do; any other one is a mistake in the program."""
 
 
 def option_name(field_name: str) -> str:
@@ -39,34 +50,14 @@ def option_name(field_name: str) -> str:
     return "--" + field_name.replace("_", "-")
 
 
-class Existing(click.Path):
-    """The path of something that exists."""
-
-    def __init__(self, **attributes: Any) -> None:
-        super().__init__(exists=True, path_type=Path, **attributes)
-
-    def convert(self, value: Any, param: Any, ctx: Any) -> Any:
-        """Return the path."""
-        check_exists(value)
-        return super().convert(value, param, ctx)
-
-
-def check_exists(path: str | Path, expected: str = "", setting: str | None = None) -> None:
-    """Refuse the path of nothing; `expected` says what its text could mean besides."""
-    if not os.path.exists(path):
-        told = f"{path}: no such file or directory{expected}"
-        raise click.BadParameter(told, param_hint=setting)
+def refusal(path: str | Path, expected: str) -> str:
+    """Return the sentence about a path that is none of what is expected."""
+    if os.path.exists(path):
+        return f"expected {expected}, got {str(path)!r}"
+    return f"{path}: no such file or directory; expected {expected}"
 
 
 # Values of options:
-
-
-def checked_seed(ctx: click.Context, param: click.Parameter, value: int | None) -> int | None:
-    """Return a seed, or None if none is given; a callback of an option."""
-    # Not click.IntRange, which would print the 19 digits of the limit in every help page.
-    if value is not None and not 0 <= value <= MOST_SEED:
-        raise click.BadParameter(f"expected 0 to {MOST_SEED}, got {value}")
-    return value
 
 
 def seeds_of(
@@ -91,25 +82,34 @@ def seeds_of(
 
 def _json(ctx: click.Context, param: click.Parameter, value: Path | None) -> Path | None:
     if value == STDOUT:
-        ctx.meta[TO_STDOUT] = True
+        ctx.meta[console.TO_STDOUT] = True
     return value
 
 
 def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
-    if value is None:
-        return None
     # A file that is named like a number can be given as ./0.1.
     try:
-        return float(value)
+        return None if value is None else float(value)
     except ValueError:
-        check_exists(value, "; expected a density in [0, 1) or a .map file")
+        if os.path.exists(value or ""):
+            return value
+        expected = "a density in [0, 1) or a .map file"
+        raise click.BadParameter(refusal(value or "", expected)) from None
+
+
+def _cluster(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+    if value is None or value == cluster.AUTO or "://" in value or Path(value).is_file():
         return value
+    expected = f"{cluster.AUTO}, an address such as tcp://HOST:8786 or a scheduler file"
+    raise click.BadParameter(refusal(value, expected))
 
 
 # The options:
 
 
-def integer(*names: str, least: int = 1, most: int = INT_MAX, default: int | None = None) -> Option:
+def integer(
+    *names: str, least: int = 1, most: int = checks.INT_MAX, default: int | None = None
+) -> Option:
     """Return an option of an integer: its names, and the help text as the last of them."""
     return click.option(
         *names[:-1],
@@ -122,14 +122,12 @@ def integer(*names: str, least: int = 1, most: int = INT_MAX, default: int | Non
 
 
 SHARED: dict[str, Option] = {
-    "seed": click.option(
+    "seed": integer(
         "--seed",
-        type=int,
-        callback=checked_seed,
+        "seed of all random numbers; equal seeds give equal results",
+        least=0,
+        most=MOST_SEED,
         default=0,
-        show_default=True,
-        metavar="INTEGER",
-        help="seed of all random numbers; equal seeds give equal results",
     ),
     "seeds": click.option(
         "--seeds",
@@ -148,7 +146,9 @@ SHARED: dict[str, Option] = {
         "solve 20]",
     ),
     "threads": integer(
-        "--threads", "threads that play matches  [default: one per usable core]", most=MOST_THREADS
+        "--threads",
+        "threads that play matches  [default: one per usable core]",
+        most=checks.MOST_THREADS,
     ),
     "json": click.option(
         "--json",
@@ -169,7 +169,13 @@ SHARED: dict[str, Option] = {
         help="which race of RUN, if it holds several, such as hall-of-fame or hall-of-fame/seed-3  "
         "[default: the first]",
     ),
-    "cluster": cluster_option,
+    "cluster": click.option(
+        "--cluster",
+        "where",
+        metavar="auto|ADDRESS|FILE",
+        callback=_cluster,
+        help="play on a Dask cluster: auto (this machine), tcp://HOST:8786, or a scheduler file",
+    ),
     "variant": click.option(
         "--variant",
         type=click.types.FuncParamType(str.upper),
@@ -190,7 +196,7 @@ SHARED: dict[str, Option] = {
 }
 
 
-def options(*names: str) -> Option:
+def shared(*names: str) -> Option:
     """Return what adds these options to a command, in this order."""
 
     def add(function: Any) -> Any:
@@ -201,47 +207,133 @@ def options(*names: str) -> Option:
     return add
 
 
-def out_option(help: str, **attributes: Any) -> Option:
-    """Return the option of the file or directory that a command writes."""
+def out(text: str, **attributes: Any) -> Option:
+    """Return the option of the file that a command writes."""
     return click.option(
-        "--out", "-o", type=click.Path(path_type=Path), metavar="PATH", help=help, **attributes
+        "--out", "-o", type=click.Path(path_type=Path), metavar="PATH", help=text, **attributes
     )
 
 
-def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
+def given(values: Mapping[str, Any]) -> dict[str, Any]:
     """Return those options of the current command that the user has given."""
     # Not by comparing values with defaults: a default may be given, too, and settings such as
     # --seed must be refused beside --resume even then.
     source = click.get_current_context().get_parameter_source
-    return {
-        name: value for name, value in options.items() if source(name) != ParameterSource.DEFAULT
-    }
+    return {name: each for name, each in values.items() if source(name) != ParameterSource.DEFAULT}
+
+
+# Runs as arguments:
+
+
+def runs(*suffixes: str) -> Option:
+    """Return the argument of directories of jobs or runs, and of files with these suffixes."""
+    expected = "run directories" + f", or {' or '.join(suffixes)} files" * bool(suffixes)
+
+    def found(ctx: click.Context, param: click.Parameter, values: Sequence[Path]) -> list[Path]:
+        paths = [unpacked(path) for path in dict.fromkeys(values)]
+        for path in paths:
+            is_file = path.is_file() and path.suffix.lower() in suffixes
+            if not is_file and not storage.find_runs(path):
+                raise click.BadParameter(refusal(path, expected))
+        return paths
+
+    return click.argument(
+        "sources" if suffixes else "runs",
+        nargs=-1,
+        required=True,
+        type=click.Path(path_type=Path),
+        metavar="RUN|FILE..." if suffixes else "RUN...",
+        callback=found,
+    )
+
+
+def unpacked(path: Path) -> Path:
+    """Return the directory of an archive that the page evolve.html has saved, unpacked beside it.
+
+    Any other path is returned as it is. A directory that holds something else is not changed.
+    """
+    if path.suffix.lower() != ".zip" or not path.is_file():
+        return path
+    directory = path.with_suffix("")
+    try:
+        with ZipFile(path) as archive:
+            if not directory.exists():
+                with storage.new_directory(directory) as place:
+                    archive.extractall(place)
+            for name in archive.namelist():
+                file = directory / name
+                if not file.is_dir() and not (
+                    file.is_file() and file.read_bytes() == archive.read(name)
+                ):
+                    raise click.BadParameter(
+                        f"{path}: expected its own run in {directory}, got another {name} there, "
+                        "or none"
+                    )
+    except BadZipFile as error:
+        raise click.BadParameter(f"{path}: expected an archive of a race, got: {error}") from error
+    return directory
+
+
+def finished_groups(
+    directories: Sequence[Path], *, unfinished: bool = False
+) -> list[groups.RunGroup]:
+    """Return the groups of finished runs in directories; say which have none.
+
+    With `unfinished` a single run need not be finished.
+    """
+    found = groups.open_groups(*directories)
+    every = [run for directory in directories for run in storage.find_runs(directory)]
+    if unfinished and len(every) == 1:
+        return groups.grouped({every[0]: storage.SavedRun(every[0]).settings}, finished=every)
+    if not any(group.runs for group in found):
+        again = resume_command(directories[0])
+        raise click.UsageError(f"{directories[0]}: expected a finished run; {again} continues it")
+    for group in found:
+        if not group.runs:
+            console.note(f"{group.name}: no seed is finished yet, and it is left out")
+    return [group for group in found if group.runs]
+
+
+def run_in(
+    path: str | Path,
+    race: str | None = None,
+    *,
+    setting: str = "",
+    expected: str = "a directory that holds a run",
+) -> Path:
+    """Return the run of a directory, which an argument names or else a setting.
+
+    Of several runs `race` chooses those below the directory of this name. The first one of them is
+    taken, and a note says so; a setting has to name exactly one.
+    """
+    found = {run.relative_to(path): run for run in storage.find_runs(Path(path))}
+    begin, wanted = f"{setting}: " if setting else "", PurePath(race or "").parts
+    if not found:
+        raise click.UsageError(f"{begin}{refusal(path, expected)}")
+    size = len(wanted)
+    chosen = [
+        run for name, run in found.items() if wanted in (name.parts[:size], name.parts[-size:])
+    ]
+    if len(chosen) == 1:
+        return chosen[0]
+    listed = ", ".join([*map(str, found)][:MOST_NAMES]) + ", ..." * (len(found) > MOST_NAMES)
+    if setting:
+        raise click.UsageError(f"{begin}expected one run, got a directory of several: {listed}")
+    if not chosen:
+        raise click.UsageError(
+            f"{path}: expected --race with one of its races, {listed}, got {race}"
+        )
+    others = f"the first of {len(chosen)} races; --race chooses another: {listed}"
+    console.note(f"{chosen[0]}: {others}")
+    return chosen[0]
+
+
+def resume_command(root: Path) -> str:
+    """Return the command that continues the runs in a directory."""
+    return console.command("evolve --resume", root)
 
 
 # Output files:
-
-
-def check_outputs(*files: Path | None, force: bool, redraws: bool = True) -> None:
-    """Raise click.UsageError for the first output file that must not, or cannot, be written.
-
-    To be called before anything is played or written. Pages and pictures that this package has
-    drawn are drawn again without a question, if `redraws`.
-    """
-    for file in files:
-        if file is None or file == STDOUT:
-            continue
-        try:
-            check_replaceable(file)
-            TemporaryFile(dir=file.parent).close()
-        except FileExistsError as error:
-            # Even with --force: a directory may hold a run, and a link may point to any file.
-            raise click.UsageError(str(error)) from error
-        except OSError as error:
-            expected = f"a directory in which files can be made, got {str(file.parent)!r}"
-            raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
-        if file.exists() and not (force or (redraws and _is_drawn(file))):
-            raise click.UsageError(f"{file}: exists; give --force to replace it")
-
 
 DRAWN = (
     b'name="generator" content="matrixworld',
@@ -252,6 +344,28 @@ DRAWN = (
     b"data\0\0\0\1\0\0\0\0matrixworld",  # comment of an MP4
 )
 """What this package writes into pages and pictures."""
+
+
+def check_outputs(*outputs: Path | None, force: bool, redraws: bool = True) -> None:
+    """Raise click.UsageError for the first output file that must not, or cannot, be written.
+
+    To be called before anything is played or written. Pages and pictures that this package has
+    drawn are drawn again without a question, if `redraws`.
+    """
+    for file in outputs:
+        if file is None or file == STDOUT:
+            continue
+        try:
+            files.check_replaceable(file)
+            TemporaryFile(dir=file.parent).close()
+        except FileExistsError as error:
+            # Even with --force: a directory may hold a run, and a link may point to any file.
+            raise click.UsageError(str(error)) from error
+        except OSError as error:
+            expected = f"a directory in which files can be made, got {str(file.parent)!r}"
+            raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
+        if file.exists() and not (force or (redraws and _is_drawn(file))):
+            raise click.UsageError(f"{file}: exists; give --force to replace it")
 
 
 def _is_drawn(file: Path) -> bool:
@@ -269,19 +383,5 @@ def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
     if file == STDOUT:
         click.echo(json.dumps(values, indent=2, allow_nan=False))
     elif file is not None:
-        save_json(file, values)
-        say(f"\nWritten: {file}")
-
-
-FAILURES = (
-    BrokenExecutor,  # a lost cluster
-    DamagedFileError,
-    DivergedError,
-    FailedRunsError,
-    LockedError,
-    MissingExtraError,
-    OSError,
-    OtherVersionError,
-    OutOfMemoryError,
-)
-"""Errors whose message says all that a user can do; any other one is a mistake in the program."""
+        files.save_json(file, values)
+        console.say(f"\nWritten: {file}")

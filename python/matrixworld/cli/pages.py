@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+import os
 import webbrowser
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import zip_longest
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import click
 
+from matrixworld.cli import options
 from matrixworld.cli.console import note, print_wrapped, say
-from matrixworld.cli.options import check_exists, check_outputs, options, out_option
 from matrixworld.cli.replay import source_of
-from matrixworld.cli.runs import common_directory, finished_groups, run_in, runs_argument
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import SavedRun, open_run, open_runs
 from matrixworld.coevolution.groups import RunGroup
@@ -57,7 +57,6 @@ def _baselines(
             raise click.BadParameter(f"expected NAME=RUN, got {value!r}")
         if name in opened:
             raise click.BadParameter(f"expected each name once, got {name!r} twice")
-        check_exists(path)
         try:
             opened[name] = open_runs(path)
             teams = {team for run in opened[name] for team in run.settings.learning_teams}
@@ -70,12 +69,12 @@ def _baselines(
 
 
 @click.command("explore")
-@runs_argument()
-@out_option(
+@options.runs()
+@options.out(
     f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all of the "
     "runs]; with --figure, the file of the figure"
 )
-@options("open")
+@options.shared("open")
 @click.option("--figures", is_flag=True, help="draw figures, and write no page")
 @click.option("--figure", type=click.Choice(FIGURES), help="only this figure")
 @click.option(
@@ -96,7 +95,7 @@ def _baselines(
     "may hold a run for each seed of the races. May be repeated",
 )
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
-@options("force")
+@options.shared("force")
 def explore_command(
     runs: list[Path],
     out: Path | None,
@@ -118,18 +117,20 @@ def explore_command(
     side by side; of several seeds all are drawn together, and single runs only with --each.
     """
     with usage_errors():
-        groups = finished_groups(runs)
+        groups = options.finished_groups(runs)
+    root = runs[0]
+    if len(runs) > 1:
+        root = Path(os.path.commonpath([path.absolute() for path in runs]))
+        root = root if runs[0].is_absolute() else Path(os.path.relpath(root))
     if figures or figure:
-        chosen = {"suffix": _format(out, suffix), "baselines": baselines, "each": each}
-        root = common_directory(runs)
-        _draw(_files(groups, root, figure, chosen), figure, out, force)
+        _draw(groups, root, figure, out, suffix, baselines, each=each, force=force)
         return
     given = {"--format": suffix, "--baseline": baselines, "--each": each}
     for option, value in given.items():
         if value:
             raise click.UsageError(f"{option}: expected --figures or --figure beside it")
-    page = out or common_directory(runs) / PAGE
-    check_outputs(page, force=force)
+    page = out or root / PAGE
+    options.check_outputs(page, force=force)
     write_explorer(groups, page)
     say(page)
     open_page(page, opens)
@@ -156,62 +157,53 @@ def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:
     return [run for group in runs for run in group if run in chosen]
 
 
-# Figures:
-
-
-def _format(out: Path | None, suffix: str | None) -> str:
-    """Return the format of the files; click.UsageError if the options contradict each other."""
-    if out is None:
-        return suffix or "png"
-    found = out.suffix.lower().removeprefix(".")
-    if found not in FORMATS or suffix not in (None, found):
-        names = ", ".join(f".{each}" for each in ([suffix] if suffix else FORMATS))
-        raise click.UsageError(f"--out: expected a name that ends in {names}, got {out}")
-    return found
-
-
-def _files(
-    groups: Sequence[RunGroup], root: Path, name: str | None, chosen: Mapping[str, Any]
-) -> dict[Path, Callable[[], Any]]:
-    """Return the files of figures of runs, with what draws them."""
+def _draw(
+    groups: Sequence[RunGroup],
+    root: Path,
+    name: str | None,
+    out: Path | None,
+    suffix: str | None,
+    baselines: dict[str, list[SavedRun]],
+    *,
+    each: bool,
+    force: bool,
+) -> None:
+    """Draw the figures of runs, or the one of a name."""
+    from matrixworld import plots
     from matrixworld.plots.saved import figures_of
 
+    if out is not None:
+        found = out.suffix.lower().removeprefix(".")
+        if found not in FORMATS or suffix not in (None, found):
+            names = ", ".join(f".{form}" for form in ([suffix] if suffix else FORMATS))
+            raise click.UsageError(f"--out: expected a name that ends in {names}, got {out}")
+        suffix = found
     for group in groups:
         if name not in (None, "training") and not group.is_race:
             expected = "expected a race, got a run of one team"
             raise click.UsageError(f"--figure {name}: {expected}: {group.name}")
-    return figures_of([group.inside(root) for group in groups], root, name=name, **chosen)
-
-
-def _draw(
-    files: Mapping[Path, Callable[[], Any]],
-    name: str | None,
-    out: Path | None,
-    force: bool,
-) -> None:
-    from matrixworld import plots
-
+    inside = [group.inside(root) for group in groups]
+    files = figures_of(
+        inside, root, name=name, suffix=suffix or "png", baselines=baselines, each=each
+    )
     if out is not None:
         if name is None or len(files) != 1:
             got = f"{len(files)} figures" if name else "no --figure"
             raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
         files = dict.fromkeys([out], *files.values())
     # All files are checked before the first is drawn.
-    check_outputs(*files, force=force)
+    options.check_outputs(*files, force=force)
     for file, figure in files.items():
         with usage_errors():
             plots.save_figure(figure(), file)
         say(file)
 
 
-# The page of the game:
-
-
 @click.command("playground", epilog=PLAYGROUND_EXAMPLES)
 @click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=source_of)
-@options("race")
-@out_option(f"the page  [default: {playground.PAGE}, of a RUN in its directory]")
-@options("open", "force")
+@options.shared("race")
+@options.out(f"the page  [default: {playground.PAGE}, of a RUN in its directory]")
+@options.shared("open", "force")
 def playground_command(
     source: Path | Rules, race: str | None, out: Path | None, opens: bool, force: bool
 ) -> None:
@@ -232,11 +224,11 @@ def playground_command(
     if isinstance(source, Rules):
         directory, opponents = Path(), playground.shipped(source)
     else:
-        directory = run_in(source, race=race)
+        directory = options.run_in(source, race)
         run = open_run(directory)
         title, opponents = f"{run.title} - {title}", playground.of_run(run)
     page = out or directory / playground.PAGE
-    check_outputs(page, force=force)
+    options.check_outputs(page, force=force)
     write_page(page, playground.playground_page("", opponents, title))
     say(page)
     open_page(page, opens)

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
 import click
 
-from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
+from matrixworld._util.checks import SEED_MAX, check_choice
+from matrixworld.cli import options
 from matrixworld.cli.console import say
-from matrixworld.cli.options import check_exists, check_outputs, given_options, option_name, options
-from matrixworld.cli.runs import run_in, unpacked
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -55,21 +54,20 @@ def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) ->
 def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
     """Return a file, else a directory that holds runs, else the rules of a variant."""
     # Paths come first: a run may be called O, and `O` in another directory is the variant.
-    path = unpacked(Path(value))
+    path = options.unpacked(Path(value))
     if path.is_file() or find_runs(path):
         return path
     try:
         return rules_of(value)
     except ValueError:
-        expected = "expected the directory of a run, the file of an episode, or a variant"
-        variants = f"({', '.join(VARIANTS)})"
-        check_exists(value, f"; {expected} {variants}")
-        raise click.BadParameter(f"{expected} {variants}, got {value!r}") from None
+        expected = "the directory of a run, the file of an episode, or a variant"
+        told = options.refusal(value, f"{expected} ({', '.join(VARIANTS)})")
+        raise click.BadParameter(told) from None
 
 
 @click.command("replay", epilog=EXAMPLES)
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=source_of)
-@options("race")
+@options.shared("race")
 @click.option(
     "--pursuer",
     metavar="WHO",
@@ -77,19 +75,12 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     f"small worlds  [default: the last; of a VARIANT {CHASER}]",
 )
 @click.option(
-    "--evader",
-    metavar="WHO",
-    help=f"the same  [default: the last; of a VARIANT {FLEER}]",
+    "--evader", metavar="WHO", help=f"the same  [default: the last; of a VARIANT {FLEER}]"
 )
-@click.option(
-    "--episode",
-    type=click.IntRange(0, SEED_MAX),
-    default=0,
-    show_default=True,
-    metavar="NUMBER",
-    help="which episode of the match, or of the seed",
+@options.integer(
+    "--episode", "which episode of the match, or of the seed", least=0, most=SEED_MAX, default=0
 )
-@options("seed", "steps")
+@options.shared("seed", "steps")
 @click.option(
     "--out",
     "-o",
@@ -100,7 +91,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     help="write the episode to a file instead of showing it: .gif, .mp4, .png (one moment: --step) "
     "or .npz (its data); may be given several times",
 )
-@options("force")
+@options.shared("force")
 @click.option(
     "--fps",
     type=click.FloatRange(SLOWEST, FASTEST),
@@ -109,11 +100,9 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     metavar="NUMBER",
     help="frames a second",
 )
-@click.option(
+@options.integer(
     "--every",
-    type=click.IntRange(1, INT_MAX),
-    metavar="STEPS",
-    help=f"steps from one frame to the next  [default: 1; of a .gif or .mp4 as many as make about "
+    "steps from one frame to the next  [default: 1; of a .gif or .mp4 as many as make about "
     f"{SHOWN_SECONDS} seconds]",
 )
 @click.option(
@@ -136,7 +125,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     metavar="AGENT",
     help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
 )
-@options("rows", "cols", "obstacles")
+@options.shared("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
     out: tuple[Path, ...],
@@ -156,14 +145,38 @@ def replay_command(
     ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
     the name of a script, such as chaser or fleer; an unknown name prints all of them.
     """
-    _check_output(given_options(click.get_current_context().params).keys(), out)
-    check_outputs(*out, force=force)
+    given = options.given(click.get_current_context().params)
+    suffixes = {path.suffix.lower() for path in out}
+    if not suffixes - {".npz"}:  # the terminal shows neither fields of view nor numbers
+        _refuse(given.keys() & {"view", "numbers"}, "--out writes no picture")
+    if out and ".png" not in suffixes:
+        _refuse(given.keys() & {"step"}, "--out writes no .png")
+    options.check_outputs(*out, force=force)
     with usage_errors():
-        played = _match(source, given_options(game))(episode=game["episode"])
+        played = _match(source, options.given(game))(episode=game["episode"])
         step = None if step is None else step_number(step, played.length)
-        lines = _explanation(played, step) if explain else []
-    look = {"fps": fps, "step": -1 if step is None else step, "numbers": numbers, "viewers": view}
-    _write(played, out, every, look)
+        steps = range(1, played.length + 1) if step is None else [step]
+        lines = [f"step {now}  {why}" for now in steps if explain for why in played.explain(now)]
+    if explain and not lines:
+        lines = ["no conflicts" if step is None else f"step {step}  no conflicts"]
+    if every is None and suffixes & {".gif", ".mp4"}:
+        every = max(1, round(played.length / (SHOWN_SECONDS * fps)))
+        if every > 1:
+            say(f"Every {every} steps are a frame, so that it takes about {SHOWN_SECONDS} seconds.")
+    look: dict[str, Any] = {
+        "fps": fps,
+        "step": -1 if step is None else step,
+        "numbers": numbers,
+        "viewers": view,
+    }
+    for path in out:
+        if path.suffix.lower() == ".npz":
+            played.save(path)
+            continue
+        try:
+            replay.save(played, path, every=every or 1, **look)
+        except ValueError as error:
+            raise click.ClickException(str(error)) from error
     if not out and step is not None:
         replay.print_moment(played, step=step)
     elif not (out or explain):
@@ -175,38 +188,6 @@ def replay_command(
     say(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
 
 
-def _check_output(given: Set[str], out: tuple[Path, ...]) -> None:
-    """Refuse options that no output of this command would follow."""
-    suffixes = {path.suffix.lower() for path in out}
-    for reason, holds, names in (
-        # The terminal shows neither fields of view nor numbers.
-        ("--out writes no picture", not suffixes - {".npz"}, {"view", "numbers"}),
-        ("--out writes no .png", out and ".png" not in suffixes, {"step"}),
-    ):
-        _refuse(given & names if holds else (), reason)
-
-
-def _explanation(played: Episode, step: int | None) -> list[str]:
-    steps = range(1, played.length + 1) if step is None else [step]
-    lines = [f"step {now}  {conflict}" for now in steps for conflict in played.explain(now)]
-    return lines or ["no conflicts" if step is None else f"step {step}  no conflicts"]
-
-
-def _write(played: Episode, out: tuple[Path, ...], every: int | None, look: dict[str, Any]) -> None:
-    if every is None:
-        every = max(1, round(played.length / (SHOWN_SECONDS * look["fps"])))
-        if every > 1 and {path.suffix.lower() for path in out} & {".gif", ".mp4"}:
-            say(f"Every {every} steps are a frame, so that it takes about {SHOWN_SECONDS} seconds.")
-    for path in out:
-        if path.suffix.lower() == ".npz":
-            played.save(path)
-            continue
-        try:
-            replay.save(played, path, every=every, **look)
-        except ValueError as error:
-            raise click.ClickException(str(error)) from error
-
-
 # The match of a source:
 
 
@@ -215,21 +196,20 @@ def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
     if isinstance(source, Path) and source.is_file():
         _refuse(given, f"{source} is a single episode")
         return lambda episode: Episode.load(source)
-    given = {name: value for name, value in given.items() if name != "episode"}
+    given.pop("episode", None)
     race = given.pop("race", None)
     if isinstance(source, Rules):
         return _scripted(source, **given)
-    run = open_run(run_in(source, race=race))
+    run = open_run(options.run_in(source, race))
     _refuse(given.keys() - MATCH, f"{run.path} is a run")
     pursuers, g = _player(run, "pursuer", given.get("pursuer", "-1"))
     evaders, h = _player(run, "evader", given.get("evader", "-1"))
     seed = evaluation_seed(run.settings.seed, g, h)
-    world = run.settings.world
-    return partial(record, world, pursuers, evaders, seed=seed, pursuer=g, evader=h)
+    return partial(record, run.settings.world, pursuers, evaders, seed=seed, pursuer=g, evader=h)
 
 
 def _refuse(names: Iterable[str], reason: str) -> None:
-    refused = ", ".join(map(option_name, sorted(names)))
+    refused = ", ".join(map(options.option_name, sorted(names)))
     if refused:
         raise click.UsageError(f"{reason}: expected no {refused} with it")
 
@@ -242,8 +222,7 @@ def _player(run: SavedRun, team: Team, who: str) -> tuple[EnginePolicy, int]:
     try:
         generation = int(who)
     except ValueError:
-        expected = "a generation of the run"
-        raise ValueError(f"{team}: expected {expected}, got {who!r}") from None
+        raise ValueError(f"{team}: expected a generation of the run, got {who!r}") from None
     return run.teams[team], run.generation(team, generation)
 
 
@@ -262,16 +241,11 @@ def _named(config: WorldConfig, team: Team, who: str) -> EnginePolicy | None:
 # The defaults here stand for options that the user has not given: a run and a variant have
 # different ones.
 def _scripted(
-    rules: Rules,
-    pursuer: str = CHASER,
-    evader: str = FLEER,
-    seed: int = 0,
-    steps: int | None = None,
-    **world: Any,
+    rules: Rules, pursuer: str = CHASER, evader: str = FLEER, seed: int = 0, **world: Any
 ) -> partial[Episode]:
-    # None is no number of steps: WorldConfig has its own default.
-    limit: dict[str, Any] = {} if steps is None else {"max_steps": steps}
-    config = WorldConfig(rules, **limit, **world)
+    if "steps" in world:
+        world["max_steps"] = world.pop("steps")
+    config = WorldConfig(rules, **world)
     teams: list[EnginePolicy] = []
     for team, who in zip(TEAMS, (pursuer, evader), strict=True):
         named = _named(config, team, who)

@@ -11,16 +11,8 @@ from typing import Any
 import click
 
 from matrixworld.analysis import interval_over_runs
-from matrixworld.cli.console import print_head, print_table, print_wrapped, say, warnings_as_notes
-from matrixworld.cli.options import (
-    Existing,
-    check_outputs,
-    given_options,
-    option_name,
-    options,
-    write_json,
-)
-from matrixworld.cli.runs import finished_groups, print_missing
+from matrixworld.cli import console, options
+from matrixworld.cli.console import print_head, print_wrapped, say
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Team
 from matrixworld.coevolution.groups import RunGroup
@@ -44,23 +36,21 @@ RUN_LEGEND = (
     "opponent in its own run. Exploitability: score of the best response minus that under perfect "
     "play of both teams. In brackets: 95% interval of the mean over the seeds."
 )
-WORLD = ("variant", "rows", "cols", "n_pursuers", "n_evaders", "steps", "diagonal", "obstacles")
 
 
 @click.command("solve", epilog=SOLVE_EXAMPLES)
-@options(*WORLD)
+@options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders", "steps")
+@options.shared("diagonal", "obstacles")
 @click.option(
     "--run",
     "run",
-    type=Existing(file_okay=False),
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
     metavar="RUN",
     help="solve the world of this run, or of the runs of a job, and tell what the best opponents "
     "do to their last generations",
 )
-@options("json", "force", "threads")
+@options.shared("json", "force", "threads")
 def solve_command(
-    variant: str | None,
-    steps: int | None,
     run: Path | None,
     json_file: Path | None,
     force: bool,
@@ -81,28 +71,28 @@ def solve_command(
     With --run the best responses to the last generations of a run are computed, which no other can
     surpass. Its networks must see the whole board.
     """
-    check_outputs(json_file, force=force)
-    given = given_options({"variant": variant, "steps": steps, **world})
+    options.check_outputs(json_file, force=force)
+    given = options.given(world)
     if run is not None and given:
-        names = ", ".join(map(option_name, given))
+        names = ", ".join(map(options.option_name, given))
         raise click.UsageError(f"--run: expected no {names} beside it: the run has a world")
-    with warnings_as_notes(), usage_errors():
+    with console.warnings_as_notes(), usage_errors():
         if run is None:
             numbers = _solve_world(given, threads)
         else:
-            groups = finished_groups([run], unfinished=True)
+            groups = options.finished_groups([run], unfinished=True)
             numbers = {"groups": {group.name: _solve_runs(group, threads) for group in groups}}
     print_wrapped(SOLVE_LEGEND if run is None else f"\n{RUN_LEGEND}")
-    write_json(json_file, numbers)
+    options.write_json(json_file, numbers)
 
 
 def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any]:
     """Print the exact numbers of a small world; return them as JSON has them."""
-    options = {"variant": "O", "steps": 20, "n_pursuers": 2, "n_evaders": 1, **given}
+    world = {"variant": "O", "steps": 20, "n_pursuers": 2, "n_evaders": 1, **given}
     if "obstacles" not in given:  # which have a size
-        options = {"rows": 6, "cols": 6, **options}
-    variant, steps = options.pop("variant"), options.pop("steps")
-    config = WorldConfig(variant, max_steps=steps, **options)
+        world = {"rows": 6, "cols": 6, **world}
+    variant, steps = world.pop("variant"), world.pop("steps")
+    config = WorldConfig(variant, max_steps=steps, **world)
     began = time.perf_counter()
     solution = solve(States(config, threads=threads))
     needed = solution.capture_time if solution.states.n_turns > 1 else None
@@ -119,15 +109,12 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
         "seconds": seconds,
     }
     if needed is not None:
-        is_finite = not math.isinf(needed)
-        rounds = int(needed) if is_finite else "never: the evaders can escape"
-        say(f"rounds to capture from the best start: {rounds}")
-        numbers["capture_time"] = int(needed) if is_finite else None
+        rounds = None if math.isinf(needed) else int(needed)
+        told = "never: the evaders can escape" if rounds is None else rounds
+        say(f"rounds to capture from the best start: {told}")
+        numbers["capture_time"] = rounds
     say(f"It took {seconds:.2f} seconds.\n")
     return numbers
-
-
-# The teams of runs:
 
 
 def _solve_runs(group: RunGroup, threads: int | None) -> dict[str, Any]:
@@ -137,27 +124,27 @@ def _solve_runs(group: RunGroup, threads: int | None) -> dict[str, Any]:
     found: dict[str, Any] = {"value": value, "seeds": list(group.seeds)}
     for champion in group.runs[0].settings.learning_teams:
         perfect, rate = _score(value, champion), SCORE[other(champion)]
-        numbers = []
+        columns: dict[str, list[float]] = {"met": [], "best": [], "gain": [], "exploitability": []}
         for run in group.runs:
-            met = expected_payoff(states, run.last("pursuer"), run.last("evader"))
-            best = best_response(states, run.last(champion), champion).value
-            scores = _score(met, champion), _score(best, champion)
-            numbers.append((*scores, scores[1] - scores[0], scores[1] - perfect))
-        names = [f"the {other(champion)}s of the run", "the best", "gain", "exploitability"]
-        rows = [["seed", *names]]
-        for seed, each in zip(group.seeds, numbers, strict=True):
+            rates = expected_payoff(states, run.last("pursuer"), run.last("evader"))
+            met = _score(rates, champion)
+            best = _score(best_response(states, run.last(champion), champion).value, champion)
+            for column, number in zip(
+                columns.values(), (met, best, best - met, best - perfect), strict=True
+            ):
+                column.append(number)
+        rows = [["seed", f"the {other(champion)}s of the run", "the best", *[*columns][2:]]]
+        for seed, *numbers in zip(group.seeds, *columns.values(), strict=True):
             # Adding 0.0 turns the -0.0 of a rounding error into 0.0.
-            rows.append([str(seed), *(f"{round(number, 3) + 0.0:.3f}" for number in each)])
-        if len(numbers) > 1:
-            means = (interval_over_runs(each) for each in list(zip(*numbers, strict=True))[2:])
+            rows.append([str(seed), *(f"{round(number, 3) + 0.0:.3f}" for number in numbers)])
+        if len(group.runs) > 1:
+            means = (interval_over_runs(columns[name]) for name in ("gain", "exploitability"))
             rows.append(["mean", "", "", *map(str, means)])
         print_head(f"{group.name}: exact {rate} against the last {champion}s")
-        print_table(rows, ">>><<")
+        console.print_table(rows, ">>><<")
         print_wrapped(f"Under perfect play of both teams the {rate} is {perfect:.3f}.")
-        keys = ("met", "best", "gain", "exploitability")
-        columns = zip(*numbers, strict=True)
-        found[f"{champion}s"] = dict(zip(keys, map(list, columns), strict=True))
-    print_missing(group)
+        found[f"{champion}s"] = columns
+    console.print_missing(group)
     return found
 
 
