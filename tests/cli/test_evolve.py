@@ -10,29 +10,12 @@ import numpy as np
 import pytest
 from click.testing import Result
 
-from command_line import (
-    FIGURES,
-    MAIN_JOB,
-    PLACES,
-    PNG,
-    RACE,
-    WORLD,
-    evolved,
-    words,
-)
+from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, words
 from matrixworld._util.files import locked
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import default_directory, evolve_command, job_of, shown
 from matrixworld.cli.setting_options import settings_of
-from matrixworld.coevolution import (
-    TEAMS,
-    RaceSettings,
-    create,
-    evolve,
-    finish,
-    open_run,
-    score,
-)
+from matrixworld.coevolution import TEAMS, RaceSettings, create, evolve, finish, open_run, score
 from matrixworld.coevolution import jobs as jobs_module
 from matrixworld.coevolution.sections import values_of
 from tiny_race import StopAt, results, tiny_race, tiny_single

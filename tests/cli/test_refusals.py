@@ -62,7 +62,7 @@ EXPLORE = [
     (["alone", "--figure", "payoff"], 2, "expected a race, got a run of one team"),
     (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, got 'x'"),
     (["race", "--figures", "--baseline", "x=race"], 2, "expected finished runs of one team"),
-    (["race", "--figures", "--baseline", "x=no"], 2, "no: expected a directory that holds runs, got none"),
+    (["race", "--figures", "--baseline", "x=no"], 2, "no: expected a directory that holds runs"),
 ]
 ALONE = ["--schedule", "against"]
 EVOLVE = [
