@@ -54,26 +54,28 @@ the border on all four sides capture an evader.
 Other rules can be made in Python: matrixworld.Rules(...)."""
 
 
-def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
-    if value:
-        rows = [[*RULES_HEAD], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
-        console.print_table(rows, "<" * len(RULES_HEAD))
-        console.say(f"\n{VARIANT_LEGEND}")
-        ctx.exit()
+def _print_variants(ctx: click.Context) -> None:
+    rows = [[*RULES_HEAD], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
+    console.print_table(rows, "<" * len(RULES_HEAD))
+    console.say(f"\n{VARIANT_LEGEND}")
 
 
-def _write_page(ctx: click.Context, param: click.Parameter, value: bool) -> None:
-    if value:
-        page = Path(evolve_page.PAGE)
-        options.check_outputs(page, force=False)
-        write_page(page, evolve_page.evolve_page())
-        console.say(page)
-        pages.open_page(page, opens=True)
-        ctx.exit()
+def _write_page(ctx: click.Context) -> None:
+    page = Path(evolve_page.PAGE)
+    options.check_outputs(page, force=False)
+    write_page(page, evolve_page.evolve_page())
+    console.say(page)
+    pages.open_page(page, opens=True)
 
 
-def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[Any], Any]:
+def _shows(name: str, show: Callable[[click.Context], None], text: str) -> options.Option:
     """Return an option that prints or writes something, and the command does nothing else."""
+
+    def callback(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+        if value:
+            show(ctx)
+            ctx.exit()
+
     return click.option(
         name, is_flag=True, is_eager=True, expose_value=False, callback=callback, help=text
     )
@@ -131,11 +133,11 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     metavar="FILE",
     help="settings from a .toml file, or the config.json of a run; options replace them",
 )
-@_prints(
+@_shows(
     "--page", _write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"
 )
-@_prints("--variants", _print_variants, "print the nine variants of the game as a table of rules")
-@_prints("--help-all", setting_options.help_all, "print this page and all settings")
+@_shows("--variants", _print_variants, "print the nine variants of the game as a table of rules")
+@_shows("--help-all", setting_options.help_all, "print this page and all settings")
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
