@@ -53,10 +53,8 @@ def _baselines(
     opened: dict[str, list[SavedRun]] = {}
     for value in values:
         name, _, path = value.partition("=")
-        if not (name and path):
-            raise click.BadParameter(f"expected NAME=RUN, got {value!r}")
-        if name in opened:
-            raise click.BadParameter(f"expected each name once, got {name!r} twice")
+        if not (name and path) or name in opened:
+            raise click.BadParameter(f"expected NAME=RUN, each name once, got {value!r}")
         try:
             opened[name] = open_runs(path)
             teams = {team for run in opened[name] for team in run.settings.learning_teams}
