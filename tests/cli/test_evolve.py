@@ -1,48 +1,21 @@
 """``matrixworld evolve``: options, jobs, interruptions, and progress."""
 
 import json
-import shutil
 from functools import partial
 from pathlib import Path
 
 import click
 import numpy as np
 import pytest
-from click.testing import Result
 
-from command_line import (
-    FIGURES,
-    MAIN_JOB,
-    PLACES,
-    PNG,
-    RACE,
-    WORLD,
-    evolved,
-    words,
-)
-from matrixworld._util.files import locked
+from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, words
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import default_directory, evolve_command, job_of, shown
 from matrixworld.cli.setting_options import settings_of
-from matrixworld.coevolution import (
-    TEAMS,
-    RaceSettings,
-    create,
-    evolve,
-    finish,
-    open_run,
-    score,
-)
+from matrixworld.coevolution import RaceSettings, create, evolve, finish, open_run
 from matrixworld.coevolution import jobs as jobs_module
 from matrixworld.coevolution.sections import values_of
 from tiny_race import StopAt, results, tiny_race, tiny_single
-
-
-@pytest.fixture
-def copy(main_job: tuple[Path, Result], tmp_path: Path) -> Path:
-    """A copy of the main job, to be changed."""
-    return Path(shutil.copytree(main_job[0], tmp_path / "copy"))
-
 
 # The options
 
@@ -165,19 +138,15 @@ def test_the_main_job_writes_figures_and_numbers(main_job):
         assert path.read_bytes().startswith(PNG)
     runs = json.loads((output / "summary.json").read_text())["runs"]
     assert list(runs) == PLACES
-    for place, numbers in runs.items():
-        run = open_run(output / place)
-        held_out = numbers.pop("held_out")
-        assert {*numbers} - {*run.summary()} == {"measures", "judgement"}
-        scores = score(run)
-        for team in TEAMS:
-            assert held_out[f"{team}s"] == scores[team].to_json()
 
 
 def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
     first = evolved(*one).stderr
-    assert first.splitlines()[1] == "O, 2 pursuers and 3 evaders, 1 race, in runs/O-seed5"
+    assert first.splitlines()[:2] == [
+        "runs/O-seed5/explorer.html shows the runs while they go on.",
+        "O, 2 pursuers and 3 evaders, 1 race, in runs/O-seed5",
+    ]
     second = evolved(*one, code=2).stderr
     assert "--out: expected a new or empty directory, got 'runs/O-seed5'; " in second
     assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
@@ -224,21 +193,7 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeyp
     assert results(Path("out") / PLACES[2]) == results(main_job[0] / PLACES[2])
 
 
-def test_a_locked_run_gives_an_error_of_one_line(copy):
-    (copy / PLACES[0] / "summary.json").unlink()
-    with locked(copy / PLACES[0] / ".lock"):
-        refused = evolved("--resume", copy, code=1)
-    assert "Error: " in refused.stderr
-    assert "another process is running there" in refused.stderr
-
-
 def test_the_page_of_many_runs_grows_with_the_first_seeds() -> None:
     names = shown(job_of({"seeds": range(10)}))
     assert len(names) == 12
     assert {name.rpartition("/")[2] for name in names} == {f"seed-{n}" for n in range(4)}
-
-
-def test_evolve_names_its_page_first(undrawn: None) -> None:
-    told = evolved("--out", "race", *words(RACE), "--threads", 1)
-    page = Path("race", "explorer.html")
-    assert told.stderr.splitlines()[0] == f"{page} shows the runs while they go on."

@@ -10,8 +10,8 @@ from scipy import stats
 from command_line import matrixworld_command, run_together
 from matrixworld._util.files import read_json
 from matrixworld.analysis.judgement import summary
-from matrixworld.cli.evolve import Whole, report
-from matrixworld.coevolution import Progress, ProgressBar, SavedRun, finish, open_run, score
+from matrixworld.cli.evolve import report
+from matrixworld.coevolution import SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import create_job, job_of
 from matrixworld.coevolution.types import TEAMS
@@ -42,30 +42,12 @@ def job(made: Path) -> Path:
     return Path(shutil.copytree(made, "job"))
 
 
-def test_one_progress_counts_what_comes_after_the_runs(tmp_path):
-    told: list[Progress] = []
-    bar = Whole(JOB, tmp_path / "new", told.append)
-    bar.played(Progress("0 of 8 runs", 100, 1000))
-    bar.played(Progress("8 of 8 runs", 1000, 1000))
-    for share in (0.5, 1.0):
-        bar.scored(Progress("pursuers", int(10 * share), 10))
-    bar.drawn(0.5)
-    bar.drawn(1.0)
-    shares = [each.share for each in told]
-    assert shares == sorted(shares)
-    assert shares[1] < shares[3] < shares[4] < shares[5] == 1.0
-    assert told[0].share < 100 / 1000  # as announced without scores and figures
-    assert [each.what.partition(",")[0] for each in told] == [
-        *["evolve"] * 2, *["score"] * 2, *["draw figures and page"] * 2
-    ]  # fmt: skip
-
-
 def results(root: Path) -> list[SavedRun]:
     return [run for group in open_groups(root) for run in group.runs]
 
 
 def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, undrawn):
-    report(Whole(JOB, job, ProgressBar()), results(job), {}, threads=1)
+    report(JOB, job, results(job), {}, 0.0, threads=1)
     said = capsys.readouterr().out
     assert max(map(len, said.splitlines())) <= 80
     assert len(said.splitlines()) <= 24  # seen at once
@@ -94,15 +76,14 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, u
 def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     failed = job / FIRST / "seed-1"
     asked = {name: each for name, each in JOB.items() if FIRST in name}
-    whole = Whole(asked, job, ProgressBar())
-    report(whole, results(job)[:1], {failed: "payoff.npz: cut or altered"}, 1)
+    report(asked, job, results(job)[:1], {failed: "payoff.npz: cut or altered"}, 0.0, 1)
     said = capsys.readouterr().out
     assert "Not finished: seeds 1, 2, 3." in said
     assert f"Failed: {failed}: payoff.npz: cut or altered" in run_together(said)
     kept = read_json(job / "summary.json")["failed"]
     assert kept == {f"{FIRST}/seed-1": "payoff.npz: cut or altered"}
     Path("none").mkdir()
-    report(Whole(asked, Path("none"), ProgressBar()), [], {})
+    report(asked, Path("none"), [], {}, 0.0)
     assert f"{FIRST}\n  0 of 4 seeds finished" in capsys.readouterr().out
 
 

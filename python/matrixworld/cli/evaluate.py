@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -262,7 +263,16 @@ SUFFIX = ".npz"
 @options.out("the payoff, .npz  [default: in RUN, named after the options]")
 @options.shared("force", "threads", "cluster")
 def tournament_command(
-    run: Path, other: str | None, race: str | None, out: Path | None, **chosen: Any
+    run: Path,
+    other: str | None,
+    race: str | None,
+    out: Path | None,
+    episodes: int,
+    steps: int | None,
+    seed: int,
+    force: bool,
+    threads: int | None,
+    where: str | None,
 ) -> None:
     """Play every generation against every other.
 
@@ -276,6 +286,8 @@ def tournament_command(
 
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
+    from matrixworld import plots
+
     runs = (find_runs(run) if race is None else []) or [options.run_in(run, race)]
     for option, given in (("RUN2", other), ("--out", out)):
         if given is not None and len(runs) > 1:
@@ -283,62 +295,42 @@ def tournament_command(
                 f"{option}: expected one race in RUN, got {len(runs)}; --race NAME chooses one"
             )
     rival = None if other is None else open_run(options.run_in(other, race))
-    for each in runs:
-        _play_one(open_run(each), rival, out, **chosen)
+    for ours in map(open_run, runs):
+        theirs = rival or ours
+        _check_worlds(ours, theirs)
+        world = replace(ours.settings.world, max_steps=steps or ours.settings.world.max_steps)
+        against = f"-against-{_dashed_name(rival.path)}" if rival else ""
+        name = f"tournament{against}-{episodes}x{world.max_steps}-seed{seed}{SUFFIX}"
+        target = out or ours.path / name
+        # With another suffix the figure could have the payoff's own name.
+        if target.suffix.lower() != SUFFIX:
+            raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
+        figure = target.with_suffix(".png")
+        options.check_outputs(target, figure, force=force)
+        teams = ours.teams["pursuer"], theirs.teams["evader"]
+        total = team_size(teams[0]) * team_size(teams[1]) * episodes
+        with on_cluster(where, threads) as executor, ProgressBar() as bar:
+            on_row = partial(_tell, bar, total)
+            on_row(0)  # the first row may take minutes, and the bar should be there before
+            play: Any = {"episodes": episodes, "threads": threads, "executor": executor}
+            payoff = tournament(world, *teams, seed=seed, on_row=on_row, **play)
+        # Generations of two runs have no common order in time, and are not judged.
+        judgement = None if rival else analysis.judge(payoff.capture_rates, per_episode=True)
+        shown = analysis.headline(judgement) if judgement else f"against evaders of {theirs.title}"
+        title = f"{'pursuers of ' if rival else ''}{ours.title}\n{shown}"
+        save_arrays(target, payoff.arrays())
+        plots.save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), figure)
+        print_head(str(ours.path))
+        say(payoff)
+        if judgement:
+            say()
+            print_judgement(judgement)
+            say(f"\n{TERMS}")
+        say(f"\nWritten: {target}, {figure.name}")
 
 
-def _play_one(
-    ours: SavedRun,
-    rival: SavedRun | None,
-    out: Path | None,
-    *,
-    episodes: int,
-    seed: int,
-    steps: int | None,
-    force: bool,
-    threads: int | None,
-    where: str | None,
-) -> None:
-    from matrixworld import plots
-
-    theirs = rival or ours
-    _check_worlds(ours, theirs)
-    steps = steps or ours.settings.world.max_steps
-    against = f"-against-{_dashed_name(rival.path)}" if rival else ""
-    target = out or ours.path / f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
-    # With another suffix the figure could have the payoff's own name.
-    if target.suffix.lower() != SUFFIX:
-        raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
-    figure = target.with_suffix(".png")
-    options.check_outputs(target, figure, force=force)
-    pursuers, evaders = ours.teams["pursuer"], theirs.teams["evader"]
-    total = team_size(pursuers) * team_size(evaders) * episodes
-    with on_cluster(where, threads) as executor, ProgressBar() as bar:
-        # The first row may take minutes, and the bar should be there before.
-        bar(Progress("tournament", 0, total))
-        payoff = tournament(
-            replace(ours.settings.world, max_steps=steps),
-            pursuers,
-            evaders,
-            seed=seed,
-            episodes=episodes,
-            threads=threads,
-            on_row=lambda played: bar(Progress("tournament", played, total)),
-            executor=executor,
-        )
-    # Generations of two runs have no common order in time, and are not judged.
-    judgement = None if rival else analysis.judge(payoff.capture_rates, per_episode=True)
-    shown = analysis.headline(judgement) if judgement else f"against evaders of {theirs.title}"
-    title = f"{'pursuers of ' if rival else ''}{ours.title}\n{shown}"
-    save_arrays(target, payoff.arrays())
-    plots.save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), figure)
-    print_head(str(ours.path))
-    say(payoff)
-    if judgement:
-        say()
-        print_judgement(judgement)
-        say(f"\n{TERMS}")
-    say(f"\nWritten: {target}, {figure.name}")
+def _tell(bar: ProgressBar, total: int, played: int) -> None:
+    bar(Progress("tournament", played, total))
 
 
 def _check_worlds(ours: SavedRun, theirs: SavedRun) -> None:

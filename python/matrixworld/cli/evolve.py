@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path, PurePath
@@ -19,7 +20,6 @@ from matrixworld.cli import cluster, console, options, pages, setting_options
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs, storage
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.groups import RunGroup, grouped
-from matrixworld.coevolution.progress import SECONDS, Report
 from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.types import TEAMS, other
@@ -29,10 +29,6 @@ from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, GrowingPage
 from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
-SCORED = 1300
-"""About so many matches score a race."""
-SECONDS_TO_DRAW = 2.0
-"""About so long take the figures and the page of a run, or of runs that differ in their seed."""
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
 # \b keeps click from wrapping the lines.
@@ -58,26 +54,28 @@ the border on all four sides capture an evader.
 Other rules can be made in Python: matrixworld.Rules(...)."""
 
 
-def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
-    if value:
-        rows = [[*RULES_HEAD], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
-        console.print_table(rows, "<" * len(RULES_HEAD))
-        console.say(f"\n{VARIANT_LEGEND}")
-        ctx.exit()
+def _print_variants(ctx: click.Context) -> None:
+    rows = [[*RULES_HEAD], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
+    console.print_table(rows, "<" * len(RULES_HEAD))
+    console.say(f"\n{VARIANT_LEGEND}")
 
 
-def _write_page(ctx: click.Context, param: click.Parameter, value: bool) -> None:
-    if value:
-        page = Path(evolve_page.PAGE)
-        options.check_outputs(page, force=False)
-        write_page(page, evolve_page.evolve_page())
-        console.say(page)
-        pages.open_page(page, opens=True)
-        ctx.exit()
+def _write_page(ctx: click.Context) -> None:
+    page = Path(evolve_page.PAGE)
+    options.check_outputs(page, force=False)
+    write_page(page, evolve_page.evolve_page())
+    console.say(page)
+    pages.open_page(page, opens=True)
 
 
-def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[Any], Any]:
+def _shows(name: str, show: Callable[[click.Context], None], text: str) -> options.Option:
     """Return an option that prints or writes something, and the command does nothing else."""
+
+    def callback(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+        if value:
+            show(ctx)
+            ctx.exit()
+
     return click.option(
         name, is_flag=True, is_eager=True, expose_value=False, callback=callback, help=text
     )
@@ -109,10 +107,7 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     "module:object  [default: es]",
 )
 @click.option(
-    "--generations",
-    type=int,
-    metavar="INTEGER",
-    help="generations of a race  [default: 30]",
+    "--generations", type=int, metavar="INTEGER", help="generations of a race  [default: 30]"
 )
 @options.shared("seed", "seeds", "threads", "cluster")
 @click.option(
@@ -138,11 +133,11 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     metavar="FILE",
     help="settings from a .toml file, or the config.json of a run; options replace them",
 )
-@_prints(
+@_shows(
     "--page", _write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"
 )
-@_prints("--variants", _print_variants, "print the nine variants of the game as a table of rules")
-@_prints("--help-all", setting_options.help_all, "print this page and all settings")
+@_shows("--variants", _print_variants, "print the nine variants of the game as a table of rules")
+@_shows("--help-all", setting_options.help_all, "print this page and all settings")
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
@@ -183,10 +178,11 @@ def evolve_command(
         console.note(_plan(job, root))
         if resumed is None and not given:
             console.note(PAGE_HINT)
-        with _resumable(root), ProgressBar() as bar:
-            whole = Whole(job, root, bar)
-            results, failed = whole.play(where, threads)
-            report(whole, results, failed, threads)
+        began = time.monotonic()
+        with _resumable(root):
+            with cluster.on_cluster(where, threads) as executor:
+                results, failed = play(job, root, threads, executor)
+            report(job, root, results, failed, began, threads)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
@@ -287,103 +283,62 @@ def shown(job: jobs.Job) -> list[str]:
     return pages.first_seeds(groups.values(), MOST_RUNS)
 
 
-class Whole:
-    """The progress of a whole `evolve`: it plays runs, scores them, and draws figures and a page.
+def play(
+    job: jobs.Job, root: Path, threads: int | None, executor: Executor | None
+) -> tuple[list[SavedRun], dict[Path, str]]:
+    """Play the runs of a job; return the finished ones, and why the others failed.
 
-    Progress counts matches. What comes after the runs counts as so many of them as would be played
-    in the same time.
+    The page shows the runs while they go on. The error of a single run is raised.
     """
+    page, told = GrowingPage(root, shown(job)), len(job) == 1
 
-    def __init__(self, job: jobs.Job, root: Path, bar: Report) -> None:
-        self.job, self.root = job, root
-        # A match takes as long as its steps. Seeds have few figures of their own.
-        self._score = sum(
-            each.counted(0, SCORED) * each.world.max_steps / each.train_steps
-            for each in job.values()
-            if each.is_race
-        )
-        groups = {settings.method for settings in job.values()}
-        self._seconds = SECONDS_TO_DRAW * (len(groups) + min(len(job), MOST_RUNS))
-        self._bar, self._page, self._began = bar, GrowingPage(root, shown(job)), time.monotonic()
-        self._played, self._draw = Progress("", 0, 1), 0.0
-        # Runs of which the first one that ends is told.
-        self._runs = [root / name for name in job] if len(job) > 1 else []
-
-    def play(
-        self, where: str | None, threads: int | None
-    ) -> tuple[list[SavedRun], dict[Path, str]]:
-        """Play the runs; return the finished ones, and why the others failed.
-
-        The error of a single run is raised.
-        """
-        job, root = self.job, self.root
-        with cluster.on_cluster(where, threads) as executor:
-            errors = jobs.play_job(
-                job, root, executor=executor, threads=threads, report=self.played
-            )
-        for error in errors.values():
-            if len(job) == 1:
-                raise error  # as it is: one sentence, or the traceback of the user's own code
-            if not isinstance(error, options.FAILURES):  # such as of the user's own code
-                console.note("".join(traceback.format_exception(error)))
-        failed = {root / name: jobs.described(root / name, error) for name, error in errors.items()}
-        return [SavedRun(root / name) for name in job if name not in errors], failed
-
-    def played(self, progress: Progress) -> None:
-        """Show the progress of the runs, on the page, too; tell of the first one that ends."""
-        told = self._runs if progress.what != self._played.what else ()
-        for path in [path for path in told if SavedRun(path).finished][:1]:
-            typed = console.command("replay", path)
+    def tell(progress: Progress) -> None:
+        nonlocal told
+        bar(progress)
+        page.write()
+        if not (told or progress.what.startswith("0 of ")):
+            told, runs = True, (root / name for name in job)
+            first = next(path for path in runs if SavedRun(path).finished)
+            typed = console.command("replay", first)
             console.note(f"The first run has ended. A match of it: {typed}")
-            self._runs = []
-        rate = (progress.done - progress.before) / max(time.monotonic() - self._began, SECONDS)
-        self._played, self._draw = progress, self._seconds * rate
-        self._page.write()
-        self._show(f"evolve, {progress.what}", 0.0)
 
-    def scored(self, progress: Progress) -> None:
-        """Show the progress of matches against held-out opponents."""
-        self._show(f"score, {progress.what}", self._score * progress.share)
-
-    def drawn(self, share: float) -> None:
-        """Show the progress of figures and page, from 0 to 1."""
-        self._show("draw figures and page", self._score + self._draw * share)
-
-    def end(self) -> str:
-        """End the bar's line, which text below would break; return how long it all took."""
-        if isinstance(self._bar, ProgressBar):
-            self._bar.__exit__()
-        took: str = tqdm.format_interval(time.monotonic() - self._began)
-        return took
-
-    def _show(self, what: str, after: float) -> None:
-        one, total = self._played, self._played.total + self._score + self._draw
-        self._bar(replace(one, what=what, done=round(one.done + after), total=round(total)))
+    with ProgressBar() as bar:
+        errors = jobs.play_job(job, root, executor=executor, threads=threads, report=tell)
+    for error in errors.values():
+        if len(job) == 1:
+            raise error  # as it is: one sentence, or the traceback of the user's own code
+        if not isinstance(error, options.FAILURES):  # such as of the user's own code
+            console.note("".join(traceback.format_exception(error)))
+    failed = {root / name: jobs.described(root / name, error) for name, error in errors.items()}
+    return [SavedRun(root / name) for name in job if name not in errors], failed
 
 
 # The report at the end: what a newcomer asks first. Tables and intervals are those of `judge`.
 
 
 def report(
-    whole: Whole,
+    job: jobs.Job,
+    root: Path,
     results: Sequence[SavedRun],
     failed: Mapping[Path, str],
+    began: float,
     threads: int | None = None,
 ) -> None:
     """Score and judge the finished runs of a job, draw figures, and print the results.
 
-    `failed` says why other runs of the job failed, by their directories.
+    `failed` says why other runs of the job failed, by their directories; `began` is the time of
+    `time.monotonic` when it began.
     """
-    root = whole.root
-    runs = {root / name: settings for name, settings in whole.job.items()}
+    runs = {root / name: settings for name, settings in job.items()}
     found = grouped(runs, finished=[run.path for run in results])
     groups = [group.inside(root) for group in found]
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]
-    kept_scores([run for g in races for run in g.runs], threads=threads, report=whole.scored)
+    with ProgressBar() as bar:
+        kept_scores([run for g in races for run in g.runs], threads=threads, report=bar)
     if finished:
-        draw(finished, root, whole.drawn)
-    took = whole.end()
+        draw(finished, root)
+    took = tqdm.format_interval(time.monotonic() - began)
     # The summary of a run that was started by itself lies in the same directory.
     if root not in [run.path for run in results]:
         singles = [single for group in finished for single in group.singles]
@@ -413,20 +368,17 @@ def report(
         console.say(f"\n{why}\n  {typed}")
 
 
-def draw(groups: Sequence[RunGroup], root: Path, tell: Callable[[float], None]) -> None:
-    """Draw the figures and write the page; figures of an earlier report are replaced.
-
-    `tell` is called with the share that is done.
-    """
+def draw(groups: Sequence[RunGroup], root: Path) -> None:
+    """Draw the figures and write the page; figures of an earlier report are replaced."""
     from matrixworld import plots
     from matrixworld.plots.saved import figures_of
 
     files = figures_of(groups, root)
-    for number, (file, figure) in enumerate(files.items(), 1):
-        plots.save_figure(figure(), file)
-        tell(number / (len(files) + 1))
+    with ProgressBar() as bar:
+        for number, (file, figure) in enumerate(files.items()):
+            bar(Progress("draw figures", number, len(files)))
+            plots.save_figure(figure(), file)
     pages.write_explorer(groups, root / PAGE)
-    tell(1.0)
 
 
 def _lines(group: RunGroup) -> list[str]:

@@ -7,7 +7,7 @@ import webbrowser
 from collections.abc import Iterable, Sequence
 from itertools import zip_longest
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import click
 
@@ -53,10 +53,8 @@ def _baselines(
     opened: dict[str, list[SavedRun]] = {}
     for value in values:
         name, _, path = value.partition("=")
-        if not (name and path):
-            raise click.BadParameter(f"expected NAME=RUN, got {value!r}")
-        if name in opened:
-            raise click.BadParameter(f"expected each name once, got {name!r} twice")
+        if not (name and path) or name in opened:
+            raise click.BadParameter(f"expected NAME=RUN, each name once, got {value!r}")
         try:
             opened[name] = open_runs(path)
             teams = {team for run in opened[name] for team in run.settings.learning_teams}
@@ -122,18 +120,43 @@ def explore_command(
     if len(runs) > 1:
         root = Path(os.path.commonpath([path.absolute() for path in runs]))
         root = root if runs[0].is_absolute() else Path(os.path.relpath(root))
-    if figures or figure:
-        _draw(groups, root, figure, out, suffix, baselines, each=each, force=force)
+    if not (figures or figure):
+        given = {"--format": suffix, "--baseline": baselines, "--each": each}
+        for option, value in given.items():
+            if value:
+                raise click.UsageError(f"{option}: expected --figures or --figure beside it")
+        page = out or root / PAGE
+        options.check_outputs(page, force=force)
+        write_explorer(groups, page)
+        say(page)
+        open_page(page, opens)
         return
-    given = {"--format": suffix, "--baseline": baselines, "--each": each}
-    for option, value in given.items():
-        if value:
-            raise click.UsageError(f"{option}: expected --figures or --figure beside it")
-    page = out or root / PAGE
-    options.check_outputs(page, force=force)
-    write_explorer(groups, page)
-    say(page)
-    open_page(page, opens)
+    from matrixworld import plots
+    from matrixworld.plots.saved import figures_of
+
+    if out is not None:
+        forms = [suffix] if suffix else FORMATS
+        suffix = out.suffix.lower().removeprefix(".")
+        if suffix not in forms:
+            names = ", ".join(f".{form}" for form in forms)
+            raise click.UsageError(f"--out: expected a name that ends in {names}, got {out}")
+    for group in groups:
+        if figure not in (None, "training") and not group.is_race:
+            expected = "expected a race, got a run of one team"
+            raise click.UsageError(f"--figure {figure}: {expected}: {group.name}")
+    chosen: Any = {"name": figure, "suffix": suffix or "png", "baselines": baselines, "each": each}
+    files = figures_of([group.inside(root) for group in groups], root, **chosen)
+    if out is not None:
+        if figure is None or len(files) != 1:
+            got = f"{len(files)} figures" if figure else "no --figure"
+            raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
+        files = dict.fromkeys([out], *files.values())
+    # All files are checked before the first is drawn.
+    options.check_outputs(*files, force=force)
+    for file, drawn in files.items():
+        with usage_errors():
+            plots.save_figure(drawn(), file)
+        say(file)
 
 
 def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:
@@ -155,48 +178,6 @@ def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:
     turns = zip_longest(*runs)
     chosen = [run for turn in turns for run in turn if run is not None][:most]
     return [run for group in runs for run in group if run in chosen]
-
-
-def _draw(
-    groups: Sequence[RunGroup],
-    root: Path,
-    name: str | None,
-    out: Path | None,
-    suffix: str | None,
-    baselines: dict[str, list[SavedRun]],
-    *,
-    each: bool,
-    force: bool,
-) -> None:
-    """Draw the figures of runs, or the one of a name."""
-    from matrixworld import plots
-    from matrixworld.plots.saved import figures_of
-
-    if out is not None:
-        found = out.suffix.lower().removeprefix(".")
-        if found not in FORMATS or suffix not in (None, found):
-            names = ", ".join(f".{form}" for form in ([suffix] if suffix else FORMATS))
-            raise click.UsageError(f"--out: expected a name that ends in {names}, got {out}")
-        suffix = found
-    for group in groups:
-        if name not in (None, "training") and not group.is_race:
-            expected = "expected a race, got a run of one team"
-            raise click.UsageError(f"--figure {name}: {expected}: {group.name}")
-    inside = [group.inside(root) for group in groups]
-    files = figures_of(
-        inside, root, name=name, suffix=suffix or "png", baselines=baselines, each=each
-    )
-    if out is not None:
-        if name is None or len(files) != 1:
-            got = f"{len(files)} figures" if name else "no --figure"
-            raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
-        files = dict.fromkeys([out], *files.values())
-    # All files are checked before the first is drawn.
-    options.check_outputs(*files, force=force)
-    for file, figure in files.items():
-        with usage_errors():
-            plots.save_figure(figure(), file)
-        say(file)
 
 
 @click.command("playground", epilog=PLAYGROUND_EXAMPLES)

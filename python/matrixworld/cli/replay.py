@@ -32,8 +32,6 @@ SUFFIXES = (".gif", ".mp4", ".png", ".npz")
 SHOWN_SECONDS = 10
 """About how long a GIF or film takes for which nothing else is asked."""
 CHASER, FLEER = "chaser", "fleer"
-MATCH = {"pursuer", "evader"}
-"""Options that choose a match of a run; the other ones describe a new game."""
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
 Examples:
@@ -198,14 +196,23 @@ def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
         return lambda episode: Episode.load(source)
     given.pop("episode", None)
     race = given.pop("race", None)
+    named = {team: given.pop(team) for team in TEAMS if team in given}
     if isinstance(source, Rules):
-        return _scripted(source, **given)
-    run = open_run(options.run_in(source, race))
-    _refuse(given.keys() - MATCH, f"{run.path} is a run")
-    pursuers, g = _player(run, "pursuer", given.get("pursuer", "-1"))
-    evaders, h = _player(run, "evader", given.get("evader", "-1"))
-    seed = evaluation_seed(run.settings.seed, g, h)
-    return partial(record, run.settings.world, pursuers, evaders, seed=seed, pursuer=g, evader=h)
+        run, seed = None, given.pop("seed", 0)
+        if "steps" in given:
+            given["max_steps"] = given.pop("steps")
+        config = WorldConfig(source, **given)
+        named = {"pursuer": CHASER, "evader": FLEER, **named}
+    else:
+        run = open_run(options.run_in(source, race))
+        _refuse(given, f"{run.path} is a run")
+        config = run.settings.world
+        named = {"pursuer": "-1", "evader": "-1", **named}
+    pursuers, g = _player(config, run, "pursuer", named["pursuer"])
+    evaders, h = _player(config, run, "evader", named["evader"])
+    if run is not None:
+        seed = evaluation_seed(run.settings.seed, g, h)
+    return partial(record, config, pursuers, evaders, seed=seed, pursuer=g, evader=h)
 
 
 def _refuse(names: Iterable[str], reason: str) -> None:
@@ -214,42 +221,22 @@ def _refuse(names: Iterable[str], reason: str) -> None:
         raise click.UsageError(f"{reason}: expected no {refused} with it")
 
 
-def _player(run: SavedRun, team: Team, who: str) -> tuple[EnginePolicy, int]:
-    """Return what plays for a team in a run's world, and its generation; 0 of what is none."""
-    named = _named(run.settings.world, team, who)
-    if named is not None:
-        return named, 0
+def _player(
+    config: WorldConfig, run: SavedRun | None, team: Team, who: str
+) -> tuple[EnginePolicy, int]:
+    """Return what plays for a team in the world of a run or a new one, and its generation or 0."""
+    if who == SOLVED:
+        return solve(config).policy(team), 0
+    if who.lower().endswith(".npz"):
+        found, population = read_genome(who)
+        if found != team:
+            raise ValueError(f"{team}: expected a file of {team}s, got one of {found}s: {who}")
+        return population, 0
+    if run is None:
+        check_choice(team, who, (*SCRIPTS, SOLVED))
+        return cast(Script, who), 0
     try:
         generation = int(who)
     except ValueError:
         raise ValueError(f"{team}: expected a generation of the run, got {who!r}") from None
     return run.teams[team], run.generation(team, generation)
-
-
-def _named(config: WorldConfig, team: Team, who: str) -> EnginePolicy | None:
-    """Return the genome of a file, or perfect play; None for other names."""
-    if who == SOLVED:
-        return solve(config).policy(team)
-    if not who.lower().endswith(".npz"):
-        return None
-    found, population = read_genome(who)
-    if found != team:
-        raise ValueError(f"{team}: expected a file of {team}s, got one of {found}s: {who}")
-    return population
-
-
-# The defaults here stand for options that the user has not given: a run and a variant have
-# different ones.
-def _scripted(
-    rules: Rules, pursuer: str = CHASER, evader: str = FLEER, seed: int = 0, **world: Any
-) -> partial[Episode]:
-    if "steps" in world:
-        world["max_steps"] = world.pop("steps")
-    config = WorldConfig(rules, **world)
-    teams: list[EnginePolicy] = []
-    for team, who in zip(TEAMS, (pursuer, evader), strict=True):
-        named = _named(config, team, who)
-        if named is None:
-            check_choice(team, who, (*SCRIPTS, SOLVED))
-        teams.append(cast(Script, who) if named is None else named)
-    return partial(record, config, *teams, seed=seed)

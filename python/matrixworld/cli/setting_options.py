@@ -223,10 +223,8 @@ def _shown(value: Any) -> str:
     return "" if value is None or isinstance(value, Mapping) else str(value)
 
 
-def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+def help_all(ctx: click.Context) -> None:
     """Print the help page and all settings."""
-    if not value:
-        return
     formatter = ctx.make_formatter()
     ctx.command.format_help(ctx, formatter)
     formatter.write_paragraph()
@@ -243,4 +241,3 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
             with formatter.section(title):
                 formatter.write_dl(rows)
     console.say(formatter.getvalue().rstrip())
-    ctx.exit()

@@ -51,11 +51,7 @@ RUN_LEGEND = (
 )
 @options.shared("json", "force", "threads")
 def solve_command(
-    run: Path | None,
-    json_file: Path | None,
-    force: bool,
-    threads: int | None,
-    **world: Any,
+    run: Path | None, json_file: Path | None, force: bool, threads: int | None, **world: Any
 ) -> None:
     """Solve a small world exactly.
 

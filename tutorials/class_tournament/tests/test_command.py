@@ -100,7 +100,7 @@ REFUSED = [
     (["empty", "--seconds", 0], 2, "--seconds: expected 1 to 3600, got 0"),
     (["empty", "--wait", "nan"], 2, "--wait: expected a number above 0"),
     (["empty", "--memory", 1], 2, "--memory: expected 16 to 1048576, got 1"),
-    (["no"], 2, "no: no such file or directory"),
+    (["no"], 2, "Directory 'no' does not exist"),
     (["export", "no", "--team", "evader", "--out", "a.npz"], 2, "no: no such file or directory"),
     (["export", "RUN", "--team", "evader", "--out", "a.txt"], 2, "ends in .npz"),
     (["export", "RUN", "--team", "evader", "--out", "a.npz", "--generation", 99], 2,
