@@ -210,19 +210,17 @@ class MatrixWorldBase(PlaysTeam):
         """Draw the present moment: pixels (height, width, 3) uint8 or a text; None for "human"."""
         if self.render_mode is None or self._drawing is None:
             raise ValueError(f"render_mode: expected one of {RENDER_MODES}, got None")
-        self._require_begun()
-        return self._drawing.render()
-
-    def _require_begun(self) -> None:
         if not self._seeded:
             raise RuntimeError("call reset() first")
+        return self._drawing.render()
 
     @property
     def recorded(self) -> Episode:
         """The episode so far, to `replay` or save; RuntimeError if steps are not kept."""
         if self._drawing is None:
             raise RuntimeError("no episode was kept: make the environment with record=True")
-        self._require_begun()
+        if not self._seeded:
+            raise RuntimeError("call reset() first")
         return self._drawing.episode()
 
 

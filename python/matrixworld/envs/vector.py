@@ -355,12 +355,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     Notes
     -----
     **The episode of a sub-environment is the episode of its world.** All agents of a world end and
-    start again in the same step, as Gymnasium's autoreset modes prescribe: a sub-environment that
-    has ended starts again at once, and an agent that is gone cannot return before its world starts
-    its next episode. An agent that disappears earlier therefore does not terminate then. Until its
-    world ends it observes zeros, its rewards are 0 and its actions are ignored. In the last step it
-    terminates; an agent that is alive terminates or is truncated as its world does. Returns are
-    those of the agent, and every agent ends once in each episode.
+    start again in the same step, as Gymnasium's autoreset modes prescribe. An agent that disappears
+    earlier does not terminate then: until its world ends it observes zeros, its rewards are 0 and
+    its actions are ignored. In the last step it terminates; an agent that is alive terminates or is
+    truncated as its world does.
 
     A learner that knows nothing of this trains on the steps of gone agents, too. They pay nothing,
     but agents that see nobody observe the same zeros. A learner that can mask transitions does
@@ -369,9 +367,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
 
     ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``, and
     ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
-
-    With ``copy=False`` and both teams, arrays are overwritten by the next step as in `VectorEnv`;
-    those of one team are copies in any case.
 
     Examples
     --------

@@ -160,8 +160,7 @@ class Solution(Readable):
     def capture_times(self) -> NDArray[np.float64]:
         """Rounds (S,) to the capture of all evaders under perfect play without a limit of rounds.
 
-        Infinite where the evaders can prevent it. Only where the teams take turns, by retrograde
-        analysis: ValueError otherwise.
+        Infinite where the evaders can prevent it. Only where the teams take turns.
         """
         states = self.states
         if states.n_turns == 1:
@@ -185,8 +184,7 @@ class Solution(Readable):
     def capture_time(self) -> float:
         """Rounds to capture when the pursuers choose the best cells first, then the evaders theirs.
 
-        The classical capture time of cops and robbers. The evaders start on other cells than the
-        pursuers.
+        The classical capture time of cops and robbers, with evaders on other cells than pursuers.
         """
         config = self.states.config
         cells = self.states.cells()[self.states.starts, : config.n_pursuers].astype(np.int64)

@@ -45,11 +45,8 @@ class Batch(Turns):
     Notes
     -----
     One thread of Python at a time may use a batch: what plays, resets or decides raises
-    RuntimeError while another thread's call is in progress, and then nothing has changed. Give each
-    thread a batch of its own, or hold a `threading.Lock` in each call.
-
-    A process may be forked. The child's batch goes on where the parent's was, and starts threads of
-    its own. Only a batch that another thread was using at that moment is refused in the child.
+    RuntimeError, and changes nothing, while another thread's call is in progress. After a fork the
+    child's batch goes on where the parent's was, unless another thread was using it then.
     """
 
     def __init__(

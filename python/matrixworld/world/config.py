@@ -107,7 +107,7 @@ def _field(kind: type[Any], name: str, value: object) -> Any:
 class WorldConfig:
     """The settings of a world: its rules, its size and its rewards.
 
-    Settings are checked once, here, and never change. `dataclasses.replace` makes a changed copy.
+    Settings never change; `dataclasses.replace` makes a changed copy.
 
     Parameters
     ----------
