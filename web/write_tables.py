@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import matrixworld as mw
-from matrixworld.world import conflicts, maps, policy
+from matrixworld.world import config, conflicts, policy
 
 LINE = 80  # characters
 TABLES = Path(__file__).parent / "src/engine/tables.ts"
@@ -39,7 +39,7 @@ def tables() -> dict[str, Any]:
         "CONFLICT_OUTCOMES": conflicts.OUTCOMES,
         "CONFLICT_SENTENCE": conflicts.SENTENCE,
         "SCRIPTS": policy.SCRIPT_TEXTS,
-        "MAP_CHARACTERS": {"free": maps.FREE, "blocked": maps.BLOCKED},
+        "MAP_CHARACTERS": {"free": config.FREE, "blocked": config.BLOCKED},
     }
 
 
