@@ -19,7 +19,6 @@ MOST_FUNCTIONS, MOST_FILES = 30, 10
 
 
 def values_in(given: Any) -> Iterator[Any]:
-    """Yield a value, and all values in a container or section."""
     yield given
     parts: Any = ()
     if isinstance(given, dict):
