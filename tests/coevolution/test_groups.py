@@ -36,7 +36,6 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def job(made: Path, tmp_path: Path) -> Path:
-    """A copy of the job, to be changed."""
     return Path(shutil.copytree(made, tmp_path / "job"))
 
 

@@ -63,7 +63,6 @@ def straight():
 
 
 def check_equal(directory, straight):
-    """Compare all runs of a job, and what lies beside them."""
     assert {name: files_in(directory / name) for name in straight} == straight
     tops = {name.partition("/")[0] for name in straight}
     assert {path.name for path in directory.iterdir()} == tops
@@ -111,9 +110,6 @@ def test_a_single_run_is_played_in_its_directory_by_this_process(straight, tmp_p
     assert files_in(again.path) == files_in(run.path)
 
 
-# Rows and stops
-
-
 def test_a_job_is_stopped_by_a_callback_and_goes_on(straight, tmp_path):
     before, after = [], []
 
@@ -153,9 +149,6 @@ def test_ctrl_c_ends_all_runs_and_the_same_call_continues(tmp_path, monkeypatch)
     assert seen[-1].before > 0.05 * seen[-1].total
     evolve(settings, tmp_path, threads=1)
     assert results(paths[0]) == one_by_one(settings[0])
-
-
-# Failures
 
 
 def failures_of(settings, directory, **options):
@@ -257,9 +250,6 @@ def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
         evolve(settings, tmp_path / "job", executor=Silent())
 
 
-# Bad input
-
-
 BAD = [
     ({"executor": 3}, TypeError, "executor"),
     ({"threads": 0}, ValueError, "threads"),
@@ -323,9 +313,6 @@ def test_a_few_runs_have_two_threads_each_and_of_more_the_last_does_not_play_alo
     asked = [(1, 2), (2, 2), (3, 2), (3, 1), (3, 4), (3, 8), (4, 2), (5, 4), (9, 4)]
     expected = [(1, 2), (1, 2), (1, 2), (1, 1), (2, 2), (3, 2), (2, 1), (5, 1), (4, 1)]
     assert [shares(runs, cores) for runs, cores in asked] == expected
-
-
-# Names
 
 
 def test_names_and_what_was_asked_for(tmp_path):

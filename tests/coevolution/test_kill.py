@@ -24,7 +24,6 @@ DEATH = -signal.SIGKILL
 
 @cache
 def straight(kind):
-    """Return the results of a run that is never disturbed."""
     with directory_in_memory() as directory:
         play_run(kind, directory / "run")
         return results(directory / "run")
@@ -53,7 +52,6 @@ def check_readable(directory):
 @pytest.mark.slow
 @quickly("kind", SHORT_RUNS, lambda kind: kind == "short single")
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
-    """Each event is tried, so that none depends on being hit at random."""
     for at in deaths(killed.run_until_killed, kind, lambda at: tmp_path / str(at)):
         directory = tmp_path / str(at)
         check_readable(directory)
@@ -92,7 +90,6 @@ def test_a_job_that_is_killed_while_it_is_made_is_none_or_whole(tmp_path):
 
 
 def error_of(kind, directory, events):
-    """Return the system error that stops a run; None if the run finishes."""
     try:
         with watched(events):
             play_run(kind, directory)

@@ -76,24 +76,25 @@ def test_newest_and_a_sample_of_the_older_ones():
 
 
 @pytest.mark.parametrize(
-    ("weighting", "expected"), [("hard", [0, 1 / 6, 4 / 6, 1 / 6]), ("even", [0, 1 / 2, 0, 1 / 2])]
+    ("weighting", "weight"), [("hard", lambda x: (1 - x) ** 2), ("even", lambda x: x * (1 - x))]
 )
-def test_prioritized_by_hand(weighting, expected):
-    # Two games each: opponent 0 was beaten by all (x = 1), 1 by half (1/2), 2 by none (0); 3 is
-    # new (1/2). (1 - x)^2 = 0, 1/4, 1, 1/4, in all 3/2; x (1 - x) = 0, 1/4, 0, 1/4.
-    sampler = opponents.Prioritized(weighting, decay=1.0)
-    games = ([0, 1], [[1, 1], [1, 0]]), ([2, 1, 0], [[0, 0, 1], [0, 1, 1]]), ([2], [[0], [0]])
-    state, draws = told(sampler, *games), rng()
+@pytest.mark.parametrize("decay", [1.0, 0.5])
+def test_prioritized_weighs_opponents_by_their_games_of_which_earlier_ones_count_less(
+    weighting, weight, decay
+):
+    sampler, draws = opponents.Prioritized(weighting, decay=decay), rng()
+    # In three epochs two candidates meet some of four opponents; the last one is new.
+    games = [(met, draws.integers(0, 2, (2, len(met)))) for met in ([0, 1], [2, 1, 0], [2])]
+    state = told(sampler, *games)
+    wins, played = np.zeros(4), np.zeros(4)
+    for met, scores in games:
+        wins[met] = decay * wins[met] + scores.mean(axis=0)
+        played[met] = decay * played[met] + 1
+    weights = weight(np.divide(wins, played, out=np.full(4, 0.5), where=played > 0))
+    expected = weights / weights.sum()
     assert sampler.probabilities(state, 4) == pytest.approx(expected)
     first = [sampler.sample(state, 4, 1, 0, draws)[0] for _ in range(800)]
     assert np.bincount(first, minlength=4) / 800 == pytest.approx(expected, abs=0.06)
-
-
-def test_earlier_games_count_less():
-    # Wins 1, then 0, at decay 1/2: wins = 1/2, games = 1/2 + 1, so x = 1/3; (2/3)^2 to (1/2)^2.
-    sampler = opponents.Prioritized(decay=0.5)
-    state = told(sampler, ([0], [[1.0]]), ([0], [[0.0]]))
-    assert sampler.probabilities(state, 2) == pytest.approx([16 / 25, 9 / 25])
 
 
 def test_opponents_of_weight_0_are_sampled_only_if_the_others_do_not_suffice():

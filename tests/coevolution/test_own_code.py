@@ -48,9 +48,6 @@ def folder(tmp_path, monkeypatch):
     sys.modules.pop("mine", None)
 
 
-# Names as data
-
-
 def test_a_run_is_read_without_its_code(folder):
     imported = folder / "imported"
     (folder / "mine.py").write_text(
@@ -105,9 +102,6 @@ def test_a_class_and_an_instance_stand_for_their_name_and_settings():
         RaceSettings(learner=Inside)
 
 
-# Imports
-
-
 @pytest.mark.parametrize(
     ("name", "message"),
     [
@@ -140,7 +134,6 @@ def test_settings_are_those_of_the_fields(value, message):
 
 
 def test_a_mask_needs_a_learner_that_keeps_it(tmp_path):
-    """Not even an own one that is imported only now may change its weights."""
     with pytest.raises(ValueError, match="^policy.mask: expected 'none', got 'obstacles'; .* Hill"):
         create(tiny_race(learner="own_code:HillClimber", mask="obstacles"), tmp_path / "run")
     assert not (tmp_path / "run").exists()
@@ -194,7 +187,6 @@ def test_a_sampler_that_keeps_all_promises(count):
 
 
 def changed(base=HillClimber, **methods):
-    """Return an instance of a class with other methods."""
     return dataclass(frozen=True)(type("Changed", (base,), methods))()
 
 
@@ -285,9 +277,6 @@ def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
         played(tiny_race(learner="own_code:Exits"), tmp_path / "exits")
 
 
-# Runs
-
-
 LEARNER = {"learner": "own_code:HillClimber", "settings": {"sigma": 0.2}}
 BOTH = {
     "pursuers_meet": OwnOpponents(code="own_code:Hardest", settings={"forget": 0.25}),
@@ -303,7 +292,6 @@ RUNS = {
 
 @pytest.mark.parametrize("kind", RUNS)
 def test_each_interruption_is_resumed_bit_for_bit(kind: str, tmp_path: Path) -> None:
-    """Stopped at every call of `rollout`."""
     calls = StopAt(1000)
     run = played(RUNS[kind], tmp_path / "counted", play=calls)
     for team in run.settings.learning_teams:

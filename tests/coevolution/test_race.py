@@ -38,9 +38,6 @@ class Listening:
         return rollout(config, pursuers, evaders, matches, **options)
 
 
-# In turns
-
-
 @pytest.mark.parametrize(
     ("name", "pursuers_meet", "evaders_meet"),
     [
@@ -154,8 +151,6 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
 
 
 class Crowning(Run):
-    """Keeps what each champion was chosen from."""
-
     def champion(self, team, generation, candidates, fitness, opponents, met):
         chosen = super().champion(team, generation, candidates, fitness, opponents, met)
         genome = self.learners[team].genome(self.states[team])

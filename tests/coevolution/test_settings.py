@@ -42,9 +42,6 @@ SHARED = {"fitness.sharing": "competitive"}
 STARTED = {"schedule": "against", "schedule.start": "run"}
 
 
-# Defaults
-
-
 ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sigma": 0.0,
          "learner.anneal": True, "evaluation_episodes": 200}  # fmt: skip
 
@@ -118,9 +115,6 @@ def test_a_text_stands_for_a_section():
     assert (generalists.pursuers_meet, generalists.evaders_meet) == (RoundRobin(), Latest())
 
 
-# Refusals
-
-
 AGAINST = {"schedule": "against"}
 REFUSED = {
     "schedule: contemporaries and hall_sample": [{**HALL, "schedule.contemporaries": 0}],
@@ -169,8 +163,6 @@ def test_bad_settings_and_those_without_effect_are_refused(path):
         with pytest.raises((TypeError, ValueError), match=f"^{path}: expected "):
             RaceSettings.of(changes)
 
-
-# JSON
 
 EVERY = [
     *(tiny_race(schedule=name) for name in ALL_SCHEDULES),

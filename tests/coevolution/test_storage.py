@@ -103,7 +103,6 @@ def test_a_stage_costs_the_same_in_every_generation(tmp_path):
 
 @pytest.fixture(scope="module", params=SETTINGS)
 def life(request, tmp_path_factory):
-    """Copies of a run: before its first stage, after each stage, and finished."""
     parent = tmp_path_factory.mktemp(request.param)
     run = begun(SETTINGS[request.param], parent / "run", threads=1)
     copies = [Path(shutil.copytree(parent / "run", parent / "0"))]
@@ -218,7 +217,6 @@ def stopped(tmp_path_factory):
 
 @pytest.fixture(params=FILES)
 def copy(request, tmp_path):
-    """A copy of the finished or of the stopped race, to be damaged."""
     return Path(shutil.copytree(request.getfixturevalue(request.param), tmp_path / "run"))
 
 

@@ -23,7 +23,6 @@ class Enough(Exception):  # noqa: N818, it is no error
 
 
 def values_in(given: Any) -> Iterator[Any]:
-    """Yield a value, and all values in a container or section."""
     yield given
     parts: Any = ()
     if isinstance(given, dict):

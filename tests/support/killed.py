@@ -58,7 +58,6 @@ def start_server() -> None:
 
 
 def process(target: Callable[..., None], *args: Any) -> Any:
-    """Start a process that does ``target(*args)``."""
     start_server()
     child = CONTEXT.Process(target=target, args=args, daemon=True)
     child.start()
@@ -78,8 +77,6 @@ class Events:
         self.count += 1
 
     def before(self, function: Callable[..., Any]) -> Callable[..., Any]:
-        """Return `function` with an event before each call."""
-
         def counted(*args: Any, **options: Any) -> Any:
             self.happen()
             return function(*args, **options)

@@ -67,8 +67,6 @@ class Hardest(Opponents):
 
 @dataclass(frozen=True)
 class Oldest(Opponents):
-    """The oldest opponents."""
-
     def sample(self, state, available, count, epoch, rng):
         return np.arange(min(count, available))
 

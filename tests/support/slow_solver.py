@@ -22,7 +22,6 @@ class SlowSolver:
         self.after: dict[tuple, list[list[tuple]]] = {}
 
     def mean(self, steps: int) -> float:
-        """The mean over all starts."""
         return float(np.mean([self.value(start, 0, steps) for start in self.starts()]))
 
     def starts(self) -> Iterator[tuple]:

@@ -142,7 +142,6 @@ class StopAt:
 
 @cache
 def straight(settings: RaceSettings) -> dict[str, bytes]:
-    """Return the results of a run that is never stopped."""
     with directory_in_memory() as directory:
         return results(played(settings, directory / "run", threads=2).path)
 

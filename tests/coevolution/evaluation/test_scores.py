@@ -32,9 +32,6 @@ def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return played(tiny_race(**FITTING), path).path
 
 
-# ---- The opponents ---------------------------------------------------------------------------
-
-
 def test_the_nine_variants_of_the_paper_have_shipped_genomes_of_their_own():
     assert {"D", "R", "B", "O", "S", "SB", "SD", "SDB", "TO"} <= set(SHIPPED)
     sets = [held_out(team, variant) for team in TEAMS for variant in SHIPPED]
@@ -67,9 +64,6 @@ def test_evolved_opponents_are_better_than_random_walks(variant):
     hunter = "hunter" if surround else "random"
     hunted = captured(hunter, "random")
     assert min(captured(hunter, evaders[name]) for name in EVOLVED) < hunted - 0.05
-
-
-# ---- Episode statistics -------------------------------------------------------------------------
 
 
 def test_scores_are_those_of_the_matches(race):

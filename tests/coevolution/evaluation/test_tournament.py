@@ -14,7 +14,6 @@ SETTINGS = tiny_race()
 
 
 def population(team, count):
-    """Return so many different genomes."""
     return Population(SETTINGS.untrained(team, count), SETTINGS.network)
 
 

@@ -33,7 +33,6 @@ def rng() -> np.random.Generator:
 
 
 def new(network: Network = NETWORK, epochs: int = 1, **changes: Any) -> Update:
-    """Return the first update of a learner."""
     pytest.importorskip("torch")
     one = ActorCritic(population=4, **changes)
     untrained = partial(one.untrained, network, weight=0.0, head=1.0)

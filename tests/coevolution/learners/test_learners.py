@@ -72,7 +72,6 @@ def begun(learner, **options):
 
 
 def teach(learner, state, epochs, score=closeness):
-    """Return the state after some epochs."""
     for epoch in range(epochs):
         candidates, asked = learner.ask(state, generator(epoch))
         state = learner.tell(asked, Results(score(candidates)))
