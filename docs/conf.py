@@ -45,11 +45,7 @@ include_patterns = [
 exclude_patterns = ["docs/site/contents.md", "docs/site/templates", "docs/class_material"]
 templates_path = [str(REPOSITORY / "docs/site/templates")]
 
-extensions = [
-    "myst_nb",
-    "numpydoc",
-    "sphinx.ext.autosummary",
-]
+extensions = ["myst_nb", "numpydoc", "sphinx.ext.autosummary"]
 # Tables of results are reached from pages, not from the contents.
 suppress_warnings = ["toc.not_included", "myst.header"]
 nb_execution_mode = "off"

@@ -9,16 +9,7 @@ from __future__ import annotations
 
 import sys
 
-from course.questions import (
-    BANNER,
-    UnansweredError,
-    check,
-    hint,
-    kept,
-    outcome,
-    predict,
-    size,
-)
+from course.questions import BANNER, UnansweredError, check, hint, kept, outcome, predict, size
 from course.shown import Slider
 
 __all__ = ["Slider", "UnansweredError", "check", "hint", "kept", "outcome", "predict", "size"]

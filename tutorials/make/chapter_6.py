@@ -21,12 +21,7 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import (
-    TEAMS,
-    RaceSettings,
-    SavedRun,
-    tournament,
-)
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, tournament
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
 

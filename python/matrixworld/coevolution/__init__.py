@@ -27,12 +27,7 @@ from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
 from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
-from matrixworld.coevolution.learners import (
-    ActorCritic,
-    CmaEs,
-    EvolutionStrategy,
-    GeneticAlgorithm,
-)
+from matrixworld.coevolution.learners import ActorCritic, CmaEs, EvolutionStrategy, GeneticAlgorithm
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
 from matrixworld.coevolution.own_code import check_learner, check_sampler
 from matrixworld.coevolution.progress import Progress, ProgressBar, StopRun
@@ -40,12 +35,7 @@ from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns, av
 from matrixworld.coevolution.run import DisengagementWarning, Run, create, finish
 from matrixworld.coevolution.sections import PluginError
 from matrixworld.coevolution.settings import PolicySettings, RaceSettings
-from matrixworld.coevolution.storage import (
-    OtherVersionError,
-    SavedRun,
-    open_run,
-    open_runs,
-)
+from matrixworld.coevolution.storage import OtherVersionError, SavedRun, open_run, open_runs
 from matrixworld.coevolution.types import TEAMS, Payoff, Team
 
 __all__ = [

@@ -212,10 +212,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         return tuple(self.infos["seed"].tolist())
 
     def reset(
-        self,
-        *,
-        seed: int | ArrayLike | None = None,
-        options: Mapping[str, Any] | None = None,
+        self, *, seed: int | ArrayLike | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[NDArray[Any], dict[str, Any]]:
         """Start an episode in every world, or in some, and return observations and infos.
 
@@ -411,10 +408,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         return tuple(seed for seed in self.worlds.np_random_seed for _ in self._agents)
 
     def reset(
-        self,
-        *,
-        seed: int | ArrayLike | None = None,
-        options: Mapping[str, Any] | None = None,
+        self, *, seed: int | ArrayLike | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[NDArray[Any], dict[str, Any]]:
         """Start an episode in every world, or in some, and return observations and infos.
 

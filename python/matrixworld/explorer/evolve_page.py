@@ -65,12 +65,7 @@ def evolve_data() -> dict[str, Any]:
         for learner in LEARNERS
     }
     masks = masks_of(race_of(next(iter(SCHEDULES))).world)
-    return {
-        "version": __version__,
-        "format": FORMAT,
-        "races": races,
-        "masks": masks,
-    }
+    return {"version": __version__, "format": FORMAT, "races": races, "masks": masks}
 
 
 def evolve_page(title: str = "Evolve a chase - matrixworld") -> str:

@@ -322,10 +322,7 @@ DEFAULTS = {"diagonal": "0", "fov": "11", "limit": "500", "seed": "0.0.0", "rewa
 
 
 def scene_link(
-    world: World,
-    actions: Sequence[Command] | None = None,
-    *,
-    compare: Rules | str | None = None,
+    world: World, actions: Sequence[Command] | None = None, *, compare: Rules | str | None = None
 ) -> str:
     """Return the scene that a world is in, between two rounds; it goes on there as it would here.
 

@@ -85,9 +85,7 @@ class Explorer:
 
 
 def explore(
-    *runs: str | os.PathLike[str],
-    file: str | os.PathLike[str] | None = None,
-    force: bool = False,
+    *runs: str | os.PathLike[str], file: str | os.PathLike[str] | None = None, force: bool = False
 ) -> Explorer:
     """Write the page of finished runs; the last expression of a notebook's cell shows it.
 
@@ -129,10 +127,7 @@ def _common(paths: Sequence[Path]) -> Path:
 
 
 def explorer_page(
-    runs: Sequence[SavedRun],
-    *,
-    note: str = "",
-    so_far: Mapping[Path, Payoff] | None = None,
+    runs: Sequence[SavedRun], *, note: str = "", so_far: Mapping[Path, Payoff] | None = None
 ) -> str:
     """Return the page of runs as HTML, in this order.
 

@@ -45,12 +45,7 @@ def plain_team(
         return {"script": team, "network": None, "kept": [0], "genomes": ""}
     kept = kept_generations(len(team.genomes), step)
     genomes[identifier] = packed(team.genomes[kept])
-    return {
-        "script": None,
-        "network": plain_network(team),
-        "kept": kept,
-        "genomes": identifier,
-    }
+    return {"script": None, "network": plain_network(team), "kept": kept, "genomes": identifier}
 
 
 def plain_network(team: Population) -> dict[str, Any]:

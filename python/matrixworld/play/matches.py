@@ -87,10 +87,7 @@ def play_episodes(
     population or a script has decided, with its team, 0 or 1, and the processor time in seconds
     that it took in this thread.
     """
-    teams = {
-        range(config.n_pursuers): pursuers,
-        range(config.n_pursuers, config.n_agents): evaders,
-    }
+    teams = {range(config.n_pursuers): pursuers, range(config.n_pursuers, config.n_agents): evaders}
     specs = {name: array_specs(config)[name] for name in _READ}
     batch = Batch(episodes, config, buffers=new_arrays(specs, episodes), threads=threads)
     for episode in range(episodes):

@@ -15,14 +15,7 @@ from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.solve.states import States, config_of
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import (
-    TEAMS,
-    Population,
-    Script,
-    TablePolicy,
-    Team,
-    check_team,
-)
+from matrixworld.world.policy import TEAMS, Population, Script, TablePolicy, Team, check_team
 
 PayoffName: TypeAlias = Literal["capture-rate", "capture-time"]
 PAYOFFS: tuple[PayoffName, PayoffName] = ("capture-rate", "capture-time")

@@ -152,10 +152,7 @@ REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
     "null byte": ("x = 1\0", "^(SyntaxError|ValueError): source code"),
     "generator": (ACTS + "yield 1", "pursue returned a generator, expected an action"),
     "no python": ("def pursue(view, rng) return 0", "line 1: SyntaxError"),
-    "imports torch": (
-        "import torch",
-        "cannot be imported .class_tournament/README.md lists",
-    ),
+    "imports torch": ("import torch", "cannot be imported .class_tournament/README.md lists"),
 }
 """Programs that are refused: the text, and a pattern of the reason. {mark} is a file that must not
 appear."""

@@ -416,8 +416,7 @@ def test_no_program_can_tell_how_many_matches_were_before(
 ) -> None:
     """By the numbers of processes, which grow, in an order that it knows."""
     assert_plays(
-        pool,
-        "import os\nimport threading\nassert os.getpid() == threading.get_native_id() == 0\n",
+        pool, "import os\nimport threading\nassert os.getpid() == threading.get_native_id() == 0\n"
     )
     students = [Entry(str(n), team, "program", "", bytes([n])) for n in range(4) for team in TEAMS]
     pairs = [*product(students[::2], students[1::2])]

@@ -24,12 +24,7 @@ from matrixworld._util.checks import (
     check_integer,
     check_threads,
 )
-from matrixworld._util.files import (
-    DamagedFileError,
-    load_arrays,
-    read_json,
-    save_json,
-)
+from matrixworld._util.files import DamagedFileError, load_arrays, read_json, save_json
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import (
     Estimate,
@@ -37,11 +32,7 @@ from matrixworld.analysis import (
     interval_over_runs,
     mean_over_episodes,
 )
-from matrixworld.coevolution.evaluation.tournament import (
-    each_genome,
-    play_blocks,
-    team_size,
-)
+from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks, team_size
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.seeding import Phase
