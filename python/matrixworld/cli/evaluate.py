@@ -16,18 +16,8 @@ from matrixworld._util.readable import plain_values
 from matrixworld.analysis import judgement as judgements
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
 from matrixworld.analysis.runs import fewest_runs
-from matrixworld.cli import options
+from matrixworld.cli import console, options
 from matrixworld.cli.cluster import on_cluster
-from matrixworld.cli.console import (
-    TERMS,
-    WIDEST,
-    print_head,
-    print_missing,
-    print_table,
-    print_wrapped,
-    say,
-    seeds_finished,
-)
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament
 from matrixworld.coevolution.evaluation import scores as held_out
@@ -96,50 +86,50 @@ def judge_command(
     found: dict[str, Any] = {}
     for name, (payoffs, of_runs) in judged.items():
         judgement = of_runs.judgement if of_runs else analysis.judge(payoffs)
-        print_head(name)
+        console.print_head(name)
         print_judgement(judgement)
         if of_runs and of_runs.several:
-            say()
+            console.say()
             print_strip(judgement, of_runs.seeds, of_runs.missing)
-            print_missing(of_runs)
-            print_wrapped(STRIP_LEGEND)
+            console.print_missing(of_runs)
+            console.print_wrapped(STRIP_LEGEND)
         if judgement.runs == 1:
-            print_wrapped(SINGLE_RUN)
+            console.print_wrapped(SINGLE_RUN)
         if of_runs:
-            print_wrapped(of_runs.runs[0].settings.schedule.limits)
+            console.print_wrapped(of_runs.runs[0].settings.schedule.limits)
         if explained:
-            say()
-            print_wrapped(analysis.explain(judgement))
+            console.say()
+            console.print_wrapped(analysis.explain(judgement))
         found[name] = judgement.to_json()
         if everything:
-            say(f"\n{analysis.measure_table(payoffs)}")
+            console.say(f"\n{analysis.measure_table(payoffs)}")
             measures = plain_values(analysis.measure_all(payoffs))
             found[name] = {"judgement": found[name], "measures": measures}
-    say(f"\n{TERMS}")
+    console.say(f"\n{console.TERMS}")
     options.write_json(json_file, {"groups": found})
 
 
 def print_judgement(judgement: analysis.Judgement) -> None:
     """Print a judgement: in words, the numbers of what was judged, its table, what limits it."""
     for line in judgements.summary(judgement):
-        print_wrapped(line)
+        console.print_wrapped(line)
     runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
     pursuers, evaders = judgement.shape
     played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
-    say(f"\n{runs}, {pursuers} pursuer and {evaders} evader generations{played}")
-    print_table(judgements.judgement_cells(judgement), "<<<<")
+    console.say(f"\n{runs}, {pursuers} pursuer and {evaders} evader generations{played}")
+    console.print_table(judgements.judgement_cells(judgement), "<<<<")
     if judgement.episodes is None:
-        print_wrapped(
+        console.print_wrapped(
             "The payoffs do not say how many episodes are behind each cell, and without their "
             'noise some conditions have the verdict "cannot tell". Give the number with --episodes.'
         )
     elif judgement.episodes < EPISODES_TO_JUDGE:
-        print_wrapped(
+        console.print_wrapped(
             f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions "
             "from noise; matrixworld tournament RUN --episodes NUMBER plays more."
         )
     if judgement.window == "whole":
-        print_wrapped(
+        console.print_wrapped(
             f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, "
             f"and {2 * GENERATIONS_TO_JUDGE} to judge its halves."
         )
@@ -150,7 +140,7 @@ def print_strip(
 ) -> None:
     """Print the verdict on each seed in columns, and how many seeds have which verdict."""
     every = sorted([*seeds, *missing])
-    beside = max(1, (WIDEST - 50) // (2 + max(len(str(seed)) for seed in every)))
+    beside = max(1, (console.WIDEST - 50) // (2 + max(len(str(seed)) for seed in every)))
     for first in range(0, len(every), beside):
         part, is_last = every[first : first + beside], first + beside >= len(every)
         together = f"together (seeds: {', '.join(SIGNS.values())})" if is_last else ""
@@ -160,7 +150,7 @@ def print_strip(
             numbers = ", ".join(str(finding.by_run.count(verdict)) for verdict in SIGNS)
             end = f"{finding.verdict} ({numbers})" if is_last else ""
             rows.append((name, *(signs.get(seed, NOT_FINISHED) for seed in part), end))
-        print_table(rows, "<" + ">" * len(part) + "<")
+        console.print_table(rows, "<" + ">" * len(part) + "<")
 
 
 # Scores:
@@ -225,7 +215,9 @@ def score_command(
     found = {}
     for group in groups:
         of_runs = [played.pop(0) for _ in group.runs]
-        print_head(f"{group.name}: {seeds_finished(group)}" if group.several else group.name)
+        console.print_head(
+            f"{group.name}: {console.seeds_finished(group)}" if group.several else group.name
+        )
         plain: dict[str, Any] = {
             "seeds": list(group.seeds),
             "missing": list(group.missing),
@@ -233,9 +225,9 @@ def score_command(
         }
         for team, first in of_runs[0].items():
             scores = [of_run[team] for of_run in of_runs]
-            say(held_out.score_table(scores))
+            console.say(held_out.score_table(scores))
             if first.left_out:
-                print_wrapped(f"Left out: {first.left_out}.")
+                console.print_wrapped(f"Left out: {first.left_out}.")
             rows = range(len(first.generations))
             by_seed = zip(group.seeds, scores, strict=True)
             plain[f"{team}s"] = {
@@ -243,11 +235,11 @@ def score_command(
                 "estimates": plain_values([held_out.estimates_of(scores, row) for row in rows]),
                 "by_seed": {str(seed): each.to_json() for seed, each in by_seed},
             }
-        print_missing(group)
+        console.print_missing(group)
         found[group.name] = plain
-    say()
-    print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
-    say(f"{matches:,} matches were played.")
+    console.say()
+    console.print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
+    console.say(f"{matches:,} matches were played.")
     options.write_json(json_file, {"seed": chosen["seed"], "groups": found})
 
 
@@ -320,13 +312,13 @@ def tournament_command(
         title = f"{'pursuers of ' if rival else ''}{ours.title}\n{shown}"
         save_arrays(target, payoff.arrays())
         plots.save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), figure)
-        print_head(str(ours.path))
-        say(payoff)
+        console.print_head(str(ours.path))
+        console.say(payoff)
         if judgement:
-            say()
+            console.say()
             print_judgement(judgement)
-            say(f"\n{TERMS}")
-        say(f"\nWritten: {target}, {figure.name}")
+            console.say(f"\n{console.TERMS}")
+        console.say(f"\nWritten: {target}, {figure.name}")
 
 
 def _tell(bar: ProgressBar, total: int, played: int) -> None:

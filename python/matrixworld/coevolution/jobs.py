@@ -33,6 +33,7 @@ from typing import Any
 from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
 from matrixworld._util.files import DamagedFileError, sentence_of
 from matrixworld._util.imports import HAS_PROCESSES
+from matrixworld.coevolution import storage
 from matrixworld.coevolution.learners.learner import table_length
 from matrixworld.coevolution.progress import (
     LOG,
@@ -52,14 +53,6 @@ from matrixworld.coevolution.run import (
     total_matches,
 )
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import (
-    OtherVersionError,
-    SavedRun,
-    check_empty,
-    find_runs,
-    new_directory,
-    open_run,
-)
 from matrixworld.world.policy import SCRIPTS
 
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
@@ -123,18 +116,21 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
 
 def found_job(root: Path) -> Job:
     """Return the job in a directory: all runs in it. Errors are those of `SavedRun.settings`."""
-    return {path.relative_to(root).as_posix(): SavedRun(path).settings for path in find_runs(root)}
+    return {
+        path.relative_to(root).as_posix(): storage.SavedRun(path).settings
+        for path in storage.find_runs(root)
+    }
 
 
 class FailedRunsError(RuntimeError):
     """Some runs of a job have failed (`failures`, by directory); the others are `finished`."""
 
     def __init__(
-        self, failures: Mapping[Path, BaseException], finished: Sequence[SavedRun] = ()
+        self, failures: Mapping[Path, BaseException], finished: Sequence[storage.SavedRun] = ()
     ) -> None:
         super().__init__(failures, finished)
         self.failures: dict[Path, BaseException] = dict(failures)
-        self.finished: list[SavedRun] = list(finished)
+        self.finished: list[storage.SavedRun] = list(finished)
 
     def __str__(self) -> str:
         """Return a line for each failed run."""
@@ -223,7 +219,7 @@ def evolve(
     )
     if errors and isinstance(settings, RaceSettings):
         raise errors[ITSELF]
-    runs = [open_run(root / name) for name in job if name not in errors]
+    runs = [storage.open_run(root / name) for name in job if name not in errors]
     if errors:
         failures = {root / name: error for name, error in errors.items()}
         raise FailedRunsError(failures, runs) from next(iter(errors.values()))
@@ -238,7 +234,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     check_threads(threads)
     found = found_job(root)
     if not found:
-        check_empty(root)
+        storage.check_empty(root)
     elif found.keys() != job.keys():
         names = sorted(found.keys() ^ job.keys())
         raise ValueError(
@@ -246,8 +242,8 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
             f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
         )
     for name in found:
-        check_same(SavedRun(root / name), job[name])
-    left = {n: each for n, each in job.items() if not SavedRun(root / n).finished}
+        check_same(storage.SavedRun(root / name), job[name])
+    left = {n: each for n, each in job.items() if not storage.SavedRun(root / n).finished}
     if not elsewhere:
         at_once = shares(len(left), threads)[0]
         needed = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
@@ -290,8 +286,8 @@ def create_job(job: Job, root: Path) -> None:
     """Make the directories of all runs of a job, or none of them; a job that is there stays."""
     if ITSELF in job:
         create(job[ITSELF], root)
-    elif not find_runs(root):
-        with new_directory(root) as place:
+    elif not storage.find_runs(root):
+        with storage.new_directory(root) as place:
             for name, settings in job.items():
                 create(settings, place / name)
 
@@ -360,9 +356,9 @@ def _play_here(watch: _Watch, name: str, threads: int | None) -> None:
 @contextmanager
 def _submitted(
     executor: Executor, root: Path, names: Sequence[str], threads: int
-) -> Iterator[dict[Future[SavedRun], str]]:
+) -> Iterator[dict[Future[storage.SavedRun], str]]:
     """Yield the futures of runs, which end with the block, and their names."""
-    futures: dict[Future[SavedRun], str] = {}
+    futures: dict[Future[storage.SavedRun], str] = {}
     try:
         with without_interrupts():  # which the processes inherit that this starts
             for name in names:
@@ -375,7 +371,7 @@ def _submitted(
         raise
 
 
-def _take(watch: _Watch, name: str, future: Future[SavedRun]) -> None:
+def _take(watch: _Watch, name: str, future: Future[storage.SavedRun]) -> None:
     """Take the result of a run that has ended."""
     try:
         future.result()
@@ -414,9 +410,9 @@ class _Watch:
         try:
             self._look_at(name)
             # A run that is a job of its own is restored in any case, to tell of any damage.
-            if name != ITSELF and SavedRun(self.root / name).finished:
+            if name != ITSELF and storage.SavedRun(self.root / name).finished:
                 self.end(name)
-        except (DamagedFileError, OtherVersionError, OSError, ValueError) as error:
+        except (DamagedFileError, storage.OtherVersionError, OSError, ValueError) as error:
             self.fail(name, error)
 
     def fail(self, name: str, error: BaseException) -> None:
@@ -426,14 +422,14 @@ class _Watch:
 
     def end(self, name: str) -> dict[str, Any]:
         """Count a run as finished; return its summary."""
-        numbers = SavedRun(self.root / name).summary()
+        numbers = storage.SavedRun(self.root / name).summary()
         self.ended.add(name)
         self._look_at(name)
         return numbers
 
     def _look_at(self, name: str) -> None:
         """Take what a run has saved since the last look, and tell its epochs."""
-        run, settings = SavedRun(self.root / name), self.job[name]
+        run, settings = storage.SavedRun(self.root / name), self.job[name]
         stage, stages = run.newest(), settings.schedule.n_stages
         total = total_matches(settings, settings.schedule.entries**2 if settings.is_race else 1)
         done = total if run.finished else min(settings.counted(run.matches(), 0), total)
@@ -449,7 +445,7 @@ class _Watch:
     def look(self) -> None:
         """Tell what the runs that go on have saved since the last look."""
         for name in self.job.keys() - self.ended:
-            if SavedRun(self.root / name).newest() > self._stages[name]:
+            if storage.SavedRun(self.root / name).newest() > self._stages[name]:
                 self._look_at(name)
         self.tell({})
 

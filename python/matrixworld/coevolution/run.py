@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util.checks import check_floats, check_instance, check_threads
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.progress import PATIENCE, Disengagement
+from matrixworld.coevolution import storage
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.fitness import Table
 from matrixworld.coevolution.learners.learner import Learner, Results
@@ -30,15 +31,6 @@ from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.sections import PluginError, different_settings
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import (
-    COUNTERS,
-    Row,
-    RunWriter,
-    SavedRun,
-    check_empty,
-    last_generation,
-    new_directory,
-)
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -73,7 +65,7 @@ def create(
     *,
     opponents: Population | None = None,
     start: ArrayLike | None = None,
-) -> SavedRun:
+) -> storage.SavedRun:
     """Make the directory of a run, as of its stage 0: nothing is played yet.
 
     A directory that holds a run of the same settings is left as it is.
@@ -106,11 +98,11 @@ def create(
         for name, value in (("opponent", opponents), ("start", start))
         if value is not None
     }
-    if SavedRun(path).exists and not given:
-        check_same(SavedRun(path), settings)
-        return SavedRun(path)
+    if storage.SavedRun(path).exists and not given:
+        check_same(storage.SavedRun(path), settings)
+        return storage.SavedRun(path)
     # Everything that can be wrong is checked before the directory is made.
-    check_empty(path)
+    storage.check_empty(path)
     begin: Genome | None = None
     archive: dict[Team, Any] = {team: [] for team in TEAMS}
     config: dict[str, Any] = {}
@@ -129,9 +121,9 @@ def create(
         states[team] = learner.start(settings.task(team, begin))
         states[f"{team}.opponents"] = schedule.sampler(team).start()
         archive[team] = [learner.genome(states[team])]
-    with new_directory(path) as place:
-        RunWriter(place).begin(settings.to_json(), archive, states, **config)
-    return SavedRun(path)
+    with storage.new_directory(path) as place:
+        storage.RunWriter(place).begin(settings.to_json(), archive, states, **config)
+    return storage.SavedRun(path)
 
 
 def replace_schedule(settings: RaceSettings, changes: dict[str, Any]) -> RaceSettings:
@@ -152,10 +144,10 @@ def check_sources(
     if opponents is None and schedule.opponent in SCRIPTS:
         policy = schedule.opponent
     else:
-        policy = opponents or last_generation(schedule.opponent, other(schedule.team))
+        policy = opponents or storage.last_generation(schedule.opponent, other(schedule.team))
         check_fits("opponents", policy.network, settings.world)
     if start is None and schedule.start is not None:
-        population = last_generation(schedule.start, schedule.team)
+        population = storage.last_generation(schedule.start, schedule.team)
         if population.network != network:
             raise ValueError(f"start: expected a genome of {network}, got {population.network}")
         start = population.genomes[0]
@@ -167,7 +159,7 @@ def check_sources(
     return policy, genome
 
 
-def check_same(run: SavedRun, expected: RaceSettings) -> None:
+def check_same(run: storage.SavedRun, expected: RaceSettings) -> None:
     """Raise ValueError if a run has other settings than expected."""
     different = different_settings(run.settings, expected)
     if different:
@@ -223,7 +215,7 @@ class Run:
         self, directory: str | Path, *, threads: int | None = None, play: Rollout = rollout
     ) -> None:
         check_threads(threads)
-        self.files: RunWriter = RunWriter(directory)
+        self.files: storage.RunWriter = storage.RunWriter(directory)
         self.settings: RaceSettings = self.files.settings
         self.threads: int | None = threads
         self.rollout: Rollout = play
@@ -235,7 +227,7 @@ class Run:
             team: self.settings.schedule.sampler(team) for team in teams
         }
         self.world: WorldConfig = self.settings.training_world
-        self.rows: list[Row] = []
+        self.rows: list[storage.Row] = []
         self.results: dict[str, NDArray[Any]] = {}
         """Other arrays of this stage, which a subclass may add to its file."""
         self._report: Report = silent
@@ -248,7 +240,7 @@ class Run:
         stages = f"stage {self.stage} of {schedule.n_stages}"
         return f"<{type(self).__name__}: {self.files.path}, {schedule.name}, seed {seed}, {stages}>"
 
-    def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> SavedRun:
+    def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> storage.SavedRun:
         """Go on to the end: the last stage, the payoff and the summary.
 
         `report` is called often with the progress (see `ProgressBar`), and `on_epoch` with a row
@@ -281,7 +273,7 @@ class Run:
                 payoff = self.evaluate()
                 self.files.save_results(payoff.arrays(), self.summary(payoff))
                 LOG.info("%s: ended", path)
-        return SavedRun(path)
+        return storage.SavedRun(path)
 
     def learn(self, stage: int) -> None:
         """Run one stage, as the kind of race says."""
@@ -305,7 +297,7 @@ class Run:
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
-        counters = {f"training_{name}": getattr(self, name) for name in COUNTERS}
+        counters = {f"training_{name}": getattr(self, name) for name in storage.COUNTERS}
         return {
             "stages": self.stage,
             **counters,
@@ -321,7 +313,7 @@ class Run:
         rates = [row["capture_rate"] for row in self.rows[len(self.rows) // 2 :]]
         self.stage_capture_rates.append(float(np.mean(rates)))
         self.stage += 1
-        counters = {name: getattr(self, name) for name in COUNTERS}
+        counters = {name: getattr(self, name) for name in storage.COUNTERS}
         counters["capture_rate"] = self.stage_capture_rates[-1]
         self.files.save(self.stage, self.archive, self.rows, counters, self.states, self.results)
         LOG.info(
@@ -351,7 +343,9 @@ class Run:
         self.stage: int = len(stages)
         self.stage_capture_rates: list[float] = [float(each["capture_rate"]) for each in stages]
         counted = restored.stages[-1]
-        self.matches, self.steps, self.agent_steps = (int(counted[name]) for name in COUNTERS)
+        self.matches, self.steps, self.agent_steps = (
+            int(counted[name]) for name in storage.COUNTERS
+        )
         self.archive: dict[Team, list[Genome]] = {
             team: [*genomes] for team, genomes in restored.archive.items()
         }
@@ -492,7 +486,7 @@ class Run:
         fitness = self.fitness(team, scores, table)
         # (M, worlds, teams, kinds of collision) -> (teams,)
         faults = scores.faults.sum(axis=3).mean(axis=(0, 1))
-        row: Row = {
+        row: storage.Row = {
             "stage": self.stage + 1,
             "generation": generation,
             "team": team,
@@ -591,7 +585,7 @@ def finish(
     play: Rollout = rollout,
     report: Report = silent,
     on_epoch: OnEpoch | None = None,
-) -> SavedRun:
+) -> storage.SavedRun:
     """Return the finished run of a directory that `create` has made, which may have begun.
 
     An executor can call it wherever the directory has the same path. Errors are those of `Run` and

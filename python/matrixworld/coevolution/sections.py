@@ -25,16 +25,7 @@ from typing import Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 
-from matrixworld._util.checks import (
-    INT_MAX,
-    check_bool,
-    check_choice,
-    check_instance,
-    check_integer,
-    check_number,
-    check_sequence,
-    shown,
-)
+from matrixworld._util import checks
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import REWARDS, VARIANTS, Rewards, Rules
 
@@ -146,7 +137,7 @@ class OwnCode(Section):
     def check(self) -> None:
         """Raise ValueError unless a name is given."""
         if not PATH.fullmatch(self.code):
-            raise ValueError(f"code: expected module:object, got {shown(self.code)}")
+            raise ValueError(f"code: expected module:object, got {checks.shown(self.code)}")
 
     def load(self) -> Any:
         """Return the section of your own.
@@ -158,7 +149,7 @@ class OwnCode(Section):
         # Before it is called: the files of a stranger's run must not name any function at all.
         if not (isinstance(cls, type) and issubclass(cls, self.base)):
             expected = f"a class derived from {self.base.__name__}"
-            raise ValueError(f"{self.code}: expected {expected}, got {shown(cls)}")
+            raise ValueError(f"{self.code}: expected {expected}, got {checks.shown(cls)}")
         try:
             return cls(**self.settings)
         except TypeError as error:
@@ -198,7 +189,7 @@ def name_of(code: Any) -> str:
     """Return ``module:object`` of a class; ValueError if an import cannot find it."""
     name = f"{getattr(code, '__module__', '')}:{getattr(code, '__qualname__', '')}"
     if not PATH.fullmatch(name):  # such as what is inside a function
-        raise ValueError(f"code: expected a class of a module, got {shown(code)}")
+        raise ValueError(f"code: expected a class of a module, got {checks.shown(code)}")
     return name
 
 
@@ -265,24 +256,29 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
         return _section(item, hint, None, value)
     if hint is WorldConfig:
         found = _world(name, value) if isinstance(value, Mapping) else value
-        check_instance(name, found, WorldConfig)
+        checks.check_instance(name, found, WorldConfig)
         return found
     if get_origin(hint) is tuple:
         if isinstance(value, int) and not isinstance(value, bool):
             value = (value,)  # a single layer
-        return tuple(check_integer(name, size, 1) for size in check_sequence(name, value, "ints"))
+        return tuple(
+            checks.check_integer(name, size, 1)
+            for size in checks.check_sequence(name, value, "ints")
+        )
     if get_origin(hint) is Mapping:
         return check_own_settings(name, value)
     if bool in accepted:
-        return check_bool(name, value)
+        return checks.check_bool(name, value)
     if int in accepted:
-        return check_integer(name, value, least, INT_MAX if most == math.inf else int(most))
+        return checks.check_integer(
+            name, value, least, checks.INT_MAX if most == math.inf else int(most)
+        )
     if float in accepted:
-        return check_number(name, value, least=least, most=most, positive=positive)
+        return checks.check_number(name, value, least=least, most=most, positive=positive)
     if item.metadata.get("choices"):
-        check_choice(name, value, item.metadata["choices"])
+        checks.check_choice(name, value, item.metadata["choices"])
     elif str in accepted and not isinstance(value, str):
-        raise TypeError(f"{name}: expected a text, got {shown(value)}")
+        raise TypeError(f"{name}: expected a text, got {checks.shown(value)}")
     return value
 
 
@@ -302,7 +298,7 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
         given = {"kind": given}
     if not isinstance(given, Mapping):
         classes = " or ".join(dict.fromkeys(each.__name__ for each in known.values()))
-        raise TypeError(f"{item.name}: expected {classes}, got {shown(given)}")
+        raise TypeError(f"{item.name}: expected {classes}, got {checks.shown(given)}")
     changes = dict(given)
     usual = before or item.metadata["default"]
     if "kind" in changes or usual is None:
@@ -327,7 +323,7 @@ def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str,
             return known["own"], {"code": kind}
         names.append("or module:object")
     expected = f"one of {', '.join(names)}" if names else known[""].__name__
-    raise ValueError(f"{name}: expected {expected}, got {shown(kind)}")
+    raise ValueError(f"{name}: expected {expected}, got {checks.shown(kind)}")
 
 
 # Sections as values that JSON and TOML can hold:
@@ -384,7 +380,7 @@ def _world(name: str, plain: Mapping[str, Any]) -> WorldConfig:
                 continue
             parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
             kind = parts.pop("kind", usual)
-            check_choice(row, kind, kinds)
+            checks.check_choice(row, kind, kinds)
             # Those that are not given are as in the row of that kind.
             base = WorldConfig(**{row: kinds[kind]}).to_json()
             with inside(row):
@@ -400,7 +396,7 @@ def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
     A text that stands for a whole section becomes its kind where parts of it are given, too.
     """
     if not isinstance(values, Mapping) or not all(isinstance(path, str) for path in values):
-        raise TypeError(f"settings: expected values by name, got {shown(values)}")
+        raise TypeError(f"settings: expected values by name, got {checks.shown(values)}")
     plain: dict[str, Any] = {}
     for path, value in values.items():
         *parents, name = path.split(".")

@@ -40,19 +40,8 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util import files
 from matrixworld._util.checks import check_choice
-from matrixworld._util.files import (
-    Arrays,
-    DamagedFileError,
-    load_arrays,
-    locked,
-    one_line,
-    read_json,
-    remove_temporary_files,
-    replacing,
-    save_arrays,
-    save_json,
-)
 from matrixworld._util.readable import html_of
 from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -166,13 +155,13 @@ class SavedRun:
         """The content of config.json; OtherVersionError if it has another format."""
         if not self.exists:
             raise FileNotFoundError(f"{self.path}: holds no run, expected a file {CONFIG}")
-        values = read_json(self.path / CONFIG)
+        values = files.read_json(self.path / CONFIG)
         # Before any other entry is read: another format may not have it.
         if values.get("format") != FORMAT:
             raise OtherVersionError(
                 f"{self.path / CONFIG}: expected format {FORMAT}, got "
-                f"{one_line(values.get('format'))} (written by matrixworld "
-                f"{one_line(values.get('matrixworld', 'unknown'))})"
+                f"{files.one_line(values.get('format'))} (written by matrixworld "
+                f"{files.one_line(values.get('matrixworld', 'unknown'))})"
             )
         return values
 
@@ -182,11 +171,12 @@ class SavedRun:
         try:
             return RaceSettings.of(self.config["settings"])
         except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
-            if isinstance(error, DamagedFileError | OtherVersionError):
+            if isinstance(error, files.DamagedFileError | OtherVersionError):
                 raise
+            version = files.one_line(self.config.get("matrixworld", "unknown"))
             raise OtherVersionError(
                 f"{self.path / CONFIG}: expected settings of matrixworld {__version__}, got those "
-                f"of {one_line(self.config.get('matrixworld', 'unknown'))}: {one_line(error)}"
+                f"of {version}: {files.one_line(error)}"
             ) from error
 
     @property
@@ -236,7 +226,7 @@ class SavedRun:
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
-        return read_json(self.path / SUMMARY)
+        return files.read_json(self.path / SUMMARY)
 
     def newest(self) -> int:
         """Return the number of the newest stage, 0 before the first."""
@@ -250,21 +240,21 @@ class SavedRun:
         names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
         return [int(name) for name in names if name.isdigit()]
 
-    def _load(self, name: str) -> Arrays:
-        return load_arrays(self.path / name)
+    def _load(self, name: str) -> files.Arrays:
+        return files.load_arrays(self.path / name)
 
-    def _stages(self) -> list[Arrays]:
+    def _stages(self) -> list[files.Arrays]:
         """Return what all finished stages have added; DamagedFileError if one is missing."""
         # The summary first: beside a writer, all stages that it counts are there afterwards.
         least = self.summary()["stages"] if (self.path / SUMMARY).exists() else 0
         return [self._stage(number) for number in range(max(least, self.newest()) + 1)]
 
-    def _stage(self, number: int) -> Arrays:
+    def _stage(self, number: int) -> files.Arrays:
         try:
             return self._load(_name("stage", number))
         except FileNotFoundError as error:
             problem = "missing, expected the files of all stages"
-            raise DamagedFileError(self.path / _name("stage", number), problem) from error
+            raise files.DamagedFileError(self.path / _name("stage", number), problem) from error
 
     # Teams that can play:
 
@@ -413,9 +403,7 @@ def find_runs(path: Path) -> list[Path]:
     # config.json is the last file of a new run: without it the run was not completely created.
     if (path / CONFIG).is_file():
         return [path]
-    found = [file.parent for file in path.glob(f"*/{CONFIG}")]
-    # A response to a champion lies in its run, and is no run of the job.
-    found += [file.parent for file in path.glob(f"*/*/{CONFIG}") if file.parents[1] not in found]
+    found = [file.parent for depth in ("*", "*/*") for file in path.glob(f"{depth}/{CONFIG}")]
     return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
 
 
@@ -457,7 +445,7 @@ def open_runs(directory: str | Path) -> list[SavedRun]:
 class Restored(NamedTuple):
     """What all stages have added, the genomes in them, and the states from which to go on."""
 
-    stages: list[Arrays]
+    stages: list[files.Arrays]
     archive: Archive
     states: dict[str, State]
 
@@ -471,7 +459,7 @@ class RunWriter(SavedRun):
 
     def lock(self) -> AbstractContextManager[None]:
         """Hold the directory for writing; LockedError if another process does."""
-        return locked(self.path / LOCK)
+        return files.locked(self.path / LOCK)
 
     def begin(
         self,
@@ -483,7 +471,7 @@ class RunWriter(SavedRun):
         """Write config.json, which holds `settings` and `more`, and stage 0."""
         head = {"format": FORMAT, "matrixworld": __version__}
         self.config = {**head, "settings": dict(settings), **more}
-        save_json(self.path / CONFIG, self.config)
+        files.save_json(self.path / CONFIG, self.config)
         self.save(0, archive, [], dict.fromkeys(COUNTERS, 0), states)
 
     def save(
@@ -518,27 +506,27 @@ class RunWriter(SavedRun):
         ``*.damaged``; the stage before it is used instead. DamagedFileError if no stage is intact
         that has a checkpoint.
         """
-        remove_temporary_files(self.path)
-        problems: list[DamagedFileError] = []
-        stages: list[Arrays] = []
+        files.remove_temporary_files(self.path)
+        problems: list[files.DamagedFileError] = []
+        stages: list[files.Arrays] = []
         newest = self.newest()
         try:
             while len(stages) <= newest:
                 stages.append(self._stage(len(stages)))
-        except DamagedFileError as error:
+        except files.DamagedFileError as error:
             problems.append(error)
-        state: Arrays | None = None
+        state: files.Arrays | None = None
         numbers = sorted(n for n in self._numbers("checkpoint") if n < len(stages))
         while numbers and state is None:
             number = numbers.pop()
             try:
                 state = self._load(_name("checkpoint", number))
                 del stages[number + 1 :]
-            except DamagedFileError as error:
+            except files.DamagedFileError as error:
                 problems.append(error)
         if state is None:
             reasons = "; ".join(map(str, problems)) or "expected a file checkpoint-*.npz, got none"
-            raise DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
+            raise files.DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
         for problem in problems:
             warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=3)
             if problem.path.exists():
@@ -561,17 +549,17 @@ class RunWriter(SavedRun):
     def save_results(self, payoff: Mapping[str, NDArray[Any]], summary: Mapping[str, Any]) -> None:
         """Write log and genomes for other programs, payoff.npz, and summary.json as the last."""
         stages = self._stages()
-        with replacing(self.path / LOG) as file:
+        with files.replacing(self.path / LOG) as file:
             file.write(_log_of(stages).encode())
         for team, genomes in _archive_of(stages).items():
             if len(genomes):  # those of a team that a script plays are none
-                with replacing(self.path / f"{team}s.npy") as file:
+                with files.replacing(self.path / f"{team}s.npy") as file:
                     np.save(file, genomes)
         self._save(PAYOFF, payoff)
-        save_json(self.path / SUMMARY, summary)
+        files.save_json(self.path / SUMMARY, summary)
 
     def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
-        save_arrays(self.path / name, arrays)
+        files.save_arrays(self.path / name, arrays)
 
 
 def _name(kind: str, stage: int) -> str:
@@ -612,7 +600,7 @@ def new_directory(path: Path) -> Iterator[Path]:
             item.rename(target / item.name)
 
 
-def _archive_of(stages: Sequence[Arrays]) -> Archive:
+def _archive_of(stages: Sequence[files.Arrays]) -> Archive:
     """Return the genomes that stages have added; (0, 0) for a team that a script plays."""
 
     def genomes(name: str) -> Genomes:
@@ -622,11 +610,11 @@ def _archive_of(stages: Sequence[Arrays]) -> Archive:
     return {team: genomes(f"{team}s") for team in TEAMS}
 
 
-def _log_of(stages: Sequence[Arrays]) -> str:
+def _log_of(stages: Sequence[files.Arrays]) -> str:
     return ",".join(COLUMNS) + "\n" + "".join(stage["log"].item().decode() for stage in stages)
 
 
-def _rows_of(stages: Sequence[Arrays]) -> list[Row]:
+def _rows_of(stages: Sequence[files.Arrays]) -> list[Row]:
     rows = csv.DictReader(io.StringIO(_log_of(stages), newline=""))
     return [{name: kind(row[name]) for name, kind in COLUMNS.items()} for row in rows]
 

@@ -13,15 +13,7 @@ from matplotlib.patches import Patch, Rectangle
 from numpy.typing import ArrayLike
 
 from matrixworld import analysis
-from matrixworld._util import colors
-from matrixworld._util.checks import (
-    SEED_MAX,
-    check_choice,
-    check_instance,
-    check_integer,
-    check_real,
-    check_sequence,
-)
+from matrixworld._util import checks, colors
 from matrixworld.analysis.intervals import UNBOUNDED, Band, Bounds
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
 from matrixworld.analysis.payoffs import Rates, Source, check_rates
@@ -68,7 +60,10 @@ def run_dots(
         mean = analysis.interval_over_runs(values, bounds=bounds)
         _draw_dots(axes, row, mean, np.asarray(values))
     for index, (name, level) in enumerate(style.by_name("levels", levels).items()):
-        dashes, place = style.DASHES[index % len(style.DASHES)], check_real(f"level {name}", level)
+        dashes, place = (
+            style.DASHES[index % len(style.DASHES)],
+            checks.check_real(f"level {name}", level),
+        )
         axes.axvline(place, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
     _label_dots(axes, each, "mean, 95% interval")
     _name_rows(figure, axes, groups, NAMES)
@@ -183,7 +178,7 @@ def seed_scores(
     for group, of_group in scores.items():
         style.check_some(of_group, "team")
         for team, values in of_group.items():
-            check_choice(group, team, SCORES)
+            checks.check_choice(group, team, SCORES)
             of_teams[team][group] = check_rates(values, ndim=2, what=f"scores of {group}")
     drawn = {team: groups for team, groups in of_teams.items() if groups}
     figure = style.new_figure(6.6, 1.0 + sum(0.8 + 0.5 * len(groups) for groups in drawn.values()))
@@ -321,7 +316,7 @@ def verdict_strip(
     of_seeds, absent = style.by_name("seeds", seeds), style.by_name("missing", missing)
     columns: dict[str, dict[int, dict[str, str]]] = {}
     for name, judgement in judgements.items():
-        check_instance(name, judgement, Judgement)
+        checks.check_instance(name, judgement, Judgement)
         finished = _seeds(f"seeds of {name}", of_seeds.get(name, ()))
         if len(finished) != judgement.runs:
             raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(finished)}")
@@ -346,7 +341,10 @@ def verdict_strip(
 
 
 def _seeds(name: str, given: Sequence[int]) -> list[int]:
-    return [check_integer(name, seed, 0, SEED_MAX) for seed in check_sequence(name, given, "seeds")]
+    return [
+        checks.check_integer(name, seed, 0, checks.SEED_MAX)
+        for seed in checks.check_sequence(name, given, "seeds")
+    ]
 
 
 def _draw_verdicts(

@@ -17,13 +17,7 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import (
-    SEED_MAX,
-    check_choice,
-    check_instance,
-    check_integer,
-    check_threads,
-)
+from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, load_arrays, read_json, save_json
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import (
@@ -356,9 +350,9 @@ def score(
     The world is that of the run. A script that the run trained against is left out, and so are
     evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
     """
-    check_instance("run", run, SavedRun)
-    episodes = check_integer("episodes", episodes, 2)
-    check_threads(threads)
+    checks.check_instance("run", run, SavedRun)
+    episodes = checks.check_integer("episodes", episodes, 2)
+    checks.check_threads(threads)
     world = run.settings.world if steps is None else replace(run.settings.world, max_steps=steps)
     return _scores(
         world,
@@ -489,14 +483,14 @@ def score_policy(
     ('random', 'still', 'clumsy-fleer', 'fleer', 'dodger', 'evolved-1', 'evolved-2')
     """
     config = WorldConfig.of(config)
-    check_choice("team", team, TEAMS)
-    episodes = check_integer("episodes", episodes, 2)
-    seed = check_integer("seed", seed, 0, SEED_MAX)
-    check_threads(threads)
+    checks.check_choice("team", team, TEAMS)
+    episodes = checks.check_integer("episodes", episodes, 2)
+    seed = checks.check_integer("seed", seed, 0, checks.SEED_MAX)
+    checks.check_threads(threads)
     left_out = ""
     if opponents is None:
         opponents, left_out = opponents_of(team, config)
-    check_instance("opponents", opponents, Mapping)
+    checks.check_instance("opponents", opponents, Mapping)
     mine = _plays("policy", policy)
     theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
     if not theirs:
@@ -511,7 +505,7 @@ def _plays(name: str, policy: Any, most: int | None = None) -> Any:
     if isinstance(policy, NetworkPolicy):
         return policy.population()
     if isinstance(policy, str):
-        check_choice(name, policy, SCRIPTS)
+        checks.check_choice(name, policy, SCRIPTS)
     elif not callable(policy) and not isinstance(policy, Population | TablePolicy):
         expected = "a function, a NetworkPolicy or a Population"
         raise TypeError(f"{name}: expected {expected}, got {policy!r}")
