@@ -28,14 +28,13 @@ from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_o
 from matrixworld.coevolution.race import ALL_SCHEDULES
 from tiny_race import (
     begun,
-    directory_in_memory,
     hall_of_fame,
     played,
     results,
+    straight,
     tiny_race,
     tiny_single,
 )
-from tiny_race import straight as one_by_one
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 
@@ -54,36 +53,30 @@ def files_in(directory):
     return {path.name: path.read_bytes() for path in directory.iterdir() if path.name != ".lock"}
 
 
-@pytest.fixture(scope="module")
-def straight():
-    """The files of each of the settings, played one by one, by name of the run."""
-    with directory_in_memory() as directory:
-        job = job_of(SETTINGS)
-        yield {name: files_in(played(each, directory / name).path) for name, each in job.items()}
-
-
-def check_equal(directory, straight):
-    assert {name: files_in(directory / name) for name in straight} == straight
-    tops = {name.partition("/")[0] for name in straight}
-    assert {path.name for path in directory.iterdir()} == tops
+def check_equal(directory):
+    """Compare all runs of the job with runs one by one, and what lies beside them."""
+    job = job_of(SETTINGS)
+    for name, settings in job.items():
+        assert results(directory / name) == straight(settings)
+    assert {path.name for path in directory.iterdir()} == {name.split("/")[0] for name in job}
 
 
 @pytest.mark.parametrize("executor", [ThreadPoolExecutor(2), Reversed(len(SETTINGS))])
-def test_files_are_those_of_runs_one_by_one(executor, straight, tmp_path):
+def test_files_are_those_of_runs_one_by_one(executor, tmp_path):
     runs = evolve(SETTINGS, tmp_path, executor=executor)
-    check_equal(tmp_path, straight)
+    check_equal(tmp_path)
     # Finished runs are only opened: an executor that is no class of its own can do nothing.
     again = evolve(SETTINGS, tmp_path, executor=Executor())
     for made in runs, again:
         assert [run.settings for run in made] == SETTINGS
-    check_equal(tmp_path, straight)
+    check_equal(tmp_path)
 
 
-def test_processes_give_the_same_files_and_tell_each_row_and_how_far_they_are(straight, tmp_path):
+def test_processes_give_the_same_files_and_tell_each_row_and_how_far_they_are(tmp_path):
     seen, rows = [], []
     progress = {"report": seen.append, "on_epoch": rows.append}
     runs = evolve(SETTINGS, tmp_path / "job", threads=2, **progress)
-    check_equal(tmp_path / "job", straight)
+    check_equal(tmp_path / "job")
     for run in runs:
         name = run.path.relative_to(tmp_path / "job").as_posix()
         told = [row for row in rows if row["run"] == name]
@@ -94,23 +87,23 @@ def test_processes_give_the_same_files_and_tell_each_row_and_how_far_they_are(st
     assert seen[-1].before == 0
 
 
-def test_a_single_run_is_played_in_its_directory_by_this_process(straight, tmp_path, monkeypatch):
+def test_a_single_run_is_played_in_its_directory_by_this_process(tmp_path, monkeypatch):
     monkeypatch.setattr(jobs, "processes", None)
     seen, rows = [], []
     run = evolve(SETTINGS[0], tmp_path / "run", report=seen.append, on_epoch=rows.append)
     assert (run.settings, run.path) == (SETTINGS[0], tmp_path / "run")
-    assert files_in(run.path) == straight["generalist-generalist/seed-1"]
+    assert results(run.path) == straight(SETTINGS[0])
     assert "pursuers" in seen[0].what or "stage 0" in seen[0].what  # what the run does
     assert seen[-1].done == seen[-1].total
     places = [(row["run"], row["seed"], row["stage"], row["epoch"]) for row in rows]
     assert places == [("run", 1, row["stage"], row["epoch"]) for row in run.rows(0)]
     evolve(SETTINGS[0], tmp_path / "run")
-    assert files_in(run.path) == straight["generalist-generalist/seed-1"]
+    assert results(run.path) == straight(SETTINGS[0])
     [again] = evolve({"other/seed-1": SETTINGS[0]}, tmp_path / "named")
     assert files_in(again.path) == files_in(run.path)
 
 
-def test_a_job_is_stopped_by_a_callback_and_goes_on(straight, tmp_path):
+def test_a_job_is_stopped_by_a_callback_and_goes_on(tmp_path):
     before, after = [], []
 
     def stop(row):
@@ -120,11 +113,11 @@ def test_a_job_is_stopped_by_a_callback_and_goes_on(straight, tmp_path):
     with ThreadPoolExecutor(1) as executor, pytest.raises(StopRun):
         evolve(SETTINGS, tmp_path, executor=executor, on_epoch=stop)
     # What had begun has ended, and nothing else has begun.
-    assert sum(open_run(tmp_path / name).finished for name in straight) < len(SETTINGS)
+    assert sum(open_run(tmp_path / name).finished for name in job_of(SETTINGS)) < len(SETTINGS)
     evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2), on_epoch=after.append)
     places = [(row["run"], row["team"], row["generation"], row["epoch"]) for row in before + after]
     assert len(set(places)) == len(places) > 20  # no row comes twice
-    check_equal(tmp_path, straight)
+    check_equal(tmp_path)
 
 
 @pytest.mark.slow
@@ -148,7 +141,7 @@ def test_ctrl_c_ends_all_runs_and_the_same_call_continues(tmp_path, monkeypatch)
     # What the first call played does not count for the rate of the second.
     assert seen[-1].before > 0.05 * seen[-1].total
     evolve(settings, tmp_path, threads=1)
-    assert results(paths[0]) == one_by_one(settings[0])
+    assert results(paths[0]) == straight(settings[0])
 
 
 def failures_of(settings, directory, **options):
@@ -162,7 +155,7 @@ def failures_of(settings, directory, **options):
     return names, [run.path.relative_to(directory).as_posix() for run in error.finished]
 
 
-def test_bad_runs_are_named_and_the_others_finish(straight, tmp_path):
+def test_bad_runs_are_named_and_the_others_finish(tmp_path):
     job, seen = job_of(SETTINGS), []
     create_job(job, tmp_path)
     cut, altered, held, *others = job
@@ -181,7 +174,7 @@ def test_bad_runs_are_named_and_the_others_finish(straight, tmp_path):
     assert seen[-1].what == "3 of 5 runs, 2 failed"
     assert files_in(tmp_path / altered) == before
     assert finished == [altered, *others]
-    assert {name: files_in(tmp_path / name) for name in others} == {n: straight[n] for n in others}
+    assert all(results(tmp_path / name) == straight(job[name]) for name in others)
 
 
 def test_an_error_of_own_code_is_that_of_its_run(tmp_path, monkeypatch):
@@ -200,7 +193,7 @@ def test_a_process_that_dies_ends_the_job_and_the_same_call_goes_on(tmp_path):
         evolve(settings, tmp_path / "job", threads=4)
     assert open_run(tmp_path / "job" / "once").newest() == 1
     for run in evolve(settings, tmp_path / "job", threads=4):
-        assert results(run.path) == one_by_one(run.settings)
+        assert results(run.path) == straight(run.settings)
 
 
 @posix

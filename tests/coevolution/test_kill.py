@@ -5,28 +5,20 @@ import signal
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
 from itertools import count
 
 import pytest
 
 import killed
-from killed import JOB, RUNS, SHORT_RUNS, Events, play_run, process, watched
+from killed import JOB, RUNS, SETTINGS, SHORT_RUNS, Events, play_run, process, watched
 from matrixworld.coevolution import LockedError, Run, create, evolve, open_run
 from matrixworld.coevolution.jobs import found_job
 from slow import quickly
-from tiny_race import directory_in_memory, results
+from tiny_race import results, straight
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs signals and forks")
 
 DEATH = -signal.SIGKILL
-
-
-@cache
-def straight(kind):
-    with directory_in_memory() as directory:
-        play_run(kind, directory / "run")
-        return results(directory / "run")
 
 
 def deaths(target, *args):
@@ -56,7 +48,7 @@ def test_killed_at_every_write_and_every_match(kind, tmp_path):
         directory = tmp_path / str(at)
         check_readable(directory)
         play_run(kind, directory)
-        assert results(directory) == straight(kind)
+        assert results(directory) == straight(SETTINGS[kind])
         assert not list(directory.glob(".*.tmp"))
     assert at > 25
 
@@ -68,7 +60,7 @@ def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
         check_readable(tmp_path / "run")
         assert at < 200  # more than there are events
     assert at >= 15
-    assert results(tmp_path / "run") == straight(kind)
+    assert results(tmp_path / "run") == straight(SETTINGS[kind])
     assert not list((tmp_path / "run").glob(".*.tmp"))
 
 
@@ -83,7 +75,7 @@ def test_a_job_that_is_killed_while_it_is_made_is_none_or_whole(tmp_path):
         seen.add(len(made))
         if at % 7 == 0 or made:
             runs = evolve([*JOB.values()], root, executor=ThreadPoolExecutor(1))
-            assert results(runs[0].path) == straight("single")
+            assert results(runs[0].path) == straight(RUNS["single"])
             assert found_job(root) == JOB
     assert seen == {0, len(JOB)}
     assert at > 20
@@ -111,7 +103,7 @@ def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path)
         assert raised.errno == errno.ENOSPC
         assert str(tmp_path) in str(raised)  # that of a run is made beside it
         play_run(kind, directory)
-        assert results(directory) == straight(kind)
+        assert results(directory) == straight(SETTINGS[kind])
     assert at > 25
 
 

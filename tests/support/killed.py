@@ -40,12 +40,13 @@ SHORT_RUNS: dict[str, Any] = {
     "short hall-of-fame": tiny_race(**HALL, generations=1, joint_epochs=1),
     "short single": tiny_single(**SINGLE, epochs=2),
 }
+SETTINGS = {**RUNS, **SHORT_RUNS}
 JOB = job_of([RUNS["single"], RUNS["race"]])
 
 
 def play_run(kind: str, directory: Path, play: Any = rollout) -> None:
     """Make the run, unless it is there, and play it to its end."""
-    create({**RUNS, **SHORT_RUNS}[kind], directory)
+    create(SETTINGS[kind], directory)
     finish(directory, threads=1, play=play)
 
 
