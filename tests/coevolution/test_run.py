@@ -26,7 +26,6 @@ from tiny_race import (
     StopAt,
     alternating,
     check_resumes,
-    constant_scores,
     hall_of_fame,
     played,
     results,
@@ -219,8 +218,10 @@ def test_a_callback_is_told_each_epoch_can_stop_the_run_and_changes_no_byte(
 
 
 def test_disengagement_causes_one_warning(tmp_path: Path) -> None:
-    def disengaged(config: Any, pursuers: Any, evaders: Any, matches: Any, **options: Any) -> Any:
-        return constant_scores(1.0, (len(matches.seed), options["episodes"]))
+    def disengaged(*args: Any, **options: Any) -> Any:
+        scores = rollout(*args, **options)
+        scores.capture_rate[:] = 1.0
+        return scores
 
     with pytest.warns(DisengagementWarning, match="the pursuers win nearly all matches") as caught:
         run = played(tiny_race(generations=5), tmp_path / "run", play=disengaged)
