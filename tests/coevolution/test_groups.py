@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from matrixworld._util.files import load_json, save_json
+from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import judge
 from matrixworld.coevolution import RaceSettings, open_runs, score
 from matrixworld.coevolution.evaluation.scores import estimates_of, kept_scores
@@ -82,7 +82,7 @@ def test_scores_are_kept_and_played_again_if_they_are_of_something_else(job):
     assert not told
     files[0].unlink()
     files[1].write_bytes(before[1][:-9])  # cut
-    save_json(files[2], load_json(files[2]) | {"matrixworld": "0.0"})  # those of another version
+    save_json(files[2], read_json(files[2]) | {"matrixworld": "0.0"})  # those of another version
     assert kept_scores(runs, threads=1, report=told.append) == kept
     assert told[-1].what.startswith("[3/3]")
     assert [file.read_bytes() for file in files] == before
