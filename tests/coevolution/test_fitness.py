@@ -1,6 +1,7 @@
 """Fitness from statistics, competitive sharing, limits; seeds of matches."""
 
 import itertools
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,18 +19,16 @@ from matrixworld.coevolution.fitness import (
 )
 from matrixworld.coevolution.seeding import Phase, evaluation_seed, training_seeds
 from matrixworld.coevolution.types import TEAMS
-from tiny_race import begun, constant_scores, tiny_single
+from tiny_race import begun, tiny_single
 
-
-def scores():
-    """Two matches of two worlds each."""
-    made = constant_scores(0.0, (2, 2))
-    made.captured_fraction = np.array([[0.2, 0.4], [1.0, 0.0]], dtype=np.float32)
-    made.capture_rate = np.array([[0.5, 0.5], [1.0, 0.0]], dtype=np.float32)
-    made.evader_overlap = np.array([[0.1, 0.3], [0.0, 0.0]], dtype=np.float32)
-    made.pursuer_return = np.array([[10.0, 20.0], [0.0, 0.0]])
-    made.evader_return = np.array([[-10.0, -30.0], [0.0, 2.0]])
-    return made
+SCORES = SimpleNamespace(
+    captured_fraction=np.array([[0.2, 0.4], [1.0, 0.0]], dtype=np.float32),
+    capture_rate=np.array([[0.5, 0.5], [1.0, 0.0]], dtype=np.float32),
+    evader_overlap=np.array([[0.1, 0.3], [0.0, 0.0]], dtype=np.float32),
+    pursuer_return=np.array([[10.0, 20.0], [0.0, 0.0]]),
+    evader_return=np.array([[-10.0, -30.0], [0.0, 2.0]]),
+)
+"""Two matches of two worlds each."""
 
 
 @pytest.mark.parametrize(
@@ -44,7 +43,7 @@ def scores():
     ],
 )
 def test_fitness(measure, team, expected):
-    assert match_fitness(scores(), team, measure, 0.5) == pytest.approx(expected)
+    assert match_fitness(SCORES, team, measure, 0.5) == pytest.approx(expected)
 
 
 def test_sharing_by_hand():

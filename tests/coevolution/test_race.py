@@ -338,8 +338,6 @@ def test_warm_start(learner, tmp_path):
 
 def test_bad_opponents_and_starts_are_refused(other_run, tmp_path):
     settings, run = tiny_single(), tmp_path / "run"
-    with pytest.raises(FileNotFoundError, match="holds no run"):
-        begun(tiny_single(opponent=str(tmp_path / "nowhere")), run)
     wide = Network(hidden=(4,), fov=5)
     others = Population(np.zeros((1, wide.genome_size), dtype=np.float32), wide)
     with pytest.raises(ValueError, match="^opponents: "):

@@ -6,7 +6,6 @@ import os
 import shutil
 import sys
 import time
-from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -302,25 +301,19 @@ def test_other_files_are_not_replaced(tmp_path, name):
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {name: b"mine"}
 
 
-@contextmanager
-def as_nobody():
-    """Give up the rights of root, who may write into every directory."""
-    own = os.geteuid()
-    os.seteuid(65534 if own == 0 else own)
-    try:
-        yield
-    finally:
-        os.seteuid(own)
-
-
 @pytest.mark.skipif(sys.platform == "win32", reason="needs permissions")
 def test_a_directory_that_cannot_be_written_to_is_refused(stopped, straight):
     with directory_in_memory() as place:
         place.chmod(0o755)  # pytest's own directories are closed to other users
         run = Path(shutil.copytree(stopped, place / "run"))
         run.chmod(0o555)
-        with as_nobody(), pytest.raises(PermissionError, match=f"'{run}"):
-            Run(run)
+        user = os.geteuid()
+        os.seteuid(user or 65534)  # not root, who may write into every directory
+        try:
+            with pytest.raises(PermissionError, match=f"'{run}"):
+                Run(run)
+        finally:
+            os.seteuid(user)
         run.chmod(0o755)
         assert results(finish(run, threads=1).path) == results(straight)
 

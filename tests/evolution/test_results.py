@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -118,33 +119,53 @@ def test_what_short_races_are_said_to_hide_follows_from_published_numbers() -> N
 # Verdicts and numbers by hand
 
 
-@pytest.mark.parametrize(
-    ("p", "difference", "expected", "verdict"),
-    [
-        (0.01, -0.1, -1, "as expected"),
-        (0.01, -0.1, 1, "the opposite"),
-        (0.05, 0.1, 1, "as expected"),
-        (0.06, 0.1, 1, "cannot tell"),
-    ],
-)
-def test_verdict_on_halls_of_fame(p: float, difference: float, expected: int, verdict: str) -> None:
-    assert hall_of_fame.verdict(p, difference, expected) == verdict
+def yoked(p: float, low: float | None, high: float | None) -> str:
+    value = 0.0 if low is None or high is None else (low + high) / 2
+    difference = replace(interval_over_runs([0.0, 1.0]), value=value, low=low, high=high)
+    return yoked_races.verdict(p, difference)
+
+
+def claim(values: list[float], side: str) -> str:
+    one = paper_claims.Claim("it is so", "a number", np.array(values), side)
+    [p], [only] = one.p_values(), one.columns
+    return one.cell(only, p).split("**")[1]
+
+
+def game(team: str, values: list[float]) -> str:
+    # The published interval is 0.8 +- 2.262 * 0.1 / sqrt(10) = 0.8 +- 0.072.
+    one = baselines.Game("a game", team, "random", 0.8, 0.1)
+    return one.verdict(interval_over_runs(values, bounds=(0.0, 1.0)))
 
 
 @pytest.mark.parametrize(
-    ("p", "ends", "verdict"),
+    ("judge", "given", "verdict"),
     [
-        (0.01, (0.01, 0.03), "race higher"),
-        (0.01, (-0.09, -0.01), "yoked higher"),
-        (0.06, (-0.04, 0.049), "alike"),
-        (0.06, (-0.04, 0.051), "cannot tell"),
-        (1.0, (None, None), "cannot tell"),
+        (hall_of_fame.verdict, (0.01, -0.1, -1), "as expected"),
+        (hall_of_fame.verdict, (0.01, -0.1, 1), "the opposite"),
+        (hall_of_fame.verdict, (0.05, 0.1, 1), "as expected"),
+        (hall_of_fame.verdict, (0.06, 0.1, 1), "cannot tell"),
+        (yoked, (0.01, 0.01, 0.03), "race higher"),
+        (yoked, (0.01, -0.09, -0.01), "yoked higher"),
+        (yoked, (0.06, -0.04, 0.049), "alike"),
+        (yoked, (0.06, -0.04, 0.051), "cannot tell"),
+        (yoked, (1.0, None, None), "cannot tell"),
+        (claim, ([0.2, 0.3, 0.4], "above"), "reproduced"),
+        (claim, ([0.2, 0.3, 0.4], "below"), "not reproduced"),
+        (claim, ([-0.2, 0.3, 0.1], "above"), "cannot tell"),
+        (claim, ([-0.2, -0.3, -0.4], "below"), "reproduced"),
+        (claim, ([0.0] * 10, "above"), "cannot tell"),
+        (claim, ([0.1] * 5, "above"), "cannot tell"),
+        (claim, ([0.1] * 10, "above"), "reproduced"),
+        (claim, ([0.1] * 9 + [np.nan], "above"), "cannot tell"),
+        (game, ("pursuer", [0.9, 0.91, 0.92]), "reached"),
+        (game, ("pursuer", [0.5, 0.51, 0.52]), "not reached"),
+        (game, ("pursuer", [0.5, 0.95, 0.99]), "cannot tell"),
+        (game, ("evader", [0.1, 0.11, 0.12]), "reached"),
+        (game, ("evader", [0.97, 0.98, 0.99]), "not reached"),
     ],
 )
-def test_verdict_on_yoked_races(p: float, ends: tuple[float | None, ...], verdict: str) -> None:
-    value = sum(ends) / 2 if None not in ends else 0.0
-    difference = replace(interval_over_runs([0.0, 1.0]), value=value, low=ends[0], high=ends[1])
-    assert yoked_races.verdict(p, difference) == verdict
+def test_verdicts(judge: Callable[..., str], given: tuple[Any, ...], verdict: str) -> None:
+    assert judge(*given) == verdict
 
 
 def test_p_values_of_several_tests_are_adjusted_step_down() -> None:
@@ -185,25 +206,6 @@ def test_learned_exploitability_is_what_responses_gain() -> None:
     np.testing.assert_allclose([found[side][0, 0] for side in learned.SIDES], [0.2, 0.3, 0.5])
 
 
-@pytest.mark.parametrize(
-    ("values", "side", "verdict"),
-    [
-        ([0.2, 0.3, 0.4], "above", "reproduced"),
-        ([0.2, 0.3, 0.4], "below", "not reproduced"),
-        ([-0.2, 0.3, 0.1], "above", "cannot tell"),
-        ([-0.2, -0.3, -0.4], "below", "reproduced"),
-        ([0.0] * 10, "above", "cannot tell"),
-        ([0.1] * 5, "above", "cannot tell"),
-        ([0.1] * 10, "above", "reproduced"),
-        ([0.1] * 9 + [np.nan], "above", "cannot tell"),
-    ],
-)
-def test_verdict_on_a_claim(values: list[float], side: str, verdict: str) -> None:
-    claim = paper_claims.Claim("it is so", "a number", np.array(values), side)
-    [p], [only] = claim.p_values(), claim.columns
-    assert claim.cell(only, p).startswith(f"**{verdict}**")
-
-
 def test_phases_of_a_race_are_changes_while_one_team_learns() -> None:
     # The capture rate is the pursuers' generation minus that of the evaders, and 0.5.
     k = np.arange(6)
@@ -215,24 +217,22 @@ def test_phases_of_a_race_are_changes_while_one_team_learns() -> None:
 
 # Coverage of intervals
 
-COVERAGE = RESULTS / "coverage" / "coverage.csv"
+COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
 SCORES = read_payoffs(np.random.default_rng(0).random((14, 14, 9)), per_episode=True)
 
 
 def test_normal_runs_are_covered_in_93_to_97_percent() -> None:
-    counts = coverage.read_counts(COVERAGE)
-    assert all(0 <= row.covered <= row.given <= row.repetitions for row in counts)
-    assert {row.repetitions for row in counts} == {400}
+    assert all(0 <= row.covered <= row.given <= row.repetitions for row in COUNTS)
+    assert {row.repetitions for row in COUNTS} == {400}
     for interval in ("mean of runs", "difference of runs"):
-        rows = [row for row in counts if (row.interval, row.data) == (interval, "normal")]
+        rows = [row for row in COUNTS if (row.interval, row.data) == (interval, "normal")]
         assert [row.samples for row in rows] == [2, 3, 5, 10, 20]
         covered, given = (sum(getattr(row, name) for row in rows) for name in ("covered", "given"))
         assert 0.93 < covered / given < 0.97
 
 
 def test_intervals_over_episodes_cover_at_least_90_percent() -> None:
-    counts = coverage.read_counts(COVERAGE)
-    published = {row.interval for row in counts}
+    published = {row.interval for row in COUNTS}
     # The measures of the evaders are those of the pursuers on the swapped matrix.
     decided = {name for row in RULES.values() for name in row.measures}
     unbiased = {
@@ -241,15 +241,14 @@ def test_intervals_over_episodes_cover_at_least_90_percent() -> None:
         if name not in decided and one.of(SCORES).across == "episodes"
     }
     assert {name.replace("evader", "pursuer") for name in unbiased} <= published
-    for row in counts:
+    for row in COUNTS:
         if row.interval in unbiased and row.given >= 100:
             assert row.covered >= 0.9 * row.given, row
 
 
 def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on() -> None:
-    counts = coverage.read_counts(COVERAGE)
     for interval in ("interquartile mean", "probability of improvement"):
-        rows = [row for row in counts if row.interval == interval]
+        rows = [row for row in COUNTS if row.interval == interval]
         assert {row.samples for row in rows} == {3, 5, 6, 10, 20}
         assert not any(row.given for row in rows if row.samples < 6)
         # Groups that hardly overlap are covered more rarely, as the page says.
@@ -279,22 +278,6 @@ def test_a_table_lists_the_worst_case_and_exceptions() -> None:
     assert lines[2] == "| mean | 5 | 52% | 87.1% | 80.0% | odd, 8 x 8 |"
     assert lines[-1] == "- mean, odd, 8 x 8: 80.0% at 5"
     assert "- " not in coverage.table(counts[:1]).split("Exceptions")[1]
-
-
-@pytest.mark.parametrize(
-    ("team", "values", "verdict"),
-    [
-        ("pursuer", [0.9, 0.91, 0.92], "reached"),
-        ("pursuer", [0.5, 0.51, 0.52], "not reached"),
-        ("pursuer", [0.5, 0.95, 0.99], "cannot tell"),
-        ("evader", [0.1, 0.11, 0.12], "reached"),
-        ("evader", [0.97, 0.98, 0.99], "not reached"),
-    ],
-)
-def test_verdicts_on_a_published_game(team: str, values: list[float], verdict: str) -> None:
-    # The published interval is 0.8 +- 2.262 * 0.1 / sqrt(10) = 0.8 +- 0.072.
-    game = baselines.Game("a game", team, "random", 0.8, 0.1)
-    assert game.verdict(interval_over_runs(values, bounds=(0.0, 1.0))) == verdict
 
 
 def test_a_published_number_without_spread_has_an_interval_of_its_ten_episodes() -> None:

@@ -126,12 +126,6 @@ def test_an_unknown_kind_is_refused(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_tables_in_markdown() -> None:
-    rows = [["1", "2"], ["", "3"]]
-    assert common.markdown(["a", "b"], rows) == "| a | b |\n|---|---|\n| 1 | 2 |\n|  | 3 |"
-    assert common.markdown(["a", "b |"], []) == "| a | b | |\n|---|---|---|"
-
-
 # Their own numbers
 
 

@@ -8,10 +8,8 @@ from contextlib import contextmanager
 from dataclasses import fields
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
-import numpy as np
 import pytest
 
 from matrixworld.coevolution import PolicySettings, RaceSettings, Run, SavedRun, create, finish
@@ -158,24 +156,3 @@ def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
     else:
         finish(directory, threads=1)
     assert results(directory) == straight(settings)
-
-
-def constant_scores(capture_rate: float, shape: tuple[int, int]) -> SimpleNamespace:
-    """Return statistics of matches (M, worlds) that all ended with the same capture rate."""
-    rates = np.full(shape, capture_rate, dtype=np.float32)
-    kinds = np.zeros((*shape, 2, 3), dtype=np.int32)
-    ones = np.ones(shape, dtype=np.int32)
-    return SimpleNamespace(
-        capture_rate=rates,
-        captured_fraction=rates,
-        length=ones,
-        pursuer_return=ones.astype(np.float64),
-        evader_return=-ones.astype(np.float64),
-        pursuer_survivors=ones,
-        evader_survivors=ones,
-        pursuer_overlap=np.zeros(shape, dtype=np.float32),
-        evader_overlap=np.zeros(shape, dtype=np.float32),
-        collisions=kinds,
-        faults=kinds,
-        agent_steps=np.ones((*shape, 2), dtype=np.int64),
-    )

@@ -162,19 +162,15 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: 
 
 
 @pytest.mark.parametrize(
-    ("arguments", "error", "message"),
+    ("arguments", "message"),
     [
-        ({"policy": 3}, TypeError, "policy: expected a function, a NetworkPolicy or a Population"),
-        ({"team": "both"}, ValueError, "team: expected one of pursuer, evader, got 'both'"),
-        ({"episodes": 1}, ValueError, "episodes: expected at least 2, got 1"),
-        ({"policy": lambda seen: 1}, ValueError, "actions of the policy: expected shape"),
-        ({"opponents": {"mad": "mad"}}, ValueError, "opponents: expected one of random"),
-        ({"opponents": {}}, ValueError, "opponents: expected at least one, got none"),
+        ({"episodes": 1}, "episodes: expected at least 2, got 1"),
+        ({"policy": lambda seen: 1}, "actions of the policy: expected shape"),
+        ({"opponents": {"mad": "mad"}}, "opponents: expected one of random"),
+        ({"opponents": {}}, "opponents: expected at least one, got none"),
     ],
 )
-def test_wrong_arguments_are_refused(
-    arguments: dict[str, Any], error: type[Exception], message: str
-) -> None:
+def test_wrong_arguments_are_refused(arguments: dict[str, Any], message: str) -> None:
     given = {"policy": lambda seen: [0] * len(seen), "team": "pursuer", "episodes": 2}
-    with pytest.raises(error, match=message):
+    with pytest.raises(ValueError, match=message):
         mw.score_policy(config=config_of("R"), **{**given, **arguments})

@@ -160,22 +160,19 @@ def test_annealed_strategies_find_the_target_and_steps_fall_to_a_tenth(learner):
         assert steps[0] == pytest.approx(share * steps[1], rel=1e-2)
 
 
-def ellipsoid(size, condition):
-    """Minus a rotated ellipsoid around `TARGET`, best at zero."""
-    axes, _ = np.linalg.qr(generator(97).standard_normal((size, size)))
-    scales = np.logspace(0, math.log10(condition), size)
-    return lambda genomes: (
-        -(((np.asarray(genomes, dtype=np.float64) - TARGET[:size]) @ axes) ** 2 @ scales)
-    )
-
-
 def test_cma_goes_where_deap_s_own_strategy_goes(monkeypatch):
     """DEAP's strategy, driven as its documentation does, on the same normal numbers."""
 
     class Individual(list):
         fitness = None
 
-    score = ellipsoid(SIZE, 100.0)  # on a sphere the covariance would stay what it is
+    # An ellipsoid: on a sphere the covariance would stay what it is.
+    axes, _ = np.linalg.qr(generator(97).standard_normal((SIZE, SIZE)))
+    scales = np.logspace(0, 2, SIZE)
+
+    def score(genomes):
+        return -(((np.asarray(genomes, dtype=np.float64) - TARGET) @ axes) ** 2 @ scales)
+
     state, theirs = begun(CMA), cma.Strategy([0.0] * SIZE, 0.3, lambda_=16)
     for epoch in range(30):
         candidates, asked = CMA.ask(state, generator(epoch))
