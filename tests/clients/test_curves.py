@@ -47,10 +47,7 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Kept]]:
 
 def test_writers_get_a_curve_of_each_measure_and_team(made: list[Kept], tmp_path: Path) -> None:
     job = {"a/seed-1": tiny_race(seed=1), "b/seed-2": tiny_race(seed=2)}
-    with (
-        tensorboard_writer(tmp_path / "curves") as write,
-        wandb_writer(project="races") as log,
-    ):
+    with tensorboard_writer(tmp_path / "curves") as write, wandb_writer(project="races") as log:
         for name, settings in job.items():
             run = played(settings, tmp_path / name, on_epoch=write)
             for row in run.rows(0):

@@ -26,15 +26,7 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of, shares
 from matrixworld.coevolution.race import ALL_SCHEDULES
-from tiny_race import (
-    begun,
-    hall_of_fame,
-    played,
-    results,
-    straight,
-    tiny_race,
-    tiny_single,
-)
+from tiny_race import begun, hall_of_fame, played, results, straight, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 

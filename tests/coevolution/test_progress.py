@@ -18,10 +18,7 @@ def test_progress_lines_without_a_terminal():
     lines = ProgressBar(stream=out, clock=lambda: next(seconds))
     for done in (100, 150, 300, 350, 600):
         lines(Progress("evaders", done, 1000, 100))
-    assert out.getvalue().splitlines() == [
-        "evaders:  30%  00:07 left",
-        "evaders:  60%  00:03 left",
-    ]
+    assert out.getvalue().splitlines() == ["evaders:  30%  00:07 left", "evaders:  60%  00:03 left"]
 
 
 def test_a_bar_in_a_terminal_begins_with_what_is_done():

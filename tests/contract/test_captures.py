@@ -35,13 +35,7 @@ OCCUPATION = (
         "by two that die of it",
         "D",
         "A a B . b / . . C . .",
-        Play(
-            "A> B<",
-            ". . . . b / . . C . .",
-            captured="a",
-            captors="a2",
-            fault="teammate AB",
-        ),
+        Play("A> B<", ". . . . b / . . C . .", captured="a", captors="a2", fault="teammate AB"),
     ),
     case(
         "one pursuer captures two",
@@ -251,12 +245,7 @@ TERMINATION = (
         Play("", "a A . b / B . C .", captured="a"),
         Play("A> C>", "a . A b / B . . C", captured="b", ever="ab", ended=False),
     ),
-    case(
-        "no pursuer is left",
-        rules(obstacle="D"),
-        "A # . a",
-        Play("A>", ". # . a", ended=True),
-    ),
+    case("no pursuer is left", rules(obstacle="D"), "A # . a", Play("A>", ". # . a", ended=True)),
     case("nobody is left", "D", "A . a", Play("A> a<", ". . .", captured="a", ended=True)),
 )
 

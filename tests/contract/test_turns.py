@@ -255,10 +255,7 @@ REWARDS = (
         rules(SWARM, adversary="RR", capture="occupation"),
         "A a . b",
         Play(
-            "A> a>",
-            ". A a b",
-            ever="a",
-            paid="A: capture step; a: capture neighbor step; b: step",
+            "A> a>", ". A a b", ever="a", paid="A: capture step; a: capture neighbor step; b: step"
         ),
     ),
 )

@@ -117,8 +117,7 @@ def test_regret_is_how_far_both_champions_fall_short(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("fitness", "call"),
-    [("learnability", 7), ("regret", 9), ("none", 6), ("max-monte-carlo", 12)],
+    ("fitness", "call"), [("learnability", 7), ("regret", 9), ("none", 6), ("max-monte-carlo", 12)]
 )
 def test_a_stopped_race_ends_as_if_never_stopped(tmp_path, fitness, call):
     settings = settings_of(fitness)

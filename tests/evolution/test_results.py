@@ -69,11 +69,7 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "yoked_races/table.md": of(yoked_races.table),
 }
 """Published tables, and how they are made from the other files of their directory."""
-ROUNDED = {
-    "actor_critic_claims/table.md",
-    "ground_truth/table.md",
-    "paper_claims/table.md",
-}
+ROUNDED = {"actor_critic_claims/table.md", "ground_truth/table.md", "paper_claims/table.md"}
 """Tables with numbers that another processor or SciPy may round otherwise."""
 LONG = {
     "actor_critic_claims/table.md",
@@ -87,8 +83,7 @@ LONG = {
 
 
 @pytest.mark.parametrize(
-    "name",
-    [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG)) for name in TABLES],
+    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG)) for name in TABLES]
 )
 def test_a_published_table_follows_from_published_numbers(name: str) -> None:
     told, published = TABLES[name]((RESULTS / name).parent).strip(), read(RESULTS / name).strip()

@@ -17,12 +17,7 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     select_tournament,
     select_truncation,
 )
-from matrixworld.coevolution.learners.learner import (
-    adam,
-    adam_state,
-    draw_windows,
-    noise_of,
-)
+from matrixworld.coevolution.learners.learner import adam, adam_state, draw_windows, noise_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network
 
