@@ -291,12 +291,7 @@ class InTurns(OfGenerations):
 def available(team: Team, k: int) -> int:
     """Return how many generations of the other team are archived when a team learns, in turns.
 
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        The team that learns.
-    k : int
-        The generation that it learns, at least 1: generation 0 is untrained.
+    `k` is the generation that the team learns, at least 1: generation 0 is untrained.
     """
     check_choice("team", team, TEAMS)
     check_integer("k", k, 1)
@@ -505,15 +500,11 @@ def pairings(
     """Return the matches of two populations of n individuals.
 
     Every individual plays against `contemporaries` living opponents (such a match counts for both),
-    and against every sampled member of the other team's hall of fame.
+    and against every sampled member of the other team's hall of fame; `hall` has their numbers.
 
-    `seed_groups` (n,) has the learner's groups (see `Learner`), and `hall` the number of
-    sampled members of the pursuers' and of the evaders' hall of fame.
-
-    Groups meet groups in random order, and their members meet in turn: with as many contemporaries
-    as a group has members, every member meets all members of one opposing group. Between mirrored
-    samples the strength of the opponents then cancels out, like the luck of the match seed. Where
-    all individuals are one group, each meets single opponents in random order.
+    Groups meet groups in random order, and their members meet in turn: between mirrored samples
+    the strength of the opponents then cancels out, like the luck of the match seed. Where all
+    individuals are one group, each meets single opponents in random order.
     """
     n, groups = len(seed_groups), int(seed_groups.max()) + 1
     size = n // groups if groups > 1 else 1

@@ -486,9 +486,8 @@ class RunWriter(SavedRun):
         """Save a stage and its checkpoint.
 
         `archive` holds all genomes of each team, of which those of earlier stages are not written
-        again; `rows` are the rows of the log of this stage; `counters` is what the run has counted
-        until now; `states` are those of learners and samplers, from which the next stage goes on;
-        `more` are other results of the stage.
+        again; `rows` are those of the log of this stage, `counters` what the run has counted until
+        now, `states` what the next stage goes on from, and `more` other results of the stage.
         """
         new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
         genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
