@@ -66,7 +66,7 @@ from judgement_truths import WINDOWS
 from matrixworld import Capture, Interaction, Outcome, Rules, analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, score
 from matrixworld.coevolution.types import BoolArray, FloatArray, other
-from matrixworld.solve import States, guarantees
+from matrixworld.solve import States, best_response, solve
 
 SURROUND = Rules(Interaction.AGENT_TURNS, evader=Outcome.BOUNCE, capture=Capture.SURROUND)
 WORLDS: dict[str, dict[str, Any]] = {
@@ -145,17 +145,25 @@ def states_of(world: mw.WorldConfig) -> States:
     return States(world)
 
 
+def guarantees(states: States, run: SavedRun, team: Team) -> FloatArray:
+    """Return the capture rate of each generation of a team against its best opponent, (G,)."""
+    archive: Any = run.teams[team]
+    genomes = (mw.Population(genome[None], archive.network) for genome in archive.genomes)
+    return np.array([best_response(states, genome, team).value for genome in genomes])
+
+
 def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return truth, measures and verdicts of a race that need no other race."""
-    truth, payoff = guarantees(states_of(run.settings.world), run.teams), run.payoff()
+    states, payoff = states_of(run.settings.world), run.payoff()
+    pursuers, evaders = (guarantees(states, run, team) for team in TEAMS)
     held_out = score(run, generation=None, episodes=HELD_OUT_EPISODES)
     each = [measures_of(payoff.capture_rate, team) for team in TEAMS]
     return {
-        "truth": [truth.pursuers.tolist(), (1 - truth.evaders).tolist()],
+        "truth": [pursuers.tolist(), (1 - evaders).tolist()],
         **{name: [of_team[name].tolist() for of_team in each] for name in each[0]},
         "held_out": [held_out[team].rates.mean(axis=(1, 2)).tolist() for team in TEAMS],
         "verdicts": verdicts(payoff.capture_rates),
-        "value": truth.value,
+        "value": solve(states).value,
     }
 
 

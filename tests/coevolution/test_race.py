@@ -313,7 +313,7 @@ def test_against_a_run(team, other_run, tmp_path):
 
 def test_several_opponents_take_turns(tmp_path):
     settings = tiny_single(team="evader")
-    opponents = Population(settings.untrained("pursuer", 2), settings.network)
+    opponents = Population(settings.task("pursuer").genomes(2), settings.network)
     saved = begun(settings, tmp_path / "run", opponents=opponents).run()
     assert saved.log()["opponent"].tolist() == [0, 1, 0, 1, 0]
     assert saved.payoff().capture_rates.shape == (2, 1, 3)

@@ -93,11 +93,7 @@ def create(
     """
     check_instance("settings", settings, RaceSettings)
     path, schedule = Path(directory), settings.schedule
-    given: Any = {
-        name: GIVEN
-        for name, value in (("opponent", opponents), ("start", start))
-        if value is not None
-    }
+    given = [n for n, value in (("opponent", opponents), ("start", start)) if value is not None]
     if storage.SavedRun(path).exists and not given:
         check_same(storage.SavedRun(path), settings)
         return storage.SavedRun(path)
@@ -114,7 +110,7 @@ def create(
             shape = {"activation": network.activation, "memory": network.memory}
             config["opponent_network"] = {"hidden": list(network.hidden), **shape}
         # config.json must not name opponents that were not used.
-        settings = replace_schedule(settings, given)
+        settings = settings.changed({f"schedule.{name}": GIVEN for name in given})
     states: dict[str, State] = {}
     for team in settings.learning_teams:
         learner = settings.learner_of(team)
@@ -124,11 +120,6 @@ def create(
     with storage.new_directory(path) as place:
         storage.RunWriter(place).begin(settings.to_json(), archive, states, **config)
     return storage.SavedRun(path)
-
-
-def replace_schedule(settings: RaceSettings, changes: dict[str, Any]) -> RaceSettings:
-    """Return settings with changes of their schedule."""
-    return settings.changed({f"schedule.{name}": value for name, value in changes.items()})
 
 
 def check_sources(

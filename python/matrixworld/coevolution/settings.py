@@ -26,7 +26,7 @@ from matrixworld.coevolution.sections import (
     merged,
     setting,
 )
-from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team
+from matrixworld.coevolution.types import TEAMS, Genome, Team
 from matrixworld.world import masks
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import GATES, Network
@@ -307,10 +307,6 @@ class RaceSettings(Section):
             network=self.network,
             mask=self.mask_weights(team),
         )
-
-    def untrained(self, team: Team, count: int) -> Genomes:
-        """Return the first `count` untrained genomes (count, genes) of a team."""
-        return self.task(team).genomes(count)
 
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
         """Return the settings with other values by their paths.

@@ -17,24 +17,7 @@ means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8
 
 from __future__ import annotations
 
-from matrixworld.solve.solution import (
-    Champion,
-    Guarantees,
-    Solution,
-    best_response,
-    expected_payoff,
-    guarantees,
-    solve,
-)
+from matrixworld.solve.solution import Champion, Solution, best_response, expected_payoff, solve
 from matrixworld.solve.states import States
 
-__all__ = [
-    "Champion",
-    "Guarantees",
-    "Solution",
-    "States",
-    "best_response",
-    "expected_payoff",
-    "guarantees",
-    "solve",
-]
+__all__ = ["Champion", "Solution", "States", "best_response", "expected_payoff", "solve"]

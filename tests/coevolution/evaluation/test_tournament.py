@@ -14,7 +14,7 @@ SETTINGS = tiny_race()
 
 
 def population(team, count):
-    return Population(SETTINGS.untrained(team, count), SETTINGS.network)
+    return Population(SETTINGS.task(team).genomes(count), SETTINGS.network)
 
 
 def played(pursuers=None, **options):
