@@ -19,8 +19,7 @@ import click
 
 from matrixworld._util import files
 from matrixworld.cli import console, options
-from matrixworld.coevolution import OtherVersionError, RaceSettings
-from matrixworld.coevolution.learners.actor_critic import ActorCritic
+from matrixworld.coevolution import ActorCritic, OtherVersionError, RaceSettings
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce
 from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, sections_in
 from matrixworld.world.config import WorldConfig
