@@ -17,7 +17,6 @@ from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
 from matrixworld.play.rollout import match_seed
 from matrixworld.world import render
-from matrixworld.world.policy import TEAMS as TEAM_NAMES
 from refusals import CONFIG, GENOME, NETWORK
 from rows import random_walks
 from tiny_race import tiny_race, tiny_single
@@ -152,7 +151,6 @@ CALLS = [
     partial(STATES.decisions, policy="still", team="pursuer"),
     partial(solve.solve, world=STATES, steps=1, payoff="capture-rate"),
     partial(solve.best_response, world=STATES, champion="still", team="pursuer", steps=1),
-    partial(solve.guarantees, world=STATES, teams=dict.fromkeys(TEAM_NAMES, "still"), steps=1),
     partial(solve.solve(STATES).probabilities, team="pursuer", rounds=1, turn=0),
 ]  # fmt: skip
 """Calls with legal arguments, each of which is tried."""
