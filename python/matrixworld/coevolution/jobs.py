@@ -254,8 +254,10 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     # Seeds make no difference here, and a job may have a thousand.
     for method in dict.fromkeys(each.method for each in left.values()):
         for team in method.learning_teams:  # imports code of your own
-            method.learner_of(team)
+            learner = method.learner_of(team)
             method.schedule.sampler(team)
+            if not elsewhere:
+                learner.check_machine()
         if not method.is_race and not found:
             check_sources(method)
 

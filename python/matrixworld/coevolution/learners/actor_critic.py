@@ -307,9 +307,13 @@ class ActorCritic(Learner):
         """Each match has a seed of its own."""
         return np.arange(self.population)
 
+    def check_machine(self) -> None:
+        """Raise an error if PyTorch is not installed, or lacks the device here."""
+        _usable_device(self.device)
+
     def start(self, task: Task) -> State:
         """Return the multiplier, and weights and averages of Adam of actor and critics."""
-        _usable_device(self.device)
+        self.check_machine()
         network, cells = task.network, task.world.rows * task.world.cols
         seen = CHANNELS * cells if self.central_critic else network.sizes[0]
         sizes = (seen, *network.hidden, 1)

@@ -170,6 +170,9 @@ class Learner(Section):
         `path` is the setting that has the learner.
         """
 
+    def check_machine(self) -> None:
+        """Raise ModuleNotFoundError or ValueError if this machine lacks what the learner needs."""
+
     def untrained(
         self, network: Network, rng: np.random.Generator, *, weight: float, head: float
     ) -> Genome:
