@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 677605e860753e6fdc9294ecdb6e969d966da11745000413e15cb3d79b5f06f0 */
+/* built from web/ by "npm run build"; sources 7a97e04f0774b0cf3794725e176c5810a79ee1045c30ce46b1c68ba7b81a352f */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,yn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

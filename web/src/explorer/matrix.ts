@@ -21,16 +21,8 @@ const HIGH = MARGIN.top - GAP - 14;
 
 type Point = [x: number, y: number];
 
-interface Places {
-  readonly width: number;
-  readonly height: number;
-  readonly left: number;
-  readonly top: number;
-  /** Side of a cell; the matrix is `columns` cells wide and `rows` high. */
-  readonly cell: number;
-  readonly rows: number;
-  readonly columns: number;
-}
+/** In pixels; `cell` is the side of a cell. The matrix is `columns` cells wide and `rows` high. */
+type Places = Readonly<Record<"width" | "height" | "left" | "top" | "cell" | "rows" | "columns", number>>;
 
 /** The matrix of the selected run, with its curves. */
 export class MatrixPanel {

@@ -1,5 +1,7 @@
 // What is selected on the page. Every panel shows it, and changes it here only.
 
+import type { Team } from "./data.ts";
+
 /** A match: a cell of the matrix and one of its episodes. */
 export interface Selection {
   readonly run: number;
@@ -11,12 +13,8 @@ export interface Selection {
 }
 
 /** Generations under the pointer, in any panel; null where none is. */
-export interface Hover {
-  readonly pursuer: number | null;
-  readonly evader: number | null;
-}
-
-export const NOTHING: Hover = { pursuer: null, evader: null };
+type Hover = Readonly<Record<Team, number | null>>;
+const NOTHING: Hover = { pursuer: null, evader: null };
 
 /** The selection, and the pointer. It dispatches `run`, `match` and `hover` when they change. */
 export class Store extends EventTarget {

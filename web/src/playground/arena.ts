@@ -142,9 +142,7 @@ export function command(store: Store, action: number): void {
 // ---- Keyboard
 
 /** The cell that arrow keys have reached in mode "build". */
-interface Cursor {
-  cell: Cell;
-}
+type Cursor = { cell: Cell };
 
 function listenToKeys(store: Store, canvas: HTMLCanvasElement, cursor: Cursor, update: () => void): void {
   canvas.addEventListener("keydown", (event) => {

@@ -1,8 +1,9 @@
 // What Python tells the page: the variants, the fields of rules with their values, the scripts, the
 // rewards and the gallery. The page adds nothing to it, so that page and package cannot diverge.
 
+import type { NetworkOf } from "../explorer/data.ts";
 import { html } from "../page/dom.ts";
-import type { NetworkPolicy, Rewards, Rules, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type { Rewards, Rules, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
 export interface Field {
   readonly name: keyof Rules;
@@ -50,7 +51,7 @@ export interface TeamData {
   readonly usual: number;
   /** Of each name a script, or null: then the next genome plays. */
   readonly scripts: readonly (ScriptName | null)[];
-  readonly network: (Omit<NetworkPolicy, "genome"> & { readonly genome_size: number }) | null;
+  readonly network: NetworkOf | null;
 }
 
 /** A world, and what plays in it against a person. */

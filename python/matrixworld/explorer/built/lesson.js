@@ -1,8 +1,8 @@
-/* built from web/ by "npm run build"; sources 677605e860753e6fdc9294ecdb6e969d966da11745000413e15cb3d79b5f06f0 */
-"use strict";(()=>{var ds={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},gt={DISAPPEAR:0,REACH:1,BOUNCE:2},ms={OCCUPATION:0,SURROUND:1},ps={FAULT:0,INVOLVED:1};var Qr=["obstacle","teammate","adversary"],en=["vertex","edge","chain"],hs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],tn=["p\
+/* built from web/ by "npm run build"; sources 7a97e04f0774b0cf3794725e176c5810a79ee1045c30ce46b1c68ba7b81a352f */
+"use strict";(()=>{var ds={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},yt={DISAPPEAR:0,REACH:1,BOUNCE:2},ms={OCCUPATION:0,SURROUND:1},ps={FAULT:0,INVOLVED:1};var Qr=["obstacle","teammate","adversary"],en=["vertex","edge","chain"],hs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],tn=["p\
 ursuer_{number}","evader_{number}"],fs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},vt={"both held":"both bounce","both doomed":"\
-both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},ys="{event}: {outcome}",rn={random:"any action, all equally likely",
+both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},gs="{event}: {outcome}",rn={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
 a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
@@ -11,10 +11,10 @@ m":"as random, but takes only moves that right of way allows","careful-chaser":"
 eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as clumsy-chaser, but takes only moves that right of way allows","careful-hunter":"\
 as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
 eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
-surrounder":"as team-surrounder, but takes only moves that right of way allows"},gs={free:".GS",blocked:"#@OTW"};var je=1+hs.length;function bt(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function V(t,e){return t<e?bt(tn[0],{number:t}):bt(tn[1],{number:t-e})}function Vi(t,e){
-let[r,n,s,o,a,i,l,...c]=Array.from(t),d=a<0?[o]:[o,a],[m,p,h]=c.map(x=>d.filter((v,w)=>x>>w&1)),f=d.map(x=>V(x,e)),y=bt(fs[a<0?"obstacle":en[s]],{first:f[0],second:f[f.
-length-1],cell:`(${i}, ${l})`}),g=bt(ys,{event:y,outcome:qi(d.length,p,h,e)});return{kind:Qr[n],form:en[s],agents:d,cell:[i,l],at_fault:m,held:p,doomed:h,turn:r,
-text:g}}function qi(t,e,r,n){if(t===2&&e.length===2)return vt["both held"];if(t===2&&r.length===2)return vt["both doomed"];let s=o=>a=>bt(vt[o],{agent:V(a,n)});
+surrounder":"as team-surrounder, but takes only moves that right of way allows"},ys={free:".GS",blocked:"#@OTW"};var je=1+hs.length;function bt(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function V(t,e){return t<e?bt(tn[0],{number:t}):bt(tn[1],{number:t-e})}function Vi(t,e){
+let[r,n,s,o,a,i,l,...c]=Array.from(t),d=a<0?[o]:[o,a],[m,p,h]=c.map(x=>d.filter((v,w)=>x>>w&1)),f=d.map(x=>V(x,e)),g=bt(fs[a<0?"obstacle":en[s]],{first:f[0],second:f[f.
+length-1],cell:`(${i}, ${l})`}),y=bt(gs,{event:g,outcome:qi(d.length,p,h,e)});return{kind:Qr[n],form:en[s],agents:d,cell:[i,l],at_fault:m,held:p,doomed:h,turn:r,
+text:y}}function qi(t,e,r,n){if(t===2&&e.length===2)return vt["both held"];if(t===2&&r.length===2)return vt["both doomed"];let s=o=>a=>bt(vt[o],{agent:V(a,n)});
 return[...e.map(s("held")),...r.map(s("doomed"))].join(", ")||vt.none}function Yt(t,e){let r=[];for(let n=0;n<t.length;n+=je)r.push(Vi(t.subarray(n+1,n+je),e));
 return r}var Me=class extends Error{name="EngineError"};function I(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new Me(
 `${t}: expected ${e}, got ${n}`)}var Ge=class{bytes;constructor(e){this.bytes=e}},ws=0,sn=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],vs=4,bs=4,Yi=new TextEncoder,
@@ -30,13 +30,13 @@ n integer",e);return Int32Array.of(e)}function Kt(t,e){if(typeof e!="boolean")th
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw I(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function an(t,e){
 if(typeof e!="number"||!(Math.abs(e)<=el))throw I(t,"a finite number",e);return e}function wt(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
 e)?BigInt(e):-1n;if(n<0n||n>Qi)throw I(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function tl(t){return{"rules.interaction":$e("interactio\
-n",t.interaction,ds),"rules.obstacle":$e("obstacle",t.obstacle,gt),"rules.teammate":$e("teammate",t.teammate,gt),"rules.evader":$e("evader",t.evader,gt),"rules.\
-pursuer":$e("pursuer",t.pursuer,gt),"rules.capture":$e("capture",t.capture,ms),"rules.captured_disappear":Kt("captured_disappear",t.captured_disappear)}}function As(t,e){
+n",t.interaction,ds),"rules.obstacle":$e("obstacle",t.obstacle,yt),"rules.teammate":$e("teammate",t.teammate,yt),"rules.evader":$e("evader",t.evader,yt),"rules.\
+pursuer":$e("pursuer",t.pursuer,yt),"rules.capture":$e("capture",t.capture,ms),"rules.captured_disappear":Kt("captured_disappear",t.captured_disappear)}}function As(t,e){
 let r=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(r)||r.length!==3)throw I(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>an(t,n))}function rl(t){let e=(r,n)=>Float32Array.
 of(an(r,t[r]),an(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.ste\
 p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":As("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":As("evader_collide",t.evader_collide),
 "rewards.blame":$e("blame",t.blame,ps),"rewards.capture_repeats":Kt("capture_repeats",t.capture_repeats)}}function Es(t){if(t===void 0||typeof t=="number")return new Uint8Array(
-0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=gs;for(let[n,s]of t.entries()){if(s.length!==t[0]?.length)throw I(`map, row ${n}`,`${t[0]?.length} \
+0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=ys;for(let[n,s]of t.entries()){if(s.length!==t[0]?.length)throw I(`map, row ${n}`,`${t[0]?.length} \
 cells as in row 0`,s.length);let o=[...s].find(a=>!e.includes(a)&&!r.includes(a));if(o)throw I(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,o)}return Uint8Array.
 from([...t.join("")],n=>Number(r.includes(n)))}function Ts(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
 throw I("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function qe(t){Ts(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
@@ -59,8 +59,8 @@ Os)?[[e.slice(Os.length),r]]:[]));function $s(t,e,r,n){let s=[qe(r.config),Ye(r.
 a,i,l,c)}),Ve(t)}function _s(t,e,r,n){let s={seed:wt("seed",r),episode:wt("episode",n)};return new Zt(e.config,r,n,$s(t,"_play_match",e,s))}function Ps(t,e,r,n){
 if(!Number.isInteger(n)||n<1)throw I("n_episodes","at least 1",n);let s=$s(t,"_play_rollout",e,{...r,n_episodes:Int32Array.of(n)});return Rs(s)}var al=7e6,il=new FinalizationRegistry(([t,e])=>t._states_free(e));function ll({rules:t,rows:e,cols:r,obstacles:n,diagonal:s,n_pursuers:o,n_evaders:a}){let i=typeof n==
 "number"||t.obstacle==="REACH"?0:n.join("").split("#").length-1,l=e*r-i,c=[t.obstacle,t.teammate,t.pursuer].includes("DISAPPEAR"),d=t.capture==="SURROUND"||t.evader===
-"REACH",m=t.interaction==="AGENT_TURNS",p=(y,g)=>Array.from({length:g},(x,v)=>m?y:(y+v)/(v+1)).reduce((x,v)=>x*v,1),h=p(l+Number(c),o)*p(l*(1+Number(d))+2,a);return{
-SIMULTANEOUS:[o+a],SWARM_TURNS:[o,a],AGENT_TURNS:Array(o+a).fill(1)}[t.interaction].reduce((y,g)=>y+h*(s?9:5)**g,0)}function Xt(t){return typeof t.obstacles=="n\
+"REACH",m=t.interaction==="AGENT_TURNS",p=(g,y)=>Array.from({length:y},(x,v)=>m?g:(g+v)/(v+1)).reduce((x,v)=>x*v,1),h=p(l+Number(c),o)*p(l*(1+Number(d))+2,a);return{
+SIMULTANEOUS:[o+a],SWARM_TURNS:[o,a],AGENT_TURNS:Array(o+a).fill(1)}[t.interaction].reduce((g,y)=>g+h*(s?9:5)**y,0)}function Xt(t){return typeof t.obstacles=="n\
 umber"&&t.obstacles>0?"obstacles are drawn anew in each episode":ll(t)>al?"the world is too large to be solved on the page":""}var ln=class{value;teams;matrix;n_actions;constructor(e,r){
 let{matrix:n,rows:s,cols:o,value:a,agents:i}=r,[l,c]=e.actors,d=Array.from(i).filter(p=>l<=p&&p<c),m=p=>p<e.config.n_pursuers;[this.value,this.matrix,this.n_actions]=
 [a[0],n,e.n_actions],this.teams=[{agents:d.filter(m),play:s},{agents:d.filter(p=>!m(p)),play:o}]}marginal(e){let r=this.teams.find(({agents:o})=>o.includes(e));
@@ -97,56 +97,56 @@ matrixworldEngine){return Ns??=ul(t),Ns}async function ul(t){if(!t)throw new Err
 let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new un(await t({wasmBinary:e}))}var P=Uint8Array,Z=Uint16Array,bn=Int32Array,tr=new P([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),rr=new P([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),hn=new P([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),zs=function(t,e){for(var r=new Z(31),n=0;n<31;++n)r[n]=e+=
 1<<t[n-1];for(var s=new bn(r[30]),n=1;n<30;++n)for(var o=r[n];o<r[n+1];++o)s[o]=o-r[n]<<5|n;return{b:r,r:s}},Bs=zs(tr,2),Hs=Bs.b,fn=Bs.r;Hs[28]=258,fn[258]=28;var js=zs(
-rr,0),dl=js.b,Is=js.r,yn=new Z(32768);for(T=0;T<32768;++T)we=(T&43690)>>1|(T&21845)<<1,we=(we&52428)>>2|(we&13107)<<2,we=(we&61680)>>4|(we&3855)<<4,yn[T]=((we&65280)>>
+rr,0),dl=js.b,Is=js.r,gn=new Z(32768);for(T=0;T<32768;++T)we=(T&43690)>>1|(T&21845)<<1,we=(we&52428)>>2|(we&13107)<<2,we=(we&61680)>>4|(we&3855)<<4,gn[T]=((we&65280)>>
 8|(we&255)<<8)>>1;var we,T,le=(function(t,e,r){for(var n=t.length,s=0,o=new Z(e);s<n;++s)t[s]&&++o[t[s]-1];var a=new Z(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-1]<<1;
-var i;if(r){i=new Z(1<<e);var l=15-e;for(s=0;s<n;++s)if(t[s])for(var c=s<<4|t[s],d=e-t[s],m=a[t[s]-1]++<<d,p=m|(1<<d)-1;m<=p;++m)i[yn[m]>>l]=c}else for(i=new Z(
-n),s=0;s<n;++s)t[s]&&(i[s]=yn[a[t[s]-1]++]>>15-t[s]);return i}),Te=new P(288);for(T=0;T<144;++T)Te[T]=8;var T;for(T=144;T<256;++T)Te[T]=9;var T;for(T=256;T<280;++T)
+var i;if(r){i=new Z(1<<e);var l=15-e;for(s=0;s<n;++s)if(t[s])for(var c=s<<4|t[s],d=e-t[s],m=a[t[s]-1]++<<d,p=m|(1<<d)-1;m<=p;++m)i[gn[m]>>l]=c}else for(i=new Z(
+n),s=0;s<n;++s)t[s]&&(i[s]=gn[a[t[s]-1]++]>>15-t[s]);return i}),Te=new P(288);for(T=0;T<144;++T)Te[T]=8;var T;for(T=144;T<256;++T)Te[T]=9;var T;for(T=256;T<280;++T)
 Te[T]=7;var T;for(T=280;T<288;++T)Te[T]=8;var T,Et=new P(32);for(T=0;T<32;++T)Et[T]=5;var T,ml=le(Te,9,0),pl=le(Te,9,1),hl=le(Et,5,0),fl=le(Et,5,1),dn=function(t){
 for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},ne=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},mn=function(t,e){var r=e/8|0;return(t[r]|
 t[r+1]<<8|t[r+2]<<16)>>(e&7)},wn=function(t){return(t+7)/8|0},xn=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new P(t.subarray(
-e,r))};var yl=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
-ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],q=function(t,e,r){var n=new Error(e||yl[t]);
-if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,q),!r)throw n;return n},gl=function(t,e,r,n){var s=t.length,o=n?n.length:0;if(!s||e.f&&!e.l)return r||
-new P(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new P(s*3));var c=function(ft){var yt=r.length;if(ft>yt){var He=new P(Math.max(yt*2,ft));He.set(r),r=He}},d=e.f||0,m=e.
-p||0,p=e.b||0,h=e.l,f=e.d,y=e.m,g=e.n,x=s*8;do{if(!h){d=ne(t,m,1);var v=ne(t,m+1,3);if(m+=3,v)if(v==1)h=pl,f=fl,y=9,g=5;else if(v==2){var k=ne(t,m,31)+257,C=ne(
+e,r))};var gl=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
+ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],q=function(t,e,r){var n=new Error(e||gl[t]);
+if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,q),!r)throw n;return n},yl=function(t,e,r,n){var s=t.length,o=n?n.length:0;if(!s||e.f&&!e.l)return r||
+new P(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new P(s*3));var c=function(ft){var gt=r.length;if(ft>gt){var He=new P(Math.max(gt*2,ft));He.set(r),r=He}},d=e.f||0,m=e.
+p||0,p=e.b||0,h=e.l,f=e.d,g=e.m,y=e.n,x=s*8;do{if(!h){d=ne(t,m,1);var v=ne(t,m+1,3);if(m+=3,v)if(v==1)h=pl,f=fl,g=9,y=5;else if(v==2){var k=ne(t,m,31)+257,C=ne(
 t,m+10,15)+4,E=k+ne(t,m+5,31)+1;m+=14;for(var M=new P(E),F=new P(19),N=0;N<C;++N)F[hn[N]]=ne(t,m+N*3,7);m+=C*3;for(var z=dn(F),Ae=(1<<z)-1,Y=le(F,z,1),N=0;N<E;){
 var j=Y[ne(t,m,Ae)];m+=j&15;var w=j>>4;if(w<16)M[N++]=w;else{var D=0,$=0;for(w==16?($=3+ne(t,m,3),m+=2,D=M[N-1]):w==17?($=3+ne(t,m,7),m+=3):w==18&&($=11+ne(t,m,
-127),m+=7);$--;)M[N++]=D}}var G=M.subarray(0,k),U=M.subarray(k);y=dn(G),g=dn(U),h=le(G,y,1),f=le(U,g,1)}else q(1);else{var w=wn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
-s){l&&q(0);break}i&&c(p+S),r.set(t.subarray(w,A),p),e.b=p+=S,e.p=m=A*8,e.f=d;continue}if(m>x){l&&q(0);break}}i&&c(p+131072);for(var ht=(1<<y)-1,X=(1<<g)-1,ve=m;;ve=
+127),m+=7);$--;)M[N++]=D}}var G=M.subarray(0,k),U=M.subarray(k);g=dn(G),y=dn(U),h=le(G,g,1),f=le(U,y,1)}else q(1);else{var w=wn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
+s){l&&q(0);break}i&&c(p+S),r.set(t.subarray(w,A),p),e.b=p+=S,e.p=m=A*8,e.f=d;continue}if(m>x){l&&q(0);break}}i&&c(p+131072);for(var ht=(1<<g)-1,X=(1<<y)-1,ve=m;;ve=
 m){var D=h[mn(t,m)&ht],K=D>>4;if(m+=D&15,m>x){l&&q(0);break}if(D||q(2),K<256)r[p++]=K;else if(K==256){ve=m,h=null;break}else{var J=K-254;if(K>264){var N=K-257,_=tr[N];
 J=ne(t,m,(1<<_)-1)+Hs[N],m+=_}var ie=f[mn(t,m)&X],ze=ie>>4;ie||q(3),m+=ie&15;var U=dl[ze];if(ze>3){var _=rr[ze];U+=mn(t,m)&(1<<_)-1,m+=_}if(m>x){l&&q(0);break}i&&
 c(p+131072);var Be=p+J;if(p<U){var Vt=o-U,qt=Math.min(U,Be);for(Vt+p<0&&q(3);p<qt;++p)r[p]=n[Vt+p]}for(;p<Be;++p)r[p]=r[p-U]}}e.l=h,e.p=ve,e.b=p,e.f=d,h&&(d=1,e.
-m=y,e.d=f,e.n=g)}while(!d);return p!=r.length&&a?xn(r,0,p):r.subarray(0,p)},xe=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},At=function(t,e,r){r<<=
+m=g,e.d=f,e.n=y)}while(!d);return p!=r.length&&a?xn(r,0,p):r.subarray(0,p)},xe=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},At=function(t,e,r){r<<=
 e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},pn=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var s=r.length,o=r.slice();if(!s)
 return{t:Vs,l:0};if(s==1){var a=new P(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(A,k){return A.f-k.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],c=0,
 d=1,m=2;for(r[0]={s:-1,f:i.f+l.f,l:i,r:l};d!=s-1;)i=r[r[c].f<r[m].f?c++:m++],l=r[c!=d&&r[c].f<r[m].f?c++:m++],r[d++]={s:-1,f:i.f+l.f,l:i,r:l};for(var p=o[0].s,n=1;n<
-s;++n)o[n].s>p&&(p=o[n].s);var h=new Z(p+1),f=gn(r[d-1],h,0);if(f>e){var n=0,y=0,g=f-e,x=1<<g;for(o.sort(function(k,C){return h[C.s]-h[k.s]||k.f-C.f});n<s;++n){
-var v=o[n].s;if(h[v]>e)y+=x-(1<<f-h[v]),h[v]=e;else break}for(y>>=g;y>0;){var w=o[n].s;h[w]<e?y-=1<<e-h[w]++-1:++n}for(;n>=0&&y;--n){var S=o[n].s;h[S]==e&&(--h[S],
-++y)}f=e}return{t:new P(h),l:f}},gn=function(t,e,r){return t.s==-1?Math.max(gn(t.l,e,r+1),gn(t.r,e,r+1)):e[t.s]=r},Fs=function(t){for(var e=t.length;e&&!t[--e];)
+s;++n)o[n].s>p&&(p=o[n].s);var h=new Z(p+1),f=yn(r[d-1],h,0);if(f>e){var n=0,g=0,y=f-e,x=1<<y;for(o.sort(function(k,C){return h[C.s]-h[k.s]||k.f-C.f});n<s;++n){
+var v=o[n].s;if(h[v]>e)g+=x-(1<<f-h[v]),h[v]=e;else break}for(g>>=y;g>0;){var w=o[n].s;h[w]<e?g-=1<<e-h[w]++-1:++n}for(;n>=0&&g;--n){var S=o[n].s;h[S]==e&&(--h[S],
+++g)}f=e}return{t:new P(h),l:f}},yn=function(t,e,r){return t.s==-1?Math.max(yn(t.l,e,r+1),yn(t.r,e,r+1)):e[t.s]=r},Fs=function(t){for(var e=t.length;e&&!t[--e];)
 ;for(var r=new Z(++e),n=0,s=t[0],o=1,a=function(l){r[n++]=l},i=1;i<=e;++i)if(t[i]==s&&i!=e)++o;else{if(!s&&o>2){for(;o>138;o-=138)a(32754);o>2&&(a(o>10?o-11<<5|
 28690:o-3<<5|12305),o=0)}else if(o>3){for(a(s),--o;o>6;o-=6)a(8304);o>2&&(a(o-3<<5|8208),o=0)}for(;o--;)a(s);o=1,s=t[i]}return{c:r.subarray(0,n),n:e}},Mt=function(t,e){
 for(var r=0,n=0;n<e.length;++n)r+=t[n]*e[n];return r},Gs=function(t,e,r){var n=r.length,s=wn(e+2);t[s]=n&255,t[s+1]=n>>8,t[s+2]=t[s]^255,t[s+3]=t[s+1]^255;for(var o=0;o<
-n;++o)t[s+o+4]=r[o];return(s+4+n)*8},Ds=function(t,e,r,n,s,o,a,i,l,c,d){xe(e,d++,r),++s[256];for(var m=pn(s,15),p=m.t,h=m.l,f=pn(o,15),y=f.t,g=f.l,x=Fs(p),v=x.c,
-w=x.n,S=Fs(y),A=S.c,k=S.n,C=new Z(19),E=0;E<v.length;++E)++C[v[E]&31];for(var E=0;E<A.length;++E)++C[A[E]&31];for(var M=pn(C,7),F=M.t,N=M.l,z=19;z>4&&!F[hn[z-1]];--z)
-;var Ae=c+5<<3,Y=Mt(s,Te)+Mt(o,Et)+a,j=Mt(s,p)+Mt(o,y)+a+14+3*z+Mt(C,F)+2*C[16]+3*C[17]+7*C[18];if(l>=0&&Ae<=Y&&Ae<=j)return Gs(e,d,t.subarray(l,l+c));var D,$,G,
-U;if(xe(e,d,1+(j<Y)),d+=2,j<Y){D=le(p,h,0),$=p,G=le(y,g,0),U=y;var ht=le(F,N,0);xe(e,d,w-257),xe(e,d+5,k-1),xe(e,d+10,z-4),d+=14;for(var E=0;E<z;++E)xe(e,d+3*E,
+n;++o)t[s+o+4]=r[o];return(s+4+n)*8},Ds=function(t,e,r,n,s,o,a,i,l,c,d){xe(e,d++,r),++s[256];for(var m=pn(s,15),p=m.t,h=m.l,f=pn(o,15),g=f.t,y=f.l,x=Fs(p),v=x.c,
+w=x.n,S=Fs(g),A=S.c,k=S.n,C=new Z(19),E=0;E<v.length;++E)++C[v[E]&31];for(var E=0;E<A.length;++E)++C[A[E]&31];for(var M=pn(C,7),F=M.t,N=M.l,z=19;z>4&&!F[hn[z-1]];--z)
+;var Ae=c+5<<3,Y=Mt(s,Te)+Mt(o,Et)+a,j=Mt(s,p)+Mt(o,g)+a+14+3*z+Mt(C,F)+2*C[16]+3*C[17]+7*C[18];if(l>=0&&Ae<=Y&&Ae<=j)return Gs(e,d,t.subarray(l,l+c));var D,$,G,
+U;if(xe(e,d,1+(j<Y)),d+=2,j<Y){D=le(p,h,0),$=p,G=le(g,y,0),U=g;var ht=le(F,N,0);xe(e,d,w-257),xe(e,d+5,k-1),xe(e,d+10,z-4),d+=14;for(var E=0;E<z;++E)xe(e,d+3*E,
 F[hn[E]]);d+=3*z;for(var X=[v,A],ve=0;ve<2;++ve)for(var K=X[ve],E=0;E<K.length;++E){var J=K[E]&31;xe(e,d,ht[J]),d+=F[J],J>15&&(xe(e,d,K[E]>>5&127),d+=K[E]>>12)}}else
 D=ml,$=Te,G=hl,U=Et;for(var E=0;E<i;++E){var _=n[E];if(_>255){var J=_>>18&31;At(e,d,D[J+257]),d+=$[J+257],J>7&&(xe(e,d,_>>23&31),d+=tr[J]);var ie=_&31;At(e,d,G[ie]),
 d+=U[ie],ie>3&&(At(e,d,_>>5&8191),d+=rr[ie])}else At(e,d,D[_]),d+=$[_]}return At(e,d,D[256]),d+$[256]},vl=new bn([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),Vs=new P(0),bl=function(t,e,r,n,s,o){var a=o.z||t.length,i=new P(n+a+5*(1+Math.ceil(a/7e3))+s),l=i.subarray(n,i.length-s),c=o.l,d=(o.r||0)&7;if(e){
-d&&(l[0]=o.r>>3);for(var m=vl[e-1],p=m>>13,h=m&8191,f=(1<<r)-1,y=o.p||new Z(32768),g=o.h||new Z(f+1),x=Math.ceil(r/3),v=2*x,w=function(Xr){return(t[Xr]^t[Xr+1]<<
-x^t[Xr+2]<<v)&f},S=new bn(25e3),A=new Z(288),k=new Z(32),C=0,E=0,M=o.i||0,F=0,N=o.w||0,z=0;M+2<a;++M){var Ae=w(M),Y=M&32767,j=g[Ae];if(y[Y]=j,g[Ae]=Y,N<=M){var D=a-
+d&&(l[0]=o.r>>3);for(var m=vl[e-1],p=m>>13,h=m&8191,f=(1<<r)-1,g=o.p||new Z(32768),y=o.h||new Z(f+1),x=Math.ceil(r/3),v=2*x,w=function(Xr){return(t[Xr]^t[Xr+1]<<
+x^t[Xr+2]<<v)&f},S=new bn(25e3),A=new Z(288),k=new Z(32),C=0,E=0,M=o.i||0,F=0,N=o.w||0,z=0;M+2<a;++M){var Ae=w(M),Y=M&32767,j=y[Ae];if(g[Y]=j,y[Ae]=Y,N<=M){var D=a-
 M;if((C>7e3||F>24576)&&(D>423||!c)){d=Ds(t,l,0,S,A,k,E,F,z,M-z,d),F=C=E=0,z=M;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)k[$]=0}var G=2,U=0,ht=h,X=Y-j&32767;
 if(D>2&&Ae==w(M-X))for(var ve=Math.min(p,D)-1,K=Math.min(32767,M),J=Math.min(258,D);X<=K&&--ht&&Y!=j;){if(t[M+G]==t[M+G-X]){for(var _=0;_<J&&t[M+_]==t[M+_-X];++_)
-;if(_>G){if(G=_,U=X,_>ve)break;for(var ie=Math.min(X,_-2),ze=0,$=0;$<ie;++$){var Be=M-X+$&32767,Vt=y[Be],qt=Be-Vt&32767;qt>ze&&(ze=qt,j=Be)}}}Y=j,j=y[Y],X+=Y-j&
-32767}if(U){S[F++]=268435456|fn[G]<<18|Is[U];var ft=fn[G]&31,yt=Is[U]&31;E+=tr[ft]+rr[yt],++A[257+ft],++k[yt],N=M+G,++C}else S[F++]=t[M],++A[t[M]]}}for(M=Math.max(
-M,N);M<a;++M)S[F++]=t[M],++A[t[M]];d=Ds(t,l,c,S,A,k,E,F,z,M-z,d),c||(o.r=d&7|l[d/8|0]<<3,d-=7,o.h=g,o.p=y,o.i=M,o.w=N)}else{for(var M=o.w||0;M<a+c;M+=65535){var He=M+
+;if(_>G){if(G=_,U=X,_>ve)break;for(var ie=Math.min(X,_-2),ze=0,$=0;$<ie;++$){var Be=M-X+$&32767,Vt=g[Be],qt=Be-Vt&32767;qt>ze&&(ze=qt,j=Be)}}}Y=j,j=g[Y],X+=Y-j&
+32767}if(U){S[F++]=268435456|fn[G]<<18|Is[U];var ft=fn[G]&31,gt=Is[U]&31;E+=tr[ft]+rr[gt],++A[257+ft],++k[gt],N=M+G,++C}else S[F++]=t[M],++A[t[M]]}}for(M=Math.max(
+M,N);M<a;++M)S[F++]=t[M],++A[t[M]];d=Ds(t,l,c,S,A,k,E,F,z,M-z,d),c||(o.r=d&7|l[d/8|0]<<3,d-=7,o.h=y,o.p=g,o.i=M,o.w=N)}else{for(var M=o.w||0;M<a+c;M+=65535){var He=M+
 65535;He>=a&&(l[d/8|0]=c,He=a),d=Gs(l,d+1,t.subarray(M,He))}o.i=a}return xn(i,0,n+wn(d)+s)},wl=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,
 n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),xl=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=wl[r&255^e[n]]^r>>>8;t=r},d:function(){
 return~t}}};var Sl=function(t,e,r,n,s){if(!s&&(s={l:1},e.dictionary)){var o=e.dictionary.subarray(-32768),a=new P(o.length+t.length);a.set(o),a.set(t,o.length),t=a,s.w=o.length}
 return bl(t,e.level==null?6:e.level,e.mem==null?s.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,s)},qs=function(t,e){var r={};for(var n in t)
 r[n]=t[n];for(var n in e)r[n]=e[n];return r};var W=function(t,e,r){for(;r;++e)t[e]=r,r>>>=8};var Al=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&q(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&q(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function Ml(t,e){return Sl(t,e||{},0,0)}function Ys(t,e){return gl(t.subarray(Al(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Ks=function(t,e,r,n){for(var s in t){var o=t[s],a=e+s,i=n;Array.isArray(o)&&(i=qs(n,o[1]),o=o[0]),o instanceof P?r[a]=[o,i]:(r[a+="/"]=[new P(0),i],Ks(o,a,r,
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function Ml(t,e){return Sl(t,e||{},0,0)}function Ys(t,e){return yl(t.subarray(Al(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Ks=function(t,e,r,n){for(var s in t){var o=t[s],a=e+s,i=n;Array.isArray(o)&&(i=qs(n,o[1]),o=o[0]),o instanceof P?r[a]=[o,i]:(r[a+="/"]=[new P(0),i],Ks(o,a,r,
 n))}},Us=typeof TextEncoder<"u"&&new TextEncoder,El=typeof TextDecoder<"u"&&new TextDecoder,Tl=0;try{El.decode(Vs,{stream:!0}),Tl=1}catch{}function er(t,e){if(e){for(var r=new P(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(Us)return Us.encode(t);for(var s=t.length,o=new P(t.length+
 (t.length>>1)),a=0,i=function(d){o[a++]=d},n=0;n<s;++n){if(a+5>o.length){var l=new P(a+8+(s-n<<1));l.set(o),o=l}var c=t.charCodeAt(n);c<128||e?i(c):c<2048?(i(192|
 c>>6),i(128|c&63)):c>55295&&c<57344?(c=65536+(c&1047552)|t.charCodeAt(++n)&1023,i(240|c>>18),i(128|c>>12&63),i(128|c>>6&63),i(128|c&63)):(i(224|c>>12),i(128|c>>
@@ -154,10 +154,10 @@ c>>6),i(128|c&63)):c>55295&&c<57344?(c=65536+(c&1047552)|t.charCodeAt(++n)&1023,
 m=vn(c);W(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=r.os),t[e]=20,e+=2,t[e++]=r.flag<<1|(o<0&&8),t[e++]=s&&8,t[e++]=r.compression&255,t[e++]=
 r.compression>>8;var p=new Date(r.mtime==null?Date.now():r.mtime),h=p.getFullYear()-1980;if((h<0||h>119)&&q(10),W(t,e,h<<25|p.getMonth()+1<<21|p.getDate()<<16|p.
 getHours()<<11|p.getMinutes()<<5|p.getSeconds()>>1),e+=4,o!=-1&&(W(t,e,r.crc),W(t,e+4,o<0?-o-2:o),W(t,e+8,r.size)),W(t,e+12,l),W(t,e+14,m),e+=16,a!=null&&(W(t,e,
-d),W(t,e+6,r.attrs),W(t,e+10,a),e+=14),t.set(n,e),e+=l,m)for(var f in c){var y=c[f],g=y.length;W(t,e,+f),W(t,e+2,g),t.set(y,e+4),e+=4+g}return d&&(t.set(i,e),e+=
+d),W(t,e+6,r.attrs),W(t,e+10,a),e+=14),t.set(n,e),e+=l,m)for(var f in c){var g=c[f],y=g.length;W(t,e,+f),W(t,e+2,y),t.set(g,e+4),e+=4+y}return d&&(t.set(i,e),e+=
 d),e},kl=function(t,e,r,n,s){W(t,e,101010256),W(t,e+8,r),W(t,e+10,r),W(t,e+12,n),W(t,e+16,s)};function Js(t,e){e||(e={});var r={},n=[];Ks(t,"",r,e);var s=0,o=0;for(var a in r){var i=r[a],l=i[0],c=i[1],d=c.level==0?0:8,m=er(a),p=m.length,h=c.comment,f=h&&
-er(h),y=f&&f.length,g=vn(c.extra);p>65535&&q(11);var x=d?Ml(l,c):l,v=x.length,w=xl();w.p(l),n.push(qs(c,{size:l.length,crc:w.d(),c:x,f:m,m:f,u:p!=a.length||f&&h.
-length!=y,o:s,compression:d})),s+=30+p+g+v,o+=76+2*(p+g)+(y||0)+v}for(var S=new P(o+22),A=s,k=o-s,C=0;C<n.length;++C){var m=n[C];Ws(S,m.o,m,m.f,m.u,m.c.length);
+er(h),g=f&&f.length,y=vn(c.extra);p>65535&&q(11);var x=d?Ml(l,c):l,v=x.length,w=xl();w.p(l),n.push(qs(c,{size:l.length,crc:w.d(),c:x,f:m,m:f,u:p!=a.length||f&&h.
+length!=g,o:s,compression:d})),s+=30+p+y+v,o+=76+2*(p+y)+(g||0)+v}for(var S=new P(o+22),A=s,k=o-s,C=0;C<n.length;++C){var m=n[C];Ws(S,m.o,m,m.f,m.u,m.c.length);
 var E=30+m.f.length+vn(m.extra);S.set(m.c,m.o+E),Ws(S,s,m,m.f,m.u,m.c.length,m.o,m.m),s+=16+E+(m.m?m.m.length:0)}return kl(S,s,n.length,k,A),S}var se=(t,e)=>`${t}s of generation ${e}`,ce=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Ke=["pursuer","evader"];function Je(t,e,r){let[n,s]=[e-t.payoff.first[0],r-t.payoff.first[1]],o=t.payoff.capture_rate[n]?.[s];return o===void 0?null:{rate:o,rates:t.payoff.capture_rates[n][s],
 lengths:t.payoff.lengths[n][s]}}function nr(t,e,r){let{script:n,network:s,kept:o,genomes:a}=t.teams[e];if(n!==null||s===null)return"";if(!o.includes(r))return`T\
 he page holds no genome of ${se(e,r)}: it would be too large. Choose a generation of ${o.join(", ")}.`;let i=o.length*s.genome_size;return Xs(a,s.genome_size).length===
@@ -182,7 +182,7 @@ let n=Int32Array.from({length:e},(s,o)=>o);for(let s=0;s<r;s++){let o=s+Math.flo
 this.#e.length;o++)this.#e[o]*=O(n)}draw(e,r){let n=r.integers(this.#e.length-this.size+1,e);return Array.from(n,s=>{let o=this.#e.subarray(s,s+this.size);return this.
 fixed?o.map((a,i)=>this.fixed[i]?0:a):o})}},On=class{#e;#t;#r=0;constructor(e){[this.#e,this.#t]=[new Float32Array(e),new Float32Array(e)]}moved(e,r,n){let[s,o,
 a]=[.9,.999,O(1e-8)];this.#r+=1;let[i,l]=[O(1-s),O(1-o)],[c,d]=[O(1-s**this.#r),O(1-o**this.#r)];return e.map((m,p)=>{let h=r[p],f=this.#e[p]+=O(i*O(h-this.#e[p])),
-y=this.#t[p]+=O(l*O(O(h*h)-this.#t[p])),g=O(O(Math.sqrt(O(O(y)/d)))+a);return O(m+O(O(O(n)*O(O(f)/c))/g))})}};function _l(t){let e=Array.from(t).sort((r,n)=>r-n);
+g=this.#t[p]+=O(l*O(O(h*h)-this.#t[p])),y=O(O(Math.sqrt(O(O(g)/d)))+a);return O(m+O(O(O(n)*O(O(f)/c))/y))})}};function _l(t){let e=Array.from(t).sort((r,n)=>r-n);
 return t.map(r=>(e.indexOf(r)+e.lastIndexOf(r))/(2*(t.length-1))-.5)}var ir=class{genome;groups;#e;#t;#r;#n=[];constructor(e,r,n){[this.genome,this.#t,this.#e,this.#r]=
 [e,r,n,new On(e.length)],this.groups=Int32Array.from({length:n.population},(s,o)=>o%(n.population/2))}get#o(){let{sigma:e,fixed:r}=this.#t,[n,s]=[0,0];return this.
 genome.forEach((o,a)=>{r?.[a]||(n+=o*o,s+=1)}),Math.max(e,this.#e.relative_sigma*Math.sqrt(n/s))}ask(e){let[r,n]=[this.#e.population/2,this.genome.length];this.#n=
@@ -200,11 +200,11 @@ inputs:e[s],outputs:n};return r+=(o.inputs+1)*n,o})}function Ze(t){let{at:e,inpu
 relu",sampled:!0,memory:"none",genome:e});function co(t,e,r,n){let s=new Float32Array(Ze(t)),o=Ct(t);return o.forEach(({at:a,inputs:i,outputs:l},c)=>{let d=Math.
 fround(c===o.length-1?n:r);e.normals(i*l).forEach((m,p)=>s[a+p]=d*m)}),s}function Rn(t){let{fov:e,mask:r}=t;if(!r)return null;let[n,s]=[new Uint8Array(Ze(t)),new Float32Array(
 Ze(t))],o=Ct(t),a=o.length-1,i=Math.floor(e/2);return o.forEach(({at:l,inputs:c,outputs:d},m)=>{let p=(h,f)=>l+h*d+f;for(let h=0;h<4;h++)if(m>0&&n.fill(1,p(c-4+
-h,0),p(c-4+h+1,0)),m<a)for(let f=0;f<=c;f++)n[p(f,d-4+h)]=1;r.forEach((h,f)=>{let y=m===a?1+f:d-4+f,g=m===0?h.map(([x,v,w])=>(x*e+i+v)*e+i+w):[c-4+f];for(let x of g)
-n[p(x,y)]=1,s[p(x,y)]=m===a?io:1})}),{fixed:n,values:s}}function $n(t,e){return e?t.map((r,n)=>e.fixed[n]?e.values[n]:r):t}function uo(t,e,r){let n=new Float32Array(
+h,0),p(c-4+h+1,0)),m<a)for(let f=0;f<=c;f++)n[p(f,d-4+h)]=1;r.forEach((h,f)=>{let g=m===a?1+f:d-4+f,y=m===0?h.map(([x,v,w])=>(x*e+i+v)*e+i+w):[c-4+f];for(let x of y)
+n[p(x,g)]=1,s[p(x,g)]=m===a?io:1})}),{fixed:n,values:s}}function $n(t,e){return e?t.map((r,n)=>e.fixed[n]?e.values[n]:r):t}function uo(t,e,r){let n=new Float32Array(
 Ze(r)),[s,o]=[Ct(e),Ct(r)],a=Math.floor(r.fov/2)-Math.floor(e.fov/2),i=c=>c>=0&&c<r.fov,l=c=>{let[d,m,p]=[Math.floor(c/e.fov**2),Math.floor(c/e.fov)%e.fov+a,c%e.
 fov+a];return i(m)&&i(p)?(d*r.fov+m)*r.fov+p:-1};return s.forEach((c,d)=>{let m=o[d],p=e.hidden[d]??5;for(let h=0;h<(d?e.hidden[d-1]:c.inputs);h++){let f=d?h:l(
-h);if(!(f<0))for(let y=0;y<p;y++)n[m.at+f*m.outputs+y]=t[c.at+h*c.outputs+y]}for(let h=0;h<p;h++)n[m.at+m.inputs*m.outputs+h]=t[c.at+c.inputs*c.outputs+h]}),$n(
+h);if(!(f<0))for(let g=0;g<p;g++)n[m.at+f*m.outputs+g]=t[c.at+h*c.outputs+g]}for(let h=0;h<p;h++)n[m.at+m.inputs*m.outputs+h]=t[c.at+c.inputs*c.outputs+h]}),$n(
 n.map(c=>c<=io/2?0:c),Rn(r))}function mo(t,e,r,n){let[s,o]=[t.length,Math.max(...t)+1],a=o>1?s/o:1,i=Array.from(t.keys()).sort((m,p)=>t[m]-t[p]),l=[],c=[];for(let m=0;m<e;m++){let p=m%a;p===
 0&&(c=Array.from(n.permutation(s/a)).flatMap(h=>i.slice(h*a,(h+1)*a))),l.push([i,c.map((h,f)=>c[f-f%a+(f%a-p+a)%a])])}let d=m=>i.map(()=>s+m);for(let m=0;m<r[1];m++)
 l.push([i,d(m)]);for(let m=0;m<r[0];m++)l.push([d(m),i]);return{pursuer:Int32Array.from(l.flatMap(([m])=>m)),evader:Int32Array.from(l.flatMap(([,m])=>m)),group:Int32Array.
@@ -227,37 +227,37 @@ let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sig
 c=>$n(c,a));this.#n[e]=n.kind==="ga"?new kt(lr(l),i,n):new ir(l[0],i,n)}*#u(e,r){for(let n=0;n<this.#i(e);n++){let s=this.archive[Pe(e)].length,o=this.settings.
 schedule[`${e}s_meet`],a=o==="latest"?s-1:o==="round-robin"?n%s:this.#r("opponents",L.indexOf(e),r,n).choice(s,1)[0],i=e==="pursuer"?[r,a]:[a,r],l=this.#n[e],{groups:c}=l,
 d=Tt([this.settings.seed,...i,Tn[e],n],Math.max(...c)+1),m=l.ask(this.#r("learn",L.indexOf(e),r,n)),[p,h]=[Int32Array.from(c.keys()),new Int32Array(c.length)],f={
-[e]:m,[Pe(e)]:this.archive[Pe(e)][a]},y={[e]:p,[Pe(e)]:h},g=this.#f(f,y,BigUint64Array.from(c,v=>d[v])),x=this.#g(g,e);this.#b(g,x,{generation:r,team:e,epoch:n,
+[e]:m,[Pe(e)]:this.archive[Pe(e)][a]},g={[e]:p,[Pe(e)]:h},y=this.#f(f,g,BigUint64Array.from(c,v=>d[v])),x=this.#y(y,e);this.#b(y,x,{generation:r,team:e,epoch:n,
 opponent:a}),l.tell(x),yield*this.#v(r,n,e)}this.archive[e].push(this.#n[e].genome)}*#l(e){for(let r=0;r<this.#i("pursuer");r++){let{schedule:n,learner:{population:s}}=this.
 settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#h("pursuer",e,r),evader:this.#h("evader",e,r)},l=this.#r("opponen\
-ts",0,e,r),c={pursuer:this.#d(o,l),evader:this.#d(o,l)},d=g=>lr([i[g],...Array.from(c[Pe(g)],x=>this.archive[g][x])]),m=[c.evader.length,c.pursuer.length],p=mo(
-this.#n.pursuer.groups,a,m,l),h=Tt([this.settings.seed,e,e,Tn.both,r],Math.max(...p.group)+1),f={pursuer:d("pursuer"),evader:d("evader")},y=this.#f(f,p,BigUint64Array.
-from(p.group,g=>h[g]));for(let g of L){let x=po(p[g],p[Pe(g)],s,this.#g(y,g));this.#b(y,x,{generation:e,team:g,epoch:r,opponent:Il}),this.#n[g].tell(x)}yield*this.#v(
+ts",0,e,r),c={pursuer:this.#d(o,l),evader:this.#d(o,l)},d=y=>lr([i[y],...Array.from(c[Pe(y)],x=>this.archive[y][x])]),m=[c.evader.length,c.pursuer.length],p=mo(
+this.#n.pursuer.groups,a,m,l),h=Tt([this.settings.seed,e,e,Tn.both,r],Math.max(...p.group)+1),f={pursuer:d("pursuer"),evader:d("evader")},g=this.#f(f,p,BigUint64Array.
+from(p.group,y=>h[y]));for(let y of L){let x=po(p[y],p[Pe(y)],s,this.#y(g,y));this.#b(g,x,{generation:e,team:y,epoch:r,opponent:Il}),this.#n[y].tell(x)}yield*this.#v(
 e,r,"both")}for(let r of L)this.archive[r].push(this.#n[r].genome)}#h(e,r,n){return this.#n[e].ask(this.#r("learn",L.indexOf(e),r,n))}#d(e,r){let n=this.archive.
 pursuer.length;return e?r.choice(n,Math.min(e,n)):new Int32Array(0)}#i(e){let{schedule:r}=this.settings;return r.kind==="hall-of-fame"?r.joint_epochs:r[`${e}_ep\
 ochs`]}*#v(e,r,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i("pursuer"),0]:[this.#i("pursuer"),this.#i("evader")],a=r+1+(n==="evader"?s:0),i=s+
 o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#f(e,r,n){let s={...this.settings.world,max_steps:this.settings.
-train_steps},o=this.#e.rollouts(s,this.#y("pursuer",e.pursuer),this.#y("evader",e.evader),{...r,seed:n},1);this.#s+=o.length.length;for(let a of o.length)this.#c+=
-Number(a);for(let a of o.agent_steps)this.#m+=Number(a);return o}#y(e,r){return Ot(this.shape(e),r)}#g({captured_fraction:e,overlap:r},n){let s=ho(this.settings);
+train_steps},o=this.#e.rollouts(s,this.#g("pursuer",e.pursuer),this.#g("evader",e.evader),{...r,seed:n},1);this.#s+=o.length.length;for(let a of o.length)this.#c+=
+Number(a);for(let a of o.agent_steps)this.#m+=Number(a);return o}#g(e,r){return Ot(this.shape(e),r)}#y({captured_fraction:e,overlap:r},n){let s=ho(this.settings);
 return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(r[2*a+1]))}#b(e,r,n){let s=B(r),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),
 this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(B(r.map(a=>(a-s)**2))),fitness_best:Math.max(...r),capture_rate:B(e.capture_rate),length:B(e.length),pursuer_faults:o[0]/
 e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#c})}#w(){this.counters.push({matches:this.#s,steps:this.#c,agent_steps:this.#m})}*#x(e){
 yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-
 1;e>=0;e--){for(let r=e;r>=0;r--)for(let[n,s]of r===e?[[e,e]]:[[e,r],[r,e]]){if(this.cells.has(`${n} ${s}`))continue;let o=this.#S(n,s);this.cells.set(`${n} ${s}`,
 o),yield{type:"cell",cell:o}}this.#o.has(e)||(this.#o.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#A("pursuer",e),evader:this.#A("evader",e)}})}}#S(e,r){
-let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(or(o,e,r))},i=L.map(d=>this.#y(
+let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(or(o,e,r))},i=L.map(d=>this.#g(
 d,this.archive[d][d==="pursuer"?e:r])),l=this.#e.rollouts(n,...i,a,s),c=d=>{let m=Array.from(l[d],Number),p=m.length/s;return Array.from({length:p},(h,f)=>B(m.filter(
-(y,g)=>g%p===f)))};return{pursuer:e,evader:r,capture_rates:Array.from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:c("collisions"),faults:c("f\
-aults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#A(e,r){let{world:n,seed:s}=this.settings,[o,a]=[this.#y(e,this.archive[e][r]),new Int32Array(1)];
+(g,y)=>y%p===f)))};return{pursuer:e,evader:r,capture_rates:Array.from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:c("collisions"),faults:c("f\
+aults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#A(e,r){let{world:n,seed:s}=this.settings,[o,a]=[this.#g(e,this.archive[e][r]),new Int32Array(1)];
 return B(cr[e].map((i,l)=>{let c=Tt([s,L.indexOf(e),l,Nl],1),d=e==="pursuer"?[o,i]:[i,o],m=B(this.#e.rollouts(n,...d,{pursuer:a,evader:a,seed:c},Ll).capture_rate);
 return e==="pursuer"?m:1-m}))}};function lr(t){let e=new Float32Array(t.reduce((n,{length:s})=>n+s,0)),r=0;for(let n of t)e.set(n,r),r+=n.length;return e}var Fl=12;function fo(t){let e=new Blob([Se("script-engine"),`
-`,Se(`script-${t}`)],{type:"text/javascript"});return new Worker(URL.createObjectURL(e))}function yo(){let t=d=>postMessage(d),e=Qt(),r=null,n=null,s=0,o=!1,a=new MessageChannel,
+`,Se(`script-${t}`)],{type:"text/javascript"});return new Worker(URL.createObjectURL(e))}function go(){let t=d=>postMessage(d),e=Qt(),r=null,n=null,s=0,o=!1,a=new MessageChannel,
 i=()=>{let d=performance.now()+Fl;for(;n&&performance.now()<d;){let{value:m,done:p}=n.next();p?(n=null,t({type:"end",seconds:(performance.now()-s)/1e3})):t(m)}!n||
 o||(o=!0,a.port2.postMessage(null))},l=async d=>{if(d.type==="start")r=new Qe(await e,d.settings,d.masks),[n,s]=[r.run(),performance.now()],i();else if(d.type===
 "stop")n=null;else if(d.type==="change"){let m=r?.change(d.settings);if(m&&t(m),!r||!m||n)return;n=r.catchUp(),i()}else if(r){let{settings:m,archive:p,rows:h,cells:f,
-counters:y,finished:g}=r;t({type:"saved",race:{settings:m,archive:p,rows:h,cells:f,counters:y,finished:g}})}},c=d=>{Promise.resolve().then(d).catch(m=>{n=null,t(
-{type:"failed",message:String(m)})})};a.port1.onmessage=()=>{o=!1,c(i)},globalThis.onmessage=({data:d})=>c(()=>l(d))}var Dl="http://www.w3.org/2000/svg";function u(t,e={},...r){return go(document.createElement(t),e,r)}function b(t,e={},...r){return go(document.createElementNS(
-Dl,t),e,r)}function go(t,e,r){for(let[n,s]of Object.entries(e))s==null||s===!1||(typeof s=="function"?t.addEventListener(n.slice(2),s):t.setAttribute(n,s===!0?"":
+counters:g,finished:y}=r;t({type:"saved",race:{settings:m,archive:p,rows:h,cells:f,counters:g,finished:y}})}},c=d=>{Promise.resolve().then(d).catch(m=>{n=null,t(
+{type:"failed",message:String(m)})})};a.port1.onmessage=()=>{o=!1,c(i)},globalThis.onmessage=({data:d})=>c(()=>l(d))}var Dl="http://www.w3.org/2000/svg";function u(t,e={},...r){return yo(document.createElement(t),e,r)}function b(t,e={},...r){return yo(document.createElementNS(
+Dl,t),e,r)}function yo(t,e,r){for(let[n,s]of Object.entries(e))s==null||s===!1||(typeof s=="function"?t.addEventListener(n.slice(2),s):t.setAttribute(n,s===!0?"":
 String(s)));return t.append(...r.filter(Ul).map(n=>typeof n=="number"?String(n):n)),t}function Ul(t){return t!=null&&t!==!1}function dr(t,e){let r=u("select",{},
 ...t.map(([n,s])=>u("option",{value:n},s)));return r.addEventListener("change",()=>e(r.value)),r}async function Pn(t){try{await t}catch(e){throw(document.querySelector(
 "#page, main")??document.body).prepend(u("p",{class:"card problem",role:"alert"},`The page could not start: ${String(e)}`)),e}finally{document.body.dataset.ready=
@@ -268,9 +268,9 @@ wo(),Rt(!1)}),addEventListener("afterprint",()=>Rt(e))}function xo(){return u("b
 "◐")}var mr=(t,e,...r)=>u("header",{class:"top"},u("div",{},u("h1",{},t),e?u("p",{class:"lead"},e):null),u("div",{class:"tools"},...r,xo()));var pr=t=>t!==void 0&&"predict"in t,hr=({sections:t})=>new Map(t.flatMap(({parts:e})=>e.filter(pr).map(r=>[r.predict,r]))),So=()=>JSON.parse(Se("data"));var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function Ao(t,e,r){let[n,s]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(s)?s=0:r||
 (n=0),tt.findIndex(([o,a])=>o===Math.sign(n)&&a===Math.sign(s))}var Le=(t,e)=>e<t.nPursuers,R=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],zl=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],Ln=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Nn=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),In=(t,e)=>Nn(t.fault,e),Mo=(t,e)=>!In(
-t,e)&&Nn(t.involved,e,2);function fr(t,e,r){let n=!zl(R(t,r),R(e,r)),s=e.involved===void 0||Nn(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&s)}function yr(t,e,r){
+t,e)&&Nn(t.involved,e,2);function fr(t,e,r){let n=!zl(R(t,r),R(e,r)),s=e.involved===void 0||Nn(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&s)}function gr(t,e,r){
 let[n,s]=R(t,r),[o,a]=tt[e.actions?.[r]??0];return[n+o,s+a]}function $t(t,e,r){return Array.from({length:r.everCaptured.length},(s,o)=>o).filter(s=>r.everCaptured[s]&&
-!e.everCaptured[s]).map(s=>t.nPursuers+s)}var gr=t=>t.moments.flatMap((e,r)=>r&&$t(t,t.moments[r-1],e).length?[r]:[]);function vr(t,e){return Array.from({length:e.
+!e.everCaptured[s]).map(s=>t.nPursuers+s)}var yr=t=>t.moments.flatMap((e,r)=>r&&$t(t,t.moments[r-1],e).length?[r]:[]);function vr(t,e){return Array.from({length:e.
 alive.length},(n,s)=>s).filter(n=>t.alive[n]&&!e.alive[n])}var Eo=[-.31,0,.31],To=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:Eo.flatMap(t=>Eo.map(e=>[e,t]))}],Bl=.3,Hl=.35,jl=.55;function _t(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
 alive[n])continue;let[s,o]=R(e,n),a=s*t.cols+o,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function ko(t,e){let r=Array.from(e.alive,(n,s)=>{let[o,a]=R(e,s);return{
@@ -280,7 +280,7 @@ SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(s===1)return Co(n)
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),s=t.moments[n],o=ko(t,s);if(n===r||e===n)return o;let a=t.moments[n+1],i=ko(t,a);return o.map((l,c)=>{let d=Ro(
 t,c,o.length,e-n);return Gl(s,a,c,l,i[c],d)})}function Fn(t,e,r){let n=t.moments.length-1,s=Math.min(Math.floor(r),n),[o,a]=[t.moments[s],t.moments[Math.min(s+1,
 n)]],i=Ro(t,e,o.alive.length,r-s),[[l,c],[d,m]]=[R(o,e),R(a,e)];return[rt(c,m,i)+.5,rt(l,d,i)+.5]}function Gl(t,e,r,n,s,o){let a=n.alpha>s.alpha,i={x:rt(n.x,s.x,
-o),y:rt(n.y,s.y,o),size:a?n.size:rt(n.size,s.size,o),alpha:a?Oo((1-o)/(1-jl)):rt(n.alpha,s.alpha,o)};if(fr(t,e,r)){let[l,c]=R(t,r),[d,m]=yr(t,e,r),p=Bl*Math.sin(
+o),y:rt(n.y,s.y,o),size:a?n.size:rt(n.size,s.size,o),alpha:a?Oo((1-o)/(1-jl)):rt(n.alpha,s.alpha,o)};if(fr(t,e,r)){let[l,c]=R(t,r),[d,m]=gr(t,e,r),p=Bl*Math.sin(
 Math.PI*o);i.x+=(m-c)*p,i.y+=(d-l)*p}return i}var $o=2*Math.PI;function Ne(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,$o)}function wr(t,e,r,n){let s=n/2,o=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*s,r+i*
 s]);t.beginPath(),t.moveTo((o[2][0]+o[0][0])/2,(o[2][1]+o[0][1])/2),o.forEach(([a,i],l)=>{let[c,d]=o[(l+1)%3];t.arcTo(a,i,c,d,n*.09)}),t.closePath()}function _o(t,e,r,n){
 let s=n*.32;t.beginPath(),t.moveTo(e-s,r-s),t.lineTo(e+s,r+s),t.moveTo(e+s,r-s),t.lineTo(e-s,r+s)}function Po(t,e,r,n){t.beginPath();for(let s=0;s<16;s++){let o=n/
@@ -303,8 +303,8 @@ r.paper,t.lineJoin="round",t.lineWidth=d*.35,t.strokeText("You",l,p),t.fillStyle
 i=zo(t,e,n,s),l=nt(t,e,r);o.globalAlpha=.11,o.fillStyle=l,o.fillRect(...i),o.globalAlpha=.8,o.strokeStyle=l,o.lineWidth=Math.max(1,a.cell/24),o.strokeRect(...i),
 o.globalAlpha=1}function Go(t,e,r,n,s){let{ctx:o,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];o.lineCap="round",o.lineWidth=Math.min(Jl,
 Math.max(1,a.cell*Kl));for(let c=Math.max(1,Math.floor(r-n)+1);c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));o.globalAlpha=
-Io+(Xl-Io)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&r<i;if(!d.alive[h]||!(l.alive[h]||f))continue;let y=(Le(e,h)?-1:1)*Zl,[g,x]=R(d,h),[v,w]=R(m,h);if(g===
-v&&x===w)continue;let S=f?s[h].x:w+.5,A=f?s[h].y:v+.5;o.strokeStyle=nt(t,e,h),o.beginPath(),o.moveTo(ee(a,x+.5+y),te(a,g+.5+y)),o.lineTo(ee(a,S+y),te(a,A+y)),o.
+Io+(Xl-Io)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&r<i;if(!d.alive[h]||!(l.alive[h]||f))continue;let g=(Le(e,h)?-1:1)*Zl,[y,x]=R(d,h),[v,w]=R(m,h);if(y===
+v&&x===w)continue;let S=f?s[h].x:w+.5,A=f?s[h].y:v+.5;o.strokeStyle=nt(t,e,h),o.beginPath(),o.moveTo(ee(a,x+.5+g),te(a,y+.5+g)),o.lineTo(ee(a,S+g),te(a,A+g)),o.
 stroke()}}o.globalAlpha=1}function Vo(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let s=Math.max(1,n-No+1);s<=n;s++){let[o,a]=[e.moments[s-1],e.moments[s]],
 i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/No,l=$t(e,o,a);for(let c of vr(o,a))l.includes(c)||ec(t,R(a,c),i);for(let c of l)Ql(t,R(a,c),i)}t.ctx.globalAlpha=1}function Ql({
 ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Po(t,ee(e,s+.5),te(e,n+.5),Math.max(8,e.cell*Vl)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
@@ -315,22 +315,22 @@ continue;let l=[ee(e,i)+o,te(e,a)+o,e.cell-2*o,e.cell-2*o];t.globalAlpha=.2*s,t.
 1}function Yo({ctx:t,grid:e,colors:r},n,s,o,a){t.globalAlpha=a,Ne(t,ee(e,n),te(e,s),Math.max(8,e.cell*o*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,
 e.cell*.085*Math.sqrt(o)),t.stroke(),t.globalAlpha=1}var tc=.8,rc=.92,nc=15,sc=7,Dn=9;function Ko(t,e,r,n,s,o){n.forEach((a,i)=>{a.alpha>0&&oc(t,e,r,i,a,s,o)}),t.ctx.globalAlpha=1;for(let a of _t(e,r).values())a.length>
 Dn&&ac(t,n[a[Dn-1]],a.length-Dn+1)}function oc(t,e,r,n,s,o,a){let{ctx:i,grid:l,colors:c}=t,d=Le(e,n),[m,p]=[l.left+s.x*l.cell,l.top+s.y*l.cell],h=Math.max(4,l.cell*
-s.size*(d?rc:tc)),f=nt(t,e,n),y=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=s.alpha,(d?wr:Ne)(i,m,p,h),h>sc*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(
-2,h*.1),i.stroke()),i.fillStyle=y?c.paper:f,i.fill(),y&&(Ne(i,m,p,h*.82),i.strokeStyle=f,i.lineWidth=h*.18,i.stroke()),!o||h<nc*a)return;let g=String(d?n:n-e.nPursuers);
-i.font=`700 ${Math.round(h*(d?.4:.5)*(g.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=y?f:c.paper,i.fillText(
-g,m,p+h*(d?.17:.03))}function ac({ctx:t,grid:e,colors:r},n,s){let[o,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+s.size*(d?rc:tc)),f=nt(t,e,n),g=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=s.alpha,(d?wr:Ne)(i,m,p,h),h>sc*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(
+2,h*.1),i.stroke()),i.fillStyle=g?c.paper:f,i.fill(),g&&(Ne(i,m,p,h*.82),i.strokeStyle=f,i.lineWidth=h*.18,i.stroke()),!o||h<nc*a)return;let y=String(d?n:n-e.nPursuers);
+i.font=`700 ${Math.round(h*(d?.4:.5)*(y.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=g?f:c.paper,i.fillText(
+y,m,p+h*(d?.17:.03))}function ac({ctx:t,grid:e,colors:r},n,s){let[o,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${s}`,o,a),t.fillStyle=r.ink,t.fillText(`+${s}`,
 o,a)}var ic=.46,lc=.86,cc=.66,Jo=.48,uc=.78,dc=.58;function Zo(t,e,r,n){let[s,o]=[e.moments[r-1],e.moments[r]];if(!s)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<o.alive.length;c++)fr(s,o,c)&&mc(t,e,R(s,c),yr(s,o,c));a.globalAlpha=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<o.alive.length;c++)fr(s,o,c)&&mc(t,e,R(s,c),gr(s,o,c));a.globalAlpha=
 1}function mc({ctx:t,grid:e},r,n,s){let[o,a]=[s[1]-n[1],s[0]-n[0]],i=m=>ee(e,n[1]+.5+o*m),l=m=>te(e,n[0]+.5+a*m),c=Ln(r,s)?uc:dc;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(Jo),l(Jo)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(o,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
 o*d),t.lineTo(i(c)+a*d,l(c)-o*d),t.stroke()}function Xo(t,e,r,n,s,o){let a=tt[o];if(!o||!a)return;let{ctx:i,grid:l,colors:c}=t,d=Ln(e,[n[0]+a[0],n[1]+a[1]])?lc:
-cc,m=ic*s.size,p=[ee(l,s.x+a[1]*m),te(l,s.y+a[0]*m),ee(l,s.x+a[1]*d),te(l,s.y+a[0]*d)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[f,y]of[[
-c.paper,h*2.1],[nt(t,e,r),h]])i.strokeStyle=f,i.lineWidth=y,Lo(i,...p,l.cell*.2),i.stroke()}var ea={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function ta(t,e,r,n,s){let{ctx:o,grid:a,colors:i}=t,l=Math.min(
-Math.ceil(r),e.moments.length-1),c=e.moments[l],d=r===l,m=br(e,r),p=d?1:Math.max(0,1-2*(l-r));o.clearRect(0,0,o.canvas.width,o.canvas.height),Fo(t);for(let y of n.
-viewers)m[y]?.alpha&&jo(t,e,y,...Fn(e,y,r));Do(t,e),n.axes&&Wo(t,s),Go(t,e,r,n.trail,m),qo(t,c.contested??[],p),Vo(t,e,r),Zo(t,e,l,p),m.forEach(({x:y,y:g,size:x},v)=>{
-let w=Mo(c,v)?.4:0,S=In(c,v)?1:w;S&&Yo(t,y,g,x,S*p)});let h=d?c:e.moments[Math.max(0,l-1)];if(Ko(t,e,h,m,n.numbers,s),d&&n.plan)for(let[y,g]of m.entries())g.alpha&&
-Xo(t,e,y,R(c,y),g,n.plan[y]??0);n.you!==null&&(n.fog&&Bo(t,e,...Fn(e,n.you,r)),Ho(t,m[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=i.focus;let f=n.selected===
+cc,m=ic*s.size,p=[ee(l,s.x+a[1]*m),te(l,s.y+a[0]*m),ee(l,s.x+a[1]*d),te(l,s.y+a[0]*d)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[f,g]of[[
+c.paper,h*2.1],[nt(t,e,r),h]])i.strokeStyle=f,i.lineWidth=g,Lo(i,...p,l.cell*.2),i.stroke()}var ea={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function ta(t,e,r,n,s){let{ctx:o,grid:a,colors:i}=t,l=Math.min(
+Math.ceil(r),e.moments.length-1),c=e.moments[l],d=r===l,m=br(e,r),p=d?1:Math.max(0,1-2*(l-r));o.clearRect(0,0,o.canvas.width,o.canvas.height),Fo(t);for(let g of n.
+viewers)m[g]?.alpha&&jo(t,e,g,...Fn(e,g,r));Do(t,e),n.axes&&Wo(t,s),Go(t,e,r,n.trail,m),qo(t,c.contested??[],p),Vo(t,e,r),Zo(t,e,l,p),m.forEach(({x:g,y,size:x},v)=>{
+let w=Mo(c,v)?.4:0,S=In(c,v)?1:w;S&&Yo(t,g,y,x,S*p)});let h=d?c:e.moments[Math.max(0,l-1)];if(Ko(t,e,h,m,n.numbers,s),d&&n.plan)for(let[g,y]of m.entries())y.alpha&&
+Xo(t,e,g,R(c,g),y,n.plan[g]??0);n.you!==null&&(n.fog&&Bo(t,e,...Fn(e,n.you,r)),Ho(t,m[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=i.focus;let f=n.selected===
 null?void 0:m[n.selected];f?.alpha&&Qo(t,f.x,f.y,f.size*.96),n.cursor&&(o.setLineDash([a.cell*.12,a.cell*.08]),Qo(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),o.setLineDash(
 []))}function Qo({ctx:t,grid:e},r,n,s){let o=s*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-o/2,e.top+n*e.cell-o/2,o,o,o*.1),t.stroke()}var ra=(t,e)=>(e+.24)/(t+.24);function na(t,e,r,n,s,o){let a=r?28*o:0,i=(c,d)=>(c-a)/(d+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(s,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((s-t*l+a)/2)}}function sa(t,e,r){let n=Math.floor((r-t.top)/t.cell),s=Math.floor((e-t.left)/t.cell);return n>=
@@ -362,25 +362,25 @@ Math.abs(s)?this.#n:this.#o+Math.sign(s)*o}this.#s&&this.#o===this.#e&&this.paus
 e.altKey)return!1;let r=e.shiftKey?10:1,s={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
 "+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return s?.(),s!==void 0}var fc={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
 l10 7-10 7z"};function oa(t){return b("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},b("path",{d:fc[t]}))}function Lt(t,e,r,n){return u("button",
-{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},oa(t))}function Ce(t){let e=Lt("play","Play","Space",()=>t.toggle()),r=yc(t),
-n=u("div",{class:"captures","aria-hidden":"true",title:"Captures"}),s=u("div",{class:"losses","aria-hidden":"true"}),o=gc(t),a=u("output",{class:"player-count"}),
+{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},oa(t))}function Ce(t){let e=Lt("play","Play","Space",()=>t.toggle()),r=gc(t),
+n=u("div",{class:"captures","aria-hidden":"true",title:"Captures"}),s=u("div",{class:"losses","aria-hidden":"true"}),o=yc(t),a=u("output",{class:"player-count"}),
 i=u("div",{class:"player",role:"group","aria-label":"Player"},Lt("first","First step","Home",()=>t.move(-t.length)),Lt("back","Step back","←",()=>t.move(-1)),
 e,Lt("forward","Step forward","→",()=>t.move(1)),Lt("last","Last step","End",()=>t.move(t.length)),u("div",{class:"scrub"},n,s,r),a,o),l=(m,p={})=>{let h=u("i",
 p);return h.style.left=`${100*m/Math.max(1,t.length)}%`,h},c=()=>{n.replaceChildren(...t.marks.map(m=>l(m))),s.replaceChildren(...t.ticks.map(({step:m,kind:p,size:h,
-text:f})=>{let y=l(m,{class:p,title:`Step ${m}: ${f}`});return y.style.height=`${100*h}%`,y}))},d=()=>{e.replaceChildren(oa(t.playing?"pause":"play")),e.ariaLabel=
+text:f})=>{let g=l(m,{class:p,title:`Step ${m}: ${f}`});return g.style.height=`${100*h}%`,g}))},d=()=>{e.replaceChildren(oa(t.playing?"pause":"play")),e.ariaLabel=
 t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,a.textContent=
 `${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,o.value=String(t.speed)};return t.addEventListener("step",d),t.addEventListener("s\
 tate",d),t.addEventListener("state",c),i.addEventListener("keydown",m=>{!(m.target instanceof HTMLSelectElement||m.key===" "&&m.target!==r)&&Mr(t,m)&&m.preventDefault()}),
-d(),i}function yc(t){let e=u("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
-Number(e.value))}),e}function gc(t){let e=`Steps a second, or the whole in ${Ar} s (+ and -)`,r=u("select",{class:"player-speed","aria-label":"Speed",title:e},u(
+d(),i}function gc(t){let e=u("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
+Number(e.value))}),e}function yc(t){let e=`Steps a second, or the whole in ${Ar} s (+ and -)`,r=u("select",{class:"player-speed","aria-label":"Speed",title:e},u(
 "option",{value:Sr},`in ${Ar} s`),...Pt.map(n=>u("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var H=(t,e=2)=>t==null?"-":t.toFixed(e);function aa(t,e,r){return e===null||r===null?H(t):`${H(t)} (${H(e)} to ${H(r)})`}var de=t=>t.charAt(0).toUpperCase()+t.slice(1);function Nt(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
 c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(c,d)=>(i+d)*a)}var Er={left:46,right:12,top:10,bottom:42},ia={x:56,y:34};function me(t,e,r,n){let[s,o]=[Er.left,Er.top],a=Math.max(s+40,t-Er.right),i=Math.max(o+40,e-Er.bottom),
-l=(y,g,x)=>v=>g+(v-y.low)/(y.high-y.low||1)*(x-g),[c,d]=[l(r,s,a),l(n,i,o)],m=b("g"),p=b("svg",{width:t,height:e,viewBox:`0 0 ${t} ${e}`,class:"plot"}),h=b("g",
-{class:"axes"});for(let y of Nt(n.low,n.high,(i-o)/ia.y,n.whole))h.append(b("line",{x1:s,x2:a,y1:d(y),y2:d(y),class:"grid"}),b("text",{x:s-8,y:d(y),"text-anchor":"\
-end","dominant-baseline":"middle"},la(y)));for(let y of Nt(r.low,r.high,(a-s)/ia.x,r.whole))h.append(b("text",{x:c(y),y:i+16,"text-anchor":"middle"},la(y)));return h.
+l=(g,y,x)=>v=>y+(v-g.low)/(g.high-g.low||1)*(x-y),[c,d]=[l(r,s,a),l(n,i,o)],m=b("g"),p=b("svg",{width:t,height:e,viewBox:`0 0 ${t} ${e}`,class:"plot"}),h=b("g",
+{class:"axes"});for(let g of Nt(n.low,n.high,(i-o)/ia.y,n.whole))h.append(b("line",{x1:s,x2:a,y1:d(g),y2:d(g),class:"grid"}),b("text",{x:s-8,y:d(g),"text-anchor":"\
+end","dominant-baseline":"middle"},la(g)));for(let g of Nt(r.low,r.high,(a-s)/ia.x,r.whole))h.append(b("text",{x:c(g),y:i+16,"text-anchor":"middle"},la(g)));return h.
 append(b("line",{x1:s,x2:a,y1:i,y2:i,class:"axis"}),b("text",{x:(s+a)/2,y:e-6,"text-anchor":"middle",class:"label"},r.label),b("text",{transform:`translate(12 ${(o+
-i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),p.append(h,m),{root:p,marks:m,left:s,right:a,top:o,bottom:i,x:c,y:d,at:y=>{let g=y-p.getBoundingClientRect().
-left;return r.low+(g-s)/(a-s)*(r.high-r.low)}}}var la=t=>String(Number(t.toPrecision(6))).replace("-","−");function pe(t,e,r,n){let s="",o="M";r.forEach((a,i)=>{
+i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),p.append(h,m),{root:p,marks:m,left:s,right:a,top:o,bottom:i,x:c,y:d,at:g=>{let y=g-p.getBoundingClientRect().
+left;return r.low+(y-s)/(a-s)*(r.high-r.low)}}}var la=t=>String(Number(t.toPrecision(6))).replace("-","−");function pe(t,e,r,n){let s="",o="M";r.forEach((a,i)=>{
 a===null?o="M":(s+=`${o}${t.x(e[i]).toFixed(1)} ${t.y(a).toFixed(1)}`,o="L")}),t.root.insertBefore(b("path",{d:s,class:`line ${n}`}),t.marks)}function ca(t,e,r,n=null){let s=t.x(e);t.marks.append(b("line",{x1:s,x2:s,y1:t.top,y2:t.bottom,class:`mark ${r}`})),n!==null&&t.marks.append(b("circle",{cx:s,cy:t.
 y(n),r:5,class:`dot ${r}`}))}function st(...t){return u("p",{class:"legend small"},...t.map(([e,r])=>u("span",{class:`key ${r}`},e)))}function he(t,e,r,n){let s=u(
 "div",{class:"chart chooses",role:"img","aria-label":t}),o=null,a=()=>{o?.marks.replaceChildren(),o&&r(o)};s.addEventListener("click",l=>o&&n(o.at(l.clientX),o,
@@ -396,9 +396,9 @@ t.ariaLabel=`${r}: ${t.textContent}`,e!==void 0&&([t.style.backgroundColor,t.sty
 style.backgroundImage=ma(),u("p",{class:"scale-of-rates small muted"},t,r,e)}function Ie(t,e,r=t.length){let n=u("canvas",{role:"img","aria-label":e}),s=u("div",{class:"cells-of-matrix"},n),o=u("figure",{},u("figcaption",{},e),s,u("p",{class:"\
 small muted"},u("span",{class:"pursuer"},"↑ pursuers")," ",u("span",{class:"evader"},"evaders →")));return o.draw=()=>{let a=s.clientWidth;a&&ot(n,{shape:[r,
 r],first:[0,0],capture_rate:t},{left:0,top:0,width:a,height:a})},new ResizeObserver(()=>o.draw?.()).observe(s),o}var ha=()=>Oe("0 all escape","1 all caught"),fa=({
-runs:t})=>u("div",{class:"widget"},u("div",{class:"matrices"},...t.map((e,r)=>Ie(e.payoff.capture_rate,`Matrix ${"ABC"[r]}`))),ha()),Cr=31,pa=.016;function ya(){
+runs:t})=>u("div",{class:"widget"},u("div",{class:"matrices"},...t.map((e,r)=>Ie(e.payoff.capture_rate,`Matrix ${"ABC"[r]}`))),ha()),Cr=31,pa=.016;function ga(){
 let t=r=>Array.from({length:Cr},(n,s)=>Array.from({length:Cr},(o,a)=>.5+r*(s-a))),e=[[pa,"Both get better"],[-pa,"Both get worse"],[0,"Nothing happens"]];return u(
-"div",{class:"widget"},u("div",{class:"matrices"},...e.map(([r,n])=>Ie(t(r),n))),ha())}function ga(){let t=Array.from({length:Cr},(r,n)=>n),e=he("A capture rate\
+"div",{class:"widget"},u("div",{class:"matrices"},...e.map(([r,n])=>Ie(t(r),n))),ha())}function ya(){let t=Array.from({length:Cr},(r,n)=>n),e=he("A capture rate\
  that stays at one half from generation 0 to 30",(r,n)=>{let s=me(r,n,{low:0,high:Cr-1,label:"generation",whole:!0},{low:0,high:1,label:"capture rate"});return pe(
 s,t,t.map(()=>.5),"of-both"),s},()=>{},()=>{});return u("div",{class:"widget"},e.element)}var fe=32,va=({crossings:t=[]})=>u("div",{class:"widget crossings"},...t.
 map(e=>u("figure",{},u("figcaption",{},e.title),bc(e),u("p",{class:"small muted"},e.text))));function bc({title:t,text:e,ways:r}){let n=[0,1,2,3].map(s=>`M${s*fe}\
@@ -426,16 +426,16 @@ n[o]]}return n.slice(0,s)}function Or(t){let e=0;for(let r=0;r<t.length;r++)e+=t
 map((r,n)=>Bn(t.slice(0,n+1),e));function Ta({memories:t=[1],memory:e=t[0],generations:r=30}){let n=new ue(r,{speed:r>100?16:2,still:oe()}),s=e,o=Rr(r,s,Re(Gn)),
 a={pursuers:[],evaders:[]},i={pursuers:b("polyline",{class:"way of-pursuers"}),evaders:b("polyline",{class:"way of-evaders"})},l={pursuers:b("path",{class:"fill\
 ed-pursuer",d:"M0 -11 11 9H-11z"}),evaders:b("circle",{class:"filled-evader",r:9})},c=b("svg",{viewBox:"0 0 300 270",class:"hands-triangle",role:"img","aria-lab\
-el":"The shares of rock, paper and scissors among the remembered hands of both teams"},b("polygon",{class:"frame",points:Ea.map(g=>g.join()).join(" ")}),b("circ\
+el":"The shares of rock, paper and scissors among the remembered hands of both teams"},b("polygon",{class:"frame",points:Ea.map(y=>y.join()).join(" ")}),b("circ\
 le",{class:"middle",cx:150,cy:168.7,r:4}),b("text",{x:150,y:192,"text-anchor":"middle"},"one third each"),b("text",{class:"label",x:150,y:18,"text-anchor":"midd\
 le"},"rock"),b("text",{class:"label",x:266,y:262,"text-anchor":"middle"},"paper"),b("text",{class:"label",x:34,y:262,"text-anchor":"middle"},"scissors"),..._r.map(
-g=>i[g]),..._r.map(g=>l[g])),d=u("p",{class:"numbers"}),m=he("What the best answer wins against the remembered hands, by generation",(g,x)=>{let v=me(g,x,{low:0,
+y=>i[y]),..._r.map(y=>l[y])),d=u("p",{class:"numbers"}),m=he("What the best answer wins against the remembered hands, by generation",(y,x)=>{let v=me(y,x,{low:0,
 high:r,label:"generation",whole:!0},{low:.4,high:1,label:"best answer wins"});pe(v,[0,r],[.5,.5],"half");for(let w of _r)pe(v,o[w].map((S,A)=>A),a[w].map(Hn),`o\
-f-${w}`);return v},g=>ca(g,n.step,"of-both"),g=>n.jump(g)),p=()=>{let g=n.step;for(let v of _r){i[v].setAttribute("points",a[v].slice(0,g+1).map(A=>Aa(A).map(k=>k.
-toFixed(1)).join()).join(" "));let[w,S]=Aa(a[v][g]);l[v].setAttribute("transform",`translate(${w+xc[v]} ${S})`)}let x=v=>u("span",{class:v.slice(0,-1)},`${v} sh\
-ow ${Wn[o[v][g]]}`);d.replaceChildren(`Generation ${g}: `,x("pursuers"),", ",x("evaders"),".",...t.length>1?[` The best answer to the remembered hands of the pu\
-rsuers wins ${H(Hn(a.pursuers[g]))}.`]:[]),m.update()},h=()=>{o=Rr(r,s,Re(Gn)),a={pursuers:Ma(o.pursuers,s),evaders:Ma(o.evaders,s)},m.redraw(),p()};n.addEventListener(
-"step",p),h();let f=t.at(-1),y=Fe("memory (hands)",t,e,g=>g===f?"all":String(g),g=>{s=g,h()});return u("div",{class:"widget"},t.length>1&&y,u("div",{class:"two"},
+f-${w}`);return v},y=>ca(y,n.step,"of-both"),y=>n.jump(y)),p=()=>{let y=n.step;for(let v of _r){i[v].setAttribute("points",a[v].slice(0,y+1).map(A=>Aa(A).map(k=>k.
+toFixed(1)).join()).join(" "));let[w,S]=Aa(a[v][y]);l[v].setAttribute("transform",`translate(${w+xc[v]} ${S})`)}let x=v=>u("span",{class:v.slice(0,-1)},`${v} sh\
+ow ${Wn[o[v][y]]}`);d.replaceChildren(`Generation ${y}: `,x("pursuers"),", ",x("evaders"),".",...t.length>1?[` The best answer to the remembered hands of the pu\
+rsuers wins ${H(Hn(a.pursuers[y]))}.`]:[]),m.update()},h=()=>{o=Rr(r,s,Re(Gn)),a={pursuers:Ma(o.pursuers,s),evaders:Ma(o.evaders,s)},m.redraw(),p()};n.addEventListener(
+"step",p),h();let f=t.at(-1),g=Fe("memory (hands)",t,e,y=>y===f?"all":String(y),y=>{s=y,h()});return u("div",{class:"widget"},t.length>1&&g,u("div",{class:"two"},
 u("div",{},c),t.length>1&&u("div",{},st(["pursuers' hands","of-pursuers"],["evaders' hands","of-evaders"]),m.element)),d,Ce(n))}function ka({generations:t=30}){
 let{pursuers:e,evaders:r}=Rr(t,1,Re(Gn)),n=e.map(o=>r.map(a=>zn[o][a])),s=n.at(-1);return u("div",{class:"widget"},u("div",{class:"matrices"},Ie(n,`The last pur\
 suers score ${H(s.reduce((o,a)=>o+a,0)/s.length)} against all evaders.`)),Oe("0 loses","1 wins"))}var Dt=600,lt=20,Vn=5,Ut=10,qn={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},Oa={low:0,high:Dt,label:"generation",whole:!0},Ra={low:0,high:Ft,
@@ -453,13 +453,13 @@ cell)`));let l=[[],[]],c=he("Ones of both sides by generation",(v,w)=>{let S=me(
 let w=[[],[]],S=new at(e,n,Re(r));await Yn(S,()=>{for(let A of[0,1])w[A].push(S.ones(A)),l[A].push(S.objective(A));for(let A of[0,1])a[A].push(w[1-A].map(k=>jn(
 S.game,w[A].at(-1),k)));i.forEach(A=>A.draw?.()),c.redraw()},()=>s===v),s===v&&m(`${de(S.game)} game, seed ${r}: after ${Dt} generations side 1 has ${l[0].at(-1).
 toFixed(0)} ones, side 2 ${l[1].at(-1).toFixed(0)}.`)},h=[],f=he("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>Cc(h,v,w),De,
-De);f.element.classList.add("dots");let y=async v=>{let w=++s,S=[],{population:A,mutation:k}=v,C=`${e}${A===it.population?"":`, ${A} players`}${k===it.mutation?
+De);f.element.classList.add("dots");let g=async v=>{let w=++s,S=[],{population:A,mutation:k}=v,C=`${e}${A===it.population?"":`, ${A} players`}${k===it.mutation?
 "":`, mutation ${k}`}, hall ${v.hall}`;h=[...h.filter(E=>E.ends.length===Ut&&E.text!==C).slice(1-Kn),{text:C,ends:S}];for(let E=0;E<Ut&&s===w;E++){let M=new at(
-e,v,Re(E));await Yn(M,De,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${de(C)}: side 1 ends with ${La(S)} ones in the mean of ${Ut} races.`)},g=(v,w,S="")=>u(
+e,v,Re(E));await Yn(M,De,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${de(C)}: side 1 ends with ${La(S)} ones in the mean of ${Ut} races.`)},y=(v,w,S="")=>u(
 "button",{type:"button",class:S,onclick:()=>{v()}},w),x=u("div",{class:"sliders"},ba("game",Object.keys($r),v=>e=v),Fe("population",Mc,n.population,String,v=>o(
 {population:v})),Fe("mutation",Ec,n.mutation,String,v=>o({mutation:v})),...t?[Fe("hall of fame",Tc,Ca,String,v=>o({hall:v}))]:[Fe("seed",kc,0,String,v=>r=v)]);return t?
-(y(it).then(()=>s===1?y(n):void 0),u("div",{class:"widget"},x,u("div",{class:"buttons"},g(()=>y(n),"Play ten races","primary")),d,f.element)):u("div",{class:"wi\
-dget"},x,u("div",{class:"buttons"},g(p,"Play a race","primary"),g(async()=>{s++},"Stop")),u("div",{class:"matrices"},...i,u("figure",{},u("figcaption",{},"The t\
+(g(it).then(()=>s===1?g(n):void 0),u("div",{class:"widget"},x,u("div",{class:"buttons"},y(()=>g(n),"Play ten races","primary")),d,f.element)):u("div",{class:"wi\
+dget"},x,u("div",{class:"buttons"},y(p,"Play a race","primary"),y(async()=>{s++},"Stop")),u("div",{class:"matrices"},...i,u("figure",{},u("figcaption",{},"The t\
 ruth: ones"),st(["side 1","of-pursuers"],["side 2","of-evaders"]),c.element)),Oe("0 loses","1 wins"),d)}var Kn=6,La=t=>(t.reduce((e,r)=>e+r,0)/t.length).toFixed(
 1);function Cc(t,e,r){let n=me(e,r,{low:0,high:Ft,label:"ones of side 1 at the end",whole:!0},{low:0,high:Kn,label:""});return n.root.querySelectorAll(".axes .g\
 rid, .axes [text-anchor=end]").forEach(s=>s.remove()),t.forEach(({text:s,ends:o},a)=>{let i=n.y(Kn-a-.7);n.marks.before(b("text",{class:"label",x:n.left,y:i-12},
@@ -511,7 +511,7 @@ d numbers"});#n=u("p",{class:"small",role:"status"});#o;#s=null;#c=0;#m=0;#a=!oe
 this.player.addEventListener("state",()=>{this.#a&&!this.player.playing&&this.player.length&&this.player.step===this.player.length&&this.#p()})}set label(e){this.#e.
 ariaLabel=e}get runs(){return this.#a}set runs(e){this.#a=e,clearTimeout(this.#m),e?this.player.play():this.player.pause()}renew(e=!1){e||!this.#s||performance.
 now()-this.#c>Wa?this.#u():this.#p(Wa)}#p(e=Fc){clearTimeout(this.#m),this.#m=setTimeout(()=>this.#u(),e)}#u(){clearTimeout(this.#m);let e=this.#o();e&&(this.#s=
-Nr(e),this.#c=performance.now(),this.player.jump(0),this.player.length=e.length,this.player.marks=gr(this.#s),this.#h(),this.#a&&this.player.play())}#l(){this.#s&&
+Nr(e),this.#c=performance.now(),this.player.jump(0),this.player.length=e.length,this.player.marks=yr(this.#s),this.#h(),this.#a&&this.player.play())}#l(){this.#s&&
 this.#t.show(this.#s,this.player.time)}#h(){let e=this.#s?.moments[this.player.step]?.everCaptured;e&&(this.#r.textContent=`generation ${this.generation} · ${Array.
 from(e).filter(Boolean).length} of ${e.length} caught · step ${this.player.step}`)}drawWalls(e){let r=!1,n=!0,s=[0,0],o=([l,c])=>!!this.#s?.obstacles[l*this.#s.
 cols+c],a=(l,c)=>{this.#n.textContent=e(l,c)},i=l=>{let c=this.#t.cellAt(l.clientX,l.clientY);c&&o(c)!==n&&a(c,n)};return this.#e.addEventListener("pointerdown",
@@ -534,7 +534,7 @@ equal=String(d),this.#r.textContent=d?"As in the evaluation":l===void 0?m:`Episo
  ${H(c,3)} in ${r.length} steps.${i?` The cell says ${H(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,s=u("span",{class:"bar"});return s.style.height=`${Math.
 round(100*e)}%`,u("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${H(e)}`,"aria-label":`Episode ${r+1}, capture rate ${H(e)}`,"aria\
 -pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},s,u("span",{class:"count"},r+1))}};var ja=0,Ga=1,Wc=2,zc=176;function qa(t,e,r,n){let s=devicePixelRatio||1,o=xr(t);t.width=t.height=zc*s;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
-i;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=y=>!!r[y*i*i+d];h(Wc)&&(a.fillStyle=
+i;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=g=>!!r[g*i*i+d];h(Wc)&&(a.fillStyle=
 o.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let f=h(ja)&&h(Ga)?l*.18:0;h(ja)&&Va(a,Ne,m+f,p+f,l*.74,o.evader),h(Ga)&&Va(a,wr,m-f,p-f,l*.86,o.pursuer)}a.strokeStyle=
 n<e.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let c=Math.floor(i/2)*l;a.strokeRect(c,c,l,l)}function Va(t,e,r,n,s,o){e(t,r,n,s),t.fillStyle=o,t.fill()}var Ya="What it remembers: a number for each unit, from -1 to 1",Dr=class{element;#e;#t=u("canvas",{class:"seen",role:"img"});#r=u("h3");#n=u("p",{class:"small \
 muted"});#o=u("div",{class:"answers"});#s=u("div",{title:Ya});#c=null;#m=null;#a=null;#p=null;#u=null;#l=null;#h=0;constructor(e){this.#e=e,this.element=u("div",
@@ -548,9 +548,9 @@ let l={pursuers:Q(s,"pursuer",o.pursuer),evaders:Q(s,"evader",o.evader)};r.seek(
 over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(c);let d=!!(r.alive[e*r.n_agents+a]&&n.read("alive")[a]);qa(this.#t,r.config,d?n.view(a):null,a),this.#t.ariaLabel=
 `Field of view of ${V(a,r.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let m=c[a]??null;if(!d)return this.#d([],"It is gone.");let p=l[`${i}s`],
 h=typeof p=="string"?null:n.answer(p,a),f=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(u("p",{class:"small muted"},"It remembers:"),jc(h.memory));
-let y=this.#m?.game(n)??null,g=typeof p=="string"?`The script "${p}" plays for it${m===null?"":`; it goes ${ce[m]}`}.`:p.sampled?"Its action is drawn from these\
- probabilities.":"It takes the most probable action.",x=[["network",f],["perfect",y?.marginal(a)??null]],v=w=>u("p",{class:"small muted"},w);this.#d([...y?[v(`V\
-alue ${y.value.toFixed(2)} under perfect play.`)]:[],...Bc(x,m)],m===null?"The episode is over.":g)}#d(e,r){this.#o.replaceChildren(...e),this.#n.textContent=r}};
+let g=this.#m?.game(n)??null,y=typeof p=="string"?`The script "${p}" plays for it${m===null?"":`; it goes ${ce[m]}`}.`:p.sampled?"Its action is drawn from these\
+ probabilities.":"It takes the most probable action.",x=[["network",f],["perfect",g?.marginal(a)??null]],v=w=>u("p",{class:"small muted"},w);this.#d([...g?[v(`V\
+alue ${g.value.toFixed(2)} under perfect play.`)]:[],...Bc(x,m)],m===null?"The episode is over.":y)}#d(e,r){this.#o.replaceChildren(...e),this.#n.textContent=r}};
 function Bc(t,e){let r=t.filter(([,o])=>o);if(!r.length)return[];let n=u("div",{class:"action muted"},u("span"),...r.map(([o])=>u("span",{class:"head"},o))),s=Array.
 from(r[0][1],(o,a)=>u("div",{class:a===e?"action taken":"action"},u("span",{},ce[a]),...r.flatMap(([,i])=>Hc(i[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...s]:
 s}function Hc(t){let e=u("span",{class:"filled"});return e.style.width=`${100*t}%`,[u("span",{class:"track"},e),u("span",{class:"numbers"},t.toFixed(2))]}function jc(t){
@@ -594,13 +594,13 @@ dispatchEvent(new Event("takeover"))},"Take over"),n&&ri(()=>this.shown,n)),this
 "div",{class:"match"},u("header",{class:"match-head"},this.#o,this.#s),this.#m,u("div",{class:"stage"},s),u("div",{class:"aside"},this.#c,Lr(),this.actions,this.
 inspector.element),Ce(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.
 player.addEventListener("step",()=>this.#w()),r.on("match",()=>this.#f()),this.#b(),this.#x(0,0)}get#i(){return this.#t[this.#r.selected.run]}reveal(){this.#e.canvas.
-scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#p&&{match:this.match,step:this.player.step,champions:this.#p}}start(e){this.#a=e,this.#y()}playSoon(){
-this.#l=!0,this.#u||this.#v()}goTo(e){this.#h=e,!this.#u&&this.match&&this.#y()}#v(){!this.#l||!this.match||(this.#l=!1,this.player.jump(0),oe()||this.player.play())}#f(){
-this.#b(),clearTimeout(this.#u),this.#u=setTimeout(()=>this.#y(),su)}#y(){clearTimeout(this.#u),this.#u=0,this.player.pause(),this.#b();let{selected:e}=this.#r,
+scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#p&&{match:this.match,step:this.player.step,champions:this.#p}}start(e){this.#a=e,this.#g()}playSoon(){
+this.#l=!0,this.#u||this.#v()}goTo(e){this.#h=e,!this.#u&&this.match&&this.#g()}#v(){!this.#l||!this.match||(this.#l=!1,this.player.jump(0),oe()||this.player.play())}#f(){
+this.#b(),clearTimeout(this.#u),this.#u=setTimeout(()=>this.#g(),su)}#g(){clearTimeout(this.#u),this.#u=0,this.player.pause(),this.#b();let{selected:e}=this.#r,
 r=Ke.map(o=>nr(this.#i,o,e[o])).find(Boolean)??"";if(this.#m.textContent=r,r||!this.#a)return;this.match=sr(this.#a,this.#i,e);let[n,s]=this.names(e);this.#p={pursuer:{
 name:n,policy:Q(this.#i,"pursuer",e.pursuer)},evader:{name:s,policy:Q(this.#i,"evader",e.evader)}},this.recording=Nr(this.match),this.#n.show(this.#i,this.match),
-this.inspector.show(this.#a,this.#i,this.match,e),this.player.length=this.match.length,this.player.marks=gr(this.recording),this.#d=this.player.ticks=[],this.player.
-jump(this.#h),this.#h=0,this.#w(),this.#g(this.#a,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??""}`,this.#v()}async#g(e,r){
+this.inspector.show(this.#a,this.#i,this.match,e),this.player.length=this.match.length,this.player.marks=yr(this.recording),this.#d=this.player.ticks=[],this.player.
+jump(this.#h),this.#h=0,this.#w(),this.#y(this.#a,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??""}`,this.#v()}async#y(e,r){
 let n=await Ur(e,r.config);if(this.match!==r||!n)return;let s=e.world(r.config);r.seek(s,0),this.#d=Wr(n,s,ou(r)),s.free(),this.player.ticks=zr(this.#d),this.inspector.
 solution=n,this.#w()}names({run:e,pursuer:r,evader:n}){let{teams:s}=this.#t[e];return[s.pursuer.script??se("pursuer",r),s.evader.script??se("evader",n)]}#b(){let{
 episode:e,seed:r}=this.#r.selected,{payoff:n}=this.#i,[s,o]=this.names(this.#r.selected),a=r===null?e<n.episodes?`episode ${e+1} of ${n.episodes}`:`episode ${e+
@@ -613,11 +613,11 @@ children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==
 {length:e},(n,s)=>t.subarray(s*r,(s+1)*r));var au={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},iu=5;function di(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
 t.addEventListener("keydown",s=>{let o=au[s.key];if(!o)return;let[a,i]=n==="pursuer"?o:[o[1],o[0]],[l,c]=r(),d=s.shiftKey?iu:1,{pursuer:m,evader:p}=e.selected;e.
 select({pursuer:ui(m+d*a,l),evader:ui(p+d*i,c)}),s.preventDefault(),s.stopPropagation()})}var ui=(t,e)=>Math.min(e-1,Math.max(0,t));var lu=24,Hr=7,pi=t=>t<lu&&matchMedia("(pointer: coarse)").matches;function hi(t,e,r,n){let[s,o]=t.payoff.shape,[a,i]=[mi(e,s),mi(r,o)],[l,c]=[Math.min(Hr,s),Math.
-min(Hr,o)],d=[];for(let f=a+l-1;f>=a;f--){d.push(u("span",{class:"pursuer"},f));for(let y=i;y<i+c;y++)d.push(cu(t,f,y,n))}let m=Array.from({length:c},(f,y)=>u("\
-span",{class:"evader"},i+y)),p=u("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),h=u("div",{class:"loupe numbers",role:"grou\
+min(Hr,o)],d=[];for(let f=a+l-1;f>=a;f--){d.push(u("span",{class:"pursuer"},f));for(let g=i;g<i+c;g++)d.push(cu(t,f,g,n))}let m=Array.from({length:c},(f,g)=>u("\
+span",{class:"evader"},i+g)),p=u("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),h=u("div",{class:"loupe numbers",role:"grou\
 p","aria-label":"Cells around the tap"},...d,p,...m);return h.style.gridTemplateColumns=`2.4rem repeat(${c}, minmax(0, 1fr))`,h.addEventListener("click",f=>f.stopPropagation()),
 h}function cu(t,e,r,n){let s=u("button",{type:"button",onclick:()=>n({pursuer:e,evader:r})});return kr(s,Je(t,e,r)?.rate,`${se("pursuer",e)} against ${se("evade\
-r",r)}`),s}var mi=(t,e)=>Math.max(0,Math.min(e-Hr,t-Math.floor(Hr/2)));var re={left:52,bottom:46,top:76,right:84},ye=10,uu=160,jt=re.right-ye-14,We=re.top-ye-14,dt=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
+r",r)}`),s}var mi=(t,e)=>Math.max(0,Math.min(e-Hr,t-Math.floor(Hr/2)));var re={left:52,bottom:46,top:76,right:84},ge=10,uu=160,jt=re.right-ge-14,We=re.top-ge-14,dt=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
 {"aria-hidden":"true"});#o=b("g");#s;#c=u("h2");#m=u("strong",{class:"rate numbers"});#a=u("span",{class:"small muted"});#p=u("p",{class:"of-both-teams small mu\
 ted numbers"});#u=null;constructor(e,r){[this.#t,this.#e]=[e,r],this.#s=u("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
 ch, Enter plays it."},this.#r,this.#n);let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#c,this.#p),u("div",{class:"of-cell"},this.#m,this.#a));
@@ -630,23 +630,23 @@ max(uu,Math.min(n-re.left-re.right,s-re.top-re.bottom))/Math.max(e,r),i=Math.max
 2),c={width:n,height:s,left:i,top:l,cell:a,rows:e,columns:r};this.#u=c,ot(this.#r,this.#l.payoff,{left:i,top:l,width:r*a,height:e*a});for(let[d,m,p]of[["left",i,
 n],["top",l,s],["width",r*a,n],["height",e*a,s]])this.#r.style.setProperty(d,`${100*m/p}%`);this.#s.style.setProperty("--shape",`${n} / ${s}`),this.#n.setAttribute(
 "viewBox",`0 0 ${n} ${s}`),this.#n.replaceChildren(du(c),...mu(c),...this.#i(c),this.#o),this.#v()}#d(e){let r=this.#l.findings?.generalization;if(!r)return[];let{
-selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=fi(e,r.pursuers.mean[o]??0,o),[c,d]=yi(e,r.evaders.mean[a]??0,a);return[b("cir\
+selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=fi(e,r.pursuers.mean[o]??0,o),[c,d]=gi(e,r.evaders.mean[a]??0,a);return[b("cir\
 cle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),b("circle",{class:"dot of-evaders",cx:c,cy:d,r:5})]}#i(e){let r=this.#l.findings?.generalization;if(!r)return[];let{
-left:n,top:s,cell:o,rows:a,columns:i}=e,[l,c]=[n+i*o+ye,s-ye],d={class:"side"};return[b("rect",{...d,x:l,y:s,width:jt,height:a*o}),b("rect",{...d,x:n,y:c-We,width:i*
-o,height:We}),...gi(r.pursuers,(m,p)=>fi(e,m,p),"of-pursuers"),...gi(r.evaders,(m,p)=>yi(e,m,p),"of-evaders"),b("text",{class:"tick",x:l,y:s+a*o+16,"text-anchor":"\
+left:n,top:s,cell:o,rows:a,columns:i}=e,[l,c]=[n+i*o+ge,s-ge],d={class:"side"};return[b("rect",{...d,x:l,y:s,width:jt,height:a*o}),b("rect",{...d,x:n,y:c-We,width:i*
+o,height:We}),...yi(r.pursuers,(m,p)=>fi(e,m,p),"of-pursuers"),...yi(r.evaders,(m,p)=>gi(e,m,p),"of-evaders"),b("text",{class:"tick",x:l,y:s+a*o+16,"text-anchor":"\
 start"},"0"),b("text",{class:"tick",x:l+jt,y:s+a*o+16,"text-anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:c-4,"text-anchor":"end"},"0"),b("text",{class:"ti\
 ck",x:n-6,y:c-We+8,"text-anchor":"end"},"1"),b("text",{class:"label of-pursuers",x:l+jt,y:s+a*o+34,"text-anchor":"end"},"captures"),b("text",{class:"label of-ev\
-aders",x:n+i*o+ye,y:c-We+10,"text-anchor":"start"},"escapes")]}#v(){let e=this.#u;if(!e)return;let{selected:r,hover:n}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,
-c=f=>o+(i-1-f)*a,d=[],m=(f,y)=>b("rect",{class:y,x:s,y:c(f),width:l*a+ye+jt,height:a}),p=(f,y)=>b("rect",{class:y,x:s+f*a,y:o-ye-We,width:a,height:ye+We+i*a});d.
+aders",x:n+i*o+ge,y:c-We+10,"text-anchor":"start"},"escapes")]}#v(){let e=this.#u;if(!e)return;let{selected:r,hover:n}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,
+c=f=>o+(i-1-f)*a,d=[],m=(f,g)=>b("rect",{class:g,x:s,y:c(f),width:l*a+ge+jt,height:a}),p=(f,g)=>b("rect",{class:g,x:s+f*a,y:o-ge-We,width:a,height:ge+We+i*a});d.
 push(m(r.pursuer,"strip pursuer"),p(r.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&d.push(m(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&d.push(
 p(n.evader,"strip hover")),d.push(...this.#d(e));let h={x:s+r.evader*a,y:c(r.pursuer),width:a,height:a};d.push(b("rect",{class:"chosen under",...h}),b("rect",{class:"\
 chosen",...h})),this.#o.replaceChildren(...d),this.#f()}#f(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,s=r.evader??e.evader,o=Je(this.#l,n,s);this.#c.
 replaceChildren(u("span",{class:"pursuer"},de(se("pursuer",n)))," against ",u("span",{class:"evader"},se("evader",s))),this.#m.textContent=o?H(o.rate,3):"-",this.#a.
-textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#p.textContent=this.#y(n,s)}#y(e,r){let n=this.#l.findings?.generalization;
-if(!n)return"";let s=(o,a)=>aa(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,r)}`}#g(e){
+textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#p.textContent=this.#g(n,s)}#g(e,r){let n=this.#l.findings?.generalization;
+if(!n)return"";let s=(o,a)=>aa(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,r)}`}#y(e){
 let r=this.#u;if(!r)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((e.clientY-n.top-r.top)/
-r.cell),[a,i]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#b(e){let r=this.#g(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,
-evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#g(e);if(r){if(r.inside&&pi(this.#u.cell))return this.#x(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?
+r.cell),[a,i]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#b(e){let r=this.#y(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,
+evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#y(e);if(r){if(r.inside&&pi(this.#u.cell))return this.#x(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?
 {}:{evader:r.h}}),r.inside&&this.#S()}}#x(e,r){let n=hi(this.#l,e,r,s=>{n.remove(),s&&(this.#e.select(s),this.#S())});this.#s.append(n)}#S(){this.#s.dispatchEvent(
 new CustomEvent("play",{bubbles:!0}))}};function du({left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"axes"}),a=e+n*r,i=l=>Nt(0,l-1,Math.min(l,l*r/44),
 !0);for(let l of i(s))o.append(b("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))o.append(b("text",{class:"tick",x:t-7,y:a-
@@ -655,7 +655,7 @@ er generation"),b("text",{class:"label of-pursuers",transform:`translate(${t-36}
 left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=e+n*r;for(let d of["H","V"]){let m=`M${t} ${i}`;for(let p=1;p<=
 a;p++){let[h,f]=[`H${t+p*r}`,`V${i-p*r}`];m+=d==="H"?h+f:f+h}o.append(b("path",{d:m,class:"under"}),b("path",{d:m}))}let[l,c]=[t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[
 o,b("text",{class:"on-cells",transform:`translate(${l} ${c}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var fi=({left:t,top:e,cell:r,rows:n,columns:s},o,a)=>[
-t+s*r+ye+o*jt,e+(n-a-.5)*r],yi=({left:t,top:e,cell:r},n,s)=>[t+(s+.5)*r,e-ye-n*We];function gi(t,e,r){let n=o=>o.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(
+t+s*r+ge+o*jt,e+(n-a-.5)*r],gi=({left:t,top:e,cell:r},n,s)=>[t+(s+.5)*r,e-ge-n*We];function yi(t,e,r){let n=o=>o.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(
 " ")),s=[];return t.low&&t.high&&s.push(b("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].join("L")}Z`})),s.push(b("path",{class:`line ${r}`,
 d:`M${n(t.mean).join("L")}`})),s}var vi={pursuer:null,evader:null},mt=class extends EventTarget{#e;#t=vi;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#t}select(e){
 let r=this.#e,n=["run","pursuer","evader"].some(s=>s in e&&e[s]!==r[s]);this.#e={...r,...n?{episode:0,seed:null}:{},...e},this.#e.run!==r.run&&this.dispatchEvent(
@@ -665,7 +665,7 @@ this.recording=Xn(r,this.#e.map(),this.#t)}get length(){return this.actions.leng
 "capture_rate")[0]}}conflicts(e){return this.#r[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#n(e)}step(e,r,n){let[s,o]=[this.#e,this.config.n_pursuers],
 a=new Uint8Array(s.n_agents);for(let i=s.n_turns;i>0&&!s.over;--i){let[l,c]=s.actors;l<o&&(a=s.decide(e.pursuer,[l,Math.min(c,o)],a)),c>o&&(a=s.decide(e.evader,
 [Math.max(l,o),c],a)),typeof n=="number"?a[r]=n:l<=r&&r<c&&(a=s.decide(n,[r,r+1],a)),s.playTurn(a)}this.#n(a)}#n(e){this.actions.push(e),this.#t.push(Qn(this.#e,
-e)),this.#r.push(this.#e.conflicts())}};var ge=(t,e)=>Ke[+(e>=t.n_pursuers)];function ss(t,e){let r=new jr(t,e.config,{seed:e.seed,episode:e.episode});for(let n of e.moves)r.over||r.step(e.policies,e.
+e)),this.#r.push(this.#e.conflicts())}};var ye=(t,e)=>Ke[+(e>=t.n_pursuers)];function ss(t,e){let r=new jr(t,e.config,{seed:e.seed,episode:e.episode});for(let n of e.moves)r.over||r.step(e.policies,e.
 seat,n);return r}function pt(t,e){let{moments:r,nPursuers:n}=t.recording,s=r.findIndex(({alive:a,captured:i})=>!a[e]||!!i[e-n]),o=s<0?t.length:s;return{lasted:o,
 out:s>=0,captured:Array.from(r[o].everCaptured).filter(Boolean).length}}var Gr=(t,e)=>t.over||pt(t,e).out;function bi(t,e,r){let n=ss(t,{...e,moves:e.moves.slice(
 0,e.from)});for(;!Gr(n,e.seat);)n.step(e.policies,e.seat,r);return pt(n,e.seat)}function wi(t){let e=t.length-1;return[...new Set([0,Math.round(e/3),e])].map(r=>t[r])}
@@ -673,17 +673,17 @@ function xi(t,{seat:e,from:r,moves:n}){let s={...t,seat:e,...r?{from:r}:{},moves
 =${a}`).join("&")}`}function Si(t,e){let[r,n,s]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(r)&&Number(r)<e.n_pursuers+e.n_evaders&&
 (e.diagonal?/^[0-8]+$/:/^[0-4]+$/).test(s)&&s.length<=e.max_steps&&/^\d{1,6}$/.test(n)&&Number(n)<=s.length?{seat:Number(r),from:Number(n),moves:[...s].map(Number)}:
 null}function os(t,e,r,n,s,o){e.play({title:r,played:n,ending:(a,i)=>[pu(t,a,i,wi(s))],again:()=>os(t,e,r,{...n,moves:n.moves.slice(0,n.from)},s,o),link:a=>o&&xi(o,a)})}
-function pu(t,e,r,n){let s=ge(r.config,r.seat)==="evader",o=s?r.config.max_steps:r.config.n_evaders,a=u("table",{class:"numbers"},u("caption",{},s?"Steps in you\
+function pu(t,e,r,n){let s=ye(r.config,r.seat)==="evader",o=s?r.config.max_steps:r.config.n_evaders,a=u("table",{class:"numbers"},u("caption",{},s?"Steps in you\
 r seat: same start, same others":"Captures of your team: same start, same others")),i=c=>{let[d,m]=[u("span",{class:s?"bar evader":"bar pursuer"}),u("td",{},"…")];
 return a.append(u("tr",{},u("th",{scope:"row"},c),u("td",{class:"track","aria-hidden":"true"},d),m)),({lasted:p,captured:h})=>{d.style.width=`${100*(s?p:h)/o}%`,
 m.textContent=String(s?p:h)}};i("You")(pt(e,r.seat));for(let{name:c,policy:d}of n){let m=i(c);setTimeout(()=>m(bi(t,r,d())))}let l=r.from?`You took over at step\
- ${r.from}. `:"";return u("div",{},a,u("p",{class:"small muted"},`${l}One match: luck has its part in it.`))}var Ai=["·","↑","→","↓","←","↗","↘","↙","↖"];var hu={" ":0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,s:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},as=[8,1,5,4,0,2,7,3,6],fu=[7,8,9,4,5,6,1,2,3],yu=24,gu=Math.tan(
+ ${r.from}. `:"";return u("div",{},a,u("p",{class:"small muted"},`${l}One match: luck has its part in it.`))}var Ai=["·","↑","→","↓","←","↗","↘","↙","↖"];var hu={" ":0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,s:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},as=[8,1,5,4,0,2,7,3,6],fu=[7,8,9,4,5,6,1,2,3],gu=24,yu=Math.tan(
 Math.PI/8);function Ei(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=fu.findIndex(s=>t.code===`Numpad${s}`),n=as[r]??hu[t.key.length===1?t.key.toLowerCase():
 t.key];return n!==void 0&&n>4&&!e?void 0:n}function Ti(t){let e=as.map(r=>u("button",{type:"button","aria-label":ce[r],onclick:()=>t(r)},Ai[r]));return{element:u(
-"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,s)=>n.classList.toggle("absent",as[s]>4&&!r))}}function Mi(t,e,r){let n=gu*
+"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,s)=>n.classList.toggle("absent",as[s]>4&&!r))}}function Mi(t,e,r){let n=yu*
 Math.max(Math.abs(t),Math.abs(e)),s=o=>Math.abs(o)<n?0:o;return Ao([0,0],r?[s(t),s(e)]:[t,e],r)}function ki(t,e,r){let n=null,{canvas:s}=t;s.addEventListener("p\
 ointerdown",({button:o,clientX:a,clientY:i})=>{n=o===0?[a,i]:null}),s.addEventListener("pointercancel",()=>{n=null}),s.addEventListener("pointerup",({clientX:o,
-clientY:a})=>{let[i,l]=[n,e()];if(n=null,!i||!l)return;let[c,d]=[o-i[0],a-i[1]],m=t.cellAt(o,a);Math.hypot(c,d)>=yu?r(Mi(d,c,l.diagonal)):m&&r(Mi(m[0]-l.cell[0],
+clientY:a})=>{let[i,l]=[n,e()];if(n=null,!i||!l)return;let[c,d]=[o-i[0],a-i[1]],m=t.cellAt(o,a);Math.hypot(c,d)>=gu?r(Mi(d,c,l.diagonal)):m&&r(Mi(m[0]-l.cell[0],
 m[1]-l.cell[1],l.diagonal))})}function Ci(t,e){let r=n=>{let s=e[n]-t[n],o=tt.findIndex(a=>a[n]===Math.sign(s)&&a[1-n]===0);return s?`${Math.abs(s)} ${ce[o]}`:""};
 return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var $i="NUMPY\0",Oi=$i.length+2,Ri=64;function _i(t){return Js(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,vu(r)])))}function vu({dtype:t,shape:e,
 data:r}){let n=typeof r=="string"?Array.from(r,d=>d.codePointAt(0)):null,s=e.map(d=>`${d}, `).join(""),o=`{'descr': '${n?`<U${n.length}`:t}', 'fortran_order': F\
@@ -691,14 +691,14 @@ alse, 'shape': (${s}), }`,a=Math.ceil((Oi+o.length+1)/Ri)*Ri-Oi,i=$i+String.from
 `,l=n?Int32Array.from(n):r,c=new Uint8Array(i.length+l.byteLength);return c.set(er(i,!0)),c.set(new Uint8Array(l.buffer,l.byteOffset,l.byteLength),i.length),c}var bu="matrixworld episode 3";function Pi(t,e,r){let{config:n,actions:s,length:o,recording:a}=e,[i,l]=[n.n_pursuers+n.n_evaders,n.n_evaders],c={positions:["<i4",
 i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",l],ever_captured:["|b1",l]},d={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},m={},p=w=>{
 for(let S of Object.keys(w))(m[S]??=[]).push(Array.from(h.read(S),Number))},h=t.world(n);h.reset(e.start);let f=[];p(c);for(let w of s)h.step(w),p({...c,...d}),
-f.push(...h.conflictTable());h.free();let y={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},g={};for(let[w,[S,...A]]of Object.entries({...c,...d})){let k=o+
-+(w in c);g[w]={dtype:S,shape:[k,...A],data:y[S].from((m[w]??[]).flat())}}let x=w=>({dtype:"<i8",shape:[],data:Int32Array.of(w,0)}),v=w=>({dtype:"<U",shape:[],data:w});
-return _i({format:v(bu),n_pursuers:x(n.n_pursuers),config:v(JSON.stringify(n)),seat:x(r),...g,actions:{dtype:"|i1",shape:[o,i],data:Int8Array.from(s.flatMap(w=>[
+f.push(...h.conflictTable());h.free();let g={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},y={};for(let[w,[S,...A]]of Object.entries({...c,...d})){let k=o+
++(w in c);y[w]={dtype:S,shape:[k,...A],data:g[S].from((m[w]??[]).flat())}}let x=w=>({dtype:"<i8",shape:[],data:Int32Array.of(w,0)}),v=w=>({dtype:"<U",shape:[],data:w});
+return _i({format:v(bu),n_pursuers:x(n.n_pursuers),config:v(JSON.stringify(n)),seat:x(r),...y,actions:{dtype:"|i1",shape:[o,i],data:Int8Array.from(s.flatMap(w=>[
 ...w]))},map:{dtype:"|b1",shape:[n.rows,n.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[f.length/11,11],data:Int32Array.from(
 f)}})}var wu=[0,1,2,4,8],Vr=class{element;player=new ue(0,{speed:4,still:oe()});#e;#t;#r=u("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=u("h2");#o=u("p",{
 class:"play-told",role:"status"});#s=Ti(e=>this.act(e));#c=dr(wu.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#T());#m=u("input",{type:"checkbox"});#a=u("in\
 put",{type:"checkbox"});#p=u("label",{class:"play-choice"},this.#a,"Best move");#u=u("p",{class:"small muted play-keys",id:"play-keys"});#l=u("section",{class:"\
-play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#h=Ce(this.player);#d=null;#i=null;#v=[];#f=null;#y=null;#g=[];#b=0;#w=0;constructor(e){this.#e=e,this.#t=
+play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#h=Ce(this.player);#d=null;#i=null;#v=[];#f=null;#g=null;#y=[];#b=0;#w=0;constructor(e){this.#e=e,this.#t=
 new ke(this.#r,{numbers:!1}),this.#r.setAttribute("role","application"),this.#m.addEventListener("change",()=>this.#S()),this.#a.addEventListener("change",()=>this.#k()),
 ki(this.#t,()=>{let r=this.#f!==null&&this.#i&&R(this.#i.recording.moments.at(-1),this.#f);return r?{cell:r,diagonal:this.#i.config.diagonal}:null},r=>this.act(
 r)),this.player.addEventListener("frame",()=>this.#i&&this.#t.show(this.#i.recording,this.player.time)),this.player.addEventListener("step",()=>this.#k()),this.
@@ -714,27 +714,27 @@ e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#x(e,r,n){t
 ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#u.replaceChildren(u("span",{class:"at-length"},`W A S D or t\
 he arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the board: swipe, or tap where to go."),this.#A(
 e),this.#l.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#S(){this.#t.look={you:this.#f,fog:this.#m.checked,viewers:this.#f===
-null?[]:[this.#f],plan:this.#C()}}#A(e){this.#y=null,this.#g=this.player.ticks=[],this.#p.hidden=this.#a.disabled=!!Xt(e.config),Ur(this.#e,e.config,oi(e.config)).
-then(r=>{this.#i===e&&(this.#y=r,this.#E(),this.#k())})}#E(){let[e,r]=[this.#i,this.#y];if(!r||this.element.dataset.state==="playing")return;let n=this.#e.world(
-e.config);n.reset(e.start),this.#g=Wr(r,n,e.actions),n.free(),this.player.ticks=zr(this.#g)}get#M(){return this.#a.checked&&this.#d&&this.element.dataset.state===
-"playing"&&this.#y&&this.#i.game(this.#y)||null}#C(){let[e,r]=[this.#f,this.#f!==null&&this.#M?.marginal(this.#f)];return e!==null&&r?Object.assign(Array(e).fill(
+null?[]:[this.#f],plan:this.#C()}}#A(e){this.#g=null,this.#y=this.player.ticks=[],this.#p.hidden=this.#a.disabled=!!Xt(e.config),Ur(this.#e,e.config,oi(e.config)).
+then(r=>{this.#i===e&&(this.#g=r,this.#E(),this.#k())})}#E(){let[e,r]=[this.#i,this.#g];if(!r||this.element.dataset.state==="playing")return;let n=this.#e.world(
+e.config);n.reset(e.start),this.#y=Wr(r,n,e.actions),n.free(),this.player.ticks=zr(this.#y)}get#M(){return this.#a.checked&&this.#d&&this.element.dataset.state===
+"playing"&&this.#g&&this.#i.game(this.#g)||null}#C(){let[e,r]=[this.#f,this.#f!==null&&this.#M?.marginal(this.#f)];return e!==null&&r?Object.assign(Array(e).fill(
 0),{[e]:r.indexOf(Math.max(...r))}):null}#T(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#c.value)?"off":"polite"}#O(){let[{policies:e,seat:r},
 n]=[this.#d.played,this.#i];n.step(e,r,this.#b),this.#v.push(this.#b),this.player.length=n.length,this.player.glide=Math.min(.22,.9/(Number(this.#c.value)||4)),
 this.player.move(n.length-this.player.step),Gr(n,r)&&this.#R()}#R(){this.#T();let[e,r,n]=[this.#d,this.#i,this.played],s=vo()?e.link(n):null;this.#l.replaceChildren(
 u("h3",{id:"play-headline"},Au(r,n.seat)),...e.ending(r,n),u("div",{class:"play-buttons"},u("button",{type:"button",class:"primary",onclick:()=>e.again()},"Agai\
 n"),u("button",{type:"button",onclick:()=>this.#$()},"Watch it"),u("button",{type:"button",onclick:()=>this.#_(r,n.seat)},"Save"),s&&u("button",{type:"button",onclick:({
-currentTarget:a})=>Eu(a,s)},"Link"))),this.element.dataset.state="ended",this.#E();let o=this.#g.filter(({team:a})=>a===ge(r.config,n.seat));o.length&&this.#l.children[0].
+currentTarget:a})=>Eu(a,s)},"Link"))),this.element.dataset.state="ended",this.#E();let o=this.#y.filter(({team:a})=>a===ye(r.config,n.seat));o.length&&this.#l.children[0].
 after(u("p",{class:"small muted"},ii(o))),this.#l.focus({preventScroll:!0}),this.#l.scrollIntoView({block:"nearest"})}#$(){this.element.dataset.state="watched",
 this.player.length=this.#i.length,this.player.jump(0),oe()||this.player.play()}#_(e,r){et(`${V(r,e.config.n_pursuers)}-${e.length}-steps.npz`,Pi(this.#e,e,r))}#k(){
 let[e,r,{step:n}]=[this.#i,this.#f,this.player];if(!e||n>e.length)return;let s=Br(e,e.recording,n).filter(({agents:l})=>r===null||l.includes(r)),o=this.#d&&n===
-0,a=o?[xu(e.config,r),this.#d.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&r!==null&&a.push(Su(e,n,r)),a.push(...this.#g.filter(
-l=>l.step===n).map(Ht));let i=n===e.length&&r!==null?this.#M:null;i&&a.push(`Perfect play: ${ci(i,r)||"decided in its turn"}; ${li(this.#y,i,n)}`),this.#S(),this.#o.
-textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function xu(t,e){let r=t.rules.capture==="SURROUND";return ge(t,e)==="evader"?`Run away: you win if ${r?
+0,a=o?[xu(e.config,r),this.#d.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&r!==null&&a.push(Su(e,n,r)),a.push(...this.#y.filter(
+l=>l.step===n).map(Ht));let i=n===e.length&&r!==null?this.#M:null;i&&a.push(`Perfect play: ${ci(i,r)||"decided in its turn"}; ${li(this.#g,i,n)}`),this.#S(),this.#o.
+textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function xu(t,e){let r=t.rules.capture==="SURROUND";return ye(t,e)==="evader"?`Run away: you win if ${r?
 "the pursuers do not surround you":"no pursuer reaches your cell"} in ${t.max_steps} steps`:`Capture evaders: ${r?"surround them with your team":"move onto thei\
-r cells"}`}function Su({config:t,recording:e},r,n){let s=e.moments[r],a=ge(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=R(s,n),l=m=>{let[p,
-h]=R(s,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>ge(t,m)===a&&s.alive[m]&&!s.captured[m-t.
+r cells"}`}function Su({config:t,recording:e},r,n){let s=e.moments[r],a=ye(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=R(s,n),l=m=>{let[p,
+h]=R(s,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>ye(t,m)===a&&s.alive[m]&&!s.captured[m-t.
 n_pursuers]&&2*l(m)<t.fov);if(!c.length)return`No ${a} in view`;let d=c.reduce((m,p)=>l(p)<l(m)?p:m);return`Nearest ${a}: ${Ci(i,R(s,d))}`}function Au(t,e){let[
-{lasted:r,out:n,captured:s},{config:o}]=[pt(t,e),t];return ge(o,e)==="pursuer"?`Your team captured ${s} of ${Mu(o)} in ${r} steps.`:n?`You lasted ${r} of ${o.max_steps}\
+{lasted:r,out:n,captured:s},{config:o}]=[pt(t,e),t];return ye(o,e)==="pursuer"?`Your team captured ${s} of ${Mu(o)} in ${r} steps.`:n?`You lasted ${r} of ${o.max_steps}\
  steps.`:`You escaped: ${r} steps.`}var Mu=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Eu(t,e){let r=bo("Link to this match");r.value=e,t.replaceWith(
 r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var Tu=2n**64n-1n;function Li(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),s=(c,d,m)=>{let p=n.get(c)??"";return/^\d{1,9}$/.test(p)&&Number(p)<d?Number(
 p):m},o=s("run",e.length,r.run),[a,i]=e[o].payoff.shape,l=n.get("seed")??"";return{run:o,pursuer:s("pursuers",a,Math.min(r.pursuer,a-1)),evader:s("evaders",i,Math.
@@ -744,11 +744,11 @@ dialog.addEventListener("close",()=>this.view?.stop())}start(e,r=""){this.#o=e;l
 this.#e[n.run].world);s&&this.play(n,s)}open(){let e=this.#r.shown;if(!e)return;let{match:r,step:n}=e;this.#r.player.pause();let s=this.#r.inspector.agent,o=n<r.
 length?n:0,a=(m,p)=>!!r.alive[p*r.n_agents+m],i=Array.from({length:r.n_agents},(m,p)=>(p+r.config.n_pursuers)%r.n_agents),l=s??i.find(m=>a(m,o)),c=a(l,o)?o:0,d=Array.
 from({length:c},(m,p)=>r.actions[p*r.n_agents+l]);this.play(this.#t.selected,{seat:l,from:c,moves:d})}play(e,r){let[n,s]=[this.#o,this.#e[e.run]];if(!n||Ke.some(
-g=>nr(s,g,e[g])))return;let{run:o,pursuer:a,evader:i,episode:l,seed:c}=e,d=ge(s.world,r.seat),m=s.teams[d].kept.map(g=>({name:s.teams[d].script??`generation ${g}`,
-text:"",policy:()=>Q(s,d,g)}));this.view||(this.view=new Vr(n),this.dialog.append(u("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},"Clos\
+y=>nr(s,y,e[y])))return;let{run:o,pursuer:a,evader:i,episode:l,seed:c}=e,d=ye(s.world,r.seat),m=s.teams[d].kept.map(y=>({name:s.teams[d].script??`generation ${y}`,
+text:"",policy:()=>Q(s,d,y)}));this.view||(this.view=new Vr(n),this.dialog.append(u("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},"Clos\
 e"),this.view.element)),this.dialog.open||this.dialog.showModal();let p=`You are ${V(r.seat,s.world.n_pursuers)}: ${this.#r.names(e).join(" against ")}`,h={pursuer:Q(
-s,"pursuer",a),evader:Q(s,"evader",i)},f={config:s.world,seed:BigInt(c??s.seeds[a][i]),episode:l,policies:h,...r},y={run:o,pursuers:a,evaders:i,episode:l,...c===
-null?{}:{seed:c}};os(n,this.view,p,f,m,this.#n?y:null)}};var is=t=>Array.from({length:t},()=>Array(t)),Yr=class{learning=L;settings=[];training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={
+s,"pursuer",a),evader:Q(s,"evader",i)},f={config:s.world,seed:BigInt(c??s.seeds[a][i]),episode:l,policies:h,...r},g={run:o,pursuers:a,evaders:i,episode:l,...c===
+null?{}:{seed:c}};os(n,this.view,p,f,m,this.#n?g:null)}};var is=t=>Array.from({length:t},()=>Array(t)),Yr=class{learning=L;settings=[];training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={
 pursuer:[],evader:[]};#e;#t;#r;constructor(e,r,n,s){[this.#r,this.#e,this.#t,this.name,this.schedule]=[e,r,s,n,n],[this.world,this.seed]=[e.world,String(e.seed)];
 let o=e.schedule.generations+1;this.seeds=Array.from({length:o},(a,i)=>Array.from({length:o},(l,c)=>String(or(e.seed,i,c)))),this.payoff=this.#n(),this.teams=this.#o()}get newest(){
 return this.genomes.pursuer.length-1}#n(){let e=this.#r.schedule.generations+1;return{first:[0,0],shape:[e,e],episodes:this.#r.evaluation_episodes,capture_rate:is(
@@ -760,19 +760,19 @@ lengths:s}){this.payoff.capture_rate[e][r]=B(n),this.payoff.capture_rates[e][r]=
 let e=this.payoff.capture_rate,r=o=>({mean:o,low:null,high:null}),n=o=>{let a=o.filter(i=>i!==void 0);return a.length?B(a):null},s=[...this.genomes.pursuer.keys()];
 return{pursuers:r(s.map(o=>n(e[o]))),evaders:r(s.map(o=>n(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Gt=t=>`${Math.round(100*t)} %`,ku=100,Cu=0,Kr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#t;#r;#n=u("h2",
 {class:"lane-title"});#o=u("p",{class:"facts numbers"});#s=u("div",{class:"lane-room",hidden:!0});#c=u("section",{class:"card measures",hidden:!0});#m=u("div");#a;#p={
-pursuer:[],evader:[]};#u=new Map;#l;#h;#d=()=>{};#i=0;#v=!0;#f=0;#y=null;constructor(e,r,n,s){super(),[this.#e,this.#t,this.#r,this.settings]=[e,r,n,s],this.newest=
+pursuer:[],evader:[]};#u=new Map;#l;#h;#d=()=>{};#i=0;#v=!0;#f=0;#g=null;constructor(e,r,n,s){super(),[this.#e,this.#t,this.#r,this.settings]=[e,r,n,s],this.newest=
 new Ue(()=>this.#A(this.#a.newest)),this.beginning=new Ue(()=>this.#A(0)),this.beginning.element.classList.add("beginning");let o=u("div",{class:"boards"},this.
 newest.element,this.beginning.element);this.element=u("section",{class:"lane"},this.#n,this.#o,o,this.#s,this.#c,this.#m),n.onmessage=({data:a})=>this.#b(a),this.
-reset(s)}reset(e){this.#g({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#S();let{archive:r}=new Qe(this.#t,e,this.#e.masks);this.#a.add(
+reset(s)}reset(e){this.#y({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#S();let{archive:r}=new Qe(this.#t,e,this.#e.masks);this.#a.add(
 {pursuer:r.pursuer[0],evader:r.evader[0]}),this.#s.hidden=this.#c.hidden=!0,this.#E(!0),this.#M()}start(){this.#S(),[this.state,this.done]=["evolving",0],this.#s.
-hidden=!1,this.#c.hidden=!0,this.#g({type:"start",settings:this.settings,masks:this.#e.masks}),this.#M()}stop(){this.#g({type:"stop"}),this.state==="evolving"&&
-(this.state="stopped"),this.#M()}change(e){if(this.state==="waiting")return this.reset(e);this.settings=e,this.#g({type:"change",settings:e}),this.#M()}takeOver(){
+hidden=!1,this.#c.hidden=!0,this.#y({type:"start",settings:this.settings,masks:this.#e.masks}),this.#M()}stop(){this.#y({type:"stop"}),this.state==="evolving"&&
+(this.state="stopped"),this.#M()}change(e){if(this.state==="waiting")return this.reset(e);this.settings=e,this.#y({type:"change",settings:e}),this.#M()}takeOver(){
 let e=this.#a.newest;this.#h.play({run:0,pursuer:e,evader:e,episode:0,seed:null},{seat:this.#a.world.n_pursuers,from:0,moves:[]})}saved(){return new Promise(e=>{
-this.#y=e,this.#g({type:"save"})})}get newestGeneration(){return this.#a.newest}close(){this.#r.terminate(),this.newest.runs=this.beginning.runs=!1}#g(e){this.#r.
+this.#g=e,this.#y({type:"save"})})}get newestGeneration(){return this.#a.newest}close(){this.#r.terminate(),this.newest.runs=this.beginning.runs=!1}#y(e){this.#r.
 postMessage(e)}#b(e){if(e.type==="generation"){if(this.state!=="evolving")return;this.#a.add(e.genomes),this.#E(e.number===0)}else if(e.type==="cell"){let{pursuer:r,
 evader:n}=e.cell;this.#a.addCell(e.cell),this.#v&&r===n&&r===this.#a.newest&&this.#l.select({pursuer:r,evader:n}),this.#u.set(`${r} ${n}`,e.cell)}else if(e.type===
 "scores")for(let r of L)this.#p[r][e.number]=e.scores[r];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#x(),this.#E(!0)):e.type==="epoch"?this.
-done=e.done/e.of:e.type==="end"?(this.state==="evolving"&&([this.state,this.seconds,this.done]=["ended",e.seconds,1]),this.#C()):e.type==="saved"?this.#y?.(e.race):
+done=e.done/e.of:e.type==="end"?(this.state==="evolving"&&([this.state,this.seconds,this.done]=["ended",e.seconds,1]),this.#C()):e.type==="saved"?this.#g?.(e.race):
 (this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#f||(this.#f=setTimeout(()=>requestAnimationFrame(()=>this.#w()),ku))}#w(){this.#f=
 0,this.#l.dispatchEvent(new Event("run")),this.#d(),this.#M()}#x(){this.#u=new Map,this.#p={pursuer:[],evader:[]},this.#c.hidden=!0}#S(){let e=`race ${Cu++}`,r=Ir(
 this.settings);this.#a=new Yr(this.settings,this.#e.masks,r,e),this.#x(),this.#v=!0,this.#l=new mt({run:0,pursuer:0,evader:0,episode:0,seed:null});let[n,s]=[new dt(
@@ -852,14 +852,14 @@ the end of the lesson. Names of files do not matter. Each pupil counts once: a s
 addEventListener("dragover",p=>p.preventDefault()),document.addEventListener("drop",p=>{p.preventDefault(),l(p.dataTransfer?.files??[])}),document.getElementById(
 "page").replaceWith(mr("How the class voted",u("span",{},`${t.title} `,u("a",{href:"#"},"Back to the lesson"))),u("main",{},m,s),u("footer",{class:"small muted"},
 `matrixworld ${t.version}, edition ${t.edition} of the course`)),i()}function Wu(t,e,r,n){let{predict:s,options:o,outcome:a}=t,i=e.counts.get(s),l=[...i.values()].
-reduce((h,f)=>h+f,0),c=r.has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.entries(o).map(([h,f])=>{let y=u("span",{class:"filled"});y.style.width=`${100*i.
-get(h)/Math.max(1,l)}%`;let g=c&&h===a;return u("li",{class:g?"vote right":"vote"},u("span",{},`${h}. ${f}`,g&&u("strong",{}," ✓ the outcome")),u("span",{class:"\
-bar","aria-hidden":"true"},y),u("span",{class:"numbers"},`${i.get(h)} of ${l}`,d&&u("span",{class:"muted"},`, at first ${d.get(h)}`)))}),p=u("button",{type:"but\
+reduce((h,f)=>h+f,0),c=r.has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.entries(o).map(([h,f])=>{let g=u("span",{class:"filled"});g.style.width=`${100*i.
+get(h)/Math.max(1,l)}%`;let y=c&&h===a;return u("li",{class:y?"vote right":"vote"},u("span",{},`${h}. ${f}`,y&&u("strong",{}," ✓ the outcome")),u("span",{class:"\
+bar","aria-hidden":"true"},g),u("span",{class:"numbers"},`${i.get(h)} of ${l}`,d&&u("span",{class:"muted"},`, at first ${d.get(h)}`)))}),p=u("button",{type:"but\
 ton",id:`outcome-${s}`,onclick:()=>{r.add(s),n()}},"Show the outcome");return u("section",{class:"card question",id:`votes-${s}`},u("h2",{},t.question),u("ul",{
 class:"of-votes"},...m),t.later?u("p",{class:"muted"},t.later):c?u("div",{class:"reply"},...Wt(t.explanation??"")):u("div",{},p))}var Gi="#votes",zu=["explorer"],Bu=t=>"needs"in t?t.needs:void 0,Zr=t=>"widget"in t;function Hu(t){let e=[];for(let r of t){let n=e.at(-1);!n||"text"in r||Zr(r)&&
 n.some(Zr)?e.push([r]):n.push(r)}return e}function ju(t){let e=t.find(Zr);return e&&t.length>1&&!zu.includes(e.widget)&&!e.grows?"block beside":"block"}var us=class{#e;#t;#r=()=>{};#n=new Promise(
-e=>this.#r=e);#o={chase:()=>Di(this.#e,this.#n),evolving:e=>Ui(this.#e,this.#n,e),"right-of-way":va,flat:ga,hands:Ta,"hands-matrix":ka,games:_a,numbers:Pa,matrices:()=>fa(
-this.#e),explorer:()=>zi(this.#e,this.#n),judgement:()=>Bi(this.#e),"same-diagonal":ya,exit:e=>Ua(e,this.#t)};constructor(e){[this.#e,this.#t]=[e,new Jr(e.edition)];
+e=>this.#r=e);#o={chase:()=>Di(this.#e,this.#n),evolving:e=>Ui(this.#e,this.#n,e),"right-of-way":va,flat:ya,hands:Ta,"hands-matrix":ka,games:_a,numbers:Pa,matrices:()=>fa(
+this.#e),explorer:()=>zi(this.#e,this.#n),judgement:()=>Bi(this.#e),"same-diagonal":ga,exit:e=>Ua(e,this.#t)};constructor(e){[this.#e,this.#t]=[e,new Jr(e.edition)];
 let r=this.#t,n=hr(e).size,s=u("span",{class:"small muted",role:"status"}),o=()=>{s.textContent=`${r.count} of ${n} predictions made. `+(r.keeps?"They stay in t\
 his browser.":"This browser keeps nothing: save before you close the page.")};r.addEventListener("choice",o);let a=()=>{confirm("Delete all predictions and answ\
 ers in this browser, for another student? Save them first.")&&(r.forget(),location.reload())};document.getElementById("page").replaceWith(mr(e.title,e.lead),u("\
@@ -871,7 +871,7 @@ this.#r(await Qt())}#s(e){return"text"in e?u("div",{class:"text"},...Wt(e.text))
 sections:n}=this.#e,s=u("p",{class:"waiting muted",role:"status"}),o=u("section",{class:"card",id:e.id,"aria-labelledby":`title-${e.id}`},u("h2",{id:`title-${e.
 id}`},`${r+1}. ${e.title}`,u("span",{class:"muted small"},`${e.minutes} minutes`)),s),a=Hu(e.parts),i=a.map(m=>u("div",{class:ju(m)})),l=a.flatMap((m,p)=>m.map(
 ()=>i[p])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){let[m,p]=[e.parts[c-1],e.parts[c]],h=[pr(m)?m.predict:void 0,Bu(p)].find(f=>f&&this.#t.choice(f)===
-void 0);if(h){let f=n.findIndex(({parts:y})=>y.some(g=>pr(g)&&g.predict===h));s.textContent=`This section goes on with your prediction${f===r?"":` in section ${f+
+void 0);if(h){let f=n.findIndex(({parts:g})=>g.some(y=>pr(y)&&y.predict===h));s.textContent=`This section goes on with your prediction${f===r?"":` in section ${f+
 1}`}.`;return}s.before(l[c]),l[c].append(this.#s(p))}s.remove()};return this.#t.addEventListener("choice",d),d(),o}};function Gu(){let t=So(),e=()=>location.hash===
 Gi,r=e();if(window.addEventListener("hashchange",()=>e()!==r&&location.reload()),r)return void Pn(Promise.resolve(ji(t)));let n=new us(t);requestAnimationFrame(
-()=>setTimeout(()=>Pn(n.load())))}typeof document>"u"?yo():Gu();})();
+()=>setTimeout(()=>Pn(n.load())))}typeof document>"u"?go():Gu();})();

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 677605e860753e6fdc9294ecdb6e969d966da11745000413e15cb3d79b5f06f0 */
+/* built from web/ by "npm run build"; sources 7a97e04f0774b0cf3794725e176c5810a79ee1045c30ce46b1c68ba7b81a352f */
 "use strict";(()=>{var ur={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},et={DISAPPEAR:0,REACH:1,BOUNCE:2},dr={OCCUPATION:0,SURROUND:1},pr={FAULT:0,INVOLVED:1};var tt=["obstacle","teammate","adversary"],mn=["vertex","edge","chain"],mr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],hn=["p\
 ursuer_{number}","evader_{number}"],hr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},nt={"both held":"both bounce","both doomed":"\
@@ -11,11 +11,11 @@ m":"as random, but takes only moves that right of way allows","careful-chaser":"
 eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as clumsy-chaser, but takes only moves that right of way allows","careful-hunter":"\
 as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
 eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
-surrounder":"as team-surrounder, but takes only moves that right of way allows"},yr={free:".GS",blocked:"#@OTW"};var Ne=1+mr.length;function rt(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function J(e,t){return e<t?rt(hn[0],{number:e}):rt(hn[1],{number:e-t})}function oa(e,t){
+surrounder":"as team-surrounder, but takes only moves that right of way allows"},yr={free:".GS",blocked:"#@OTW"};var Le=1+mr.length;function rt(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function J(e,t){return e<t?rt(hn[0],{number:e}):rt(hn[1],{number:e-t})}function oa(e,t){
 let[n,r,o,s,a,i,l,...c]=Array.from(e),u=a<0?[s]:[s,a],[p,m,h]=c.map(v=>u.filter((x,b)=>v>>b&1)),f=u.map(v=>J(v,t)),y=rt(hr[a<0?"obstacle":mn[o]],{first:f[0],second:f[f.
 length-1],cell:`(${i}, ${l})`}),g=rt(fr,{event:y,outcome:sa(u.length,m,h,t)});return{kind:tt[r],form:mn[o],agents:u,cell:[i,l],at_fault:p,held:m,doomed:h,turn:n,
 text:g}}function sa(e,t,n,r){if(e===2&&t.length===2)return nt["both held"];if(e===2&&n.length===2)return nt["both doomed"];let o=s=>a=>rt(nt[s],{agent:J(a,r)});
-return[...t.map(o("held")),...n.map(o("doomed"))].join(", ")||nt.none}function Nt(e,t){let n=[];for(let r=0;r<e.length;r+=Ne)n.push(oa(e.subarray(r+1,r+Ne),t));
+return[...t.map(o("held")),...n.map(o("doomed"))].join(", ")||nt.none}function Lt(e,t){let n=[];for(let r=0;r<e.length;r+=Le)n.push(oa(e.subarray(r+1,r+Le),t));
 return n}var H=class extends Error{name="EngineError"};function P(e,t,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new H(`${e}\
 : expected ${t}, got ${r}`)}var _e=class{bytes;constructor(t){this.bytes=t}},br=0,gn=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],gr=4,vr=4,aa=new TextEncoder,
 ia=new TextDecoder;function la(e){for(let t=gn.length-1;t>br;--t)if(e instanceof gn[t])return t;throw new TypeError("array: expected a typed array of the engine\
@@ -49,14 +49,14 @@ e.activation!=="tanh")throw P("activation","'relu' or 'tanh'",e.activation);if(!
 hidden:Int32Array.from(e.hidden,t=>le("hidden",t)[0]),activation:new TextEncoder().encode(e.activation),sampled:_t("sampled",e.sampled),memory:new TextEncoder().
 encode(e.memory),genome:e.genome}}var fa=["first_turn","terminated","truncated"];function Er(e){let t={...e};for(let n of fa)t[n]=new _e(e[n]);return t}var kr="statistics.",$t=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(t,n,r,o){this.config=t,this.seed=n,this.episode=r,this.n_agents=
 t.n_pursuers+t.n_evaders,this.statistics=ga(Or(o)),Object.assign(this,o),this.first_conflict=ya(this.conflict_table,this.length)}get length(){return this.actions.
-length/this.n_agents}conflicts(t){this.check(t);let[n,r]=[this.first_conflict[t],this.first_conflict[t+1]],o=this.conflict_table.subarray(n*Ne,r*Ne);return Nt(o,
+length/this.n_agents}conflicts(t){this.check(t);let[n,r]=[this.first_conflict[t],this.first_conflict[t+1]],o=this.conflict_table.subarray(n*Le,r*Le);return Lt(o,
 this.config.n_pursuers)}seek(t,n,r){this.check(n),(!(t.seed===this.seed&&t.episode===BigInt(this.episode))||t.turn!==0||t.steps>n)&&t.reset({seed:this.seed,episode:this.
 episode});for(let s=t.steps;s<n;++s){let a=this.actions.subarray(s*this.n_agents,(s+1)*this.n_agents);r?t.replay(a,{pursuer:r.pursuers,evader:r.evaders}):t.step(
 a)}}check(t){if(!(Number.isInteger(t)&&t>=0&&t<=this.length))throw P("step",`0 to ${this.length}`,t)}};function ya(e,t){let n=new Int32Array(t+2);for(let r=0;r<
-e.length;r+=Ne)++n[e[r]+1];for(let r=1;r<n.length;++r)n[r]+=n[r-1];return n}function ga(e){let t=["capture_rate","ever_capture_rate","captured_fraction","length"];
+e.length;r+=Le)++n[e[r]+1];for(let r=1;r<n.length;++r)n[r]+=n[r-1];return n}function ga(e){let t=["capture_rate","ever_capture_rate","captured_fraction","length"];
 return Object.fromEntries(Object.entries(e).map(([n,r])=>[n,t.includes(n)?Number(r[0]):r]))}var Or=e=>Object.fromEntries(Object.entries(e).flatMap(([t,n])=>t.startsWith(
 kr)?[[t.slice(kr.length),n]]:[]));function Rr(e,t,n,r){let o=[$e(n.config),Ie(n.pursuers),Ie(n.evaders),r];return me(e,s=>{let[a,i,l,c]=o.map(u=>s.arrays(u));return e[t](
-a,i,l,c)}),Pe(e)}function Lr(e,t,n,r){let o={seed:ot("seed",n),episode:ot("episode",r)};return new $t(t.config,n,r,Rr(e,"_play_match",t,o))}function Nr(e,t,n,r){
+a,i,l,c)}),Pe(e)}function Nr(e,t,n,r){let o={seed:ot("seed",n),episode:ot("episode",r)};return new $t(t.config,n,r,Rr(e,"_play_match",t,o))}function Lr(e,t,n,r){
 if(!Number.isInteger(r)||r<1)throw P("n_episodes","at least 1",r);let o=Rr(e,"_play_rollout",t,{...n,n_episodes:Int32Array.of(r)});return Or(o)}var va=7e6,ba=new FinalizationRegistry(([e,t])=>e._states_free(t));function wa({rules:e,rows:t,cols:n,obstacles:r,diagonal:o,n_pursuers:s,n_evaders:a}){let i=typeof r==
 "number"||e.obstacle==="REACH"?0:r.join("").split("#").length-1,l=t*n-i,c=[e.obstacle,e.teammate,e.pursuer].includes("DISAPPEAR"),u=e.capture==="SURROUND"||e.evader===
 "REACH",p=e.interaction==="AGENT_TURNS",m=(y,g)=>Array.from({length:g},(v,x)=>p?y:(y+x)/(x+1)).reduce((v,x)=>v*x,1),h=m(l+Number(c),s)*m(l*(1+Number(u))+2,a);return{
@@ -86,13 +86,13 @@ a<o&&this.decide(n.pursuer,[a,Math.min(i,o)],t),i>o&&this.decide(n.evader,[Math.
 return this.turnNumbers()[0]}get actors(){let[,,t,n]=this.turnNumbers();return[t,n]}turnNumbers(){return this.call(()=>this.engine._world_turn(this.address)).turn}get steps(){
 return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(){return this.read("episode")[0]}get over(){return this.read("terminated")[0]===
 1||this.read("truncated")[0]===1}read(t){return this.call(n=>this.engine._world_read(this.address,n.text(t)))[t]}view(t){let n=3*this.config.fov**2;return this.
-read("views").slice(t*n,(t+1)*n)}map(){return this.read("state").slice(2*this.config.rows*this.config.cols)}conflicts(){return Nt(this.conflictTable(),this.config.
+read("views").slice(t*n,(t+1)*n)}map(){return this.read("state").slice(2*this.config.rows*this.config.cols)}conflicts(){return Lt(this.conflictTable(),this.config.
 n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.address)).conflict_table}answer(t,n){let r=Ie(t),{logits:o,memory:s}=this.call(
 l=>this.engine._world_logits(this.address,l.arrays(r),n)),a=o,i=this.decide(t,[n,n+1],new Uint8Array(this.n_agents))[n];return{logits:a,probabilities:xa(a),action:i,
 memory:s}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.address))}restore(t){let n=Er(t);this.call(r=>this.engine._world_restore(this.address,
 r.arrays(n)))}call(t){return me(this.engine,t),Pe(this.engine)}};function xa(e){let t=Math.max(...e),n=Array.from(e,o=>Math.exp(o-t)),r=n.reduce((o,s)=>o+s,0);return Float32Array.
 from(n,o=>o/r)}var Sn=class{compiled;constructor(t){this.compiled=t}world(t){return new at(this.compiled,t)}solution(t,n="capture-rate"){return new st(this.compiled,t,n)}match(t,n,r,o,s=0){
-return Lr(this.compiled,{config:t,pursuers:n,evaders:r},o,s)}rollouts(t,n,r,o,s){return Nr(this.compiled,{config:t,pursuers:n,evaders:r},o,s)}},Pr;function $r(e=globalThis.
+return Nr(this.compiled,{config:t,pursuers:n,evaders:r},o,s)}rollouts(t,n,r,o,s){return Lr(this.compiled,{config:t,pursuers:n,evaders:r},o,s)}},Pr;function $r(e=globalThis.
 matrixworldEngine){return Pr??=Sa(e),Pr}async function Sa(e){if(!e)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");
 let t=Uint8Array.from(atob(e.binary),n=>n.charCodeAt(0));return new Sn(await e({wasmBinary:t}))}var Aa="http://www.w3.org/2000/svg";function d(e,t={},...n){return Ir(document.createElement(e),t,n)}function xe(e,t={},...n){return Ir(document.createElementNS(
 Aa,e),t,n)}function Ir(e,t,n){for(let[r,o]of Object.entries(t))o==null||o===!1||(typeof o=="function"?e.addEventListener(r.slice(2),o):e.setAttribute(r,o===!0?"":
@@ -116,39 +116,39 @@ r).map(([s,a])=>s*n+a),pursuers:e.pursuers.filter((s,a)=>o[a]),evaders:e.evaders
 t,n]){let r=ee(e).findIndex(({cell:o,gone:s})=>!s&&o[0]===t&&o[1]===n);return r<0?null:r}var ye=(e,[t,n])=>e.walls.includes(t*e.cols+n);function Gr(e){let t=Array.
 from({length:e.rows*e.cols},(o,s)=>[Math.floor(s/e.cols),s%e.cols]),n=([o,s])=>Math.abs(o-(e.rows-1)/2)+Math.abs(s-(e.cols-1)/2),r=t.filter(o=>fe(e,o)===null&&!ye(
 e,o));return r.length?r.reduce((o,s)=>n(s)<n(o)?s:o):null}var ut=class extends Error{},Te="_",Qr="n",Kr=2n**64n-1n,Vr=2e4,Yr=40,Ce={fov:11,maxSteps:500,rewards:"paper"},On=["rules","others","rewards","size","diagonal",
-"fov","limit","seed","ended","walls","pursuers","evaders","played","next"];function L(e,t,n){let r=n.length>Yr?`${n.slice(0,Yr)}…`:n;throw new ut(`${e}: expec\
-ted ${t}, got "${r}"`)}function Ln(e,t){let n=i=>i.map(l=>Ma(l,t)).join(""),r=i=>`${Math.floor(i/e.cols)}.${i%e.cols}`,o=Ca(e.rewards,t),s=[e.seed,e.episode,e.steps].
+"fov","limit","seed","ended","walls","pursuers","evaders","played","next"];function N(e,t,n){let r=n.length>Yr?`${n.slice(0,Yr)}…`:n;throw new ut(`${e}: expec\
+ted ${t}, got "${r}"`)}function Nn(e,t){let n=i=>i.map(l=>Ma(l,t)).join(""),r=i=>`${Math.floor(i/e.cols)}.${i%e.cols}`,o=Ca(e.rewards,t),s=[e.seed,e.episode,e.steps].
 join("."),a={rules:qr(e.rules,t),others:e.others?qr(e.others,t):"",rewards:o===Ce.rewards?"":o,size:`${e.rows}x${e.cols}`,diagonal:e.diagonal?"1":"",fov:e.fov===
 Ce.fov?"":String(e.fov),limit:e.maxSteps===Ce.maxSteps?"":String(e.maxSteps),seed:s==="0.0.0"?"":s,ended:e.ended?"1":"",walls:e.walls.map(r).join(Te),pursuers:e.
 pursuers.map(Zr).join(Te),evaders:e.evaders.map(Zr).join(Te),played:e.played.map(n).join(Te),next:e.next.every(i=>i===Se)?"":n(e.next)};return On.filter(i=>a[i]).
 map(i=>`${i}=${a[i]}`).join("&")}function Zr({cell:e,gone:t,captured:n,everCaptured:r}){let o=n?"c":r?"e":"";return`${e[0]}.${e[1]}${o}${t?"x":""}`}function qr(e,t){
 let n=t.fields.map(({name:r})=>String(e[r]).toLowerCase());return We(e,t.variants)??n.join(".")}function Ca(e,t){let n=JSON.stringify(e);return Object.keys(t.rewards).
 find(o=>JSON.stringify(t.rewards[o])===n)??Object.values(e).map(o=>String(o)).join(Te)}function Ma(e,t){if(typeof e=="number")return String(e);if(e===he)return Qr;
-let n=t.scripts.findIndex(({name:r})=>r===e);return String.fromCharCode(97+n)}function dt(e,t){e.length>Vr&&L("link",`at most ${Vr} characters`,`${e.length} cha\
+let n=t.scripts.findIndex(({name:r})=>r===e);return String.fromCharCode(97+n)}function dt(e,t){e.length>Vr&&N("link",`at most ${Vr} characters`,`${e.length} cha\
 racters`);let n=Ea(e),r=(m,h="")=>n.get(m)??h,o=Xr("rules",r("rules"),t),[s,a]=ka(r("size")),i=m=>Rn(r(m)).map(h=>Oa(m,h,s,a)),[l,c,u]=_a(r("seed","0.0.0")),p={
-rules:o,others:n.has("others")?Xr("others",r("others"),t):null,rewards:La(r("rewards",Ce.rewards),t),rows:s,cols:a,seed:l,episode:c,steps:u,diagonal:Jr("diagona\
+rules:o,others:n.has("others")?Xr("others",r("others"),t):null,rewards:Na(r("rewards",Ce.rewards),t),rows:s,cols:a,seed:l,episode:c,steps:u,diagonal:Jr("diagona\
 l",r("diagonal","0")),fov:zt("fov",r("fov",String(Ce.fov)),1,255),maxSteps:zt("limit",r("limit",String(Ce.maxSteps)),1,2**31-1),ended:Jr("ended",r("ended","0")),
 walls:Ra(r("walls"),s,a),pursuers:i("pursuers"),evaders:i("evaders"),played:[],next:[]};return Pa(p),$a(p,Rn(r("played")),r("next"),t)}function Ea(e){let t=new Map;
 for(let n of e.replace(/^#/,"").split("&").filter(Boolean)){let[r,o]=n.includes("=")?[n.slice(0,n.indexOf("=")),n.slice(n.indexOf("=")+1)]:[n,""];On.includes(r)||
-L("link",`parts ${On.join(", ")}`,r),t.has(r)&&L(r,"it once","it twice"),t.set(r,o)}return t}var Rn=e=>e?e.split(Te):[];function zt(e,t,n,r){let o=/^\d{1,10}$/.
-test(t)?Number(t):NaN;return o>=n&&o<=r||L(e,`a number from ${n} to ${r}`,t),o}function Jr(e,t){return t!=="0"&&t!=="1"&&L(e,"0 or 1",t),t==="1"}function ka(e){
-let[t,n,...r]=e.split("x");return(t===void 0||n===void 0||r.length)&&L("size","rows and columns, such as 4x6",e),[zt("size",t,1,Ae),zt("size",n,1,Ae)]}function eo(e,t,n,r){
-let o=/^(\d{1,4})\.(\d{1,4})$/.exec(t),s=[Number(o?.[1]),Number(o?.[2])];return(!o||s[0]>=n||s[1]>=r)&&L(e,`cells of a ${n} x ${r} grid, such as 0.2`,t),s}function Oa(e,t,n,r){
-let o=/^(.*?)([ce]?)(x?)$/.exec(t),s=eo(e,o[1],n,r);return e==="pursuers"&&o[2]&&L(e,"no captured pursuer",t),{cell:s,gone:o[3]==="x",captured:o[2]==="c",everCaptured:o[2]!==
+N("link",`parts ${On.join(", ")}`,r),t.has(r)&&N(r,"it once","it twice"),t.set(r,o)}return t}var Rn=e=>e?e.split(Te):[];function zt(e,t,n,r){let o=/^\d{1,10}$/.
+test(t)?Number(t):NaN;return o>=n&&o<=r||N(e,`a number from ${n} to ${r}`,t),o}function Jr(e,t){return t!=="0"&&t!=="1"&&N(e,"0 or 1",t),t==="1"}function ka(e){
+let[t,n,...r]=e.split("x");return(t===void 0||n===void 0||r.length)&&N("size","rows and columns, such as 4x6",e),[zt("size",t,1,Ae),zt("size",n,1,Ae)]}function eo(e,t,n,r){
+let o=/^(\d{1,4})\.(\d{1,4})$/.exec(t),s=[Number(o?.[1]),Number(o?.[2])];return(!o||s[0]>=n||s[1]>=r)&&N(e,`cells of a ${n} x ${r} grid, such as 0.2`,t),s}function Oa(e,t,n,r){
+let o=/^(.*?)([ce]?)(x?)$/.exec(t),s=eo(e,o[1],n,r);return e==="pursuers"&&o[2]&&N(e,"no captured pursuer",t),{cell:s,gone:o[3]==="x",captured:o[2]==="c",everCaptured:o[2]!==
 ""}}function Ra(e,t,n){let r=Rn(e).map(o=>{let[s,a]=eo("walls",o,t,n);return s*n+a});return[...new Set(r)].sort((o,s)=>o-s)}function Xr(e,t,n){let r=Object.hasOwn(
 n.variants,t)?n.variants[t]:void 0;if(r)return r;let o=t.split("."),s=`${Object.keys(n.variants).join(", ")} or ${n.fields.length} values joined by "."`;o.length!==
-n.fields.length&&L(e,s,t);let a=n.fields.map(({name:i,values:l},c)=>{let u=l.find(p=>p.name.toLowerCase()===o[c])?.name;return u===void 0&&L(`${e}, ${i}`,l.map(
-p=>p.name.toLowerCase()).join(" or "),o[c]),[i,u==="true"?!0:u==="false"?!1:u]});return Object.fromEntries(a)}function La(e,t){if(Object.hasOwn(t.rewards,e))return t.
-rewards[e];let n=Object.entries(t.rewards[Ce.rewards]),r=e.split(Te);return r.length!==n.length&&L("rewards",`${Object.keys(t.rewards).join(", ")} or ${n.length}\
- values`,e),Object.fromEntries(n.map(([o,s],a)=>[o,Na(o,r[a],s)]))}function Na(e,t,n){if(e==="blame"&&(t==="FAULT"||t==="INVOLVED"))return t;if(typeof n=="boole\
+n.fields.length&&N(e,s,t);let a=n.fields.map(({name:i,values:l},c)=>{let u=l.find(p=>p.name.toLowerCase()===o[c])?.name;return u===void 0&&N(`${e}, ${i}`,l.map(
+p=>p.name.toLowerCase()).join(" or "),o[c]),[i,u==="true"?!0:u==="false"?!1:u]});return Object.fromEntries(a)}function Na(e,t){if(Object.hasOwn(t.rewards,e))return t.
+rewards[e];let n=Object.entries(t.rewards[Ce.rewards]),r=e.split(Te);return r.length!==n.length&&N("rewards",`${Object.keys(t.rewards).join(", ")} or ${n.length}\
+ values`,e),Object.fromEntries(n.map(([o,s],a)=>[o,La(o,r[a],s)]))}function La(e,t,n){if(e==="blame"&&(t==="FAULT"||t==="INVOLVED"))return t;if(typeof n=="boole\
 an"&&(t==="true"||t==="false"))return t==="true";let r=t.split(",").map(a=>/^-?[\d.]+(e[+-]?\d+)?$/i.test(a)?Number(a):NaN),o=e.endsWith("_collide")?[1,3]:[1];return(typeof n!=
-"number"||!o.includes(r.length)||!r.every(a=>Math.abs(a)<34e37))&&L(`rewards, ${e}`,`a value like ${n}`,t),r.length===1?r[0]:r}function _a(e){let t=/^(\d{1,20})\.(\d{1,20})\.(\d{1,9})$/.
-exec(e);if(!t)return L("seed","seed.episode.steps, such as 0.0.0",e);let[n,r]=[BigInt(t[1]),BigInt(t[2])];return(n>Kr||r>Kr)&&L("seed","numbers below 2^64",e),[
-n,r,Number(t[3])]}function Pa(e){for(let t of["pursuers","evaders"]){let n=e[t].length;(n<1||n>ze)&&L(t,`1 to ${ze} agents`,`${n}`)}e.fov%2===0&&L("fov","an odd\
- number",String(e.fov)),e.steps>e.maxSteps&&L("seed",`at most ${e.maxSteps} steps`,String(e.steps))}function $a(e,t,n,r){let o=ee(e).length;t.length>De&&L("play\
-ed",`at most ${De} steps`,`${t.length} steps`);let s=a=>i=>(i.length!==o&&L(a,`${o} characters, one for each agent`,i),[...i].map(l=>Ia(a,l,e.diagonal?9:5,r)));
+"number"||!o.includes(r.length)||!r.every(a=>Math.abs(a)<34e37))&&N(`rewards, ${e}`,`a value like ${n}`,t),r.length===1?r[0]:r}function _a(e){let t=/^(\d{1,20})\.(\d{1,20})\.(\d{1,9})$/.
+exec(e);if(!t)return N("seed","seed.episode.steps, such as 0.0.0",e);let[n,r]=[BigInt(t[1]),BigInt(t[2])];return(n>Kr||r>Kr)&&N("seed","numbers below 2^64",e),[
+n,r,Number(t[3])]}function Pa(e){for(let t of["pursuers","evaders"]){let n=e[t].length;(n<1||n>ze)&&N(t,`1 to ${ze} agents`,`${n}`)}e.fov%2===0&&N("fov","an odd\
+ number",String(e.fov)),e.steps>e.maxSteps&&N("seed",`at most ${e.maxSteps} steps`,String(e.steps))}function $a(e,t,n,r){let o=ee(e).length;t.length>De&&N("play\
+ed",`at most ${De} steps`,`${t.length} steps`);let s=a=>i=>(i.length!==o&&N(a,`${o} characters, one for each agent`,i),[...i].map(l=>Ia(a,l,e.diagonal?9:5,r)));
 return{...e,played:t.map(s("played")),next:n?s("next")(n):Array(o).fill(Se)}}function Ia(e,t,n,r){let o=/^\d$/.test(t)?Number(t):NaN;if(o<n)return o;if(t===Qr&&
-r.champions)return he;let s=r.scripts[t.charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??L(e,`actions 0 to ${n-1} or scripts a to ${a}`,
+r.champions)return he;let s=r.scripts[t.charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??N(e,`actions 0 to ${n-1} or scripts a to ${a}`,
 t)}var pt=[.5,1,2,4,8,16,32,64],to=0,Dt=12,Ua=2,Fe=class extends EventTarget{#e;#n;#t;#r=0;#o=0;#s=!1;#i=null;#h=0;#c=[];#d=[];glide=.28;constructor(t,n={}){super(),
 this.#e=t,this.#n=n.speed??4,this.#t=n.still??!1}get step(){return this.#r}get time(){return this.#t?this.#r:this.#o}get arrived(){return this.#o===this.#r}get playing(){
 return this.#s}get length(){return this.#e}set length(t){this.#e=t,this.#r>t&&this.jump(t),this.#a("state")}get marks(){return this.#c}set marks(t){this.#c=t,this.#a(
@@ -164,8 +164,8 @@ Math.abs(o)?this.#r:this.#o+Math.sign(o)*s}this.#s&&this.#o===this.#e&&this.paus
 t.altKey)return!1;let n=t.shiftKey?10:1,o={" ":()=>e.toggle(),ArrowRight:()=>e.move(n),ArrowLeft:()=>e.move(-n),Home:()=>e.move(-e.length),End:()=>e.move(e.length),
 "+":()=>e.changeSpeed(1),"-":()=>e.changeSpeed(-1)}[t.key];return o?.(),o!==void 0}var ce=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function mt(e,t,n){let[r,o]=[t[0]-e[0],t[1]-e[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||
 (r=0),ce.findIndex(([s,a])=>s===Math.sign(r)&&a===Math.sign(o))}var Me=(e,t)=>t<e.nPursuers,C=(e,t)=>[e.positions[2*t],e.positions[2*t+1]],za=(e,t)=>e[0]===t[0]&&
-e[1]===t[1],ht=({rows:e,cols:t},[n,r])=>n>=0&&r>=0&&n<e&&r<t,Nn=(e,t,n=3)=>e!==void 0&&[0,1,2].slice(0,n).some(r=>e[3*t+r]),_n=(e,t)=>Nn(e.fault,t),no=(e,t)=>!_n(
-e,t)&&Nn(e.involved,t,2);function Bt(e,t,n){let r=!za(C(e,n),C(t,n)),o=t.involved===void 0||Nn(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Ft(e,t,n){
+e[1]===t[1],ht=({rows:e,cols:t},[n,r])=>n>=0&&r>=0&&n<e&&r<t,Ln=(e,t,n=3)=>e!==void 0&&[0,1,2].slice(0,n).some(r=>e[3*t+r]),_n=(e,t)=>Ln(e.fault,t),no=(e,t)=>!_n(
+e,t)&&Ln(e.involved,t,2);function Bt(e,t,n){let r=!za(C(e,n),C(t,n)),o=t.involved===void 0||Ln(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Ft(e,t,n){
 let[r,o]=C(e,n),[s,a]=ce[t.actions?.[n]??0];return[r+s,o+a]}function jt(e,t,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
 !t.everCaptured[o]).map(o=>e.nPursuers+o)}function Ht(e,t){return Array.from({length:t.alive.length},(r,o)=>o).filter(r=>e.alive[r]&&!t.alive[r])}var ro=[-.31,0,.31],oo=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:ro.flatMap(e=>ro.map(t=>[t,e]))}],Da=.3,Wa=.35,Ba=.55;function ft(e,t){let n=new Map;for(let r=0;r<t.alive.length;r++){if(!t.
@@ -216,17 +216,17 @@ o.size*(u?Qa:Xa)),f=He(e,t,r),y=!u&&!!n.captured[r-t.nPursuers];if(i.globalAlpha
 i.font=`700 ${Math.round(h*(u?.4:.5)*(g.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=y?f:c.paper,i.fillText(
 g,p,m+h*(u?.17:.03))}function ri({ctx:e,grid:t,colors:n},r,o){let[s,a]=[t.left+r.x*t.cell,t.top+r.y*t.cell];e.font=`700 ${Math.round(t.cell*.3)}px system-ui, sa\
 ns-serif`,e.textAlign="center",e.textBaseline="middle",e.strokeStyle=n.paper,e.lineWidth=t.cell*.1,e.strokeText(`+${o}`,s,a),e.fillStyle=n.ink,e.fillText(`+${o}`,
-s,a)}var oi=.46,si=.86,ai=.66,Ro=.48,ii=.78,li=.58;function Lo(e,t,n,r){let[o,s]=[t.moments[n-1],t.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=e;a.strokeStyle=
+s,a)}var oi=.46,si=.86,ai=.66,Ro=.48,ii=.78,li=.58;function No(e,t,n,r){let[o,s]=[t.moments[n-1],t.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=e;a.strokeStyle=
 l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let c=0;c<s.alive.length;c++)Bt(o,s,c)&&ci(e,t,C(o,c),Ft(o,s,c));a.globalAlpha=
 1}function ci({ctx:e,grid:t},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=p=>X(t,r[1]+.5+s*p),l=p=>Q(t,r[0]+.5+a*p),c=ht(n,o)?ii:li;e.setLineDash([t.cell*.09,t.cell*
 .06]),e.beginPath(),e.moveTo(i(Ro),l(Ro)),e.lineTo(i(c),l(c)),e.stroke(),e.setLineDash([]);let u=.17*t.cell/Math.hypot(s,a);e.beginPath(),e.moveTo(i(c)-a*u,l(c)+
-s*u),e.lineTo(i(c)+a*u,l(c)-s*u),e.stroke()}function No(e,t,n,r,o,s){let a=ce[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=e,u=ht(t,[r[0]+a[0],r[1]+a[1]])?si:
+s*u),e.lineTo(i(c)+a*u,l(c)-s*u),e.stroke()}function Lo(e,t,n,r,o,s){let a=ce[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=e,u=ht(t,[r[0]+a[0],r[1]+a[1]])?si:
 ai,p=oi*o.size,m=[X(l,o.x+a[1]*p),Q(l,o.y+a[0]*p),X(l,o.x+a[1]*u),Q(l,o.y+a[0]*u)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[f,y]of[[c.paper,
 h*2.1],[He(e,t,n),h]])i.strokeStyle=f,i.lineWidth=y,ho(i,...m,l.cell*.2),i.stroke()}var Po={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function $o(e,t,n,r,o){let{ctx:s,grid:a,colors:i}=e,l=Math.min(
 Math.ceil(n),t.moments.length-1),c=t.moments[l],u=n===l,p=Gt(t,n),m=u?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),go(e);for(let y of r.
-viewers)p[y]?.alpha&&To(e,t,y,...Pn(t,y,n));vo(e,t),r.axes&&wo(e,o),Co(e,t,n,r.trail,p),Eo(e,c.contested??[],m),Mo(e,t,n),Lo(e,t,l,m),p.forEach(({x:y,y:g,size:v},x)=>{
+viewers)p[y]?.alpha&&To(e,t,y,...Pn(t,y,n));vo(e,t),r.axes&&wo(e,o),Co(e,t,n,r.trail,p),Eo(e,c.contested??[],m),Mo(e,t,n),No(e,t,l,m),p.forEach(({x:y,y:g,size:v},x)=>{
 let b=no(c,x)?.4:0,A=_n(c,x)?1:b;A&&ko(e,y,g,v,A*m)});let h=u?c:t.moments[Math.max(0,l-1)];if(Oo(e,t,h,p,r.numbers,o),u&&r.plan)for(let[y,g]of p.entries())g.alpha&&
-No(e,t,y,C(c,y),g,r.plan[y]??0);r.you!==null&&(r.fog&&So(e,t,...Pn(t,r.you,n)),Ao(e,p[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let f=r.selected===
+Lo(e,t,y,C(c,y),g,r.plan[y]??0);r.you!==null&&(r.fog&&So(e,t,...Pn(t,r.you,n)),Ao(e,p[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let f=r.selected===
 null?void 0:p[r.selected];f?.alpha&&_o(e,f.x,f.y,f.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),_o(e,r.cursor[1]+.5,r.cursor[0]+.5,.8),s.setLineDash(
 []))}function _o({ctx:e,grid:t},n,r,o){let s=o*t.cell;e.beginPath(),e.roundRect(t.left+n*t.cell-s/2,t.top+r*t.cell-s/2,s,s,s*.1),e.stroke()}var Io=(e,t)=>(t+.24)/(e+.24);function Uo(e,t,n,r,o,s){let a=n?28*s:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,t),i(o,e))));return{rows:e,cols:t,
 cell:l,left:Math.round((r-t*l+a)/2),top:Math.round((o-e*l+a)/2)}}function zo(e,t,n){let r=Math.floor((n-e.top)/e.cell),o=Math.floor((t-e.left)/e.cell);return r>=
@@ -290,7 +290,7 @@ i&&s&&this.player.jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(s-this.play
 this.#i&&this.player.arrived&&this.step()}#m(){this.dispatchEvent(new Event("change"))}};function Go(e,t,n){let r=s=>new Qt(e,t,dt(s,t),Vo(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:Ko(s)}}}function Ko(e){
 if(e instanceof ut||e instanceof H)return`This link holds no scene. ${e.message}`;throw e}function Vo(e,t){return e.gallery.find(n=>n.scene===t)??null}function Ee(){
 try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}var wt=e=>new URLSearchParams(e).has("moves"),gi=100;function Yo(e,t,n){
-let[r,o,s]=[Ln(e.scene,e.data),Ee(),0],a=()=>{s=0,!(Ee()!==o||!t())&&(o=r,history.replaceState(null,"",`#${r}`))};e.addEventListener("change",()=>{r=Ln(e.scene,
+let[r,o,s]=[Nn(e.scene,e.data),Ee(),0],a=()=>{s=0,!(Ee()!==o||!t())&&(o=r,history.replaceState(null,"",`#${r}`))};e.addEventListener("change",()=>{r=Nn(e.scene,
 e.data),t()&&(o=Ee(),r!==o&&!s&&(s=setTimeout(a,gi)))}),window.addEventListener("hashchange",()=>{if(o=Ee(),!(!o||o===r||wt(o))){t()||n();try{e.change(dt(o,e.data),
 {example:Vo(e.data,o)})}catch(i){e.say(Ko(i),!0)}}})}function Zo(){let e=JSON.parse(document.getElementById("data").textContent),t=document.getElementById("champions")?.textContent;return t?{...e,champions:JSON.parse(
 t,vi)}:e}var vi=(e,t)=>e==="genome"?Float32Array.from(t):t;var M=Uint8Array,Z=Uint16Array,Yn=Int32Array,tn=new M([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),nn=new M([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
@@ -306,47 +306,47 @@ e[n+1]<<8|e[n+2]<<16)>>(t&7)},Zn=function(e){return(e+7)/8|0},Tt=function(e,t,n)
 t,n))};var Ti=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],D=function(e,t,n){var r=new Error(t||Ti[e]);
 if(r.code=e,Error.captureStackTrace&&Error.captureStackTrace(r,D),!n)throw r;return r},ss=function(e,t,n,r){var o=e.length,s=r?r.length:0;if(!o||t.f&&!t.l)return n||
-new M(0);var a=!n,i=a||t.i!=2,l=t.i;a&&(n=new M(o*3));var c=function(Xe){var Qe=n.length;if(Xe>Qe){var Le=new M(Math.max(Qe*2,Xe));Le.set(n),n=Le}},u=t.f||0,p=t.
-p||0,m=t.b||0,h=t.l,f=t.d,y=t.m,g=t.n,v=o*8;do{if(!h){u=ne(e,p,1);var x=ne(e,p+1,3);if(p+=3,x)if(x==1)h=xi,f=Ai,y=9,g=5;else if(x==2){var N=ne(e,p,31)+257,R=ne(
-e,p+10,15)+4,S=N+ne(e,p+5,31)+1;p+=14;for(var w=new M(S),$=new M(19),_=0;_<R;++_)$[Fn[_]]=ne(e,p+_*3,7);p+=R*3;for(var W=zn($),pe=(1<<W)-1,K=ae($,W,1),_=0;_<S;){
+new M(0);var a=!n,i=a||t.i!=2,l=t.i;a&&(n=new M(o*3));var c=function(Xe){var Qe=n.length;if(Xe>Qe){var Ne=new M(Math.max(Qe*2,Xe));Ne.set(n),n=Ne}},u=t.f||0,p=t.
+p||0,m=t.b||0,h=t.l,f=t.d,y=t.m,g=t.n,v=o*8;do{if(!h){u=ne(e,p,1);var x=ne(e,p+1,3);if(p+=3,x)if(x==1)h=xi,f=Ai,y=9,g=5;else if(x==2){var L=ne(e,p,31)+257,R=ne(
+e,p+10,15)+4,S=L+ne(e,p+5,31)+1;p+=14;for(var w=new M(S),$=new M(19),_=0;_<R;++_)$[Fn[_]]=ne(e,p+_*3,7);p+=R*3;for(var W=zn($),pe=(1<<W)-1,K=ae($,W,1),_=0;_<S;){
 var F=K[ne(e,p,pe)];p+=F&15;var b=F>>4;if(b<16)w[_++]=b;else{var I=0,k=0;for(b==16?(k=3+ne(e,p,3),p+=2,I=w[_-1]):b==17?(k=3+ne(e,p,7),p+=3):b==18&&(k=11+ne(e,p,
-127),p+=7);k--;)w[_++]=I}}var j=w.subarray(0,N),U=w.subarray(N);y=zn(j),g=zn(U),h=ae(j,y,1),f=ae(U,g,1)}else D(1);else{var b=Zn(p)+4,A=e[b-4]|e[b-3]<<8,E=b+A;if(E>
+127),p+=7);k--;)w[_++]=I}}var j=w.subarray(0,L),U=w.subarray(L);y=zn(j),g=zn(U),h=ae(j,y,1),f=ae(U,g,1)}else D(1);else{var b=Zn(p)+4,A=e[b-4]|e[b-3]<<8,E=b+A;if(E>
 o){l&&D(0);break}i&&c(m+A),n.set(e.subarray(b,E),m),t.b=m+=A,t.p=p=E*8,t.f=u;continue}if(p>v){l&&D(0);break}}i&&c(m+131072);for(var Je=(1<<y)-1,q=(1<<g)-1,ie=p;;ie=
 p){var I=h[Dn(e,p)&Je],V=I>>4;if(p+=I&15,p>v){l&&D(0);break}if(I||D(2),V<256)n[m++]=V;else if(V==256){ie=p,h=null;break}else{var Y=V-254;if(V>264){var _=V-257,O=tn[_];
 Y=ne(e,p,(1<<O)-1)+rs[_],p+=O}var oe=f[Dn(e,p)&q],Oe=oe>>4;oe||D(3),p+=oe&15;var U=bi[Oe];if(Oe>3){var O=nn[Oe];U+=Dn(e,p)&(1<<O)-1,p+=O}if(p>v){l&&D(0);break}i&&
-c(m+131072);var Re=m+Y;if(m<U){var Rt=s-U,Lt=Math.min(U,Re);for(Rt+m<0&&D(3);m<Lt;++m)n[m]=r[Rt+m]}for(;m<Re;++m)n[m]=n[m-U]}}t.l=h,t.p=ie,t.b=m,t.f=u,h&&(u=1,t.
+c(m+131072);var Re=m+Y;if(m<U){var Rt=s-U,Nt=Math.min(U,Re);for(Rt+m<0&&D(3);m<Nt;++m)n[m]=r[Rt+m]}for(;m<Re;++m)n[m]=n[m-U]}}t.l=h,t.p=ie,t.b=m,t.f=u,h&&(u=1,t.
 m=y,t.d=f,t.n=g)}while(!u);return m!=n.length&&a?Tt(n,0,m):n.subarray(0,m)},de=function(e,t,n){n<<=t&7;var r=t/8|0;e[r]|=n,e[r+1]|=n>>8},xt=function(e,t,n){n<<=
 t&7;var r=t/8|0;e[r]|=n,e[r+1]|=n>>8,e[r+2]|=n>>16},Wn=function(e,t){for(var n=[],r=0;r<e.length;++r)e[r]&&n.push({s:r,f:e[r]});var o=n.length,s=n.slice();if(!o)
-return{t:is,l:0};if(o==1){var a=new M(n[0].s+1);return a[n[0].s]=1,{t:a,l:1}}n.sort(function(E,N){return E.f-N.f}),n.push({s:-1,f:25001});var i=n[0],l=n[1],c=0,
+return{t:is,l:0};if(o==1){var a=new M(n[0].s+1);return a[n[0].s]=1,{t:a,l:1}}n.sort(function(E,L){return E.f-L.f}),n.push({s:-1,f:25001});var i=n[0],l=n[1],c=0,
 u=1,p=2;for(n[0]={s:-1,f:i.f+l.f,l:i,r:l};u!=o-1;)i=n[n[c].f<n[p].f?c++:p++],l=n[c!=u&&n[c].f<n[p].f?c++:p++],n[u++]={s:-1,f:i.f+l.f,l:i,r:l};for(var m=s[0].s,r=1;r<
-o;++r)s[r].s>m&&(m=s[r].s);var h=new Z(m+1),f=Gn(n[u-1],h,0);if(f>t){var r=0,y=0,g=f-t,v=1<<g;for(s.sort(function(N,R){return h[R.s]-h[N.s]||N.f-R.f});r<o;++r){
+o;++r)s[r].s>m&&(m=s[r].s);var h=new Z(m+1),f=Gn(n[u-1],h,0);if(f>t){var r=0,y=0,g=f-t,v=1<<g;for(s.sort(function(L,R){return h[R.s]-h[L.s]||L.f-R.f});r<o;++r){
 var x=s[r].s;if(h[x]>t)y+=v-(1<<f-h[x]),h[x]=t;else break}for(y>>=g;y>0;){var b=s[r].s;h[b]<t?y-=1<<t-h[b]++-1:++r}for(;r>=0&&y;--r){var A=s[r].s;h[A]==t&&(--h[A],
 ++y)}f=t}return{t:new M(h),l:f}},Gn=function(e,t,n){return e.s==-1?Math.max(Gn(e.l,t,n+1),Gn(e.r,t,n+1)):t[e.s]=n},Jo=function(e){for(var t=e.length;t&&!e[--t];)
 ;for(var n=new Z(++t),r=0,o=e[0],s=1,a=function(l){n[r++]=l},i=1;i<=t;++i)if(e[i]==o&&i!=t)++s;else{if(!o&&s>2){for(;s>138;s-=138)a(32754);s>2&&(a(s>10?s-11<<5|
 28690:s-3<<5|12305),s=0)}else if(s>3){for(a(o),--s;s>6;s-=6)a(8304);s>2&&(a(s-3<<5|8208),s=0)}for(;s--;)a(o);s=1,o=e[i]}return{c:n.subarray(0,r),n:t}},St=function(e,t){
 for(var n=0,r=0;r<t.length;++r)n+=e[r]*t[r];return n},as=function(e,t,n){var r=n.length,o=Zn(t+2);e[o]=r&255,e[o+1]=r>>8,e[o+2]=e[o]^255,e[o+3]=e[o+1]^255;for(var s=0;s<
 r;++s)e[o+s+4]=n[s];return(o+4+r)*8},Xo=function(e,t,n,r,o,s,a,i,l,c,u){de(t,u++,n),++o[256];for(var p=Wn(o,15),m=p.t,h=p.l,f=Wn(s,15),y=f.t,g=f.l,v=Jo(m),x=v.c,
-b=v.n,A=Jo(y),E=A.c,N=A.n,R=new Z(19),S=0;S<x.length;++S)++R[x[S]&31];for(var S=0;S<E.length;++S)++R[E[S]&31];for(var w=Wn(R,7),$=w.t,_=w.l,W=19;W>4&&!$[Fn[W-1]];--W)
+b=v.n,A=Jo(y),E=A.c,L=A.n,R=new Z(19),S=0;S<x.length;++S)++R[x[S]&31];for(var S=0;S<E.length;++S)++R[E[S]&31];for(var w=Wn(R,7),$=w.t,_=w.l,W=19;W>4&&!$[Fn[W-1]];--W)
 ;var pe=c+5<<3,K=St(o,ge)+St(s,At)+a,F=St(o,m)+St(s,y)+a+14+3*W+St(R,$)+2*R[16]+3*R[17]+7*R[18];if(l>=0&&pe<=K&&pe<=F)return as(t,u,e.subarray(l,l+c));var I,k,j,
-U;if(de(t,u,1+(F<K)),u+=2,F<K){I=ae(m,h,0),k=m,j=ae(y,g,0),U=y;var Je=ae($,_,0);de(t,u,b-257),de(t,u+5,N-1),de(t,u+10,W-4),u+=14;for(var S=0;S<W;++S)de(t,u+3*S,
+U;if(de(t,u,1+(F<K)),u+=2,F<K){I=ae(m,h,0),k=m,j=ae(y,g,0),U=y;var Je=ae($,_,0);de(t,u,b-257),de(t,u+5,L-1),de(t,u+10,W-4),u+=14;for(var S=0;S<W;++S)de(t,u+3*S,
 $[Fn[S]]);u+=3*W;for(var q=[x,E],ie=0;ie<2;++ie)for(var V=q[ie],S=0;S<V.length;++S){var Y=V[S]&31;de(t,u,Je[Y]),u+=$[Y],Y>15&&(de(t,u,V[S]>>5&127),u+=V[S]>>12)}}else
 I=wi,k=ge,j=Si,U=At;for(var S=0;S<i;++S){var O=r[S];if(O>255){var Y=O>>18&31;xt(t,u,I[Y+257]),u+=k[Y+257],Y>7&&(de(t,u,O>>23&31),u+=tn[Y]);var oe=O&31;xt(t,u,j[oe]),
 u+=U[oe],oe>3&&(xt(t,u,O>>5&8191),u+=nn[oe])}else xt(t,u,I[O]),u+=k[O]}return xt(t,u,I[256]),u+k[256]},Ci=new Yn([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),is=new M(0),Mi=function(e,t,n,r,o,s){var a=s.z||e.length,i=new M(r+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(r,i.length-o),c=s.l,u=(s.r||0)&7;if(t){
 u&&(l[0]=s.r>>3);for(var p=Ci[t-1],m=p>>13,h=p&8191,f=(1<<n)-1,y=s.p||new Z(32768),g=s.h||new Z(f+1),v=Math.ceil(n/3),x=2*v,b=function(pn){return(e[pn]^e[pn+1]<<
-v^e[pn+2]<<x)&f},A=new Yn(25e3),E=new Z(288),N=new Z(32),R=0,S=0,w=s.i||0,$=0,_=s.w||0,W=0;w+2<a;++w){var pe=b(w),K=w&32767,F=g[pe];if(y[K]=F,g[pe]=K,_<=w){var I=a-
-w;if((R>7e3||$>24576)&&(I>423||!c)){u=Xo(e,l,0,A,E,N,S,$,W,w-W,u),$=R=S=0,W=w;for(var k=0;k<286;++k)E[k]=0;for(var k=0;k<30;++k)N[k]=0}var j=2,U=0,Je=h,q=K-F&32767;
+v^e[pn+2]<<x)&f},A=new Yn(25e3),E=new Z(288),L=new Z(32),R=0,S=0,w=s.i||0,$=0,_=s.w||0,W=0;w+2<a;++w){var pe=b(w),K=w&32767,F=g[pe];if(y[K]=F,g[pe]=K,_<=w){var I=a-
+w;if((R>7e3||$>24576)&&(I>423||!c)){u=Xo(e,l,0,A,E,L,S,$,W,w-W,u),$=R=S=0,W=w;for(var k=0;k<286;++k)E[k]=0;for(var k=0;k<30;++k)L[k]=0}var j=2,U=0,Je=h,q=K-F&32767;
 if(I>2&&pe==b(w-q))for(var ie=Math.min(m,I)-1,V=Math.min(32767,w),Y=Math.min(258,I);q<=V&&--Je&&K!=F;){if(e[w+j]==e[w+j-q]){for(var O=0;O<Y&&e[w+O]==e[w+O-q];++O)
-;if(O>j){if(j=O,U=q,O>ie)break;for(var oe=Math.min(q,O-2),Oe=0,k=0;k<oe;++k){var Re=w-q+k&32767,Rt=y[Re],Lt=Re-Rt&32767;Lt>Oe&&(Oe=Lt,F=Re)}}}K=F,F=y[K],q+=K-F&
-32767}if(U){A[$++]=268435456|jn[j]<<18|qo[U];var Xe=jn[j]&31,Qe=qo[U]&31;S+=tn[Xe]+nn[Qe],++E[257+Xe],++N[Qe],_=w+j,++R}else A[$++]=e[w],++E[e[w]]}}for(w=Math.max(
-w,_);w<a;++w)A[$++]=e[w],++E[e[w]];u=Xo(e,l,c,A,E,N,S,$,W,w-W,u),c||(s.r=u&7|l[u/8|0]<<3,u-=7,s.h=g,s.p=y,s.i=w,s.w=_)}else{for(var w=s.w||0;w<a+c;w+=65535){var Le=w+
-65535;Le>=a&&(l[u/8|0]=c,Le=a),u=as(l,u+1,e.subarray(w,Le))}s.i=a}return Tt(i,0,r+Zn(u)+o)},Ei=(function(){for(var e=new Int32Array(256),t=0;t<256;++t){for(var n=t,
+;if(O>j){if(j=O,U=q,O>ie)break;for(var oe=Math.min(q,O-2),Oe=0,k=0;k<oe;++k){var Re=w-q+k&32767,Rt=y[Re],Nt=Re-Rt&32767;Nt>Oe&&(Oe=Nt,F=Re)}}}K=F,F=y[K],q+=K-F&
+32767}if(U){A[$++]=268435456|jn[j]<<18|qo[U];var Xe=jn[j]&31,Qe=qo[U]&31;S+=tn[Xe]+nn[Qe],++E[257+Xe],++L[Qe],_=w+j,++R}else A[$++]=e[w],++E[e[w]]}}for(w=Math.max(
+w,_);w<a;++w)A[$++]=e[w],++E[e[w]];u=Xo(e,l,c,A,E,L,S,$,W,w-W,u),c||(s.r=u&7|l[u/8|0]<<3,u-=7,s.h=g,s.p=y,s.i=w,s.w=_)}else{for(var w=s.w||0;w<a+c;w+=65535){var Ne=w+
+65535;Ne>=a&&(l[u/8|0]=c,Ne=a),u=as(l,u+1,e.subarray(w,Ne))}s.i=a}return Tt(i,0,r+Zn(u)+o)},Ei=(function(){for(var e=new Int32Array(256),t=0;t<256;++t){for(var n=t,
 r=9;--r;)n=(n&1&&-306674912)^n>>>1;e[t]=n}return e})(),ki=function(){var e=-1;return{p:function(t){for(var n=e,r=0;r<t.length;++r)n=Ei[n&255^t[r]]^n>>>8;e=n},d:function(){
 return~e}}};var Oi=function(e,t,n,r,o){if(!o&&(o={l:1},t.dictionary)){var s=t.dictionary.subarray(-32768),a=new M(s.length+e.length);a.set(s),a.set(e,s.length),e=a,o.w=s.length}
 return Mi(e,t.level==null?6:t.level,t.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(e.length)))*1.5):20:12+t.mem,n,r,o)},ls=function(e,t){var n={};for(var r in e)
 n[r]=e[r];for(var r in t)n[r]=t[r];return n};var se=function(e,t){return e[t]|e[t+1]<<8},re=function(e,t){return(e[t]|e[t+1]<<8|e[t+2]<<16|e[t+3]<<24)>>>0},Bn=function(e,t){return re(e,t)+re(e,t+4)*4294967296},
 z=function(e,t,n){for(;n;++t)e[t]=n,n>>>=8};var Ri=function(e,t){return((e[0]&15)!=8||e[0]>>4>7||(e[0]<<8|e[1])%31)&&D(6,"invalid zlib data"),(e[1]>>5&1)==+!t&&D(6,"invalid zlib data: "+(e[1]&32?"need":"u\
-nexpected")+" dictionary"),(e[1]>>3&4)+2};function Li(e,t){return Oi(e,t||{},0,0)}function Ni(e,t){return ss(e,{i:2},t&&t.out,t&&t.dictionary)}function cs(e,t){return ss(e.subarray(Ri(e,t&&t.dictionary),-4),{i:2},t&&t.out,t&&t.dictionary)}var us=function(e,t,n,r){for(var o in e){var s=e[o],a=t+o,i=r;Array.isArray(s)&&(i=ls(r,s[1]),s=s[0]),s instanceof M?n[a]=[s,i]:(n[a+="/"]=[new M(0),i],us(s,a,n,
+nexpected")+" dictionary"),(e[1]>>3&4)+2};function Ni(e,t){return Oi(e,t||{},0,0)}function Li(e,t){return ss(e,{i:2},t&&t.out,t&&t.dictionary)}function cs(e,t){return ss(e.subarray(Ri(e,t&&t.dictionary),-4),{i:2},t&&t.out,t&&t.dictionary)}var us=function(e,t,n,r){for(var o in e){var s=e[o],a=t+o,i=r;Array.isArray(s)&&(i=ls(r,s[1]),s=s[0]),s instanceof M?n[a]=[s,i]:(n[a+="/"]=[new M(0),i],us(s,a,n,
 r))}},Qo=typeof TextEncoder<"u"&&new TextEncoder,Kn=typeof TextDecoder<"u"&&new TextDecoder,_i=0;try{Kn.decode(is,{stream:!0}),_i=1}catch{}var Pi=function(e){for(var t="",
 n=0;;){var r=e[n++],o=(r>127)+(r>223)+(r>239);if(n+o>e.length)return{s:t,r:Tt(e,n-1)};o?o==3?(r=((r&15)<<18|(e[n++]&63)<<12|(e[n++]&63)<<6|e[n++]&63)-65536,t+=String.
 fromCharCode(55296|r>>10,56320|r&1023)):o&1?t+=String.fromCharCode((r&31)<<6|e[n++]&63):t+=String.fromCharCode((r&15)<<12|(e[n++]&63)<<6|e[n++]&63):t+=String.fromCharCode(
@@ -362,11 +362,11 @@ o&&8,e[t++]=n.compression&255,e[t++]=n.compression>>8;var m=new Date(n.mtime==nu
 m.getMonth()+1<<21|m.getDate()<<16|m.getHours()<<11|m.getMinutes()<<5|m.getSeconds()>>1),t+=4,s!=-1&&(z(e,t,n.crc),z(e,t+4,s<0?-s-2:s),z(e,t+8,n.size)),z(e,t+12,
 l),z(e,t+14,p),t+=16,a!=null&&(z(e,t,u),z(e,t+6,n.attrs),z(e,t+10,a),t+=14),e.set(r,t),t+=l,p)for(var f in c){var y=c[f],g=y.length;z(e,t,+f),z(e,t+2,g),e.set(y,
 t+4),t+=4+g}return u&&(e.set(i,t),t+=u),t},zi=function(e,t,n,r,o){z(e,t,101010256),z(e,t+8,n),z(e,t+10,n),z(e,t+12,r),z(e,t+16,o)};function ds(e,t){t||(t={});var n={},r=[];us(e,"",n,t);var o=0,s=0;for(var a in n){var i=n[a],l=i[0],c=i[1],u=c.level==0?0:8,p=en(a),m=p.length,h=c.comment,f=h&&
-en(h),y=f&&f.length,g=Vn(c.extra);m>65535&&D(11);var v=u?Li(l,c):l,x=v.length,b=ki();b.p(l),r.push(ls(c,{size:l.length,crc:b.d(),c:v,f:p,m:f,u:m!=a.length||f&&h.
-length!=y,o,compression:u})),o+=30+m+g+x,s+=76+2*(m+g)+(y||0)+x}for(var A=new M(s+22),E=o,N=s-o,R=0;R<r.length;++R){var p=r[R];es(A,p.o,p,p.f,p.u,p.c.length);var S=30+
-p.f.length+Vn(p.extra);A.set(p.c,p.o+S),es(A,o,p,p.f,p.u,p.c.length,p.o,p.m),o+=16+S+(p.m?p.m.length:0)}return zi(A,o,r.length,N,E),A}function ps(e,t){for(var n={},r=e.length-22;re(e,r)!=101010256;--r)(!r||e.length-r>65558)&&D(13);var o=se(e,r+8);if(!o)return{};var s=re(e,r+16),a=s==4294967295||
+en(h),y=f&&f.length,g=Vn(c.extra);m>65535&&D(11);var v=u?Ni(l,c):l,x=v.length,b=ki();b.p(l),r.push(ls(c,{size:l.length,crc:b.d(),c:v,f:p,m:f,u:m!=a.length||f&&h.
+length!=y,o,compression:u})),o+=30+m+g+x,s+=76+2*(m+g)+(y||0)+x}for(var A=new M(s+22),E=o,L=s-o,R=0;R<r.length;++R){var p=r[R];es(A,p.o,p,p.f,p.u,p.c.length);var S=30+
+p.f.length+Vn(p.extra);A.set(p.c,p.o+S),es(A,o,p,p.f,p.u,p.c.length,p.o,p.m),o+=16+S+(p.m?p.m.length:0)}return zi(A,o,r.length,L,E),A}function ps(e,t){for(var n={},r=e.length-22;re(e,r)!=101010256;--r)(!r||e.length-r>65558)&&D(13);var o=se(e,r+8);if(!o)return{};var s=re(e,r+16),a=s==4294967295||
 o==65535;if(a){var i=re(e,r-12);a=re(e,i)==101075792,a&&(o=re(e,i+32),s=re(e,i+48))}for(var l=t&&t.filter,c=0;c<o;++c){var u=Ii(e,s,a),p=u[0],m=u[1],h=u[2],f=u[3],
-y=u[4],g=u[5],v=$i(e,g);s=y,(!l||l({name:f,size:m,originalSize:h,compression:p}))&&(p?p==8?n[f]=Ni(e.subarray(v,v+m),{out:new M(h)}):D(14,"unknown compression t\
+y=u[4],g=u[5],v=$i(e,g);s=y,(!l||l({name:f,size:m,originalSize:h,compression:p}))&&(p?p==8?n[f]=Li(e.subarray(v,v+m),{out:new M(h)}):D(14,"unknown compression t\
 ype "+p):n[f]=Tt(e,v,v+m))}return n}var Ve=["pursuer","evader"];var Jn=4,ms=new Map;function hs(e,t){let n=ms.get(e);if(n)return n;let r=new Float32Array;try{let o=Wi(Bi(e),t);o.every(Number.isFinite)&&(r=o)}catch(o){if(!(o instanceof DOMException||
 o instanceof RangeError||Di(o)))throw o}return ms.set(e,r),r}var Di=e=>e instanceof Error&&"code"in e;function Wi(e,t){let n=cs(e),r=n.length/Jn,o=new Uint8Array(
 n.length);for(let a=0;a<o.length;a++)o[a]=n[a%Jn*r+Math.floor(a/Jn)];let s=new Uint32Array(o.buffer);for(let a=t;a<s.length;a++)s[a]^=s[a-t];return new Float32Array(
@@ -387,8 +387,8 @@ slice(t).buffer,i=o.startsWith("<U")&&String.fromCodePoint(...new Int32Array(a))
 ected an array of numbers or a text, got ${n.slice(0,80)}`);return{dtype:o,shape:s,data:l}}var Xn="matrixworld episode 3";function ws(e,t,n){let{config:r,actions:o,length:s,recording:a}=t,[i,l]=[r.n_pursuers+r.n_evaders,r.n_evaders],c={positions:["<i4",
 i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",l],ever_captured:["|b1",l]},u={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},p={},m=b=>{
 for(let A of Object.keys(b))(p[A]??=[]).push(Array.from(h.read(A),Number))},h=e.world(r);h.reset(t.start);let f=[];m(c);for(let b of o)h.step(b),m({...c,...u}),
-f.push(...h.conflictTable());h.free();let y={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},g={};for(let[b,[A,...E]]of Object.entries({...c,...u})){let N=s+
-+(b in c);g[b]={dtype:A,shape:[N,...E],data:y[A].from((p[b]??[]).flat())}}let v=b=>({dtype:"<i8",shape:[],data:Int32Array.of(b,0)}),x=b=>({dtype:"<U",shape:[],data:b});
+f.push(...h.conflictTable());h.free();let y={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},g={};for(let[b,[A,...E]]of Object.entries({...c,...u})){let L=s+
++(b in c);g[b]={dtype:A,shape:[L,...E],data:y[A].from((p[b]??[]).flat())}}let v=b=>({dtype:"<i8",shape:[],data:Int32Array.of(b,0)}),x=b=>({dtype:"<U",shape:[],data:b});
 return vs({format:x(Xn),n_pursuers:v(r.n_pursuers),config:x(JSON.stringify(r)),seat:v(n),...g,actions:{dtype:"|i1",shape:[s,i],data:Int8Array.from(o.flatMap(b=>[
 ...b]))},map:{dtype:"|b1",shape:[r.rows,r.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[f.length/11,11],data:Int32Array.from(
 f)}})}function xs(e,t){let n=bs(t),r=h=>Array.from(n[h]?.data??[]);if(n.format?.data!==Xn)throw new H(`expected a file marked "${Xn}"`);let o=JSON.parse(n.config.
@@ -438,12 +438,12 @@ d("dt",{},...t.map(r=>d("kbd",{},r))),d("dd",{},n)])),ks=e=>d("input",{type:"tex
 "evader","pursuer"]},tl=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(", ")} and ${e.at(-1)}`;function sn(e,t,n){let[r,o,s]=[t.recording.moments[n-1],t.recording.
 moments[n],t.outcomes[n]];if(!r||!o||!s)return[];let a=[...s.conflicts.map(l=>nl(e,t.rules,l)),...rl(e,r,o,s.captors)],i={kind:"calm",text:"No conflict, no capt\
 ure.",turn:0,blame:"",cost:"",used:[]};return[...a.length?a:[i],...ol(e,t,n)]}function nl(e,t,n){let r=n.at_fault.map(c=>te(e,c)),o=t.interaction==="SIMULTANEOU\
-S"?0:n.turn+1,s=r.length?`At fault: ${tl(r)}.`:"Nobody is at fault.",a=n.held.length+n.doomed.length>0,i=new Set(n.at_fault.map(c=>Ls(e,c,tt.indexOf(n.kind))));
+S"?0:n.turn+1,s=r.length?`At fault: ${tl(r)}.`:"Nobody is at fault.",a=n.held.length+n.doomed.length>0,i=new Set(n.at_fault.map(c=>Ns(e,c,tt.indexOf(n.kind))));
 i.delete(0);let l=a||!i.size?"":`Allowed, but it costs: ${[...i].map(an).join(" and ")}.`;return{kind:n.kind,text:`${n.text}.`,turn:o,blame:s,cost:l,used:el[n.kind]}}
-function Ls({pursuers:e,rewards:t},n,r){let o=n<e.length?t.pursuer_collide:t.evader_collide;return typeof o=="number"?o:o[r]}function an(e){let t=String(Number(
-Math.abs(e).toPrecision(5)));return e<0?`−${t}`:e>0?`+${t}`:"0"}function Ns(e,t,n,r){let[o,s,a]=[t.recording.moments[n-1],t.recording.moments[n],t.outcomes[n]];
+function Ns({pursuers:e,rewards:t},n,r){let o=n<e.length?t.pursuer_collide:t.evader_collide;return typeof o=="number"?o:o[r]}function an(e){let t=String(Number(
+Math.abs(e).toPrecision(5)));return e<0?`−${t}`:e>0?`+${t}`:"0"}function Ls(e,t,n,r){let[o,s,a]=[t.recording.moments[n-1],t.recording.moments[n],t.outcomes[n]];
 if(!o?.alive[r]||!s||!a)return"";let{rewards:i}=e,l=r<e.pursuers.length?"pursuer":"evader",c=i.blame==="FAULT"?s.fault:s.involved,u=tt.reduce((h,f,y)=>h+(c?.[3*
-r+y]?Ls(e,r,y):0),0),p=a.rewards[r]-u-i[`${l}_step`],m=Array.from({length:e.evaders.length+1},(h,f)=>f*i[`${l}_capture`]);for(let h of[0,i[`${l}_neighbor`]]){let f=m.
+r+y]?Ns(e,r,y):0),0),p=a.rewards[r]-u-i[`${l}_step`],m=Array.from({length:e.evaders.length+1},(h,f)=>f*i[`${l}_capture`]);for(let h of[0,i[`${l}_neighbor`]]){let f=m.
 find(v=>Math.abs(v+h-p)<1e-4);if(f===void 0)continue;let y={collision:u,capture:f,neighbour:h,step:i[`${l}_step`]},g=Object.entries(y).filter(([,v])=>v).map(([v,
 x])=>`${an(x)} ${v}`);return g.length>1?g.join(", "):""}return""}function rl(e,t,n,r){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=te(
 e,a),l=t.alive[a]&&!n.alive[a],c=r[s]?` by ${r[s]} ${r[s]===1?"pursuer":"pursuers"}`:"",u=["capture",...l?["captured_disappear"]:[]];n.captured[s]&&!t.captured[s]?
@@ -478,18 +478,18 @@ t,this.#a.config.diagonal);return s!==void 0&&this.act(s),s!==void 0}#A(t,n,r){t
 ariaLabel=`Board, ${t.config.rows} by ${t.config.cols} cells`,this.#s.show(t.config.diagonal),this.#p.replaceChildren(d("span",{class:"at-length"},`W A S D or t\
 he arrow keys move, Space stays${t.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the board: swipe, or tap where to go."),this.#R(
 t),this.#u.replaceChildren(),this.player.length=t.length,this.player.jump(t.length),this.#S()}#T(){this.#n.look={you:this.#m,fog:this.#h.checked,viewers:this.#m===
-null?[]:[this.#m],plan:this.#L()}}#R(t){this.#g=null,this.#v=this.player.ticks=[],this.#d.hidden=this.#c.disabled=!!Ue(t.config),Vt(this.#e,t.config,Yt(t.config)).
+null?[]:[this.#m],plan:this.#N()}}#R(t){this.#g=null,this.#v=this.player.ticks=[],this.#d.hidden=this.#c.disabled=!!Ue(t.config),Vt(this.#e,t.config,Yt(t.config)).
 then(n=>{this.#a===t&&(this.#g=n,this.#C(),this.#S())})}#C(){let[t,n]=[this.#a,this.#g];if(!n||this.element.dataset.state==="playing")return;let r=this.#e.world(
 t.config);r.reset(t.start),this.#v=Zt(n,r,t.actions),r.free(),this.player.ticks=Fo(this.#v)}get#M(){return this.#c.checked&&this.#l&&this.element.dataset.state===
-"playing"&&this.#g&&this.#a.game(this.#g)||null}#L(){let[t,n]=[this.#m,this.#m!==null&&this.#M?.marginal(this.#m)];return t!==null&&n?Object.assign(Array(t).fill(
+"playing"&&this.#g&&this.#a.game(this.#g)||null}#N(){let[t,n]=[this.#m,this.#m!==null&&this.#M?.marginal(this.#m)];return t!==null&&n?Object.assign(Array(t).fill(
 0),{[t]:n.indexOf(Math.max(...n))}):null}#x(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#i.value)?"off":"polite"}#E(){let[{policies:t,seat:n},
 r]=[this.#l.played,this.#a];r.step(t,n,this.#b),this.#y.push(this.#b),this.player.length=r.length,this.player.glide=Math.min(.22,.9/(Number(this.#i.value)||4)),
 this.player.move(r.length-this.player.step),rn(r,n)&&this.#k()}#k(){this.#x();let[t,n,r]=[this.#l,this.#a,this.played],o=lt()?t.link(r):null;this.#u.replaceChildren(
 d("h3",{id:"play-headline"},pl(n,r.seat)),...t.ending(n,r),d("div",{class:"play-buttons"},d("button",{type:"button",class:"primary",onclick:()=>t.again()},"Agai\
-n"),d("button",{type:"button",onclick:()=>this.#O()},"Watch it"),d("button",{type:"button",onclick:()=>this.#N(n,r.seat)},"Save"),o&&d("button",{type:"button",onclick:({
+n"),d("button",{type:"button",onclick:()=>this.#O()},"Watch it"),d("button",{type:"button",onclick:()=>this.#L(n,r.seat)},"Save"),o&&d("button",{type:"button",onclick:({
 currentTarget:a})=>hl(a,o)},"Link"))),this.element.dataset.state="ended",this.#C();let s=this.#v.filter(({team:a})=>a===ve(n.config,r.seat));s.length&&this.#u.children[0].
 after(d("p",{class:"small muted"},Ho(s))),this.#u.focus({preventScroll:!0}),this.#u.scrollIntoView({block:"nearest"})}#O(){this.element.dataset.state="watched",
-this.player.length=this.#a.length,this.player.jump(0),gt()||this.player.play()}#N(t,n){Os(`${J(n,t.config.n_pursuers)}-${t.length}-steps.npz`,ws(this.#e,t,n))}#S(){
+this.player.length=this.#a.length,this.player.jump(0),gt()||this.player.play()}#L(t,n){Os(`${J(n,t.config.n_pursuers)}-${t.length}-steps.npz`,ws(this.#e,t,n))}#S(){
 let[t,n,{step:r}]=[this.#a,this.#m,this.player];if(!t||r>t.length)return;let o=Ms(t,t.recording,r).filter(({agents:l})=>n===null||l.includes(n)),s=this.#l&&r===
 0,a=s?[ul(t.config,n),this.#l.about??""]:[`Step ${r} of ${t.config.max_steps}`,...o.map(({text:l})=>l)];!s&&n!==null&&a.push(dl(t,r,n)),a.push(...this.#v.filter(
 l=>l.step===r).map(bt));let i=r===t.length&&n!==null?this.#M:null;i&&a.push(`Perfect play: ${Jt(i,n)||"decided in its turn"}; ${qt(this.#g,i,r)}`),this.#T(),this.#o.
@@ -558,7 +558,7 @@ champions?.[n<t.pursuers.length?"pursuer":"evader"];return a?[d("option",{value:
 let{scene:i,game:l,player:c}=e,u=l.recording.moments[Math.min(c.step,l.length)],p=a-i.pursuers.length,m=p>=0&&!!u.captured[p];t.classList.toggle("chosen",e.selected===
 a),t.classList.toggle("gone",!u.alive[a]),n.value=String(i.next[a]),n.disabled=!u.alive[a]||l.over,n.hidden=!u.alive[a],r.hidden=!!u.alive[a],r.textContent=m?"c\
 aptured":"gone",t.classList.toggle("captured",m),o.textContent=m?" captured":"",s.forEach((h,f)=>{let y=e.games[f];h.hidden=!y;let g=y?.outcomes[c.step]?.rewards[a],
-v=y?Ns(i,y,c.step,a):"";h.replaceChildren(c.step&&g!==void 0?an(g):"",e.games.length>1?"":d("span",{class:"sum small muted"},v)),h.title=v;let x=l.outcomes[c.step]?.
+v=y?Ls(i,y,c.step,a):"";h.replaceChildren(c.step&&g!==void 0?an(g):"",e.games.length>1?"":d("span",{class:"sum small muted"},v)),h.title=v;let x=l.outcomes[c.step]?.
 rewards[a];h.classList.toggle("differs",f>0&&g!==void 0&&x!==g)})}function Gs(e){let t=e.data.gallery.map(l=>d("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(dt(l.scene,e.data),{example:l}),e.
 selected=0}},l.title)),n=d("p",{class:"example-text"}),r=d("p"),o=d("details",{class:"reveal"},d("summary",{},"Reveal"),r),s=d("nav",{class:"gallery","aria-labe\
 l":"Examples"},d("div",{class:"chips"},...t),n,o),a,i=()=>{e.data.gallery.forEach((l,c)=>t[c].setAttribute("aria-pressed",String(l===e.example))),n.replaceChildren(
@@ -589,13 +589,13 @@ document.querySelector("dialog[open]"))return;let i=a.key.length===1?a.key.toLow
 e.undo(),y:()=>e.redo()}[i];u&&!Zs(a.target)&&(a.preventDefault(),u());return}if(a.altKey||Rl(a.target,i))return;let l=r[Number(i)-1],c=o[i]??(e.mode==="build"?
 s[i]:void 0);if(c)c();else if(l)e.change({...e.scene,rules:e.data.variants[l]});else if(e.mode!=="act"||!ir(e,a))return;a.preventDefault()})}var Zs=e=>e instanceof
 HTMLInputElement&&!["radio","checkbox"].includes(e.type);function Rl(e,t){return Zs(e)||e instanceof HTMLSelectElement?!0:e instanceof HTMLInputElement?t===" "||
-t.startsWith("Arrow"):e instanceof HTMLButtonElement?t===" "||t==="Enter":e instanceof HTMLElement&&e.classList.contains("story-body")&&t.startsWith("Arrow")}var Ll=[
+t.startsWith("Arrow"):e instanceof HTMLButtonElement?t===" "||t==="Enter":e instanceof HTMLElement&&e.classList.contains("story-body")&&t.startsWith("Arrow")}var Nl=[
 [["Enter"],"play a step"],[["Backspace"],"take the last step back"],[["Home"],"back to the start"],[["Space"],"run, or stop"],[["N","P"],"choose the next agent,\
  or the one before"],[["↑","→","↓","←"],"the chosen agent moves there next"],[["Q","E","C","Y"],"the same on a diagonal, where the board allows it"],[["\
 S"],"the chosen agent stays"],[["1","… 9"],"choose a variant"],[["M"],"change between Move and Build"],[["Ctrl Z","Ctrl Y"],"undo, redo"],[["D"],"light or dar\
-k"],[["?"],"these keys"]],Nl=[[["↑","→","↓","←"],"move the cursor on the board"],[["Space"],"draw or erase an obstacle, or choose the agent there"],[["S\
+k"],[["?"],"these keys"]],Ll=[[["↑","→","↓","←"],"move the cursor on the board"],[["Space"],"draw or erase an obstacle, or choose the agent there"],[["S\
 hift ↑"],"carry the agent under the cursor"],[["+","-"],"add a pursuer, an evader"],[["Delete"],"remove the agent under the cursor"]],qs=()=>Es("Keys","",d("d\
-iv",{class:"keys-columns"},d("div",{},d("h3",{},"Anywhere"),or(Ll)),d("div",{},d("h3",{},"On the board, in Build"),or(Nl),d("h3",{},"With mouse or finger"),d("p",
+iv",{class:"keys-columns"},d("div",{},d("h3",{},"Anywhere"),or(Nl)),d("div",{},d("h3",{},"On the board, in Build"),or(Ll),d("h3",{},"With mouse or finger"),d("p",
 {},"Move: press an agent and drag it towards a cell beside it, or choose it and press that cell."),d("p",{},"Build: drag agents; draw on free cells to make obst\
 acles, on obstacles to erase them."))));function Js(e){let t=d("ul",{class:"lines","aria-live":"polite"}),n=d("details",{class:"card perfect"},d("summary",{},d("h2",{},"Perfect play")),t,d("p",{class:"\
 small muted"},"A team is one player here. An agent's shares are its part of the joint moves.")),r=0,o=(...a)=>t.replaceChildren(...a.filter(Boolean).map(i=>d("l\
