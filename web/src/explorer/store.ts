@@ -50,7 +50,7 @@ export class Store extends EventTarget {
     this.dispatchEvent(new Event("hover"));
   }
 
-  on(type: "run" | "match" | "hover", act: () => void): void {
-    this.addEventListener(type, act);
+  on(types: "run" | "match" | "match hover", act: () => void): void {
+    for (const type of types.split(" ")) this.addEventListener(type, act);
   }
 }

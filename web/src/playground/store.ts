@@ -186,6 +186,13 @@ export class Store extends EventTarget {
     return this.#undo.length > 0;
   }
 
+  /** Let `update` show the store, now and after each change, and after each step or picture of the player. */
+  shownBy(update: () => void, type: "step" | "frame" = "step"): void {
+    this.addEventListener("change", update);
+    this.player.addEventListener(type, update);
+    update();
+  }
+
   /** Tell the reader something; it stays until the next change. */
   say(text: string, problem = false): void {
     this.dispatchEvent(new CustomEvent("message", { detail: { text, problem } }));

@@ -46,8 +46,8 @@ export class PlayView {
   readonly #told = html("p", { class: "play-told", role: "status" });
   readonly #pad = pad((action) => this.act(action));
   readonly #pace = select(PACES.map((each) => [each, each ? `${each} / s` : "step by step"]), () => this.#rest());
-  readonly #fog = html("input", { type: "checkbox" });
-  readonly #best = html("input", { type: "checkbox" });
+  readonly #fog = html("input", { type: "checkbox", onchange: () => this.#look() });
+  readonly #best = html("input", { type: "checkbox", onchange: () => this.#tell() });
   /** Shown where the world can be solved. */
   readonly #bestChoice = html("label", { class: "play-choice" }, this.#best, "Best move");
   readonly #keys = html("p", { class: "small muted play-keys", id: "play-keys" });
@@ -66,8 +66,6 @@ export class PlayView {
     this.#engine = engine;
     this.#board = new Board(this.#canvas, { numbers: false });
     this.#canvas.setAttribute("role", "application");
-    this.#fog.addEventListener("change", () => this.#look());
-    this.#best.addEventListener("change", () => this.#tell());
     listenToPointer(this.#board, () => {
       const cell = this.#seat !== null && this.#live && cellOf(this.#live.recording.moments.at(-1)!, this.#seat);
       return cell ? { cell, diagonal: this.#live!.config.diagonal } : null;

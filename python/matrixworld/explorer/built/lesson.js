@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 7a97e04f0774b0cf3794725e176c5810a79ee1045c30ce46b1c68ba7b81a352f */
+/* built from web/ by "npm run build"; sources ef9619ecdb2c8c227dc301925cacc1b107a1e4e4cd6712e163198135d50d9312 */
 "use strict";(()=>{var ds={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},yt={DISAPPEAR:0,REACH:1,BOUNCE:2},ms={OCCUPATION:0,SURROUND:1},ps={FAULT:0,INVOLVED:1};var Qr=["obstacle","teammate","adversary"],en=["vertex","edge","chain"],hs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],tn=["p\
 ursuer_{number}","evader_{number}"],fs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},vt={"both held":"both bounce","both doomed":"\
@@ -213,16 +213,16 @@ r)return;let d=t[c]*s+e[c];o[d]+=l,a[d]+=1});let i=o.map((l,c)=>a[c]?l/a[c]:0);r
 d)/a.subarray(c*s,(c+1)*s).filter(Boolean).length})}var Pl=128,Xe=8;function _n(t){let{length:e}=t;if(e>Pl){let p=Math.floor(e/2)-Math.floor(e/2)%Xe;return _n(t.
 subarray(0,p))+_n(t.subarray(p))}if(e<Xe)return t.reduce((p,h)=>p+h,0);let r=t.slice(0,Xe),n=e-e%Xe;for(let p=Xe;p<n;p++)r[p%Xe]+=t[p];let[s,o,a,i,l,c,d,m]=r;return t.
 subarray(n).reduce((p,h)=>p+h,s+o+(a+i)+(l+c+(d+m)))}var L=["pursuer","evader"],Pe=t=>t==="pursuer"?"evader":"pursuer";var ho=({world:t})=>t.rules.teammate==="REACH"?.2:0;var cr={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},Ll=20,Nl=8,Il=-1,ur=({world:t,policy:e},r,n)=>({fov:t.fov,hidden:e.hidden,mask:e.mask===
-"none"?null:r[n]}),Qe=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters=[];#e;#t;#r;#n={};#o=new Set;#s=0;#c=0;#m=0;constructor(e,r,n,s=no(
+"none"?null:r[n]}),Qe=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters=[];#e;#t;#r;#n={};#o=new Set;#s=0;#c=0;#p=0;constructor(e,r,n,s=no(
 r.seed)){[this.#e,this.settings,this.#t,this.#r]=[e,r,n,s];for(let o of L){let{initial_weight:a,initial_head:i}=r.policy,l=s("initial",L.indexOf(o)),c=r.learner.
-kind==="ga"?r.learner.population:1,d=Array.from({length:c},()=>co(this.shape(o),l,a,i));this.#p(o,d),this.archive[o].push(this.#n[o].genome)}this.#w()}shape(e){
+kind==="ga"?r.learner.population:1,d=Array.from({length:c},()=>co(this.shape(o),l,a,i));this.#m(o,d),this.archive[o].push(this.#n[o].genome)}this.#w()}shape(e){
 return ur(this.settings,this.#t,e)}get finished(){return Math.min(this.archive.pursuer.length,this.archive.evader.length)}*run(){yield*this.#x(0);for(let e=1;e<=
 this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let r of L)yield*this.#u(r,e);else yield*this.#l(e);this.#w(),yield*this.#x(
 e)}}change(e){let r=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(r))===JSON.stringify(l(e));this.settings=e;
-let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of L){let c=d=>uo(d,n[l],this.shape(l));this.archive[l]=this.archive[l].map(c),this.#p(l,this.#a(
+let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of L){let c=d=>uo(d,n[l],this.shape(l));this.archive[l]=this.archive[l].map(c),this.#m(l,this.#a(
 l).map(c))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#o.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:a.
 slice(0,this.finished),evader:i.slice(0,this.finished)}}}#a(e){let r=this.#n[e];if(!(r instanceof kt))return[r.genome];let n=r.genome.length,s=Array.from({length:r.
-population.length/n},(o,a)=>r.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?r.genome:s[a%s.length])}#p(e,r){
+population.length/n},(o,a)=>r.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?r.genome:s[a%s.length])}#m(e,r){
 let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sigma],a=Rn(s),i=new ar(Ze(s),this.#r("noise",L.indexOf(e)),o,a?.fixed??null),l=r.map(
 c=>$n(c,a));this.#n[e]=n.kind==="ga"?new kt(lr(l),i,n):new ir(l[0],i,n)}*#u(e,r){for(let n=0;n<this.#i(e);n++){let s=this.archive[Pe(e)].length,o=this.settings.
 schedule[`${e}s_meet`],a=o==="latest"?s-1:o==="round-robin"?n%s:this.#r("opponents",L.indexOf(e),r,n).choice(s,1)[0],i=e==="pursuer"?[r,a]:[a,r],l=this.#n[e],{groups:c}=l,
@@ -238,10 +238,10 @@ pursuer.length;return e?r.choice(n,Math.min(e,n)):new Int32Array(0)}#i(e){let{sc
 ochs`]}*#v(e,r,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i("pursuer"),0]:[this.#i("pursuer"),this.#i("evader")],a=r+1+(n==="evader"?s:0),i=s+
 o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#f(e,r,n){let s={...this.settings.world,max_steps:this.settings.
 train_steps},o=this.#e.rollouts(s,this.#g("pursuer",e.pursuer),this.#g("evader",e.evader),{...r,seed:n},1);this.#s+=o.length.length;for(let a of o.length)this.#c+=
-Number(a);for(let a of o.agent_steps)this.#m+=Number(a);return o}#g(e,r){return Ot(this.shape(e),r)}#y({captured_fraction:e,overlap:r},n){let s=ho(this.settings);
+Number(a);for(let a of o.agent_steps)this.#p+=Number(a);return o}#g(e,r){return Ot(this.shape(e),r)}#y({captured_fraction:e,overlap:r},n){let s=ho(this.settings);
 return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(r[2*a+1]))}#b(e,r,n){let s=B(r),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),
 this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(B(r.map(a=>(a-s)**2))),fitness_best:Math.max(...r),capture_rate:B(e.capture_rate),length:B(e.length),pursuer_faults:o[0]/
-e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#c})}#w(){this.counters.push({matches:this.#s,steps:this.#c,agent_steps:this.#m})}*#x(e){
+e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#c})}#w(){this.counters.push({matches:this.#s,steps:this.#c,agent_steps:this.#p})}*#x(e){
 yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-
 1;e>=0;e--){for(let r=e;r>=0;r--)for(let[n,s]of r===e?[[e,e]]:[[e,r],[r,e]]){if(this.cells.has(`${n} ${s}`))continue;let o=this.#S(n,s);this.cells.set(`${n} ${s}`,
 o),yield{type:"cell",cell:o}}this.#o.has(e)||(this.#o.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#A("pursuer",e),evader:this.#A("evader",e)}})}}#S(e,r){
@@ -257,36 +257,36 @@ o||(o=!0,a.port2.postMessage(null))},l=async d=>{if(d.type==="start")r=new Qe(aw
 "stop")n=null;else if(d.type==="change"){let m=r?.change(d.settings);if(m&&t(m),!r||!m||n)return;n=r.catchUp(),i()}else if(r){let{settings:m,archive:p,rows:h,cells:f,
 counters:g,finished:y}=r;t({type:"saved",race:{settings:m,archive:p,rows:h,cells:f,counters:g,finished:y}})}},c=d=>{Promise.resolve().then(d).catch(m=>{n=null,t(
 {type:"failed",message:String(m)})})};a.port1.onmessage=()=>{o=!1,c(i)},globalThis.onmessage=({data:d})=>c(()=>l(d))}var Dl="http://www.w3.org/2000/svg";function u(t,e={},...r){return yo(document.createElement(t),e,r)}function b(t,e={},...r){return yo(document.createElementNS(
-Dl,t),e,r)}function yo(t,e,r){for(let[n,s]of Object.entries(e))s==null||s===!1||(typeof s=="function"?t.addEventListener(n.slice(2),s):t.setAttribute(n,s===!0?"":
-String(s)));return t.append(...r.filter(Ul).map(n=>typeof n=="number"?String(n):n)),t}function Ul(t){return t!=null&&t!==!1}function dr(t,e){let r=u("select",{},
-...t.map(([n,s])=>u("option",{value:n},s)));return r.addEventListener("change",()=>e(r.value)),r}async function Pn(t){try{await t}catch(e){throw(document.querySelector(
-"#page, main")??document.body).prepend(u("p",{class:"card problem",role:"alert"},`The page could not start: ${String(e)}`)),e}finally{document.body.dataset.ready=
-"true"}}var vo=()=>["file:","http:","https:"].includes(location.protocol);var bo=t=>u("input",{type:"text",readonly:!0,"aria-label":t});function et(t,e){let r=URL.createObjectURL(new Blob([e],{type:"application/octet-stream"}));u("a",
-{href:r,download:t}).click(),setTimeout(()=>URL.revokeObjectURL(r),6e4)}var wo=()=>document.documentElement.dataset.theme==="dark",Rt=t=>{document.documentElement.dataset.theme=t?"dark":"light"},Wl=()=>Rt(!wo());if(typeof document<"\
+Dl,t),e,r)}function yo(t,e,r){for(let[s,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(s.slice(2),o):t.setAttribute(s,o===!0?"":
+String(o)));let n=r.filter(s=>s!=null&&s!==!1);return t.append(...n.map(s=>typeof s=="number"?String(s):s)),t}function dr(t,e){let r=u("select",{onchange:()=>e(
+r.value)},...t.map(([n,s])=>u("option",{value:n},s)));return r}async function Pn(t){try{await t}catch(e){throw(document.querySelector("#page, main")??document.body).
+prepend(u("p",{class:"card problem",role:"alert"},`The page could not start: ${String(e)}`)),e}finally{document.body.dataset.ready="true"}}var vo=()=>["file:","\
+http:","https:"].includes(location.protocol);var bo=t=>u("input",{type:"text",readonly:!0,"aria-label":t});function et(t,e){let r=URL.createObjectURL(new Blob([e],{type:"application/octet-stream"}));u("a",
+{href:r,download:t}).click(),setTimeout(()=>URL.revokeObjectURL(r),6e4)}var wo=()=>document.documentElement.dataset.theme==="dark",Rt=t=>{document.documentElement.dataset.theme=t?"dark":"light"},Ul=()=>Rt(!wo());if(typeof document<"\
 u"){let t=matchMedia("(prefers-color-scheme: dark)");t.addEventListener("change",()=>Rt(t.matches)),Rt(t.matches);let e=!1;addEventListener("beforeprint",()=>{e=
-wo(),Rt(!1)}),addEventListener("afterprint",()=>Rt(e))}function xo(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Wl},
+wo(),Rt(!1)}),addEventListener("afterprint",()=>Rt(e))}function xo(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Ul},
 "◐")}var mr=(t,e,...r)=>u("header",{class:"top"},u("div",{},u("h1",{},t),e?u("p",{class:"lead"},e):null),u("div",{class:"tools"},...r,xo()));var pr=t=>t!==void 0&&"predict"in t,hr=({sections:t})=>new Map(t.flatMap(({parts:e})=>e.filter(pr).map(r=>[r.predict,r]))),So=()=>JSON.parse(Se("data"));var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function Ao(t,e,r){let[n,s]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(s)?s=0:r||
-(n=0),tt.findIndex(([o,a])=>o===Math.sign(n)&&a===Math.sign(s))}var Le=(t,e)=>e<t.nPursuers,R=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],zl=(t,e)=>t[0]===e[0]&&
+(n=0),tt.findIndex(([o,a])=>o===Math.sign(n)&&a===Math.sign(s))}var Le=(t,e)=>e<t.nPursuers,R=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Wl=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],Ln=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Nn=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),In=(t,e)=>Nn(t.fault,e),Mo=(t,e)=>!In(
-t,e)&&Nn(t.involved,e,2);function fr(t,e,r){let n=!zl(R(t,r),R(e,r)),s=e.involved===void 0||Nn(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&s)}function gr(t,e,r){
+t,e)&&Nn(t.involved,e,2);function fr(t,e,r){let n=!Wl(R(t,r),R(e,r)),s=e.involved===void 0||Nn(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&s)}function gr(t,e,r){
 let[n,s]=R(t,r),[o,a]=tt[e.actions?.[r]??0];return[n+o,s+a]}function $t(t,e,r){return Array.from({length:r.everCaptured.length},(s,o)=>o).filter(s=>r.everCaptured[s]&&
 !e.everCaptured[s]).map(s=>t.nPursuers+s)}var yr=t=>t.moments.flatMap((e,r)=>r&&$t(t,t.moments[r-1],e).length?[r]:[]);function vr(t,e){return Array.from({length:e.
 alive.length},(n,s)=>s).filter(n=>t.alive[n]&&!e.alive[n])}var Eo=[-.31,0,.31],To=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
--.23,-.23],[.23,-.23]]},{size:.36,at:Eo.flatMap(t=>Eo.map(e=>[e,t]))}],Bl=.3,Hl=.35,jl=.55;function _t(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
+-.23,-.23],[.23,-.23]]},{size:.36,at:Eo.flatMap(t=>Eo.map(e=>[e,t]))}],zl=.3,Bl=.35,Hl=.55;function _t(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
 alive[n])continue;let[s,o]=R(e,n),a=s*t.cols+o,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function ko(t,e){let r=Array.from(e.alive,(n,s)=>{let[o,a]=R(e,s);return{
 x:a+.5,y:o+.5,size:1,alpha:0}});for(let n of _t(t,e).values()){let s=To[Math.min(n.length,To.length)-1];n.forEach((o,a)=>{let[i,l]=s.at[Math.min(a,s.at.length-1)],
 c=r[o];c.x+=i,c.y+=l,c.size=s.size,c.alpha=1})}return r}var Co=t=>t*t*(3-2*t),rt=(t,e,r)=>t+(e-t)*r,Oo=t=>Math.min(1,Math.max(0,t));function Ro(t,e,r,n){let s={
-SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(s===1)return Co(n);let o=s===r?e:+!Le(t,e),a=Math.max(1/s,Hl);return Co(Oo((n-o/(s-1)*(1-a))/a))}function br(t,e){
+SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(s===1)return Co(n);let o=s===r?e:+!Le(t,e),a=Math.max(1/s,Bl);return Co(Oo((n-o/(s-1)*(1-a))/a))}function br(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),s=t.moments[n],o=ko(t,s);if(n===r||e===n)return o;let a=t.moments[n+1],i=ko(t,a);return o.map((l,c)=>{let d=Ro(
-t,c,o.length,e-n);return Gl(s,a,c,l,i[c],d)})}function Fn(t,e,r){let n=t.moments.length-1,s=Math.min(Math.floor(r),n),[o,a]=[t.moments[s],t.moments[Math.min(s+1,
-n)]],i=Ro(t,e,o.alive.length,r-s),[[l,c],[d,m]]=[R(o,e),R(a,e)];return[rt(c,m,i)+.5,rt(l,d,i)+.5]}function Gl(t,e,r,n,s,o){let a=n.alpha>s.alpha,i={x:rt(n.x,s.x,
-o),y:rt(n.y,s.y,o),size:a?n.size:rt(n.size,s.size,o),alpha:a?Oo((1-o)/(1-jl)):rt(n.alpha,s.alpha,o)};if(fr(t,e,r)){let[l,c]=R(t,r),[d,m]=gr(t,e,r),p=Bl*Math.sin(
+t,c,o.length,e-n);return jl(s,a,c,l,i[c],d)})}function Fn(t,e,r){let n=t.moments.length-1,s=Math.min(Math.floor(r),n),[o,a]=[t.moments[s],t.moments[Math.min(s+1,
+n)]],i=Ro(t,e,o.alive.length,r-s),[[l,c],[d,m]]=[R(o,e),R(a,e)];return[rt(c,m,i)+.5,rt(l,d,i)+.5]}function jl(t,e,r,n,s,o){let a=n.alpha>s.alpha,i={x:rt(n.x,s.x,
+o),y:rt(n.y,s.y,o),size:a?n.size:rt(n.size,s.size,o),alpha:a?Oo((1-o)/(1-Hl)):rt(n.alpha,s.alpha,o)};if(fr(t,e,r)){let[l,c]=R(t,r),[d,m]=gr(t,e,r),p=zl*Math.sin(
 Math.PI*o);i.x+=(m-c)*p,i.y+=(d-l)*p}return i}var $o=2*Math.PI;function Ne(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,$o)}function wr(t,e,r,n){let s=n/2,o=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*s,r+i*
 s]);t.beginPath(),t.moveTo((o[2][0]+o[0][0])/2,(o[2][1]+o[0][1])/2),o.forEach(([a,i],l)=>{let[c,d]=o[(l+1)%3];t.arcTo(a,i,c,d,n*.09)}),t.closePath()}function _o(t,e,r,n){
 let s=n*.32;t.beginPath(),t.moveTo(e-s,r-s),t.lineTo(e+s,r+s),t.moveTo(e+s,r-s),t.lineTo(e-s,r+s)}function Po(t,e,r,n){t.beginPath();for(let s=0;s<16;s++){let o=n/
 2*(s%2?.6:.95),a=$o*s/16;t.lineTo(e+o*Math.sin(a),r-o*Math.cos(a))}t.closePath()}function Lo(t,e,r,n,s,o){let a=Math.atan2(s-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,s);for(let i of[-1,1])t.moveTo(n,s),t.lineTo(n-o*Math.cos(a+i*.6),s-o*Math.sin(a+i*.6))}var No=4,Vl=1.6,ql=.95,Yl=5,Kl=.16,Jl=9,Zl=.09,Xl=.2,Io=.75,ee=(t,e)=>t.left+e*t.cell,te=(t,e)=>t.top+e*t.cell;function nt(t,e,r){return Le(e,r)?t.colors.pursuer:
-t.colors.evader}function Fo({ctx:t,grid:e,colors:r}){let{left:n,top:s,cell:o,rows:a,cols:i}=e,[l,c]=[i*o,a*o];if(t.fillStyle=r.paper,t.fillRect(n,s,l,c),o<Yl)return;
+t.lineTo(n,s);for(let i of[-1,1])t.moveTo(n,s),t.lineTo(n-o*Math.cos(a+i*.6),s-o*Math.sin(a+i*.6))}var No=4,Gl=1.6,Vl=.95,ql=5,Yl=.16,Kl=9,Jl=.09,Zl=.2,Io=.75,ee=(t,e)=>t.left+e*t.cell,te=(t,e)=>t.top+e*t.cell;function nt(t,e,r){return Le(e,r)?t.colors.pursuer:
+t.colors.evader}function Fo({ctx:t,grid:e,colors:r}){let{left:n,top:s,cell:o,rows:a,cols:i}=e,[l,c]=[i*o,a*o];if(t.fillStyle=r.paper,t.fillRect(n,s,l,c),o<ql)return;
 t.fillStyle=r.line;let d=Math.max(1,Math.round(o/60));for(let m=1;m<i;m++)t.fillRect(n+m*o,s,d,c);for(let m=1;m<a;m++)t.fillRect(n,s+m*o,l,d)}function Do({ctx:t,
 grid:e,colors:r},n){let{left:s,top:o,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let c=0;c<i*l;c++){if(!n.obstacles[c])continue;let[d,m]=[Math.floor(c/l),
 c%l];t.fillRect(s+m*a,o+d*a,a,a)}Uo({ctx:t,grid:e,colors:r})}function Uo({ctx:t,grid:{left:e,top:r,cell:n,rows:s,cols:o},colors:a}){let i=Math.min(5,Math.max(2,
@@ -301,31 +301,31 @@ Math.max(o,.6),t.beginPath(),t.roundRect(l-i/2,c-i/2,i,i,i*.2),t.strokeStyle=r.f
 e.cell*.5));t.font=`700 ${Math.round(d)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let m=c-i/2<d*1.2,p=c+(m?1:-1)*(i/2+d*.7);t.strokeStyle=
 r.paper,t.lineJoin="round",t.lineWidth=d*.35,t.strokeText("You",l,p),t.fillStyle=r.ink,t.fillText("You",l,p),t.globalAlpha=1}function jo(t,e,r,n,s){let{ctx:o,grid:a}=t,
 i=zo(t,e,n,s),l=nt(t,e,r);o.globalAlpha=.11,o.fillStyle=l,o.fillRect(...i),o.globalAlpha=.8,o.strokeStyle=l,o.lineWidth=Math.max(1,a.cell/24),o.strokeRect(...i),
-o.globalAlpha=1}function Go(t,e,r,n,s){let{ctx:o,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];o.lineCap="round",o.lineWidth=Math.min(Jl,
-Math.max(1,a.cell*Kl));for(let c=Math.max(1,Math.floor(r-n)+1);c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));o.globalAlpha=
-Io+(Xl-Io)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&r<i;if(!d.alive[h]||!(l.alive[h]||f))continue;let g=(Le(e,h)?-1:1)*Zl,[y,x]=R(d,h),[v,w]=R(m,h);if(y===
+o.globalAlpha=1}function Go(t,e,r,n,s){let{ctx:o,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];o.lineCap="round",o.lineWidth=Math.min(Kl,
+Math.max(1,a.cell*Yl));for(let c=Math.max(1,Math.floor(r-n)+1);c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));o.globalAlpha=
+Io+(Zl-Io)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&r<i;if(!d.alive[h]||!(l.alive[h]||f))continue;let g=(Le(e,h)?-1:1)*Jl,[y,x]=R(d,h),[v,w]=R(m,h);if(y===
 v&&x===w)continue;let S=f?s[h].x:w+.5,A=f?s[h].y:v+.5;o.strokeStyle=nt(t,e,h),o.beginPath(),o.moveTo(ee(a,x+.5+g),te(a,y+.5+g)),o.lineTo(ee(a,S+g),te(a,A+g)),o.
 stroke()}}o.globalAlpha=1}function Vo(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let s=Math.max(1,n-No+1);s<=n;s++){let[o,a]=[e.moments[s-1],e.moments[s]],
-i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/No,l=$t(e,o,a);for(let c of vr(o,a))l.includes(c)||ec(t,R(a,c),i);for(let c of l)Ql(t,R(a,c),i)}t.ctx.globalAlpha=1}function Ql({
-ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Po(t,ee(e,s+.5),te(e,n+.5),Math.max(8,e.cell*Vl)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
-Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function ec({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,_o(t,ee(e,s+.5),te(e,n+.5),Math.max(7,e.cell*ql)),
+i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/No,l=$t(e,o,a);for(let c of vr(o,a))l.includes(c)||Ql(t,R(a,c),i);for(let c of l)Xl(t,R(a,c),i)}t.ctx.globalAlpha=1}function Xl({
+ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Po(t,ee(e,s+.5),te(e,n+.5),Math.max(8,e.cell*Gl)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
+Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Ql({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,_o(t,ee(e,s+.5),te(e,n+.5),Math.max(7,e.cell*Vl)),
 t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function qo({ctx:t,grid:e,colors:r},n,s){let o=Math.max(1,e.cell*.07);
 t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)
 continue;let l=[ee(e,i)+o,te(e,a)+o,e.cell-2*o,e.cell-2*o];t.globalAlpha=.2*s,t.fillRect(...l),t.globalAlpha=s,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=
 1}function Yo({ctx:t,grid:e,colors:r},n,s,o,a){t.globalAlpha=a,Ne(t,ee(e,n),te(e,s),Math.max(8,e.cell*o*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,
-e.cell*.085*Math.sqrt(o)),t.stroke(),t.globalAlpha=1}var tc=.8,rc=.92,nc=15,sc=7,Dn=9;function Ko(t,e,r,n,s,o){n.forEach((a,i)=>{a.alpha>0&&oc(t,e,r,i,a,s,o)}),t.ctx.globalAlpha=1;for(let a of _t(e,r).values())a.length>
-Dn&&ac(t,n[a[Dn-1]],a.length-Dn+1)}function oc(t,e,r,n,s,o,a){let{ctx:i,grid:l,colors:c}=t,d=Le(e,n),[m,p]=[l.left+s.x*l.cell,l.top+s.y*l.cell],h=Math.max(4,l.cell*
-s.size*(d?rc:tc)),f=nt(t,e,n),g=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=s.alpha,(d?wr:Ne)(i,m,p,h),h>sc*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(
-2,h*.1),i.stroke()),i.fillStyle=g?c.paper:f,i.fill(),g&&(Ne(i,m,p,h*.82),i.strokeStyle=f,i.lineWidth=h*.18,i.stroke()),!o||h<nc*a)return;let y=String(d?n:n-e.nPursuers);
+e.cell*.085*Math.sqrt(o)),t.stroke(),t.globalAlpha=1}var ec=.8,tc=.92,rc=15,nc=7,Dn=9;function Ko(t,e,r,n,s,o){n.forEach((a,i)=>{a.alpha>0&&sc(t,e,r,i,a,s,o)}),t.ctx.globalAlpha=1;for(let a of _t(e,r).values())a.length>
+Dn&&oc(t,n[a[Dn-1]],a.length-Dn+1)}function sc(t,e,r,n,s,o,a){let{ctx:i,grid:l,colors:c}=t,d=Le(e,n),[m,p]=[l.left+s.x*l.cell,l.top+s.y*l.cell],h=Math.max(4,l.cell*
+s.size*(d?tc:ec)),f=nt(t,e,n),g=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=s.alpha,(d?wr:Ne)(i,m,p,h),h>nc*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(
+2,h*.1),i.stroke()),i.fillStyle=g?c.paper:f,i.fill(),g&&(Ne(i,m,p,h*.82),i.strokeStyle=f,i.lineWidth=h*.18,i.stroke()),!o||h<rc*a)return;let y=String(d?n:n-e.nPursuers);
 i.font=`700 ${Math.round(h*(d?.4:.5)*(y.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=g?f:c.paper,i.fillText(
-y,m,p+h*(d?.17:.03))}function ac({ctx:t,grid:e,colors:r},n,s){let[o,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+y,m,p+h*(d?.17:.03))}function oc({ctx:t,grid:e,colors:r},n,s){let[o,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${s}`,o,a),t.fillStyle=r.ink,t.fillText(`+${s}`,
-o,a)}var ic=.46,lc=.86,cc=.66,Jo=.48,uc=.78,dc=.58;function Zo(t,e,r,n){let[s,o]=[e.moments[r-1],e.moments[r]];if(!s)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<o.alive.length;c++)fr(s,o,c)&&mc(t,e,R(s,c),gr(s,o,c));a.globalAlpha=
-1}function mc({ctx:t,grid:e},r,n,s){let[o,a]=[s[1]-n[1],s[0]-n[0]],i=m=>ee(e,n[1]+.5+o*m),l=m=>te(e,n[0]+.5+a*m),c=Ln(r,s)?uc:dc;t.setLineDash([e.cell*.09,e.cell*
+o,a)}var ac=.46,ic=.86,lc=.66,Jo=.48,cc=.78,uc=.58;function Zo(t,e,r,n){let[s,o]=[e.moments[r-1],e.moments[r]];if(!s)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<o.alive.length;c++)fr(s,o,c)&&dc(t,e,R(s,c),gr(s,o,c));a.globalAlpha=
+1}function dc({ctx:t,grid:e},r,n,s){let[o,a]=[s[1]-n[1],s[0]-n[0]],i=m=>ee(e,n[1]+.5+o*m),l=m=>te(e,n[0]+.5+a*m),c=Ln(r,s)?cc:uc;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(Jo),l(Jo)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(o,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
-o*d),t.lineTo(i(c)+a*d,l(c)-o*d),t.stroke()}function Xo(t,e,r,n,s,o){let a=tt[o];if(!o||!a)return;let{ctx:i,grid:l,colors:c}=t,d=Ln(e,[n[0]+a[0],n[1]+a[1]])?lc:
-cc,m=ic*s.size,p=[ee(l,s.x+a[1]*m),te(l,s.y+a[0]*m),ee(l,s.x+a[1]*d),te(l,s.y+a[0]*d)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[f,g]of[[
+o*d),t.lineTo(i(c)+a*d,l(c)-o*d),t.stroke()}function Xo(t,e,r,n,s,o){let a=tt[o];if(!o||!a)return;let{ctx:i,grid:l,colors:c}=t,d=Ln(e,[n[0]+a[0],n[1]+a[1]])?ic:
+lc,m=ac*s.size,p=[ee(l,s.x+a[1]*m),te(l,s.y+a[0]*m),ee(l,s.x+a[1]*d),te(l,s.y+a[0]*d)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[f,g]of[[
 c.paper,h*2.1],[nt(t,e,r),h]])i.strokeStyle=f,i.lineWidth=g,Lo(i,...p,l.cell*.2),i.stroke()}var ea={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function ta(t,e,r,n,s){let{ctx:o,grid:a,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),c=e.moments[l],d=r===l,m=br(e,r),p=d?1:Math.max(0,1-2*(l-r));o.clearRect(0,0,o.canvas.width,o.canvas.height),Fo(t);for(let g of n.
 viewers)m[g]?.alpha&&jo(t,e,g,...Fn(e,g,r));Do(t,e),n.axes&&Wo(t,s),Go(t,e,r,n.trail,m),qo(t,c.contested??[],p),Vo(t,e,r),Zo(t,e,l,p),m.forEach(({x:g,y,size:x},v)=>{
@@ -334,8 +334,8 @@ Xo(t,e,g,R(c,g),y,n.plan[g]??0);n.you!==null&&(n.fog&&Bo(t,e,...Fn(e,n.you,r)),H
 null?void 0:m[n.selected];f?.alpha&&Qo(t,f.x,f.y,f.size*.96),n.cursor&&(o.setLineDash([a.cell*.12,a.cell*.08]),Qo(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),o.setLineDash(
 []))}function Qo({ctx:t,grid:e},r,n,s){let o=s*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-o/2,e.top+n*e.cell-o/2,o,o,o*.1),t.stroke()}var ra=(t,e)=>(e+.24)/(t+.24);function na(t,e,r,n,s,o){let a=r?28*o:0,i=(c,d)=>(c-a)/(d+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(s,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((s-t*l+a)/2)}}function sa(t,e,r){let n=Math.floor((r-t.top)/t.cell),s=Math.floor((e-t.left)/t.cell);return n>=
-0&&n<t.rows&&s>=0&&s<t.cols?[n,s]:null}var pc={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function xr(t){let e=getComputedStyle(t),r=Object.entries(pc).map(([n,s])=>[n,e.getPropertyValue(
+0&&n<t.rows&&s>=0&&s<t.cols?[n,s]:null}var mc={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function xr(t){let e=getComputedStyle(t),r=Object.entries(mc).map(([n,s])=>[n,e.getPropertyValue(
 s).trim()]);return Object.fromEntries(r)}var oe=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,ke=class{canvas;#e=null;#t=0;#r;#n={rows:1,cols:1,left:0,top:0,cell:1};#o=0;constructor(e,r={}){
 this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#r={...ea,...r},new ResizeObserver(()=>this.#c()).observe(e),new MutationObserver(()=>this.
 redraw()).observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",()=>this.drawNow())}get look(){return this.#r}set look(e){this.#r={...this.#r,
@@ -347,33 +347,33 @@ return null;let s=this.#e.moments[Math.round(this.#t)],o=_t(this.#e,s).get(n[0]*
 a[l].x,a[l].y);return Math.hypot(c-e,d-r)};return o.length?o.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),s=n.width/
 this.canvas.width,{left:o,top:a,cell:i}=this.#n;return[n.left+(o+e*i)*s,n.top+(a+r*i)*s]}#s(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty(
 "--board-aspect",String(ra(e,r)))}#c(){let e=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
-r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Pt=[.5,1,2,4,8,16,32,64],Sr=0,Ar=12,hc=2,ue=class extends EventTarget{#e;#t;#r;#n=0;#o=0;#s=!1;#c=null;#m=0;#a=[];#p=[];glide=.28;constructor(e,r={}){super(),
+r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Pt=[.5,1,2,4,8,16,32,64],Sr=0,Ar=12,pc=2,ue=class extends EventTarget{#e;#t;#r;#n=0;#o=0;#s=!1;#c=null;#p=0;#a=[];#m=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#t=r.speed??4,this.#r=r.still??!1}get step(){return this.#n}get time(){return this.#r?this.#n:this.#o}get arrived(){return this.#o===this.#n}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#i("state")}get marks(){return this.#a}set marks(e){this.#a=e,this.#i(
-"state")}get ticks(){return this.#p}set ticks(e){this.#p=e,this.#i("state")}get pace(){return this.#t||Math.max(hc,this.#e/Ar)}get speed(){return this.#t}set speed(e){
+"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#i("state")}get pace(){return this.#t||Math.max(pc,this.#e/Ar)}get speed(){return this.#t}set speed(e){
 this.#t=e,this.#i("state")}changeSpeed(e){let r=Pt.findIndex(n=>n>=this.pace);this.speed=Pt[Math.min(Pt.length-1,Math.max(0,r+e))]}play(){this.#s||!this.#e||(this.#n===
 this.#e&&this.jump(0),this.#s=!0,this.#i("state"),this.#l())}pause(){this.#s&&(this.#s=!1,this.#i("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.
 pause();let r=Math.min(this.#e,Math.max(0,this.#n+e));Math.abs(r-this.#o)>1?this.jump(r):this.#u(r),this.#l()}jump(e){this.#o=Math.min(this.#e,Math.max(0,Math.round(
-e))),this.#u(this.#o),this.#i("frame")}#u(e){e!==this.#n&&(this.#n=e,this.#i("step"),this.#r&&this.#i("frame"))}#l(){this.#c===null&&(this.#m=performance.now(),
-this.#c=requestAnimationFrame(()=>this.#h()))}#h(){this.#c=null;let e=performance.now();this.#d(Math.min(.25,(e-this.#m)/1e3)),this.#m=e,(!this.#r||this.arrived)&&
+e))),this.#u(this.#o),this.#i("frame")}#u(e){e!==this.#n&&(this.#n=e,this.#i("step"),this.#r&&this.#i("frame"))}#l(){this.#c===null&&(this.#p=performance.now(),
+this.#c=requestAnimationFrame(()=>this.#h()))}#h(){this.#c=null;let e=performance.now();this.#d(Math.min(.25,(e-this.#p)/1e3)),this.#p=e,(!this.#r||this.arrived)&&
 this.#i("frame"),(this.#s||this.#o!==this.#n)&&(this.#c=requestAnimationFrame(()=>this.#h()))}#d(e){let r=e;for(;r>0;){if(this.#o===this.#n){if(!this.#s)return;
 if(this.#n===this.#e)return this.pause();this.#u(this.#n+1)}let n=this.#s?this.pace:1/this.glide,s=this.#n-this.#o,o=Math.min(Math.abs(s),r*n);r-=o/n,this.#o=o===
 Math.abs(s)?this.#n:this.#o+Math.sign(s)*o}this.#s&&this.#o===this.#e&&this.pause()}#i(e){this.dispatchEvent(new Event(e))}};function Mr(t,e){if(e.ctrlKey||e.metaKey||
 e.altKey)return!1;let r=e.shiftKey?10:1,s={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
-"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return s?.(),s!==void 0}var fc={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function oa(t){return b("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},b("path",{d:fc[t]}))}function Lt(t,e,r,n){return u("button",
-{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},oa(t))}function Ce(t){let e=Lt("play","Play","Space",()=>t.toggle()),r=gc(t),
-n=u("div",{class:"captures","aria-hidden":"true",title:"Captures"}),s=u("div",{class:"losses","aria-hidden":"true"}),o=yc(t),a=u("output",{class:"player-count"}),
-i=u("div",{class:"player",role:"group","aria-label":"Player"},Lt("first","First step","Home",()=>t.move(-t.length)),Lt("back","Step back","←",()=>t.move(-1)),
-e,Lt("forward","Step forward","→",()=>t.move(1)),Lt("last","Last step","End",()=>t.move(t.length)),u("div",{class:"scrub"},n,s,r),a,o),l=(m,p={})=>{let h=u("i",
-p);return h.style.left=`${100*m/Math.max(1,t.length)}%`,h},c=()=>{n.replaceChildren(...t.marks.map(m=>l(m))),s.replaceChildren(...t.ticks.map(({step:m,kind:p,size:h,
-text:f})=>{let g=l(m,{class:p,title:`Step ${m}: ${f}`});return g.style.height=`${100*h}%`,g}))},d=()=>{e.replaceChildren(oa(t.playing?"pause":"play")),e.ariaLabel=
-t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,a.textContent=
-`${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,o.value=String(t.speed)};return t.addEventListener("step",d),t.addEventListener("s\
-tate",d),t.addEventListener("state",c),i.addEventListener("keydown",m=>{!(m.target instanceof HTMLSelectElement||m.key===" "&&m.target!==r)&&Mr(t,m)&&m.preventDefault()}),
-d(),i}function gc(t){let e=u("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
-Number(e.value))}),e}function yc(t){let e=`Steps a second, or the whole in ${Ar} s (+ and -)`,r=u("select",{class:"player-speed","aria-label":"Speed",title:e},u(
-"option",{value:Sr},`in ${Ar} s`),...Pt.map(n=>u("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var H=(t,e=2)=>t==null?"-":t.toFixed(e);function aa(t,e,r){return e===null||r===null?H(t):`${H(t)} (${H(e)} to ${H(r)})`}var de=t=>t.charAt(0).toUpperCase()+t.slice(1);function Nt(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
+"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return s?.(),s!==void 0}var hc={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+l10 7-10 7z"};function oa(t){return b("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},b("path",{d:hc[t]}))}function Lt(t,e,r,n){return u("button",
+{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},oa(t))}function Ce(t){let e=Lt("play","Play","Space",()=>t.toggle()),r=u("inp\
+ut",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step",oninput:()=>{t.pause(),t.jump(Number(r.value))}}),n=u("div",{class:"captures","aria-hidd\
+en":"true",title:"Captures"}),s=u("div",{class:"losses","aria-hidden":"true"}),o=u("select",{class:"player-speed","aria-label":"Speed",title:`Steps a second, or\
+ the whole in ${Ar} s (+ and -)`,onchange:()=>t.speed=Number(o.value)},u("option",{value:Sr},`in ${Ar} s`),...Pt.map(m=>u("option",{value:m},`${m} / s`))),a=u("\
+output",{class:"player-count"}),i=u("div",{class:"player",role:"group","aria-label":"Player"},Lt("first","First step","Home",()=>t.move(-t.length)),Lt("back","S\
+tep back","←",()=>t.move(-1)),e,Lt("forward","Step forward","→",()=>t.move(1)),Lt("last","Last step","End",()=>t.move(t.length)),u("div",{class:"scrub"},n,s,
+r),a,o),l=(m,p={})=>{let h=u("i",p);return h.style.left=`${100*m/Math.max(1,t.length)}%`,h},c=()=>{n.replaceChildren(...t.marks.map(m=>l(m))),s.replaceChildren(
+...t.ticks.map(({step:m,kind:p,size:h,text:f})=>{let g=l(m,{class:p,title:`Step ${m}: ${f}`});return g.style.height=`${100*h}%`,g}))},d=()=>{e.replaceChildren(oa(
+t.playing?"pause":"play")),e.ariaLabel=t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`\
+step ${t.step} of ${t.length}`,a.textContent=`${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,o.value=String(t.speed)};return t.addEventListener(
+"step",d),t.addEventListener("state",d),t.addEventListener("state",c),i.addEventListener("keydown",m=>{!(m.target instanceof HTMLSelectElement||m.key===" "&&m.target!==
+r)&&Mr(t,m)&&m.preventDefault()}),d(),i}var H=(t,e=2)=>t==null?"-":t.toFixed(e);function aa(t,e,r){return e===null||r===null?H(t):`${H(t)} (${H(e)} to ${H(r)})`}var de=t=>t.charAt(0).toUpperCase()+t.slice(1);function Nt(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
 c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(c,d)=>(i+d)*a)}var Er={left:46,right:12,top:10,bottom:42},ia={x:56,y:34};function me(t,e,r,n){let[s,o]=[Er.left,Er.top],a=Math.max(s+40,t-Er.right),i=Math.max(o+40,e-Er.bottom),
 l=(g,y,x)=>v=>y+(v-g.low)/(g.high-g.low||1)*(x-y),[c,d]=[l(r,s,a),l(n,i,o)],m=b("g"),p=b("svg",{width:t,height:e,viewBox:`0 0 ${t} ${e}`,class:"plot"}),h=b("g",
 {class:"axes"});for(let g of Nt(n.low,n.high,(i-o)/ia.y,n.whole))h.append(b("line",{x1:s,x2:a,y1:d(g),y2:d(g),class:"grid"}),b("text",{x:s-8,y:d(g),"text-anchor":"\
@@ -389,7 +389,7 @@ redraw:i}}var It=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function Tr(t){let e=Math.min(1,Math.max(0,t))*(It.length-1),r=Math.min(It.length-2,Math.floor(e)),[n,s]=[It[r],
 It[r+1]],o=a=>Math.round(n[a]+(e-r)*(s[a]-n[a]));return[o(0),o(1),o(2)]}function ua(t){let[e,r,n]=Tr(t).map(s=>((s/255+.055)/1.055)**2.4);return .2126*e+.7152*r+
 .0722*n>.179?"#000":"#fff"}var da=t=>`rgb(${Tr(t).join(" ")})`,ma=()=>`linear-gradient(to right, ${It.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function ot(t,e,r){let n=devicePixelRatio||1;for(let[a,i]of Object.entries(r))t.style.setProperty(a,`${i}px`);t.width=Math.round(r.width*n),t.height=Math.round(
-r.height*n);let s=t.getContext("2d"),o=vc(e);!s||!o||(s.imageSmoothingEnabled=!1,s.drawImage(o,0,0,t.width,t.height))}function vc(t){let[e,r]=t.shape,n=document.
+r.height*n);let s=t.getContext("2d"),o=fc(e);!s||!o||(s.imageSmoothingEnabled=!1,s.drawImage(o,0,0,t.width,t.height))}function fc(t){let[e,r]=t.shape,n=document.
 createElement("canvas");[n.width,n.height]=[r,e];let s=n.getContext("2d");if(!s)return null;let o=s.createImageData(r,e);return t.capture_rate.forEach((a,i)=>a.
 forEach((l,c)=>{let d=4*((e-1-i-t.first[0])*r+c+t.first[1]);o.data.set([...Tr(l),255],d)})),s.putImageData(o,0,0),n}function kr(t,e,r,n=2){t.textContent=H(e,n),
 t.ariaLabel=`${r}: ${t.textContent}`,e!==void 0&&([t.style.backgroundColor,t.style.color]=[da(e),ua(e)])}function Oe(t,e){let r=u("span",{class:"gradient"});return r.
@@ -401,15 +401,15 @@ let t=r=>Array.from({length:Cr},(n,s)=>Array.from({length:Cr},(o,a)=>.5+r*(s-a))
 "div",{class:"widget"},u("div",{class:"matrices"},...e.map(([r,n])=>Ie(t(r),n))),ha())}function ya(){let t=Array.from({length:Cr},(r,n)=>n),e=he("A capture rate\
  that stays at one half from generation 0 to 30",(r,n)=>{let s=me(r,n,{low:0,high:Cr-1,label:"generation",whole:!0},{low:0,high:1,label:"capture rate"});return pe(
 s,t,t.map(()=>.5),"of-both"),s},()=>{},()=>{});return u("div",{class:"widget"},e.element)}var fe=32,va=({crossings:t=[]})=>u("div",{class:"widget crossings"},...t.
-map(e=>u("figure",{},u("figcaption",{},e.title),bc(e),u("p",{class:"small muted"},e.text))));function bc({title:t,text:e,ways:r}){let n=[0,1,2,3].map(s=>`M${s*fe}\
+map(e=>u("figure",{},u("figcaption",{},e.title),gc(e),u("p",{class:"small muted"},e.text))));function gc({title:t,text:e,ways:r}){let n=[0,1,2,3].map(s=>`M${s*fe}\
  0V${3*fe}M0 ${s*fe}H${3*fe}`).join("");return b("svg",{viewBox:`-1 -1 ${3*fe+2} ${3*fe+2}`,role:"img","aria-label":`${t}: ${e}`},b("path",{class:"grid",d:n}),...r.
 map(([s,o,a],i)=>b("g",{transform:`translate(${1.5*fe} ${1.5*fe})`},b("g",{transform:`translate(${-fe*o} ${-fe*s})`},b("path",{class:"filled-pursuer",d:"M0 -12 \
 12 9H-12z"}),b("text",{y:6.5,"text-anchor":"middle"},`P${i}`)),b("path",{class:a?"goes":"waits",d:a?"M-18 0H-5M-9 -4 -4 0 -9 4":"M-16 -13V13",transform:`rotate(${Math.
-atan2(s,o)*180/Math.PI})`}))))}function Fe(t,e,r,n,s){let o=u("input",{type:"range",min:0,max:e.length-1,step:1,"aria-label":t}),a=u("output",{class:"numbers"}),i=()=>{let l=e[Number(o.value)];
-return a.textContent=o.ariaValueText=n(l),l};return o.value=String(e.indexOf(r)),o.addEventListener("input",()=>s(i())),i(),u("label",{class:"slider"},u("span",
-{},t),o,a)}function ba(t,e,r){return u("label",{class:"slider"},u("span",{},t),dr(e.map(n=>[n,n]),r))}function Re(t){let e=t>>>0;return()=>{e=e+1831565813>>>0;let r=Math.imul(e^e>>>15,e|1);return r^=r+Math.imul(r^r>>>7,r|61),((r^r>>>14)>>>0)/2**32}}var Wn=["rock",
-"paper","scissors"],zn=[[.5,0,1],[1,.5,0],[0,1,.5]],wc=1e-9,Sa=t=>zn.map(e=>e.reduce((r,n,s)=>r+n*t[s],0));function Bn(t,e){let r=t.slice(-e);return Wn.map((n,s)=>r.
-filter(o=>o===s).length/r.length)}var Hn=t=>Math.max(...Sa(t));function wa(t,e,r){let n=Sa(Bn(t,e)),s=n.flatMap((o,a)=>o>Math.max(...n)-wc?[a]:[]);return s[s.length>
+atan2(s,o)*180/Math.PI})`}))))}function Fe(t,e,r,n,s){let o=u("input",{type:"range",min:0,max:e.length-1,step:1,"aria-label":t,oninput:()=>s(i())}),a=u("output",{class:"numbers"}),i=()=>{let l=e[Number(
+o.value)];return a.textContent=o.ariaValueText=n(l),l};return o.value=String(e.indexOf(r)),i(),u("label",{class:"slider"},u("span",{},t),o,a)}function ba(t,e,r){
+return u("label",{class:"slider"},u("span",{},t),dr(e.map(n=>[n,n]),r))}function Re(t){let e=t>>>0;return()=>{e=e+1831565813>>>0;let r=Math.imul(e^e>>>15,e|1);return r^=r+Math.imul(r^r>>>7,r|61),((r^r>>>14)>>>0)/2**32}}var Wn=["rock",
+"paper","scissors"],zn=[[.5,0,1],[1,.5,0],[0,1,.5]],yc=1e-9,Sa=t=>zn.map(e=>e.reduce((r,n,s)=>r+n*t[s],0));function Bn(t,e){let r=t.slice(-e);return Wn.map((n,s)=>r.
+filter(o=>o===s).length/r.length)}var Hn=t=>Math.max(...Sa(t));function wa(t,e,r){let n=Sa(Bn(t,e)),s=n.flatMap((o,a)=>o>Math.max(...n)-yc?[a]:[]);return s[s.length>
 1?Math.floor(r()*s.length):0]}function Rr(t,e,r){let n={pursuers:[0],evaders:[0]};for(let s=1;s<=t;s++)n.pursuers.push(wa(n.evaders,e,r)),n.evaders.push(wa(n.pursuers,
 e,r));return n}var Ft=100,$r={scalar:{dimensions:1,greatest:!0},focusing:{dimensions:10,greatest:!0},intransitive:{dimensions:2,greatest:!1}};function Un(t,e,r){
 let{greatest:n}=$r[t],s=e[0]-r[0];for(let o=1;o<e.length;o++){let a=e[o]-r[o];(n?Math.abs(a)>Math.abs(s):Math.abs(a)<Math.abs(s))&&(s=a)}return(1+Math.sign(s))/
@@ -422,7 +422,7 @@ fill(0)];for(let a=0;a<n;a++)xa(r,this.#e).forEach((i,l)=>{let c=Un(this.game,e[
 a];for(let l of xa(i.length,this.#e,s))e[a].forEach((c,d)=>o[a][d]+=+(Un(this.game,c,i[l])===1))}return o}#o(e){let r=e.slice();for(let n=0;n<r.length;n++)this.#e()<
 this.settings.mutation&&(r[n]^=1);return r}#s(e){let r=Or(e),n=r?e:e.map(()=>1);return e.map(()=>{let s=this.#e()*(r||e.length),o=n.findIndex(a=>(s-=a)<0);return o<
 0?e.length-1:o})}};function xa(t,e,r=t){let n=Array.from({length:t},(o,a)=>a),s=Math.min(r,t);for(let o=0;o<s;o++){let a=o+Math.floor(e()*(t-o));[n[o],n[a]]=[n[a],
-n[o]]}return n.slice(0,s)}function Or(t){let e=0;for(let r=0;r<t.length;r++)e+=t[r];return e}var Gn=1,_r=["pursuers","evaders"],Ea=[[150,42],[266,232],[34,232]],xc={pursuers:-7,evaders:7},Aa=t=>[0,1].map(e=>t.reduce((r,n,s)=>r+n*Ea[s][e],0)),Ma=(t,e)=>t.
+n[o]]}return n.slice(0,s)}function Or(t){let e=0;for(let r=0;r<t.length;r++)e+=t[r];return e}var Gn=1,_r=["pursuers","evaders"],Ea=[[150,42],[266,232],[34,232]],vc={pursuers:-7,evaders:7},Aa=t=>[0,1].map(e=>t.reduce((r,n,s)=>r+n*Ea[s][e],0)),Ma=(t,e)=>t.
 map((r,n)=>Bn(t.slice(0,n+1),e));function Ta({memories:t=[1],memory:e=t[0],generations:r=30}){let n=new ue(r,{speed:r>100?16:2,still:oe()}),s=e,o=Rr(r,s,Re(Gn)),
 a={pursuers:[],evaders:[]},i={pursuers:b("polyline",{class:"way of-pursuers"}),evaders:b("polyline",{class:"way of-evaders"})},l={pursuers:b("path",{class:"fill\
 ed-pursuer",d:"M0 -11 11 9H-11z"}),evaders:b("circle",{class:"filled-evader",r:9})},c=b("svg",{viewBox:"0 0 300 270",class:"hands-triangle",role:"img","aria-lab\
@@ -432,41 +432,41 @@ le"},"rock"),b("text",{class:"label",x:266,y:262,"text-anchor":"middle"},"paper"
 y=>i[y]),..._r.map(y=>l[y])),d=u("p",{class:"numbers"}),m=he("What the best answer wins against the remembered hands, by generation",(y,x)=>{let v=me(y,x,{low:0,
 high:r,label:"generation",whole:!0},{low:.4,high:1,label:"best answer wins"});pe(v,[0,r],[.5,.5],"half");for(let w of _r)pe(v,o[w].map((S,A)=>A),a[w].map(Hn),`o\
 f-${w}`);return v},y=>ca(y,n.step,"of-both"),y=>n.jump(y)),p=()=>{let y=n.step;for(let v of _r){i[v].setAttribute("points",a[v].slice(0,y+1).map(A=>Aa(A).map(k=>k.
-toFixed(1)).join()).join(" "));let[w,S]=Aa(a[v][y]);l[v].setAttribute("transform",`translate(${w+xc[v]} ${S})`)}let x=v=>u("span",{class:v.slice(0,-1)},`${v} sh\
+toFixed(1)).join()).join(" "));let[w,S]=Aa(a[v][y]);l[v].setAttribute("transform",`translate(${w+vc[v]} ${S})`)}let x=v=>u("span",{class:v.slice(0,-1)},`${v} sh\
 ow ${Wn[o[v][y]]}`);d.replaceChildren(`Generation ${y}: `,x("pursuers"),", ",x("evaders"),".",...t.length>1?[` The best answer to the remembered hands of the pu\
 rsuers wins ${H(Hn(a.pursuers[y]))}.`]:[]),m.update()},h=()=>{o=Rr(r,s,Re(Gn)),a={pursuers:Ma(o.pursuers,s),evaders:Ma(o.evaders,s)},m.redraw(),p()};n.addEventListener(
 "step",p),h();let f=t.at(-1),g=Fe("memory (hands)",t,e,y=>y===f?"all":String(y),y=>{s=y,h()});return u("div",{class:"widget"},t.length>1&&g,u("div",{class:"two"},
 u("div",{},c),t.length>1&&u("div",{},st(["pursuers' hands","of-pursuers"],["evaders' hands","of-evaders"]),m.element)),d,Ce(n))}function ka({generations:t=30}){
 let{pursuers:e,evaders:r}=Rr(t,1,Re(Gn)),n=e.map(o=>r.map(a=>zn[o][a])),s=n.at(-1);return u("div",{class:"widget"},u("div",{class:"matrices"},Ie(n,`The last pur\
 suers score ${H(s.reduce((o,a)=>o+a,0)/s.length)} against all evaders.`)),Oe("0 loses","1 wins"))}var Dt=600,lt=20,Vn=5,Ut=10,qn={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},Oa={low:0,high:Dt,label:"generation",whole:!0},Ra={low:0,high:Ft,
-label:"ones of side 1"},De=()=>{},Sc=()=>new Promise(t=>setTimeout(t));async function Yn(t,e,r){for(e();t.generation<Dt&&r();e()){for(let n=0;n<lt;n++)t.step();
-await Sc()}}var Pr=new Map,$a=[];async function Ac(){for(let t of Object.keys(qn))Pr.set(t,[]);for(let t=0;t<Vn;t++)for(let[e,r]of Object.entries(qn)){let n={score:[],
+label:"ones of side 1"},De=()=>{},bc=()=>new Promise(t=>setTimeout(t));async function Yn(t,e,r){for(e();t.generation<Dt&&r();e()){for(let n=0;n<lt;n++)t.step();
+await bc()}}var Pr=new Map,$a=[];async function wc(){for(let t of Object.keys(qn))Pr.set(t,[]);for(let t=0;t<Vn;t++)for(let[e,r]of Object.entries(qn)){let n={score:[],
 ones:[]};Pr.get(e).push(n);let s=new at(r,it,Re(t));await Yn(s,()=>{n.score.push(jn(r,s.ones(0),s.ones(1))),n.ones.push(s.objective(0))},()=>!0),$a.forEach(o=>o())}}
-function _a({shows:t="score"}){Pr.size||Ac();let e=t==="score"?{low:0,high:1,label:"score of side 1"}:Ra,r=Object.entries(qn).map(([n,s])=>{let o=t==="score"?n:
+function _a({shows:t="score"}){Pr.size||wc();let e=t==="score"?{low:0,high:1,label:"score of side 1"}:Ra,r=Object.entries(qn).map(([n,s])=>{let o=t==="score"?n:
 `${n}: ${s}`,a=he(`${o}: ${e.label} in ${Vn} races`,(i,l)=>{let c=me(i,l,Oa,e);for(let d of Pr.get(n))pe(c,d[t].map((m,p)=>p*lt),d[t],"of-both dense");return c},
 De,De);return $a.push(a.redraw),u("figure",{},u("figcaption",{},o),a.element)});return u("div",{class:"widget"},u("div",{class:"matrices"},...r),u("p",{class:"s\
-mall muted"},`Each line is a race; there are ${Vn} of each game, played now, in this page.`))}var Mc=[5,10,15,25,40,60],Ec=[5e-4,.001,.002,.005,.01,.02,.05],Tc=[
-0,1,5,15,30],Ca=15,kc=Array.from({length:20},(t,e)=>e);function Pa({hall:t=!1}){let[e,r,n]=["scalar",0,{...it,hall:t?Ca:0}],s=0,o=v=>{n={...n,...v}},a=[[],[]],i=[
+mall muted"},`Each line is a race; there are ${Vn} of each game, played now, in this page.`))}var xc=[5,10,15,25,40,60],Sc=[5e-4,.001,.002,.005,.01,.02,.05],Ac=[
+0,1,5,15,30],Ca=15,Mc=Array.from({length:20},(t,e)=>e);function Pa({hall:t=!1}){let[e,r,n]=["scalar",0,{...it,hall:t?Ca:0}],s=0,o=v=>{n={...n,...v}},a=[[],[]],i=[
 Ie(a[0],"Score of side 1",Dt/lt+1),Ie(a[1],"Score of side 2",Dt/lt+1)];i.forEach(v=>v.querySelector("p").replaceChildren(`↑ generation, → opponent (${lt} a \
 cell)`));let l=[[],[]],c=he("Ones of both sides by generation",(v,w)=>{let S=me(v,w,Oa,{...Ra,label:"ones"});return l.forEach((A,k)=>pe(S,A.map((C,E)=>E*lt),A,k?
 "of-evaders":"of-pursuers")),S},De,De),d=u("p",{class:"numbers",role:"status"}),m=v=>{d.textContent=v},p=async()=>{let v=++s;for(let A of[...a,...l])A.length=0;
 let w=[[],[]],S=new at(e,n,Re(r));await Yn(S,()=>{for(let A of[0,1])w[A].push(S.ones(A)),l[A].push(S.objective(A));for(let A of[0,1])a[A].push(w[1-A].map(k=>jn(
 S.game,w[A].at(-1),k)));i.forEach(A=>A.draw?.()),c.redraw()},()=>s===v),s===v&&m(`${de(S.game)} game, seed ${r}: after ${Dt} generations side 1 has ${l[0].at(-1).
-toFixed(0)} ones, side 2 ${l[1].at(-1).toFixed(0)}.`)},h=[],f=he("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>Cc(h,v,w),De,
+toFixed(0)} ones, side 2 ${l[1].at(-1).toFixed(0)}.`)},h=[],f=he("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>Ec(h,v,w),De,
 De);f.element.classList.add("dots");let g=async v=>{let w=++s,S=[],{population:A,mutation:k}=v,C=`${e}${A===it.population?"":`, ${A} players`}${k===it.mutation?
 "":`, mutation ${k}`}, hall ${v.hall}`;h=[...h.filter(E=>E.ends.length===Ut&&E.text!==C).slice(1-Kn),{text:C,ends:S}];for(let E=0;E<Ut&&s===w;E++){let M=new at(
 e,v,Re(E));await Yn(M,De,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${de(C)}: side 1 ends with ${La(S)} ones in the mean of ${Ut} races.`)},y=(v,w,S="")=>u(
-"button",{type:"button",class:S,onclick:()=>{v()}},w),x=u("div",{class:"sliders"},ba("game",Object.keys($r),v=>e=v),Fe("population",Mc,n.population,String,v=>o(
-{population:v})),Fe("mutation",Ec,n.mutation,String,v=>o({mutation:v})),...t?[Fe("hall of fame",Tc,Ca,String,v=>o({hall:v}))]:[Fe("seed",kc,0,String,v=>r=v)]);return t?
+"button",{type:"button",class:S,onclick:()=>{v()}},w),x=u("div",{class:"sliders"},ba("game",Object.keys($r),v=>e=v),Fe("population",xc,n.population,String,v=>o(
+{population:v})),Fe("mutation",Sc,n.mutation,String,v=>o({mutation:v})),...t?[Fe("hall of fame",Ac,Ca,String,v=>o({hall:v}))]:[Fe("seed",Mc,0,String,v=>r=v)]);return t?
 (g(it).then(()=>s===1?g(n):void 0),u("div",{class:"widget"},x,u("div",{class:"buttons"},y(()=>g(n),"Play ten races","primary")),d,f.element)):u("div",{class:"wi\
 dget"},x,u("div",{class:"buttons"},y(p,"Play a race","primary"),y(async()=>{s++},"Stop")),u("div",{class:"matrices"},...i,u("figure",{},u("figcaption",{},"The t\
 ruth: ones"),st(["side 1","of-pursuers"],["side 2","of-evaders"]),c.element)),Oe("0 loses","1 wins"),d)}var Kn=6,La=t=>(t.reduce((e,r)=>e+r,0)/t.length).toFixed(
-1);function Cc(t,e,r){let n=me(e,r,{low:0,high:Ft,label:"ones of side 1 at the end",whole:!0},{low:0,high:Kn,label:""});return n.root.querySelectorAll(".axes .g\
+1);function Ec(t,e,r){let n=me(e,r,{low:0,high:Ft,label:"ones of side 1 at the end",whole:!0},{low:0,high:Kn,label:""});return n.root.querySelectorAll(".axes .g\
 rid, .axes [text-anchor=end]").forEach(s=>s.remove()),t.forEach(({text:s,ends:o},a)=>{let i=n.y(Kn-a-.7);n.marks.before(b("text",{class:"label",x:n.left,y:i-12},
-`${s}: ${o.length<Ut?`${o.length} of ${Ut} races`:`mean ${La(o)}`}`)),o.forEach(l=>n.marks.before(b("circle",{class:"dot of-both",cx:n.x(l),cy:i,r:5})))}),n}var Ia=t=>t.answer===void 0?Rc():Oc(t,t.answer);function Oc(t,e){let r=u("input",{type:"text",inputmode:"decimal",size:8,"aria-label":"Your answer, a number",autocomplete:"\
+`${s}: ${o.length<Ut?`${o.length} of ${Ut} races`:`mean ${La(o)}`}`)),o.forEach(l=>n.marks.before(b("circle",{class:"dot of-both",cx:n.x(l),cy:i,r:5})))}),n}var Ia=t=>t.answer===void 0?kc():Tc(t,t.answer);function Tc(t,e){let r=u("input",{type:"text",inputmode:"decimal",size:8,"aria-label":"Your answer, a number",autocomplete:"\
 off"});return{input:r,check:()=>{let s=r.value.trim().replace(",","."),o=Number(s);if(s===""||Number.isNaN(o))return"Expected a number, such as 0.5.";let a=i=>Math.
 abs(o-i)<=(t.tolerance??0)+1e-9;return a(e)?null:t.clues?.find(([i])=>a(i))?.[1]??t.otherwise??"Expected another number."},answer:()=>r.value,set:s=>r.value=s}}
-var ae=4,Jn=[.5,.8,.2];function Rc(){let t=new Array(ae*ae).fill(.5),e=(l,c)=>kr(l,t[c],`generation ${Math.floor(c/ae)} of the pursuers against generation ${c%ae}\
+var ae=4,Jn=[.5,.8,.2];function kc(){let t=new Array(ae*ae).fill(.5),e=(l,c)=>kr(l,t[c],`generation ${Math.floor(c/ae)} of the pursuers against generation ${c%ae}\
  of the evaders`,1),r=t.map((l,c)=>{let d=u("button",{type:"button",disabled:c%(ae+1)===0,onclick:()=>{t[c]=Jn[(Jn.indexOf(t[c])+1)%Jn.length],e(d,c)}});return e(
 d,c),d}),n=Array.from({length:ae},(l,c)=>c),s=u("div",{class:"cells numbers",role:"group","aria-label":"Capture rates: rows are pursuers, columns evaders"},u("s\
 pan"),u("span",{class:"evader all"},"generation of the evaders"),u("span",{class:"pursuer"},"generation of the pursuers"),...n.map(l=>u("span",{class:"evader"},
@@ -477,40 +477,41 @@ l)),...n.flatMap(l=>[u("span",{class:"pursuer"},l),...r.slice(l*ae,(l+1)*ae)])),
 let{predict:r,options:n}=t,s=u("p",{class:"small muted",role:"status"}),o=u("button",{type:"submit",class:"primary"},"This is my prediction"),a=Object.keys(n).map(
 c=>u("input",{type:"radio",name:`prediction-${r}`,value:c})),i=u("form",{class:"prediction",id:`prediction-${r}`},u("fieldset",{},u("legend",{},u("strong",{},"P\
 redict. "),t.question),...a.map(c=>u("label",{class:"option"},c,u("span",{},n[c.value])))),u("div",{class:"buttons"},o,s)),l=()=>{let c=e.choice(r);if(c!==void 0){
-for(let d of a)[d.checked,d.disabled]=[d.value===c,!0];o.hidden=o.disabled=!0,s.replaceChildren(),i.append(t.later?u("p",{class:"reply"},t.later):$c(t,c,t.again&&
+for(let d of a)[d.checked,d.disabled]=[d.value===c,!0];o.hidden=o.disabled=!0,s.replaceChildren(),i.append(t.later?u("p",{class:"reply"},t.later):Cc(t,c,t.again&&
 e.choice(t.again)))}};return i.addEventListener("submit",c=>{c.preventDefault();let d=a.find(m=>m.checked);d?(e.choose(r,d.value),l()):s.textContent="Choose one\
- first. Any prediction is a good one."}),l(),i}function $c(t,e,r){let{options:n,outcome:s}=t,o=e===s;return u("div",{class:"reply",role:"status","data-right":String(
+ first. Any prediction is a good one."}),l(),i}function Cc(t,e,r){let{options:n,outcome:s}=t,o=e===s;return u("div",{class:"reply",role:"status","data-right":String(
 o)},r&&u("p",{},u("strong",{},"At the beginning you predicted: "),n[r]),u("p",{},u("strong",{},o?"✓ As you predicted: ":"You predicted: "),n[e]),o?null:u("p",
 {},u("strong",{},"The outcome: "),n[s]),...Wt(t.explanation??""),t.note&&u("p",{class:"small muted"},t.note))}function Da(t,e){let{input:r,check:n,answer:s,set:o}=Ia(
 t),a=u("p",{class:"reply",role:"status",hidden:!0}),i=d=>{a.hidden=!1,a.dataset.right=String(d===null),a.replaceChildren(u("strong",{},d===null?"✓ Right. ":"✗\
  Not yet. "),d??t.explanation)},l=u("form",{class:"exercise",id:`exercise-${t.exercise}`},u("div",{class:"text"},u("p",{},u("strong",{},"Exercise. "),...Zn(t.question))),
-t.matrix&&_c(t.matrix),u("div",{class:"buttons"},r,u("button",{type:"submit"},"Check")),a);l.addEventListener("submit",d=>{d.preventDefault();let m=n();m===null&&
-e.solve(t.exercise,s()),i(m)});let c=e.solved(t.exercise);return c!==void 0&&(o(c),i(null)),l}function _c(t){let e=t.map((r,n)=>n);return u("div",{class:"wide-t\
+t.matrix&&Oc(t.matrix),u("div",{class:"buttons"},r,u("button",{type:"submit"},"Check")),a);l.addEventListener("submit",d=>{d.preventDefault();let m=n();m===null&&
+e.solve(t.exercise,s()),i(m)});let c=e.solved(t.exercise);return c!==void 0&&(o(c),i(null)),l}function Oc(t){let e=t.map((r,n)=>n);return u("div",{class:"wide-t\
 able",tabindex:0},u("table",{class:"rates numbers"},u("thead",{},u("tr",{},u("td"),u("th",{scope:"colgroup",colspan:e.length,class:"evader"},"generation of the \
 evaders")),u("tr",{},u("th",{class:"pursuer"},"generation of the pursuers"),...e.map(r=>u("th",{scope:"col"},r)))),u("tbody",{},...t.map((r,n)=>u("tr",{},u("th",
-{scope:"row"},n),...r.map(s=>u("td",{},s.toFixed(1))))))))}var Pc=40;function Ua({question:t="",points:e=[]},r){let n=u("textarea",{id:"exit-answer",rows:8}),s=u(
-"p",{class:"printed"}),o=u("p",{class:"small muted",role:"status"}),a=u("button",{type:"submit",class:"primary"},"I am done"),i=u("form",{class:"exercise"},u("l\
-abel",{for:"exit-answer"},u("strong",{},"Exit question. "),t),n,s,u("div",{class:"buttons"},a,u("button",{type:"button",onclick:()=>et("exit_answer.txt",`${t}
+{scope:"row"},n),...r.map(s=>u("td",{},s.toFixed(1))))))))}var Rc=40;function Ua({question:t="",points:e=[]},r){let n=u("textarea",{id:"exit-answer",rows:8,oninput:()=>{
+r.exit={exit:n.value},s.textContent=n.value}}),s=u("p",{class:"printed"}),o=u("p",{class:"small muted",role:"status"}),a=u("button",{type:"submit",class:"primar\
+y"},"I am done"),i=u("form",{class:"exercise"},u("label",{for:"exit-answer"},u("strong",{},"Exit question. "),t),n,s,u("div",{class:"buttons"},a,u("button",{type:"\
+button",onclick:()=>et("exit_answer.txt",`${t}
 
 ${n.value}
 `)},"Save my answer"),o)),l=()=>{s.textContent=r.exit.exit,r.exit.done&&([n.readOnly,a.hidden]=[!0,!0],i.append(u("div",{class:"reply"},u("p",{},u("strong",{},"\
-A good answer has:")),u("ul",{},...e.map(c=>u("li",{},...Zn(c)))))))};return n.value=r.exit.exit,n.addEventListener("input",()=>{r.exit={exit:n.value},s.textContent=
-n.value}),i.addEventListener("submit",c=>{if(c.preventDefault(),n.value.trim().length<Pc){o.textContent="Write two explanations and an experiment first. Then th\
-e page shows what a good answer has.";return}o.textContent="",r.exit={done:!0},l()}),l(),u("div",{class:"widget"},i)}var Lc=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Lr(){let t=[["pursu\
-er",b("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",b("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",b("polygon",{points:Lc,class:"\
+A good answer has:")),u("ul",{},...e.map(c=>u("li",{},...Zn(c)))))))};return n.value=r.exit.exit,i.addEventListener("submit",c=>{if(c.preventDefault(),n.value.trim().
+length<Rc){o.textContent="Write two explanations and an experiment first. Then the page shows what a good answer has.";return}o.textContent="",r.exit={done:!0},
+l()}),l(),u("div",{class:"widget"},i)}var $c=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Lr(){let t=[["pursu\
+er",b("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",b("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",b("polygon",{points:$c,class:"\
 filled-capture"})],["captured evader",b("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",b("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
 ct"})]];return u("ul",{class:"shapes small","aria-label":"Shapes on the board"},...t.map(([e,r])=>u("li",{},b("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},r),
 e)))}function Xn(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Qn(t,e){return{
 positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_captured"),actions:e,involved:t.read("involved"),
-fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Nr(t){let e=Array.from({length:t.length+1},(r,n)=>Nc(t,n));return Xn(t.config,t.map,e)}function Nc(t,e){
+fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Nr(t){let e=Array.from({length:t.length+1},(r,n)=>_c(t,n));return Xn(t.config,t.map,e)}function _c(t,e){
 let r=t.n_agents,n=t.config.n_evaders,s=(a,i,l)=>a.subarray(i*l,(i+1)*l),o={positions:s(t.last_positions,e,2*r),alive:s(t.alive,e,r),captured:s(t.captured,e,n),
 everCaptured:s(t.ever_captured,e,n)};return e===0?o:{...o,actions:s(t.actions,e-1,r),involved:s(t.involved,e-1,3*r),fault:s(t.fault,e-1,3*r),get contested(){return t.
-conflicts(e).map(a=>a.cell)}}}var Ic=8,Fc=700,Wa=1400,Ue=class{element;player=new ue(0,{speed:Ic,still:oe()});title=u("figcaption");generation=0;#e=u("canvas");#t;#r=u("p",{class:"small mute\
-d numbers"});#n=u("p",{class:"small",role:"status"});#o;#s=null;#c=0;#m=0;#a=!oe();constructor(e){this.#o=e,this.#t=new ke(this.#e,{numbers:!1}),this.element=u(
+conflicts(e).map(a=>a.cell)}}}var Pc=8,Lc=700,Wa=1400,Ue=class{element;player=new ue(0,{speed:Pc,still:oe()});title=u("figcaption");generation=0;#e=u("canvas");#t;#r=u("p",{class:"small mute\
+d numbers"});#n=u("p",{class:"small",role:"status"});#o;#s=null;#c=0;#p=0;#a=!oe();constructor(e){this.#o=e,this.#t=new ke(this.#e,{numbers:!1}),this.element=u(
 "figure",{class:"chase"},this.title,this.#e,this.#r,this.#n),this.player.addEventListener("frame",()=>this.#l()),this.player.addEventListener("step",()=>this.#h()),
-this.player.addEventListener("state",()=>{this.#a&&!this.player.playing&&this.player.length&&this.player.step===this.player.length&&this.#p()})}set label(e){this.#e.
-ariaLabel=e}get runs(){return this.#a}set runs(e){this.#a=e,clearTimeout(this.#m),e?this.player.play():this.player.pause()}renew(e=!1){e||!this.#s||performance.
-now()-this.#c>Wa?this.#u():this.#p(Wa)}#p(e=Fc){clearTimeout(this.#m),this.#m=setTimeout(()=>this.#u(),e)}#u(){clearTimeout(this.#m);let e=this.#o();e&&(this.#s=
+this.player.addEventListener("state",()=>{this.#a&&!this.player.playing&&this.player.length&&this.player.step===this.player.length&&this.#m()})}set label(e){this.#e.
+ariaLabel=e}get runs(){return this.#a}set runs(e){this.#a=e,clearTimeout(this.#p),e?this.player.play():this.player.pause()}renew(e=!1){e||!this.#s||performance.
+now()-this.#c>Wa?this.#u():this.#m(Wa)}#m(e=Lc){clearTimeout(this.#p),this.#p=setTimeout(()=>this.#u(),e)}#u(){clearTimeout(this.#p);let e=this.#o();e&&(this.#s=
 Nr(e),this.#c=performance.now(),this.player.jump(0),this.player.length=e.length,this.player.marks=yr(this.#s),this.#h(),this.#a&&this.player.play())}#l(){this.#s&&
 this.#t.show(this.#s,this.player.time)}#h(){let e=this.#s?.moments[this.player.step]?.everCaptured;e&&(this.#r.textContent=`generation ${this.generation} · ${Array.
 from(e).filter(Boolean).length} of ${e.length} caught · step ${this.player.step}`)}drawWalls(e){let r=!1,n=!0,s=[0,0],o=([l,c])=>!!this.#s?.obstacles[l*this.#s.
@@ -523,85 +524,85 @@ this.#s&&(this.#s={...this.#s,obstacles:e},this.#l())}};var za={"specialist-spec
  the newest pursuers","generalist-generalist":"Generalists: both teams meet all earlier opponents","hall-of-fame":"Halls of fame: both teams learn at once, and \
 meet earlier champions"};function zt({schedule:t}){if(t.kind==="hall-of-fame")return t.kind;let e={latest:"specialist","round-robin":"generalist",uniform:"unifo\
 rm"};return`${e[t.pursuers_meet]}-${e[t.evaders_meet]}`}var Ir=t=>za[zt(t)]??zt(t);function Ba(t){let e=Object.values(t.races.es).find(a=>zt(a)==="generalist-generalist"),{n_pursuers:r,n_evaders:n,fov:s,max_steps:o}=e.world;return{schedule:zt(
-e),beside:null,learner:"es",seed:e.seed,way:!1,population:0,pursuers:r,evaders:n,view:s,steps:o,walls:[]}}var Dc=t=>Object.values(t.races.es)[0].world;function Ha(t,e,r=e.
-schedule){let n=t.races[e.learner][r],s=Dc(t),{rows:o,cols:a}=s,i=new Set(e.walls),l=Array.from({length:o},(d,m)=>Array.from({length:a},(p,h)=>i.has(m*a+h)?"#":
+e),beside:null,learner:"es",seed:e.seed,way:!1,population:0,pursuers:r,evaders:n,view:s,steps:o,walls:[]}}var Nc=t=>Object.values(t.races.es)[0].world;function Ha(t,e,r=e.
+schedule){let n=t.races[e.learner][r],s=Nc(t),{rows:o,cols:a}=s,i=new Set(e.walls),l=Array.from({length:o},(d,m)=>Array.from({length:a},(p,h)=>i.has(m*a+h)?"#":
 ".").join("")),c={...s,n_pursuers:e.pursuers,n_evaders:e.evaders,fov:e.view,max_steps:e.steps,obstacles:i.size?l:s.obstacles};return{...n,world:c,train_steps:e.
-steps,seed:e.seed,policy:{...n.policy,mask:e.way?"right-of-way":"none"},learner:{...n.learner,population:e.population||n.learner.population}}}var Uc=40,Fr=class{element;#e;#t=u("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#r=u("p",{class:"check small numbers","aria-live":"\
+steps,seed:e.seed,policy:{...n.policy,mask:e.way?"right-of-way":"none"},learner:{...n.learner,population:e.population||n.learner.population}}}var Ic=40,Fr=class{element;#e;#t=u("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#r=u("p",{class:"check small numbers","aria-live":"\
 polite"});constructor(e){this.#e=e,this.element=u("div",{class:"strip-of-episodes"},this.#t,this.#r)}show(e,r){let{pursuer:n,evader:s,episode:o,seed:a}=this.#e.
-selected,i=Je(e,n,s);this.#t.replaceChildren(...(i?.rates??[]).slice(0,Uc).map((p,h)=>this.#n(p,h)));let l=a===null?i?.rates[o]:void 0,c=r.statistics.capture_rate,
+selected,i=Je(e,n,s);this.#t.replaceChildren(...(i?.rates??[]).slice(0,Ic).map((p,h)=>this.#n(p,h)));let l=a===null?i?.rates[o]:void 0,c=r.statistics.capture_rate,
 d=l!==void 0&&Math.abs(c-l)<1e-6&&r.length===i?.lengths[o],m=i?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";this.#r.dataset.
 equal=String(d),this.#r.textContent=d?"As in the evaluation":l===void 0?m:`Episode ${o+1} differs from the evaluation.`,this.#r.title=`Played here: capture rate\
  ${H(c,3)} in ${r.length} steps.${i?` The cell says ${H(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,s=u("span",{class:"bar"});return s.style.height=`${Math.
 round(100*e)}%`,u("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${H(e)}`,"aria-label":`Episode ${r+1}, capture rate ${H(e)}`,"aria\
--pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},s,u("span",{class:"count"},r+1))}};var ja=0,Ga=1,Wc=2,zc=176;function qa(t,e,r,n){let s=devicePixelRatio||1,o=xr(t);t.width=t.height=zc*s;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
-i;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=g=>!!r[g*i*i+d];h(Wc)&&(a.fillStyle=
+-pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},s,u("span",{class:"count"},r+1))}};var ja=0,Ga=1,Fc=2,Dc=176;function qa(t,e,r,n){let s=devicePixelRatio||1,o=xr(t);t.width=t.height=Dc*s;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
+i;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=g=>!!r[g*i*i+d];h(Fc)&&(a.fillStyle=
 o.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let f=h(ja)&&h(Ga)?l*.18:0;h(ja)&&Va(a,Ne,m+f,p+f,l*.74,o.evader),h(Ga)&&Va(a,wr,m-f,p-f,l*.86,o.pursuer)}a.strokeStyle=
 n<e.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let c=Math.floor(i/2)*l;a.strokeRect(c,c,l,l)}function Va(t,e,r,n,s,o){e(t,r,n,s),t.fillStyle=o,t.fill()}var Ya="What it remembers: a number for each unit, from -1 to 1",Dr=class{element;#e;#t=u("canvas",{class:"seen",role:"img"});#r=u("h3");#n=u("p",{class:"small \
-muted"});#o=u("div",{class:"answers"});#s=u("div",{title:Ya});#c=null;#m=null;#a=null;#p=null;#u=null;#l=null;#h=0;constructor(e){this.#e=e,this.element=u("div",
+muted"});#o=u("div",{class:"answers"});#s=u("div",{title:Ya});#c=null;#p=null;#a=null;#m=null;#u=null;#l=null;#h=0;constructor(e){this.#e=e,this.element=u("div",
 {class:"inspector","data-open":"false"},u("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its network answers."),u("div",{class:"\
 inspected"},this.#t,u("div",{class:"answer"},this.#r,this.#n,this.#s),this.#o))}get agent(){return this.#l}show(e,r,n,s){this.#c?.free(),this.#c=e.world(n.config),
-this.#a!==r&&(this.#m=null,this.#l!==null&&this.choose(null)),[this.#a,this.#p,this.#u]=[r,n,s]}set solution(e){this.#m=e,this.at(this.#h)}choose(e){this.#l=e,this.
-element.dataset.open=String(e!==null),this.#e(e),this.at(this.#h)}next(e){let r=this.#p;if(!r)return;let n=this.#l??(e>0?-1:0);for(let s=0;s<r.n_agents;s++)if(n=
-(n+e+r.n_agents)%r.n_agents,r.alive[this.#h*r.n_agents+n])return this.choose(n)}at(e){this.#h=e;let[r,n,s,o,a]=[this.#p,this.#c,this.#a,this.#u,this.#l];if(!r||
+this.#a!==r&&(this.#p=null,this.#l!==null&&this.choose(null)),[this.#a,this.#m,this.#u]=[r,n,s]}set solution(e){this.#p=e,this.at(this.#h)}choose(e){this.#l=e,this.
+element.dataset.open=String(e!==null),this.#e(e),this.at(this.#h)}next(e){let r=this.#m;if(!r)return;let n=this.#l??(e>0?-1:0);for(let s=0;s<r.n_agents;s++)if(n=
+(n+e+r.n_agents)%r.n_agents,r.alive[this.#h*r.n_agents+n])return this.choose(n)}at(e){this.#h=e;let[r,n,s,o,a]=[this.#m,this.#c,this.#a,this.#u,this.#l];if(!r||
 !n||!s||!o||a===null)return;let i=a<r.config.n_pursuers?"pursuer":"evader";this.#s.replaceChildren(),this.#r.replaceChildren(u("span",{class:i},V(a,r.config.n_pursuers)));
 let l={pursuers:Q(s,"pursuer",o.pursuer),evaders:Q(s,"evader",o.evader)};r.seek(n,e,l);let c=r.actions.subarray(e*r.n_agents,(e+1)*r.n_agents);for(;c.length&&!n.
 over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(c);let d=!!(r.alive[e*r.n_agents+a]&&n.read("alive")[a]);qa(this.#t,r.config,d?n.view(a):null,a),this.#t.ariaLabel=
 `Field of view of ${V(a,r.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let m=c[a]??null;if(!d)return this.#d([],"It is gone.");let p=l[`${i}s`],
-h=typeof p=="string"?null:n.answer(p,a),f=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(u("p",{class:"small muted"},"It remembers:"),jc(h.memory));
-let g=this.#m?.game(n)??null,y=typeof p=="string"?`The script "${p}" plays for it${m===null?"":`; it goes ${ce[m]}`}.`:p.sampled?"Its action is drawn from these\
+h=typeof p=="string"?null:n.answer(p,a),f=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(u("p",{class:"small muted"},"It remembers:"),zc(h.memory));
+let g=this.#p?.game(n)??null,y=typeof p=="string"?`The script "${p}" plays for it${m===null?"":`; it goes ${ce[m]}`}.`:p.sampled?"Its action is drawn from these\
  probabilities.":"It takes the most probable action.",x=[["network",f],["perfect",g?.marginal(a)??null]],v=w=>u("p",{class:"small muted"},w);this.#d([...g?[v(`V\
-alue ${g.value.toFixed(2)} under perfect play.`)]:[],...Bc(x,m)],m===null?"The episode is over.":y)}#d(e,r){this.#o.replaceChildren(...e),this.#n.textContent=r}};
-function Bc(t,e){let r=t.filter(([,o])=>o);if(!r.length)return[];let n=u("div",{class:"action muted"},u("span"),...r.map(([o])=>u("span",{class:"head"},o))),s=Array.
-from(r[0][1],(o,a)=>u("div",{class:a===e?"action taken":"action"},u("span",{},ce[a]),...r.flatMap(([,i])=>Hc(i[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...s]:
-s}function Hc(t){let e=u("span",{class:"filled"});return e.style.width=`${100*t}%`,[u("span",{class:"track"},e),u("span",{class:"numbers"},t.toFixed(2))]}function jc(t){
+alue ${g.value.toFixed(2)} under perfect play.`)]:[],...Uc(x,m)],m===null?"The episode is over.":y)}#d(e,r){this.#o.replaceChildren(...e),this.#n.textContent=r}};
+function Uc(t,e){let r=t.filter(([,o])=>o);if(!r.length)return[];let n=u("div",{class:"action muted"},u("span"),...r.map(([o])=>u("span",{class:"head"},o))),s=Array.
+from(r[0][1],(o,a)=>u("div",{class:a===e?"action taken":"action"},u("span",{},ce[a]),...r.flatMap(([,i])=>Wc(i[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...s]:
+s}function Wc(t){let e=u("span",{class:"filled"});return e.style.width=`${100*t}%`,[u("span",{class:"track"},e),u("span",{class:"numbers"},t.toFixed(2))]}function zc(t){
 let e=Array.from(t,r=>{let n=u("span",{title:r.toFixed(2)});return n.style.transform=`scaleY(${r})`,n});return u("div",{class:"units",role:"img","aria-label":Ya},
 ...e)}function Ka(t){let e=JSON.stringify(t,(r,n)=>r==="genome"?Array.from(n):n);return u("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var Ja="champion",Za=0,es=64,ts=100;var Gc=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function Xa(t,e){return Object.keys(e).find(r=>Gc(e[r],t))??null}var Bt="_",Vc="n",ch=2n**64n-1n;var rs={fov:11,maxSteps:500,rewards:"paper"},qc=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
-"next"];function ti(t,e){let r=i=>i.map(l=>Kc(l,e)).join(""),n=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,s=Yc(t.rewards,e),o=[t.seed,t.episode,t.steps].join("."),a={rules:ei(
+outerHTML}var Ja="champion",Za=0,es=64,ts=100;var Bc=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function Xa(t,e){return Object.keys(e).find(r=>Bc(e[r],t))??null}var Bt="_",Hc="n",ah=2n**64n-1n;var rs={fov:11,maxSteps:500,rewards:"paper"},jc=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+"next"];function ti(t,e){let r=i=>i.map(l=>Vc(l,e)).join(""),n=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,s=Gc(t.rewards,e),o=[t.seed,t.episode,t.steps].join("."),a={rules:ei(
 t.rules,e),others:t.others?ei(t.others,e):"",rewards:s===rs.rewards?"":s,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===rs.fov?"":String(t.fov),
 limit:t.maxSteps===rs.maxSteps?"":String(t.maxSteps),seed:o==="0.0.0"?"":o,ended:t.ended?"1":"",walls:t.walls.map(n).join(Bt),pursuers:t.pursuers.map(Qa).join(Bt),
-evaders:t.evaders.map(Qa).join(Bt),played:t.played.map(r).join(Bt),next:t.next.every(i=>i===Za)?"":r(t.next)};return qc.filter(i=>a[i]).map(i=>`${i}=${a[i]}`).join(
+evaders:t.evaders.map(Qa).join(Bt),played:t.played.map(r).join(Bt),next:t.next.every(i=>i===Za)?"":r(t.next)};return jc.filter(i=>a[i]).map(i=>`${i}=${a[i]}`).join(
 "&")}function Qa({cell:t,gone:e,captured:r,everCaptured:n}){let s=r?"c":n?"e":"";return`${t[0]}.${t[1]}${s}${e?"x":""}`}function ei(t,e){let r=e.fields.map(({name:n})=>String(
-t[n]).toLowerCase());return Xa(t,e.variants)??r.join(".")}function Yc(t,e){let r=JSON.stringify(t);return Object.keys(e.rewards).find(s=>JSON.stringify(e.rewards[s])===
-r)??Object.values(t).map(s=>String(s)).join(Bt)}function Kc(t,e){if(typeof t=="number")return String(t);if(t===Ja)return Vc;let r=e.scripts.findIndex(({name:n})=>n===
-t);return String.fromCharCode(97+r)}var Jc="/* the engine */";function ri(t,e){return u("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
-nd actions under any rules",onclick:()=>Zc(t(),e)},"What if?")}function Zc(t,e){let r=t!==null&&t.match.n_agents<=ts&&Math.max(t.match.config.rows,t.match.config.
-cols)<=es,n=r?ti(Xc(t.match,t.step),e):"",s=new TextDecoder().decode(Mn("playground")).replace(Jc,()=>Se("script-engine")).replace("</noscript>",o=>r?o+Ka(t.champions):
-o);window.open(`${URL.createObjectURL(new Blob([s],{type:"text/html"}))}#${n}`)}function Xc(t,e){let{config:r,n_agents:n}=t,s=Math.max(0,e-1),o=i=>{let l=s*n+i,
+t[n]).toLowerCase());return Xa(t,e.variants)??r.join(".")}function Gc(t,e){let r=JSON.stringify(t);return Object.keys(e.rewards).find(s=>JSON.stringify(e.rewards[s])===
+r)??Object.values(t).map(s=>String(s)).join(Bt)}function Vc(t,e){if(typeof t=="number")return String(t);if(t===Ja)return Hc;let r=e.scripts.findIndex(({name:n})=>n===
+t);return String.fromCharCode(97+r)}var qc="/* the engine */";function ri(t,e){return u("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
+nd actions under any rules",onclick:()=>Yc(t(),e)},"What if?")}function Yc(t,e){let r=t!==null&&t.match.n_agents<=ts&&Math.max(t.match.config.rows,t.match.config.
+cols)<=es,n=r?ti(Kc(t.match,t.step),e):"",s=new TextDecoder().decode(Mn("playground")).replace(qc,()=>Se("script-engine")).replace("</noscript>",o=>r?o+Ka(t.champions):
+o);window.open(`${URL.createObjectURL(new Blob([s],{type:"text/html"}))}#${n}`)}function Kc(t,e){let{config:r,n_agents:n}=t,s=Math.max(0,e-1),o=i=>{let l=s*n+i,
 c=s*r.n_evaders+i-r.n_pursuers,d=m=>i>=r.n_pursuers&&!!m[c];return{cell:[t.last_positions[2*l],t.last_positions[2*l+1]],gone:!t.alive[l],captured:d(t.captured),
 everCaptured:d(t.ever_captured)}},a=Array.from({length:n},(i,l)=>o(l));return{rules:r.rules,others:null,rewards:r.rewards,rows:r.rows,cols:r.cols,diagonal:r.diagonal,
 fov:r.fov,maxSteps:r.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:s,ended:s===t.length,walls:Array.from(t.map.keys()).filter(i=>t.map[i]),pursuers:a.slice(
-0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(s*n,(s+1)*n))}}var ns=.005,si=.05,Qc=["pursuer","evader"],eu=4,ct=new Map;function Ur(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),s=ct.get(n)??(Xt(e)?Promise.
-resolve(null):tu(t,e,r));return ct.delete(n),ct.set(n,s),ct.size>eu&&ct.delete([...ct.keys()][0]),s}var oi=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
-ni=()=>new Promise(t=>setTimeout(t));async function tu(t,e,r){await ni();let n=t.solution(e,r);for(;n.goBack();)await ni();return n}function Wr(t,e,r){let{payoff:n}=t;
+0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(s*n,(s+1)*n))}}var ns=.005,si=.05,Jc=["pursuer","evader"],Zc=4,ct=new Map;function Ur(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),s=ct.get(n)??(Xt(e)?Promise.
+resolve(null):Xc(t,e,r));return ct.delete(n),ct.set(n,s),ct.size>Zc&&ct.delete([...ct.keys()][0]),s}var oi=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
+ni=()=>new Promise(t=>setTimeout(t));async function Xc(t,e,r){await ni();let n=t.solution(e,r);for(;n.goBack();)await ni();return n}function Wr(t,e,r){let{payoff:n}=t;
 return r.flatMap((s,o)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(s).forEach((c,d)=>a[d]+=c),e.playTurn(s);let i=n==="capture-rate"?ns:si;
-return Qc.map((l,c)=>({step:o+1,team:l,lost:a[c],payoff:n})).filter(l=>l.lost>=i)})}var zr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
+return Jc.map((l,c)=>({step:o+1,team:l,lost:a[c],payoff:n})).filter(l=>l.lost>=i)})}var zr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
 ({lost:r})=>r)),text:Ht(e)})),ai=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,Ht=t=>`The ${t.team}s los\
 e ${ai(t)} against a perfect opponent`;function ii(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step}, lost ${ai(e)} \
 against a perfect opponent.`}function li({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[s,o]=[1-r,Math.min(t.max_steps-
 n,cn)];return s>o-si?`free for ${o} steps`:`captured after ${s.toFixed(1)} steps`}function ci(t,e){return(t.marginal(e)??[]).map((n,s)=>({share:n,action:s})).filter(
-({share:n})=>n>=ns).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-ns?ce[s]:`${ce[s]} ${n.toFixed(2)}`).join(", ")}function Br(t,e,r){if(r===0)return[{kind:"start",text:ru(t),agents:[]}];let[n,s]=[e.moments[r-1],e.moments[r]],o=d=>V(d,t.config.n_pursuers),a=$t(e,n,s),i=t.conflicts(
+({share:n})=>n>=ns).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-ns?ce[s]:`${ce[s]} ${n.toFixed(2)}`).join(", ")}function Br(t,e,r){if(r===0)return[{kind:"start",text:Qc(t),agents:[]}];let[n,s]=[e.moments[r-1],e.moments[r]],o=d=>V(d,t.config.n_pursuers),a=$t(e,n,s),i=t.conflicts(
 r),l=new Set(i.flatMap(d=>d.doomed)),c=a.map(d=>({kind:"capture",text:`${o(d)} is captured`,agents:[d]}));for(let d of vr(n,s))!a.includes(d)&&!l.has(d)&&c.push(
 {kind:"end",text:`${o(d)} disappears`,agents:[d]});return c.push(...i.map(({kind:d,text:m,agents:p})=>({kind:d,text:m,agents:p}))),r===t.length&&c.unshift({kind:"\
-end",text:nu(t),agents:[]}),c}function ru({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
- steps`}function nu(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var su=60,ut=class{element;player=new ue(0,{speed:Sr,still:oe()});inspector;match=null;recording=null;actions;#e;#t;#r;#n;#o=u("h2",{class:"match-title"});#s=u(
-"p",{class:"tally numbers"});#c=u("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#m=u("p",{class:"problem",role:"a\
-lert"});#a=null;#p=null;#u=0;#l=!1;#h=0;#d=[];constructor(e,r,n){[this.#t,this.#r]=[e,r];let s=u("canvas",{"aria-label":"The match"});this.#e=new ke(s,{numbers:!1}),
-this.#n=new Fr(r),this.inspector=new Dr(o=>this.#S(o)),s.addEventListener("click",o=>this.inspector.choose(this.#e.agentAt(o.clientX,o.clientY))),this.actions=u(
-"div",{class:"beside"},u("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.
-dispatchEvent(new Event("takeover"))},"Take over"),n&&ri(()=>this.shown,n)),this.element=u("section",{class:"card match-card","aria-label":"Match",id:"match"},u(
-"div",{class:"match"},u("header",{class:"match-head"},this.#o,this.#s),this.#m,u("div",{class:"stage"},s),u("div",{class:"aside"},this.#c,Lr(),this.actions,this.
-inspector.element),Ce(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.
-player.addEventListener("step",()=>this.#w()),r.on("match",()=>this.#f()),this.#b(),this.#x(0,0)}get#i(){return this.#t[this.#r.selected.run]}reveal(){this.#e.canvas.
-scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#p&&{match:this.match,step:this.player.step,champions:this.#p}}start(e){this.#a=e,this.#g()}playSoon(){
-this.#l=!0,this.#u||this.#v()}goTo(e){this.#h=e,!this.#u&&this.match&&this.#g()}#v(){!this.#l||!this.match||(this.#l=!1,this.player.jump(0),oe()||this.player.play())}#f(){
-this.#b(),clearTimeout(this.#u),this.#u=setTimeout(()=>this.#g(),su)}#g(){clearTimeout(this.#u),this.#u=0,this.player.pause(),this.#b();let{selected:e}=this.#r,
-r=Ke.map(o=>nr(this.#i,o,e[o])).find(Boolean)??"";if(this.#m.textContent=r,r||!this.#a)return;this.match=sr(this.#a,this.#i,e);let[n,s]=this.names(e);this.#p={pursuer:{
+end",text:eu(t),agents:[]}),c}function Qc({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
+ steps`}function eu(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
+ evaders captured`}var tu=60,ut=class{element;player=new ue(0,{speed:Sr,still:oe()});inspector;match=null;recording=null;actions;#e;#t;#r;#n;#o=u("h2",{class:"match-title"});#s=u(
+"p",{class:"tally numbers"});#c=u("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#p=u("p",{class:"problem",role:"a\
+lert"});#a=null;#m=null;#u=0;#l=!1;#h=0;#d=[];constructor(e,r,n){[this.#t,this.#r]=[e,r];let s=u("canvas",{"aria-label":"The match",onclick:({clientX:o,clientY:a})=>this.
+inspector.choose(this.#e.agentAt(o,a))});this.#e=new ke(s,{numbers:!1}),this.#n=new Fr(r),this.inspector=new Dr(o=>this.#S(o)),this.actions=u("div",{class:"besi\
+de"},u("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.dispatchEvent(
+new Event("takeover"))},"Take over"),n&&ri(()=>this.shown,n)),this.element=u("section",{class:"card match-card","aria-label":"Match",id:"match"},u("div",{class:"\
+match"},u("header",{class:"match-head"},this.#o,this.#s),this.#p,u("div",{class:"stage"},s),u("div",{class:"aside"},this.#c,Lr(),this.actions,this.inspector.element),
+Ce(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener(
+"step",()=>this.#w()),r.on("match",()=>this.#f()),this.#b(),this.#x(0,0)}get#i(){return this.#t[this.#r.selected.run]}reveal(){this.#e.canvas.scrollIntoView({block:"\
+nearest"})}get shown(){return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){this.#a=e,this.#g()}playSoon(){this.#l=!0,
+this.#u||this.#v()}goTo(e){this.#h=e,!this.#u&&this.match&&this.#g()}#v(){!this.#l||!this.match||(this.#l=!1,this.player.jump(0),oe()||this.player.play())}#f(){
+this.#b(),clearTimeout(this.#u),this.#u=setTimeout(()=>this.#g(),tu)}#g(){clearTimeout(this.#u),this.#u=0,this.player.pause(),this.#b();let{selected:e}=this.#r,
+r=Ke.map(o=>nr(this.#i,o,e[o])).find(Boolean)??"";if(this.#p.textContent=r,r||!this.#a)return;this.match=sr(this.#a,this.#i,e);let[n,s]=this.names(e);this.#m={pursuer:{
 name:n,policy:Q(this.#i,"pursuer",e.pursuer)},evader:{name:s,policy:Q(this.#i,"evader",e.evader)}},this.recording=Nr(this.match),this.#n.show(this.#i,this.match),
 this.inspector.show(this.#a,this.#i,this.match,e),this.player.length=this.match.length,this.player.marks=yr(this.recording),this.#d=this.player.ticks=[],this.player.
 jump(this.#h),this.#h=0,this.#w(),this.#y(this.#a,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??""}`,this.#v()}async#y(e,r){
-let n=await Ur(e,r.config);if(this.match!==r||!n)return;let s=e.world(r.config);r.seek(s,0),this.#d=Wr(n,s,ou(r)),s.free(),this.player.ticks=zr(this.#d),this.inspector.
+let n=await Ur(e,r.config);if(this.match!==r||!n)return;let s=e.world(r.config);r.seek(s,0),this.#d=Wr(n,s,ru(r)),s.free(),this.player.ticks=zr(this.#d),this.inspector.
 solution=n,this.#w()}names({run:e,pursuer:r,evader:n}){let{teams:s}=this.#t[e];return[s.pursuer.script??se("pursuer",r),s.evader.script??se("evader",n)]}#b(){let{
 episode:e,seed:r}=this.#r.selected,{payoff:n}=this.#i,[s,o]=this.names(this.#r.selected),a=r===null?e<n.episodes?`episode ${e+1} of ${n.episodes}`:`episode ${e+
 1}, not part of the cell`:`seed ${r}`;this.#o.replaceChildren(u("span",{class:"pursuer"},de(s))," against ",u("span",{class:"evader"},o),u("span",{class:"muted \
@@ -609,58 +610,57 @@ small"},a))}#w(){let e=this.match;if(!e||!this.recording)return;let r=this.playe
 length,r),this.#c.replaceChildren(...this.#d.filter(s=>s.step===r).map(s=>u("li",{class:`loss-${s.team}`},Ht(s))),...Br(e,this.recording,r).map(s=>u("li",{class:s.
 kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(r),this.#A()}#x(e,r){this.#s.replaceChildren(u("strong",{},e),` of ${this.#i.world.n_evaders}\
  captured`,u("span",{class:"muted"},` · step ${r}`))}#S(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#A()}#A(){let e=this.inspector.agent;for(let r of this.#c.
-children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}},ou=({actions:t,length:e,n_agents:r})=>Array.from(
-{length:e},(n,s)=>t.subarray(s*r,(s+1)*r));var au={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},iu=5;function di(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
-t.addEventListener("keydown",s=>{let o=au[s.key];if(!o)return;let[a,i]=n==="pursuer"?o:[o[1],o[0]],[l,c]=r(),d=s.shiftKey?iu:1,{pursuer:m,evader:p}=e.selected;e.
-select({pursuer:ui(m+d*a,l),evader:ui(p+d*i,c)}),s.preventDefault(),s.stopPropagation()})}var ui=(t,e)=>Math.min(e-1,Math.max(0,t));var lu=24,Hr=7,pi=t=>t<lu&&matchMedia("(pointer: coarse)").matches;function hi(t,e,r,n){let[s,o]=t.payoff.shape,[a,i]=[mi(e,s),mi(r,o)],[l,c]=[Math.min(Hr,s),Math.
-min(Hr,o)],d=[];for(let f=a+l-1;f>=a;f--){d.push(u("span",{class:"pursuer"},f));for(let g=i;g<i+c;g++)d.push(cu(t,f,g,n))}let m=Array.from({length:c},(f,g)=>u("\
-span",{class:"evader"},i+g)),p=u("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),h=u("div",{class:"loupe numbers",role:"grou\
-p","aria-label":"Cells around the tap"},...d,p,...m);return h.style.gridTemplateColumns=`2.4rem repeat(${c}, minmax(0, 1fr))`,h.addEventListener("click",f=>f.stopPropagation()),
-h}function cu(t,e,r,n){let s=u("button",{type:"button",onclick:()=>n({pursuer:e,evader:r})});return kr(s,Je(t,e,r)?.rate,`${se("pursuer",e)} against ${se("evade\
-r",r)}`),s}var mi=(t,e)=>Math.max(0,Math.min(e-Hr,t-Math.floor(Hr/2)));var re={left:52,bottom:46,top:76,right:84},ge=10,uu=160,jt=re.right-ge-14,We=re.top-ge-14,dt=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
-{"aria-hidden":"true"});#o=b("g");#s;#c=u("h2");#m=u("strong",{class:"rate numbers"});#a=u("span",{class:"small muted"});#p=u("p",{class:"of-both-teams small mu\
+children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}},ru=({actions:t,length:e,n_agents:r})=>Array.from(
+{length:e},(n,s)=>t.subarray(s*r,(s+1)*r));var nu={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},su=5;function di(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
+t.addEventListener("keydown",s=>{let o=nu[s.key];if(!o)return;let[a,i]=n==="pursuer"?o:[o[1],o[0]],[l,c]=r(),d=s.shiftKey?su:1,{pursuer:m,evader:p}=e.selected;e.
+select({pursuer:ui(m+d*a,l),evader:ui(p+d*i,c)}),s.preventDefault(),s.stopPropagation()})}var ui=(t,e)=>Math.min(e-1,Math.max(0,t));var ou=24,Hr=7,pi=t=>t<ou&&matchMedia("(pointer: coarse)").matches;function hi(t,e,r,n){let[s,o]=t.payoff.shape,[a,i]=[mi(e,s),mi(r,o)],[l,c]=[Math.min(Hr,s),Math.
+min(Hr,o)],d=[];for(let g=a+l-1;g>=a;g--){d.push(u("span",{class:"pursuer"},g));for(let y=i;y<i+c;y++)d.push(au(t,g,y,n))}let m=Array.from({length:c},(g,y)=>u("\
+span",{class:"evader"},i+y)),p=u("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),f=u("div",{class:"loupe numbers",role:"grou\
+p","aria-label":"Cells around the tap",onclick:g=>g.stopPropagation()},...d,p,...m);return f.style.gridTemplateColumns=`2.4rem repeat(${c}, minmax(0, 1fr))`,f}function au(t,e,r,n){
+let s=u("button",{type:"button",onclick:()=>n({pursuer:e,evader:r})});return kr(s,Je(t,e,r)?.rate,`${se("pursuer",e)} against ${se("evader",r)}`),s}var mi=(t,e)=>Math.
+max(0,Math.min(e-Hr,t-Math.floor(Hr/2)));var re={left:52,bottom:46,top:76,right:84},ge=10,iu=160,jt=re.right-ge-14,We=re.top-ge-14,dt=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
+{"aria-hidden":"true"});#o=b("g");#s;#c=u("h2");#p=u("strong",{class:"rate numbers"});#a=u("span",{class:"small muted"});#m=u("p",{class:"of-both-teams small mu\
 ted numbers"});#u=null;constructor(e,r){[this.#t,this.#e]=[e,r],this.#s=u("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
-ch, Enter plays it."},this.#r,this.#n);let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#c,this.#p),u("div",{class:"of-cell"},this.#m,this.#a));
-this.element=u("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,Oe("0 all escape","1 all caught")),this.#f(),new ResizeObserver(()=>this.#h()).
-observe(this.#s),this.#s.addEventListener("pointermove",s=>this.#b(s)),this.#s.addEventListener("pointerleave",()=>r.point({})),this.#s.addEventListener("click",
-s=>this.#w(s)),this.#s.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),di(this.#s,
-r,()=>this.#l.payoff.shape),this.#s.addEventListener("keydown",s=>{s.key==="Enter"&&this.#S()}),r.on("run",()=>this.#h()),r.on("match",()=>this.#v()),r.on("hove\
-r",()=>this.#v())}get#l(){return this.#t[this.#e.selected.run]}#h(){let[e,r]=this.#l.payoff.shape,{clientWidth:n,clientHeight:s}=this.#s;if(n<50)return;let a=Math.
-max(uu,Math.min(n-re.left-re.right,s-re.top-re.bottom))/Math.max(e,r),i=Math.max(re.left,(n-r*a-re.right+re.left)/2),l=re.top+Math.max(0,(s-re.top-re.bottom-e*a)/
-2),c={width:n,height:s,left:i,top:l,cell:a,rows:e,columns:r};this.#u=c,ot(this.#r,this.#l.payoff,{left:i,top:l,width:r*a,height:e*a});for(let[d,m,p]of[["left",i,
-n],["top",l,s],["width",r*a,n],["height",e*a,s]])this.#r.style.setProperty(d,`${100*m/p}%`);this.#s.style.setProperty("--shape",`${n} / ${s}`),this.#n.setAttribute(
-"viewBox",`0 0 ${n} ${s}`),this.#n.replaceChildren(du(c),...mu(c),...this.#i(c),this.#o),this.#v()}#d(e){let r=this.#l.findings?.generalization;if(!r)return[];let{
-selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=fi(e,r.pursuers.mean[o]??0,o),[c,d]=gi(e,r.evaders.mean[a]??0,a);return[b("cir\
-cle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),b("circle",{class:"dot of-evaders",cx:c,cy:d,r:5})]}#i(e){let r=this.#l.findings?.generalization;if(!r)return[];let{
-left:n,top:s,cell:o,rows:a,columns:i}=e,[l,c]=[n+i*o+ge,s-ge],d={class:"side"};return[b("rect",{...d,x:l,y:s,width:jt,height:a*o}),b("rect",{...d,x:n,y:c-We,width:i*
-o,height:We}),...yi(r.pursuers,(m,p)=>fi(e,m,p),"of-pursuers"),...yi(r.evaders,(m,p)=>gi(e,m,p),"of-evaders"),b("text",{class:"tick",x:l,y:s+a*o+16,"text-anchor":"\
-start"},"0"),b("text",{class:"tick",x:l+jt,y:s+a*o+16,"text-anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:c-4,"text-anchor":"end"},"0"),b("text",{class:"ti\
-ck",x:n-6,y:c-We+8,"text-anchor":"end"},"1"),b("text",{class:"label of-pursuers",x:l+jt,y:s+a*o+34,"text-anchor":"end"},"captures"),b("text",{class:"label of-ev\
-aders",x:n+i*o+ge,y:c-We+10,"text-anchor":"start"},"escapes")]}#v(){let e=this.#u;if(!e)return;let{selected:r,hover:n}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,
-c=f=>o+(i-1-f)*a,d=[],m=(f,g)=>b("rect",{class:g,x:s,y:c(f),width:l*a+ge+jt,height:a}),p=(f,g)=>b("rect",{class:g,x:s+f*a,y:o-ge-We,width:a,height:ge+We+i*a});d.
-push(m(r.pursuer,"strip pursuer"),p(r.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&d.push(m(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&d.push(
-p(n.evader,"strip hover")),d.push(...this.#d(e));let h={x:s+r.evader*a,y:c(r.pursuer),width:a,height:a};d.push(b("rect",{class:"chosen under",...h}),b("rect",{class:"\
-chosen",...h})),this.#o.replaceChildren(...d),this.#f()}#f(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,s=r.evader??e.evader,o=Je(this.#l,n,s);this.#c.
-replaceChildren(u("span",{class:"pursuer"},de(se("pursuer",n)))," against ",u("span",{class:"evader"},se("evader",s))),this.#m.textContent=o?H(o.rate,3):"-",this.#a.
-textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#p.textContent=this.#g(n,s)}#g(e,r){let n=this.#l.findings?.generalization;
-if(!n)return"";let s=(o,a)=>aa(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,r)}`}#y(e){
-let r=this.#u;if(!r)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((e.clientY-n.top-r.top)/
-r.cell),[a,i]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#b(e){let r=this.#y(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,
-evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#y(e);if(r){if(r.inside&&pi(this.#u.cell))return this.#x(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?
-{}:{evader:r.h}}),r.inside&&this.#S()}}#x(e,r){let n=hi(this.#l,e,r,s=>{n.remove(),s&&(this.#e.select(s),this.#S())});this.#s.append(n)}#S(){this.#s.dispatchEvent(
-new CustomEvent("play",{bubbles:!0}))}};function du({left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"axes"}),a=e+n*r,i=l=>Nt(0,l-1,Math.min(l,l*r/44),
-!0);for(let l of i(s))o.append(b("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))o.append(b("text",{class:"tick",x:t-7,y:a-
-(l+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},l));return o.append(b("text",{class:"label of-evaders",x:t+s*r/2,y:a+36,"text-anchor":"middle"},"evad\
-er generation"),b("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),o}function mu({
-left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=e+n*r;for(let d of["H","V"]){let m=`M${t} ${i}`;for(let p=1;p<=
-a;p++){let[h,f]=[`H${t+p*r}`,`V${i-p*r}`];m+=d==="H"?h+f:f+h}o.append(b("path",{d:m,class:"under"}),b("path",{d:m}))}let[l,c]=[t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[
-o,b("text",{class:"on-cells",transform:`translate(${l} ${c}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var fi=({left:t,top:e,cell:r,rows:n,columns:s},o,a)=>[
-t+s*r+ge+o*jt,e+(n-a-.5)*r],gi=({left:t,top:e,cell:r},n,s)=>[t+(s+.5)*r,e-ge-n*We];function yi(t,e,r){let n=o=>o.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(
-" ")),s=[];return t.low&&t.high&&s.push(b("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].join("L")}Z`})),s.push(b("path",{class:`line ${r}`,
-d:`M${n(t.mean).join("L")}`})),s}var vi={pursuer:null,evader:null},mt=class extends EventTarget{#e;#t=vi;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#t}select(e){
+ch, Enter plays it.",onpointermove:s=>this.#b(s),onpointerleave:()=>r.point({}),onclick:s=>this.#w(s),onkeydown:({key:s})=>s==="Enter"&&this.#S()},this.#r,this.#n);
+let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#c,this.#m),u("div",{class:"of-cell"},this.#p,this.#a));this.element=u("section",{class:"\
+card matrix-card","aria-label":"Payoff matrix"},n,this.#s,Oe("0 all escape","1 all caught")),this.#f(),new ResizeObserver(()=>this.#h()).observe(this.#s),this.#s.
+addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),di(this.#s,r,()=>this.#l.payoff.
+shape),r.on("run",()=>this.#h()),r.on("match hover",()=>this.#v())}get#l(){return this.#t[this.#e.selected.run]}#h(){let[e,r]=this.#l.payoff.shape,{clientWidth:n,
+clientHeight:s}=this.#s;if(n<50)return;let a=Math.max(iu,Math.min(n-re.left-re.right,s-re.top-re.bottom))/Math.max(e,r),i=Math.max(re.left,(n-r*a-re.right+re.left)/
+2),l=re.top+Math.max(0,(s-re.top-re.bottom-e*a)/2),c={width:n,height:s,left:i,top:l,cell:a,rows:e,columns:r};this.#u=c,ot(this.#r,this.#l.payoff,{left:i,top:l,width:r*
+a,height:e*a});for(let[d,m,p]of[["left",i,n],["top",l,s],["width",r*a,n],["height",e*a,s]])this.#r.style.setProperty(d,`${100*m/p}%`);this.#s.style.setProperty(
+"--shape",`${n} / ${s}`),this.#n.setAttribute("viewBox",`0 0 ${n} ${s}`),this.#n.replaceChildren(lu(c),...cu(c),...this.#i(c),this.#o),this.#v()}#d(e){let r=this.#l.
+findings?.generalization;if(!r)return[];let{selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=fi(e,r.pursuers.mean[o]??0,o),[c,d]=gi(
+e,r.evaders.mean[a]??0,a);return[b("circle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),b("circle",{class:"dot of-evaders",cx:c,cy:d,r:5})]}#i(e){let r=this.#l.findings?.
+generalization;if(!r)return[];let{left:n,top:s,cell:o,rows:a,columns:i}=e,[l,c]=[n+i*o+ge,s-ge],d={class:"side"};return[b("rect",{...d,x:l,y:s,width:jt,height:a*
+o}),b("rect",{...d,x:n,y:c-We,width:i*o,height:We}),...yi(r.pursuers,(m,p)=>fi(e,m,p),"of-pursuers"),...yi(r.evaders,(m,p)=>gi(e,m,p),"of-evaders"),b("text",{class:"\
+tick",x:l,y:s+a*o+16,"text-anchor":"start"},"0"),b("text",{class:"tick",x:l+jt,y:s+a*o+16,"text-anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:c-4,"text-anc\
+hor":"end"},"0"),b("text",{class:"tick",x:n-6,y:c-We+8,"text-anchor":"end"},"1"),b("text",{class:"label of-pursuers",x:l+jt,y:s+a*o+34,"text-anchor":"end"},"cap\
+tures"),b("text",{class:"label of-evaders",x:n+i*o+ge,y:c-We+10,"text-anchor":"start"},"escapes")]}#v(){let e=this.#u;if(!e)return;let{selected:r,hover:n}=this.#e,
+{left:s,top:o,cell:a,rows:i,columns:l}=e,c=f=>o+(i-1-f)*a,d=[],m=(f,g)=>b("rect",{class:g,x:s,y:c(f),width:l*a+ge+jt,height:a}),p=(f,g)=>b("rect",{class:g,x:s+f*
+a,y:o-ge-We,width:a,height:ge+We+i*a});d.push(m(r.pursuer,"strip pursuer"),p(r.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&d.push(m(n.pursuer,"strip \
+hover")),n.evader!==null&&n.evader<l&&d.push(p(n.evader,"strip hover")),d.push(...this.#d(e));let h={x:s+r.evader*a,y:c(r.pursuer),width:a,height:a};d.push(b("r\
+ect",{class:"chosen under",...h}),b("rect",{class:"chosen",...h})),this.#o.replaceChildren(...d),this.#f()}#f(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,
+s=r.evader??e.evader,o=Je(this.#l,n,s);this.#c.replaceChildren(u("span",{class:"pursuer"},de(se("pursuer",n)))," against ",u("span",{class:"evader"},se("evader",
+s))),this.#p.textContent=o?H(o.rate,3):"-",this.#a.textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#m.textContent=
+this.#g(n,s)}#g(e,r){let n=this.#l.findings?.generalization;if(!n)return"";let s=(o,a)=>aa(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against al\
+l: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,r)}`}#y(e){let r=this.#u;if(!r)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.clientX-n.
+left-r.left)/r.cell),o=r.rows-1-Math.floor((e.clientY-n.top-r.top)/r.cell),[a,i]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:
+null}#b(e){let r=this.#y(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#y(e);if(r){if(r.inside&&pi(this.#u.cell))return this.#x(
+r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#S()}}#x(e,r){let n=hi(this.#l,e,r,s=>{n.remove(),s&&(this.#e.select(
+s),this.#S())});this.#s.append(n)}#S(){this.#s.dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function lu({left:t,top:e,cell:r,rows:n,columns:s}){let o=b(
+"g",{class:"axes"}),a=e+n*r,i=l=>Nt(0,l-1,Math.min(l,l*r/44),!0);for(let l of i(s))o.append(b("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));
+for(let l of i(n))o.append(b("text",{class:"tick",x:t-7,y:a-(l+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},l));return o.append(b("text",{class:"labe\
+l of-evaders",x:t+s*r/2,y:a+36,"text-anchor":"middle"},"evader generation"),b("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(\
+-90)`,"text-anchor":"middle"},"pursuer generation")),o}function cu({left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"diagonal"}),a=Math.min(n,s);if(a<
+3)return[];let i=e+n*r;for(let d of["H","V"]){let m=`M${t} ${i}`;for(let p=1;p<=a;p++){let[h,f]=[`H${t+p*r}`,`V${i-p*r}`];m+=d==="H"?h+f:f+h}o.append(b("path",{
+d:m,class:"under"}),b("path",{d:m}))}let[l,c]=[t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[o,b("text",{class:"on-cells",transform:`translate(${l} ${c}) rotate(-45)`,"\
+text-anchor":"middle"},"same generation")]}var fi=({left:t,top:e,cell:r,rows:n,columns:s},o,a)=>[t+s*r+ge+o*jt,e+(n-a-.5)*r],gi=({left:t,top:e,cell:r},n,s)=>[t+
+(s+.5)*r,e-ge-n*We];function yi(t,e,r){let n=o=>o.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),s=[];return t.low&&t.high&&s.push(b("path",{class:`band ${r}`,
+d:`M${[...n(t.high),...n(t.low).reverse()].join("L")}Z`})),s.push(b("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),s}var vi={pursuer:null,evader:null},mt=class extends EventTarget{#e;#t=vi;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#t}select(e){
 let r=this.#e,n=["run","pursuer","evader"].some(s=>s in e&&e[s]!==r[s]);this.#e={...r,...n?{episode:0,seed:null}:{},...e},this.#e.run!==r.run&&this.dispatchEvent(
 new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let r={...vi,...e};r.pursuer===this.#t.pursuer&&r.evader===this.#t.evader||(this.#t=r,this.dispatchEvent(
-new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var jr=class{config;start;recording;actions=[];#e;#t;#r=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#t=[Qn(this.#e)],
+new Event("hover")))}on(e,r){for(let n of e.split(" "))this.addEventListener(n,r)}};var jr=class{config;start;recording;actions=[];#e;#t;#r=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#t=[Qn(this.#e)],
 this.recording=Xn(r,this.#e.map(),this.#t)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
 "capture_rate")[0]}}conflicts(e){return this.#r[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#n(e)}step(e,r,n){let[s,o]=[this.#e,this.config.n_pursuers],
 a=new Uint8Array(s.n_agents);for(let i=s.n_turns;i>0&&!s.over;--i){let[l,c]=s.actors;l<o&&(a=s.decide(e.pursuer,[l,Math.min(c,o)],a)),c>o&&(a=s.decide(e.evader,
@@ -672,83 +672,81 @@ out:s>=0,captured:Array.from(r[o].everCaptured).filter(Boolean).length}}var Gr=(
 function xi(t,{seat:e,from:r,moves:n}){let s={...t,seat:e,...r?{from:r}:{},moves:n.join("")};return`${location.href.split("#")[0]}#${Object.entries(s).map(([o,a])=>`${o}\
 =${a}`).join("&")}`}function Si(t,e){let[r,n,s]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(r)&&Number(r)<e.n_pursuers+e.n_evaders&&
 (e.diagonal?/^[0-8]+$/:/^[0-4]+$/).test(s)&&s.length<=e.max_steps&&/^\d{1,6}$/.test(n)&&Number(n)<=s.length?{seat:Number(r),from:Number(n),moves:[...s].map(Number)}:
-null}function os(t,e,r,n,s,o){e.play({title:r,played:n,ending:(a,i)=>[pu(t,a,i,wi(s))],again:()=>os(t,e,r,{...n,moves:n.moves.slice(0,n.from)},s,o),link:a=>o&&xi(o,a)})}
-function pu(t,e,r,n){let s=ye(r.config,r.seat)==="evader",o=s?r.config.max_steps:r.config.n_evaders,a=u("table",{class:"numbers"},u("caption",{},s?"Steps in you\
+null}function os(t,e,r,n,s,o){e.play({title:r,played:n,ending:(a,i)=>[uu(t,a,i,wi(s))],again:()=>os(t,e,r,{...n,moves:n.moves.slice(0,n.from)},s,o),link:a=>o&&xi(o,a)})}
+function uu(t,e,r,n){let s=ye(r.config,r.seat)==="evader",o=s?r.config.max_steps:r.config.n_evaders,a=u("table",{class:"numbers"},u("caption",{},s?"Steps in you\
 r seat: same start, same others":"Captures of your team: same start, same others")),i=c=>{let[d,m]=[u("span",{class:s?"bar evader":"bar pursuer"}),u("td",{},"…")];
 return a.append(u("tr",{},u("th",{scope:"row"},c),u("td",{class:"track","aria-hidden":"true"},d),m)),({lasted:p,captured:h})=>{d.style.width=`${100*(s?p:h)/o}%`,
 m.textContent=String(s?p:h)}};i("You")(pt(e,r.seat));for(let{name:c,policy:d}of n){let m=i(c);setTimeout(()=>m(bi(t,r,d())))}let l=r.from?`You took over at step\
- ${r.from}. `:"";return u("div",{},a,u("p",{class:"small muted"},`${l}One match: luck has its part in it.`))}var Ai=["·","↑","→","↓","←","↗","↘","↙","↖"];var hu={" ":0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,s:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},as=[8,1,5,4,0,2,7,3,6],fu=[7,8,9,4,5,6,1,2,3],gu=24,yu=Math.tan(
-Math.PI/8);function Ei(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=fu.findIndex(s=>t.code===`Numpad${s}`),n=as[r]??hu[t.key.length===1?t.key.toLowerCase():
+ ${r.from}. `:"";return u("div",{},a,u("p",{class:"small muted"},`${l}One match: luck has its part in it.`))}var Ai=["·","↑","→","↓","←","↗","↘","↙","↖"];var du={" ":0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,s:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},as=[8,1,5,4,0,2,7,3,6],mu=[7,8,9,4,5,6,1,2,3],pu=24,hu=Math.tan(
+Math.PI/8);function Ei(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=mu.findIndex(s=>t.code===`Numpad${s}`),n=as[r]??du[t.key.length===1?t.key.toLowerCase():
 t.key];return n!==void 0&&n>4&&!e?void 0:n}function Ti(t){let e=as.map(r=>u("button",{type:"button","aria-label":ce[r],onclick:()=>t(r)},Ai[r]));return{element:u(
-"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,s)=>n.classList.toggle("absent",as[s]>4&&!r))}}function Mi(t,e,r){let n=yu*
+"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,s)=>n.classList.toggle("absent",as[s]>4&&!r))}}function Mi(t,e,r){let n=hu*
 Math.max(Math.abs(t),Math.abs(e)),s=o=>Math.abs(o)<n?0:o;return Ao([0,0],r?[s(t),s(e)]:[t,e],r)}function ki(t,e,r){let n=null,{canvas:s}=t;s.addEventListener("p\
 ointerdown",({button:o,clientX:a,clientY:i})=>{n=o===0?[a,i]:null}),s.addEventListener("pointercancel",()=>{n=null}),s.addEventListener("pointerup",({clientX:o,
-clientY:a})=>{let[i,l]=[n,e()];if(n=null,!i||!l)return;let[c,d]=[o-i[0],a-i[1]],m=t.cellAt(o,a);Math.hypot(c,d)>=gu?r(Mi(d,c,l.diagonal)):m&&r(Mi(m[0]-l.cell[0],
+clientY:a})=>{let[i,l]=[n,e()];if(n=null,!i||!l)return;let[c,d]=[o-i[0],a-i[1]],m=t.cellAt(o,a);Math.hypot(c,d)>=pu?r(Mi(d,c,l.diagonal)):m&&r(Mi(m[0]-l.cell[0],
 m[1]-l.cell[1],l.diagonal))})}function Ci(t,e){let r=n=>{let s=e[n]-t[n],o=tt.findIndex(a=>a[n]===Math.sign(s)&&a[1-n]===0);return s?`${Math.abs(s)} ${ce[o]}`:""};
-return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var $i="NUMPY\0",Oi=$i.length+2,Ri=64;function _i(t){return Js(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,vu(r)])))}function vu({dtype:t,shape:e,
+return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var $i="NUMPY\0",Oi=$i.length+2,Ri=64;function _i(t){return Js(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,fu(r)])))}function fu({dtype:t,shape:e,
 data:r}){let n=typeof r=="string"?Array.from(r,d=>d.codePointAt(0)):null,s=e.map(d=>`${d}, `).join(""),o=`{'descr': '${n?`<U${n.length}`:t}', 'fortran_order': F\
 alse, 'shape': (${s}), }`,a=Math.ceil((Oi+o.length+1)/Ri)*Ri-Oi,i=$i+String.fromCharCode(a&255,a>>8)+o.padEnd(a-1)+`
-`,l=n?Int32Array.from(n):r,c=new Uint8Array(i.length+l.byteLength);return c.set(er(i,!0)),c.set(new Uint8Array(l.buffer,l.byteOffset,l.byteLength),i.length),c}var bu="matrixworld episode 3";function Pi(t,e,r){let{config:n,actions:s,length:o,recording:a}=e,[i,l]=[n.n_pursuers+n.n_evaders,n.n_evaders],c={positions:["<i4",
+`,l=n?Int32Array.from(n):r,c=new Uint8Array(i.length+l.byteLength);return c.set(er(i,!0)),c.set(new Uint8Array(l.buffer,l.byteOffset,l.byteLength),i.length),c}var gu="matrixworld episode 3";function Pi(t,e,r){let{config:n,actions:s,length:o,recording:a}=e,[i,l]=[n.n_pursuers+n.n_evaders,n.n_evaders],c={positions:["<i4",
 i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",l],ever_captured:["|b1",l]},d={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},m={},p=w=>{
 for(let S of Object.keys(w))(m[S]??=[]).push(Array.from(h.read(S),Number))},h=t.world(n);h.reset(e.start);let f=[];p(c);for(let w of s)h.step(w),p({...c,...d}),
 f.push(...h.conflictTable());h.free();let g={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},y={};for(let[w,[S,...A]]of Object.entries({...c,...d})){let k=o+
 +(w in c);y[w]={dtype:S,shape:[k,...A],data:g[S].from((m[w]??[]).flat())}}let x=w=>({dtype:"<i8",shape:[],data:Int32Array.of(w,0)}),v=w=>({dtype:"<U",shape:[],data:w});
-return _i({format:v(bu),n_pursuers:x(n.n_pursuers),config:v(JSON.stringify(n)),seat:x(r),...y,actions:{dtype:"|i1",shape:[o,i],data:Int8Array.from(s.flatMap(w=>[
+return _i({format:v(gu),n_pursuers:x(n.n_pursuers),config:v(JSON.stringify(n)),seat:x(r),...y,actions:{dtype:"|i1",shape:[o,i],data:Int8Array.from(s.flatMap(w=>[
 ...w]))},map:{dtype:"|b1",shape:[n.rows,n.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[f.length/11,11],data:Int32Array.from(
-f)}})}var wu=[0,1,2,4,8],Vr=class{element;player=new ue(0,{speed:4,still:oe()});#e;#t;#r=u("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=u("h2");#o=u("p",{
-class:"play-told",role:"status"});#s=Ti(e=>this.act(e));#c=dr(wu.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#T());#m=u("input",{type:"checkbox"});#a=u("in\
-put",{type:"checkbox"});#p=u("label",{class:"play-choice"},this.#a,"Best move");#u=u("p",{class:"small muted play-keys",id:"play-keys"});#l=u("section",{class:"\
-play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#h=Ce(this.player);#d=null;#i=null;#v=[];#f=null;#g=null;#y=[];#b=0;#w=0;constructor(e){this.#e=e,this.#t=
-new ke(this.#r,{numbers:!1}),this.#r.setAttribute("role","application"),this.#m.addEventListener("change",()=>this.#S()),this.#a.addEventListener("change",()=>this.#k()),
-ki(this.#t,()=>{let r=this.#f!==null&&this.#i&&R(this.#i.recording.moments.at(-1),this.#f);return r?{cell:r,diagonal:this.#i.config.diagonal}:null},r=>this.act(
-r)),this.player.addEventListener("frame",()=>this.#i&&this.#t.show(this.#i.recording,this.player.time)),this.player.addEventListener("step",()=>this.#k()),this.
-element=u("div",{class:"play"},u("header",{class:"play-head"},this.#n,this.#o),u("div",{class:"play-stage"},this.#r),u("div",{class:"play-side"},this.#l,this.#s.
-element,u("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#c),u("label",{class:"play-choice"},this.#m,u("span",{},"Fog",u("span",{class:"at-le\
-ngth"},": see only what it sees"))),this.#p,this.#u),this.#h)}get played(){return this.#d&&{...this.#d.played,moves:this.#v}}get live(){return this.#i}play(e){this.#x(
-ss(this.#e,e.played),e.played.seat,e.title),[this.#d,this.#v,this.#b]=[e,[...e.played.moves],0],this.element.dataset.state="playing",this.#r.focus({preventScroll:!0}),
-Gr(this.#i,e.played.seat)&&this.#R()}watch(e,r,n){this.#d=null,this.#x(e,r,n),this.#$()}stop(){this.#T(),this.player.pause(),this.#d=null}act(e){let[r,n]=[this.#d,
-this.#i];if(!r||!n||this.element.dataset.state!=="playing")return;this.#b=e;let s=Number(this.#c.value);this.#w||(this.#O(),s&&this.element.dataset.state==="pla\
-ying"&&(this.#w=setInterval(()=>this.#O(),1e3/s)))}key(e){let{target:r,key:n}=e;if(r instanceof HTMLSelectElement||r instanceof HTMLInputElement&&(r.type==="tex\
-t"||n===" ")||r instanceof HTMLButtonElement&&(n===" "||n==="Enter")||!this.#i)return!1;if(this.element.dataset.state!=="playing")return Mr(this.player,e);let o=Ei(
-e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#x(e,r,n){this.#T(),this.player.pause(),[this.#i,this.#f]=[e,r],this.#n.textContent=n,this.#r.
-ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#u.replaceChildren(u("span",{class:"at-length"},`W A S D or t\
-he arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the board: swipe, or tap where to go."),this.#A(
-e),this.#l.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#S(){this.#t.look={you:this.#f,fog:this.#m.checked,viewers:this.#f===
-null?[]:[this.#f],plan:this.#C()}}#A(e){this.#g=null,this.#y=this.player.ticks=[],this.#p.hidden=this.#a.disabled=!!Xt(e.config),Ur(this.#e,e.config,oi(e.config)).
-then(r=>{this.#i===e&&(this.#g=r,this.#E(),this.#k())})}#E(){let[e,r]=[this.#i,this.#g];if(!r||this.element.dataset.state==="playing")return;let n=this.#e.world(
-e.config);n.reset(e.start),this.#y=Wr(r,n,e.actions),n.free(),this.player.ticks=zr(this.#y)}get#M(){return this.#a.checked&&this.#d&&this.element.dataset.state===
-"playing"&&this.#g&&this.#i.game(this.#g)||null}#C(){let[e,r]=[this.#f,this.#f!==null&&this.#M?.marginal(this.#f)];return e!==null&&r?Object.assign(Array(e).fill(
-0),{[e]:r.indexOf(Math.max(...r))}):null}#T(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#c.value)?"off":"polite"}#O(){let[{policies:e,seat:r},
-n]=[this.#d.played,this.#i];n.step(e,r,this.#b),this.#v.push(this.#b),this.player.length=n.length,this.player.glide=Math.min(.22,.9/(Number(this.#c.value)||4)),
-this.player.move(n.length-this.player.step),Gr(n,r)&&this.#R()}#R(){this.#T();let[e,r,n]=[this.#d,this.#i,this.played],s=vo()?e.link(n):null;this.#l.replaceChildren(
-u("h3",{id:"play-headline"},Au(r,n.seat)),...e.ending(r,n),u("div",{class:"play-buttons"},u("button",{type:"button",class:"primary",onclick:()=>e.again()},"Agai\
-n"),u("button",{type:"button",onclick:()=>this.#$()},"Watch it"),u("button",{type:"button",onclick:()=>this.#_(r,n.seat)},"Save"),s&&u("button",{type:"button",onclick:({
-currentTarget:a})=>Eu(a,s)},"Link"))),this.element.dataset.state="ended",this.#E();let o=this.#y.filter(({team:a})=>a===ye(r.config,n.seat));o.length&&this.#l.children[0].
-after(u("p",{class:"small muted"},ii(o))),this.#l.focus({preventScroll:!0}),this.#l.scrollIntoView({block:"nearest"})}#$(){this.element.dataset.state="watched",
-this.player.length=this.#i.length,this.player.jump(0),oe()||this.player.play()}#_(e,r){et(`${V(r,e.config.n_pursuers)}-${e.length}-steps.npz`,Pi(this.#e,e,r))}#k(){
-let[e,r,{step:n}]=[this.#i,this.#f,this.player];if(!e||n>e.length)return;let s=Br(e,e.recording,n).filter(({agents:l})=>r===null||l.includes(r)),o=this.#d&&n===
-0,a=o?[xu(e.config,r),this.#d.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&r!==null&&a.push(Su(e,n,r)),a.push(...this.#y.filter(
-l=>l.step===n).map(Ht));let i=n===e.length&&r!==null?this.#M:null;i&&a.push(`Perfect play: ${ci(i,r)||"decided in its turn"}; ${li(this.#g,i,n)}`),this.#S(),this.#o.
-textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function xu(t,e){let r=t.rules.capture==="SURROUND";return ye(t,e)==="evader"?`Run away: you win if ${r?
-"the pursuers do not surround you":"no pursuer reaches your cell"} in ${t.max_steps} steps`:`Capture evaders: ${r?"surround them with your team":"move onto thei\
-r cells"}`}function Su({config:t,recording:e},r,n){let s=e.moments[r],a=ye(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=R(s,n),l=m=>{let[p,
-h]=R(s,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>ye(t,m)===a&&s.alive[m]&&!s.captured[m-t.
-n_pursuers]&&2*l(m)<t.fov);if(!c.length)return`No ${a} in view`;let d=c.reduce((m,p)=>l(p)<l(m)?p:m);return`Nearest ${a}: ${Ci(i,R(s,d))}`}function Au(t,e){let[
-{lasted:r,out:n,captured:s},{config:o}]=[pt(t,e),t];return ye(o,e)==="pursuer"?`Your team captured ${s} of ${Mu(o)} in ${r} steps.`:n?`You lasted ${r} of ${o.max_steps}\
- steps.`:`You escaped: ${r} steps.`}var Mu=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Eu(t,e){let r=bo("Link to this match");r.value=e,t.replaceWith(
-r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var Tu=2n**64n-1n;function Li(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),s=(c,d,m)=>{let p=n.get(c)??"";return/^\d{1,9}$/.test(p)&&Number(p)<d?Number(
+f)}})}var yu=[0,1,2,4,8],Vr=class{element;player=new ue(0,{speed:4,still:oe()});#e;#t;#r=u("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=u("h2");#o=u("p",{
+class:"play-told",role:"status"});#s=Ti(e=>this.act(e));#c=dr(yu.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#T());#p=u("input",{type:"checkbox",onchange:()=>this.#S()});#a=u(
+"input",{type:"checkbox",onchange:()=>this.#k()});#m=u("label",{class:"play-choice"},this.#a,"Best move");#u=u("p",{class:"small muted play-keys",id:"play-keys"});#l=u(
+"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#h=Ce(this.player);#d=null;#i=null;#v=[];#f=null;#g=null;#y=[];#b=0;#w=0;constructor(e){
+this.#e=e,this.#t=new ke(this.#r,{numbers:!1}),this.#r.setAttribute("role","application"),ki(this.#t,()=>{let r=this.#f!==null&&this.#i&&R(this.#i.recording.moments.
+at(-1),this.#f);return r?{cell:r,diagonal:this.#i.config.diagonal}:null},r=>this.act(r)),this.player.addEventListener("frame",()=>this.#i&&this.#t.show(this.#i.
+recording,this.player.time)),this.player.addEventListener("step",()=>this.#k()),this.element=u("div",{class:"play"},u("header",{class:"play-head"},this.#n,this.#o),
+u("div",{class:"play-stage"},this.#r),u("div",{class:"play-side"},this.#l,this.#s.element,u("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#c),
+u("label",{class:"play-choice"},this.#p,u("span",{},"Fog",u("span",{class:"at-length"},": see only what it sees"))),this.#m,this.#u),this.#h)}get played(){return this.#d&&
+{...this.#d.played,moves:this.#v}}get live(){return this.#i}play(e){this.#x(ss(this.#e,e.played),e.played.seat,e.title),[this.#d,this.#v,this.#b]=[e,[...e.played.
+moves],0],this.element.dataset.state="playing",this.#r.focus({preventScroll:!0}),Gr(this.#i,e.played.seat)&&this.#R()}watch(e,r,n){this.#d=null,this.#x(e,r,n),this.#$()}stop(){
+this.#T(),this.player.pause(),this.#d=null}act(e){let[r,n]=[this.#d,this.#i];if(!r||!n||this.element.dataset.state!=="playing")return;this.#b=e;let s=Number(this.#c.
+value);this.#w||(this.#O(),s&&this.element.dataset.state==="playing"&&(this.#w=setInterval(()=>this.#O(),1e3/s)))}key(e){let{target:r,key:n}=e;if(r instanceof HTMLSelectElement||
+r instanceof HTMLInputElement&&(r.type==="text"||n===" ")||r instanceof HTMLButtonElement&&(n===" "||n==="Enter")||!this.#i)return!1;if(this.element.dataset.state!==
+"playing")return Mr(this.player,e);let o=Ei(e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#x(e,r,n){this.#T(),this.player.pause(),[this.#i,
+this.#f]=[e,r],this.#n.textContent=n,this.#r.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#u.replaceChildren(
+u("span",{class:"at-length"},`W A S D or the arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the \
+board: swipe, or tap where to go."),this.#A(e),this.#l.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#S(){this.#t.look={you:this.#f,
+fog:this.#p.checked,viewers:this.#f===null?[]:[this.#f],plan:this.#C()}}#A(e){this.#g=null,this.#y=this.player.ticks=[],this.#m.hidden=this.#a.disabled=!!Xt(e.config),
+Ur(this.#e,e.config,oi(e.config)).then(r=>{this.#i===e&&(this.#g=r,this.#E(),this.#k())})}#E(){let[e,r]=[this.#i,this.#g];if(!r||this.element.dataset.state==="p\
+laying")return;let n=this.#e.world(e.config);n.reset(e.start),this.#y=Wr(r,n,e.actions),n.free(),this.player.ticks=zr(this.#y)}get#M(){return this.#a.checked&&this.#d&&
+this.element.dataset.state==="playing"&&this.#g&&this.#i.game(this.#g)||null}#C(){let[e,r]=[this.#f,this.#f!==null&&this.#M?.marginal(this.#f)];return e!==null&&
+r?Object.assign(Array(e).fill(0),{[e]:r.indexOf(Math.max(...r))}):null}#T(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#c.value)?"off":"polit\
+e"}#O(){let[{policies:e,seat:r},n]=[this.#d.played,this.#i];n.step(e,r,this.#b),this.#v.push(this.#b),this.player.length=n.length,this.player.glide=Math.min(.22,
+.9/(Number(this.#c.value)||4)),this.player.move(n.length-this.player.step),Gr(n,r)&&this.#R()}#R(){this.#T();let[e,r,n]=[this.#d,this.#i,this.played],s=vo()?e.link(
+n):null;this.#l.replaceChildren(u("h3",{id:"play-headline"},wu(r,n.seat)),...e.ending(r,n),u("div",{class:"play-buttons"},u("button",{type:"button",class:"prima\
+ry",onclick:()=>e.again()},"Again"),u("button",{type:"button",onclick:()=>this.#$()},"Watch it"),u("button",{type:"button",onclick:()=>this.#_(r,n.seat)},"Save"),
+s&&u("button",{type:"button",onclick:({currentTarget:a})=>Su(a,s)},"Link"))),this.element.dataset.state="ended",this.#E();let o=this.#y.filter(({team:a})=>a===ye(
+r.config,n.seat));o.length&&this.#l.children[0].after(u("p",{class:"small muted"},ii(o))),this.#l.focus({preventScroll:!0}),this.#l.scrollIntoView({block:"neare\
+st"})}#$(){this.element.dataset.state="watched",this.player.length=this.#i.length,this.player.jump(0),oe()||this.player.play()}#_(e,r){et(`${V(r,e.config.n_pursuers)}\
+-${e.length}-steps.npz`,Pi(this.#e,e,r))}#k(){let[e,r,{step:n}]=[this.#i,this.#f,this.player];if(!e||n>e.length)return;let s=Br(e,e.recording,n).filter(({agents:l})=>r===
+null||l.includes(r)),o=this.#d&&n===0,a=o?[vu(e.config,r),this.#d.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&r!==null&&a.push(
+bu(e,n,r)),a.push(...this.#y.filter(l=>l.step===n).map(Ht));let i=n===e.length&&r!==null?this.#M:null;i&&a.push(`Perfect play: ${ci(i,r)||"decided in its turn"}\
+; ${li(this.#g,i,n)}`),this.#S(),this.#o.textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function vu(t,e){let r=t.rules.capture==="SURROUND";return ye(
+t,e)==="evader"?`Run away: you win if ${r?"the pursuers do not surround you":"no pursuer reaches your cell"} in ${t.max_steps} steps`:`Capture evaders: ${r?"sur\
+round them with your team":"move onto their cells"}`}function bu({config:t,recording:e},r,n){let s=e.moments[r],a=ye(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])
+return"";let i=R(s,n),l=m=>{let[p,h]=R(s,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>ye(t,m)===
+a&&s.alive[m]&&!s.captured[m-t.n_pursuers]&&2*l(m)<t.fov);if(!c.length)return`No ${a} in view`;let d=c.reduce((m,p)=>l(p)<l(m)?p:m);return`Nearest ${a}: ${Ci(i,
+R(s,d))}`}function wu(t,e){let[{lasted:r,out:n,captured:s},{config:o}]=[pt(t,e),t];return ye(o,e)==="pursuer"?`Your team captured ${s} of ${xu(o)} in ${r} steps\
+.`:n?`You lasted ${r} of ${o.max_steps} steps.`:`You escaped: ${r} steps.`}var xu=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Su(t,e){let r=bo("Link \
+to this match");r.value=e,t.replaceWith(r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var Au=2n**64n-1n;function Li(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),s=(c,d,m)=>{let p=n.get(c)??"";return/^\d{1,9}$/.test(p)&&Number(p)<d?Number(
 p):m},o=s("run",e.length,r.run),[a,i]=e[o].payoff.shape,l=n.get("seed")??"";return{run:o,pursuer:s("pursuers",a,Math.min(r.pursuer,a-1)),evader:s("evaders",i,Math.
-min(r.evader,i-1)),episode:s("episode",1/0,r.episode),seed:/^\d{1,20}$/.test(l)&&BigInt(l)<=Tu?l:null,step:s("step",1/0,0)}}var qr=class{dialog=u("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#t;#r;#n;#o=null;constructor(e,r,n,s=!0){[this.#e,this.#t,this.#r,
-this.#n]=[e,r,n,s],n.element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",o=>this.view?.key(o)&&o.preventDefault()),this.
-dialog.addEventListener("close",()=>this.view?.stop())}start(e,r=""){this.#o=e;let n=Li(r,this.#e,this.#t.selected),s=Si(new URLSearchParams(r.replace(/^#/,"")),
-this.#e[n.run].world);s&&this.play(n,s)}open(){let e=this.#r.shown;if(!e)return;let{match:r,step:n}=e;this.#r.player.pause();let s=this.#r.inspector.agent,o=n<r.
-length?n:0,a=(m,p)=>!!r.alive[p*r.n_agents+m],i=Array.from({length:r.n_agents},(m,p)=>(p+r.config.n_pursuers)%r.n_agents),l=s??i.find(m=>a(m,o)),c=a(l,o)?o:0,d=Array.
-from({length:c},(m,p)=>r.actions[p*r.n_agents+l]);this.play(this.#t.selected,{seat:l,from:c,moves:d})}play(e,r){let[n,s]=[this.#o,this.#e[e.run]];if(!n||Ke.some(
-y=>nr(s,y,e[y])))return;let{run:o,pursuer:a,evader:i,episode:l,seed:c}=e,d=ye(s.world,r.seat),m=s.teams[d].kept.map(y=>({name:s.teams[d].script??`generation ${y}`,
-text:"",policy:()=>Q(s,d,y)}));this.view||(this.view=new Vr(n),this.dialog.append(u("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},"Clos\
-e"),this.view.element)),this.dialog.open||this.dialog.showModal();let p=`You are ${V(r.seat,s.world.n_pursuers)}: ${this.#r.names(e).join(" against ")}`,h={pursuer:Q(
-s,"pursuer",a),evader:Q(s,"evader",i)},f={config:s.world,seed:BigInt(c??s.seeds[a][i]),episode:l,policies:h,...r},g={run:o,pursuers:a,evaders:i,episode:l,...c===
-null?{}:{seed:c}};os(n,this.view,p,f,m,this.#n?g:null)}};var is=t=>Array.from({length:t},()=>Array(t)),Yr=class{learning=L;settings=[];training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={
+min(r.evader,i-1)),episode:s("episode",1/0,r.episode),seed:/^\d{1,20}$/.test(l)&&BigInt(l)<=Au?l:null,step:s("step",1/0,0)}}var qr=class{dialog=u("dialog",{class:"take-over","aria-label":"Play an agent",onclose:()=>this.view?.stop(),onkeydown:e=>this.view?.key(e)&&e.preventDefault()});view=null;#e;#t;#r;#n;#o=null;constructor(e,r,n,s=!0){
+[this.#e,this.#t,this.#r,this.#n]=[e,r,n,s],n.element.addEventListener("takeover",()=>this.open())}start(e,r=""){this.#o=e;let n=Li(r,this.#e,this.#t.selected),
+s=Si(new URLSearchParams(r.replace(/^#/,"")),this.#e[n.run].world);s&&this.play(n,s)}open(){let e=this.#r.shown;if(!e)return;let{match:r,step:n}=e;this.#r.player.
+pause();let s=this.#r.inspector.agent,o=n<r.length?n:0,a=(m,p)=>!!r.alive[p*r.n_agents+m],i=Array.from({length:r.n_agents},(m,p)=>(p+r.config.n_pursuers)%r.n_agents),
+l=s??i.find(m=>a(m,o)),c=a(l,o)?o:0,d=Array.from({length:c},(m,p)=>r.actions[p*r.n_agents+l]);this.play(this.#t.selected,{seat:l,from:c,moves:d})}play(e,r){let[
+n,s]=[this.#o,this.#e[e.run]];if(!n||Ke.some(y=>nr(s,y,e[y])))return;let{run:o,pursuer:a,evader:i,episode:l,seed:c}=e,d=ye(s.world,r.seat),m=s.teams[d].kept.map(
+y=>({name:s.teams[d].script??`generation ${y}`,text:"",policy:()=>Q(s,d,y)}));this.view||(this.view=new Vr(n),this.dialog.append(u("button",{type:"button",class:"\
+leave",onclick:()=>this.dialog.close()},"Close"),this.view.element)),this.dialog.open||this.dialog.showModal();let p=`You are ${V(r.seat,s.world.n_pursuers)}: ${this.#r.
+names(e).join(" against ")}`,h={pursuer:Q(s,"pursuer",a),evader:Q(s,"evader",i)},f={config:s.world,seed:BigInt(c??s.seeds[a][i]),episode:l,policies:h,...r},g={run:o,
+pursuers:a,evaders:i,episode:l,...c===null?{}:{seed:c}};os(n,this.view,p,f,m,this.#n?g:null)}};var is=t=>Array.from({length:t},()=>Array(t)),Yr=class{learning=L;settings=[];training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={
 pursuer:[],evader:[]};#e;#t;#r;constructor(e,r,n,s){[this.#r,this.#e,this.#t,this.name,this.schedule]=[e,r,s,n,n],[this.world,this.seed]=[e.world,String(e.seed)];
 let o=e.schedule.generations+1;this.seeds=Array.from({length:o},(a,i)=>Array.from({length:o},(l,c)=>String(or(e.seed,i,c)))),this.payoff=this.#n(),this.teams=this.#o()}get newest(){
 return this.genomes.pursuer.length-1}#n(){let e=this.#r.schedule.generations+1;return{first:[0,0],shape:[e,e],episodes:this.#r.evaluation_episodes,capture_rate:is(
@@ -758,11 +756,11 @@ vader")}}policy(e,r){return Ot(ur(this.#r,this.#e,e),this.genomes[e][r])}add(e){
 e,this.world=e.world;for(let n of L)this.genomes[n]=[...r[n]];[this.payoff,this.teams,this.findings]=[this.#n(),this.#o(),null]}addCell({pursuer:e,evader:r,capture_rates:n,
 lengths:s}){this.payoff.capture_rate[e][r]=B(n),this.payoff.capture_rates[e][r]=[...n],this.payoff.lengths[e][r]=[...s],this.findings={generalization:this.#s()}}#s(){
 let e=this.payoff.capture_rate,r=o=>({mean:o,low:null,high:null}),n=o=>{let a=o.filter(i=>i!==void 0);return a.length?B(a):null},s=[...this.genomes.pursuer.keys()];
-return{pursuers:r(s.map(o=>n(e[o]))),evaders:r(s.map(o=>n(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Gt=t=>`${Math.round(100*t)} %`,ku=100,Cu=0,Kr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#t;#r;#n=u("h2",
-{class:"lane-title"});#o=u("p",{class:"facts numbers"});#s=u("div",{class:"lane-room",hidden:!0});#c=u("section",{class:"card measures",hidden:!0});#m=u("div");#a;#p={
+return{pursuers:r(s.map(o=>n(e[o]))),evaders:r(s.map(o=>n(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Gt=t=>`${Math.round(100*t)} %`,Mu=100,Eu=0,Kr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#t;#r;#n=u("h2",
+{class:"lane-title"});#o=u("p",{class:"facts numbers"});#s=u("div",{class:"lane-room",hidden:!0});#c=u("section",{class:"card measures",hidden:!0});#p=u("div");#a;#m={
 pursuer:[],evader:[]};#u=new Map;#l;#h;#d=()=>{};#i=0;#v=!0;#f=0;#g=null;constructor(e,r,n,s){super(),[this.#e,this.#t,this.#r,this.settings]=[e,r,n,s],this.newest=
 new Ue(()=>this.#A(this.#a.newest)),this.beginning=new Ue(()=>this.#A(0)),this.beginning.element.classList.add("beginning");let o=u("div",{class:"boards"},this.
-newest.element,this.beginning.element);this.element=u("section",{class:"lane"},this.#n,this.#o,o,this.#s,this.#c,this.#m),n.onmessage=({data:a})=>this.#b(a),this.
+newest.element,this.beginning.element);this.element=u("section",{class:"lane"},this.#n,this.#o,o,this.#s,this.#c,this.#p),n.onmessage=({data:a})=>this.#b(a),this.
 reset(s)}reset(e){this.#y({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#S();let{archive:r}=new Qe(this.#t,e,this.#e.masks);this.#a.add(
 {pursuer:r.pursuer[0],evader:r.evader[0]}),this.#s.hidden=this.#c.hidden=!0,this.#E(!0),this.#M()}start(){this.#S(),[this.state,this.done]=["evolving",0],this.#s.
 hidden=!1,this.#c.hidden=!0,this.#y({type:"start",settings:this.settings,masks:this.#e.masks}),this.#M()}stop(){this.#y({type:"stop"}),this.state==="evolving"&&
@@ -771,46 +769,45 @@ let e=this.#a.newest;this.#h.play({run:0,pursuer:e,evader:e,episode:0,seed:null}
 this.#g=e,this.#y({type:"save"})})}get newestGeneration(){return this.#a.newest}close(){this.#r.terminate(),this.newest.runs=this.beginning.runs=!1}#y(e){this.#r.
 postMessage(e)}#b(e){if(e.type==="generation"){if(this.state!=="evolving")return;this.#a.add(e.genomes),this.#E(e.number===0)}else if(e.type==="cell"){let{pursuer:r,
 evader:n}=e.cell;this.#a.addCell(e.cell),this.#v&&r===n&&r===this.#a.newest&&this.#l.select({pursuer:r,evader:n}),this.#u.set(`${r} ${n}`,e.cell)}else if(e.type===
-"scores")for(let r of L)this.#p[r][e.number]=e.scores[r];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#x(),this.#E(!0)):e.type==="epoch"?this.
+"scores")for(let r of L)this.#m[r][e.number]=e.scores[r];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#x(),this.#E(!0)):e.type==="epoch"?this.
 done=e.done/e.of:e.type==="end"?(this.state==="evolving"&&([this.state,this.seconds,this.done]=["ended",e.seconds,1]),this.#C()):e.type==="saved"?this.#g?.(e.race):
-(this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#f||(this.#f=setTimeout(()=>requestAnimationFrame(()=>this.#w()),ku))}#w(){this.#f=
-0,this.#l.dispatchEvent(new Event("run")),this.#d(),this.#M()}#x(){this.#u=new Map,this.#p={pursuer:[],evader:[]},this.#c.hidden=!0}#S(){let e=`race ${Cu++}`,r=Ir(
+(this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#f||(this.#f=setTimeout(()=>requestAnimationFrame(()=>this.#w()),Mu))}#w(){this.#f=
+0,this.#l.dispatchEvent(new Event("run")),this.#d(),this.#M()}#x(){this.#u=new Map,this.#m={pursuer:[],evader:[]},this.#c.hidden=!0}#S(){let e=`race ${Eu++}`,r=Ir(
 this.settings);this.#a=new Yr(this.settings,this.#e.masks,r,e),this.#x(),this.#v=!0,this.#l=new mt({run:0,pursuer:0,evader:0,episode:0,seed:null});let[n,s]=[new dt(
 [this.#a],this.#l),new ut([this.#a],this.#l,null)];n.element.ariaLabel=`Payoff matrix. ${r}`,this.#h=new qr([this.#a],this.#l,s,!1),this.#h.start(this.#t);let o=u(
-"dialog",{class:"of-cell-match","aria-label":"Match"},u("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element);o.addEventListener("clo\
-se",()=>s.player.pause());let a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#l.selected;this.#v=!1,this.#a.payoff.capture_rate[l][c]!==
-void 0&&(o.showModal(),a||s.start(this.#t),a=!0,s.playSoon())});let i=he(`Scores against scripts, by generation: ${cr.pursuer.join(", ")} and ${cr.evader.join("\
-, ")}`,(l,c)=>{let d=this.settings.schedule.generations,m=me(l,c,{low:0,high:d,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let p of L){let h=Array.
-from(this.#p[p],f=>f??null);pe(m,[...h.keys()],h,`of-${p}s`)}return m},()=>{},l=>{let c=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#l.select({pursuer:c,
-evader:c})});this.#d=i.redraw,this.#s.replaceChildren(n.element,u("section",{class:"card scores"},u("h3",{},"Against opponents that never change"),u("p",{class:"\
-small muted"},"Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),st(["pursuers","of-pursuers"],["evaders",
-"of-evaders"]),i.element)),this.#m.replaceChildren(o,this.#h.dialog)}#A(e){let r=this.#a.newest;if(r<0||e<0)return null;let{world:n,payoff:s,seeds:o}=this.#a,a=this.#i++%
-s.episodes;this.newest.title.textContent=r?"Newest against newest":"Generation 0: nobody has learned anything yet",this.beginning.title.textContent="Pursuers of\
- generation 0, newest evaders";for(let c of[this.newest,this.beginning])c.generation=r;for(let c of[this.newest,this.beginning])c.label=`A match. ${c.title.textContent}`;
-let[i,l]=[this.#a.policy("pursuer",e),this.#a.policy("evader",r)];return this.#t.match(n,i,l,BigInt(o[e][r]),a)}#E(e){this.newest.renew(e),(this.#a.newest>0||this.
-state!=="waiting")&&this.beginning.renew(e)}#M(){this.element.dataset.state=this.state,this.#n.textContent=Ir(this.settings);let e=this.#u.get(`${this.#a.newest}\
- ${this.#a.newest}`)??this.#u.get(`${this.#a.newest-1} ${this.#a.newest-1}`),r=e?[`Generation ${this.#a.newest} of ${this.settings.schedule.generations}`,`the n\
-ewest pursuers catch ${Gt(B(e.capture_rates))} of the newest evaders`,`${Ou(e).toFixed(0)} collisions in 1000 moves`]:[];this.#o.replaceChildren(...r.map(n=>u("\
-span",{},n))),this.dispatchEvent(new Event("state"))}#C(){this.#c.ariaLabel=`What came out. ${Ir(this.settings)}`;let e=this.#a.payoff.capture_rate.slice(0,this.#a.
-newest+1).map(n=>n.slice(0,this.#a.newest+1));if(e.length<2||e.some(n=>Array.from(n).includes(void 0)))return;let r=[["Score against scripts: generation 0",n=>Gt(
-this.#p[n][0]??0)],["Score against scripts: newest generation",n=>Gt(this.#p[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Gt(
-oo(e,n))],["Below its own best so far, in the later half (forgetting)",n=>Gt(ao(e,n))]];this.#c.replaceChildren(u("h3",{},"What came out"),u("table",{class:"num\
-bers"},u("thead",{},u("tr",{},u("td"),...L.map(n=>u("th",{scope:"col",class:n},`${n}s`)))),u("tbody",{},...r.map(([n,s])=>u("tr",{},u("th",{scope:"row"},n),...L.
-map(o=>u("td",{},s(o))))))),u("p",{class:"small muted"},"These are measures without a verdict: one race proves little. Save it, and ",u("code",{},"matrixworld j\
-udge")," weighs luck and says what happened.")),this.#c.hidden=!1}};function Ou({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(t)/
-Math.max(1,r(e))}function Ru(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var $u={present:"●",
-absent:"○","cannot tell":"?"};function Ni(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,i,l],c)=>{let d=_u(e.reasons[c]??
-"");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},$u[a]??""),u("div",{},u("p",{},u("strong",{},o),` ${a}`,u(
-"span",{class:"muted"},` · ${l}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},i)))}),s=Ru("What happened","Each condition is pre\
+"dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>s.player.pause()},u("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element),
+a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#l.selected;this.#v=!1,this.#a.payoff.capture_rate[l][c]!==void 0&&(o.showModal(),a||s.
+start(this.#t),a=!0,s.playSoon())});let i=he(`Scores against scripts, by generation: ${cr.pursuer.join(", ")} and ${cr.evader.join(", ")}`,(l,c)=>{let d=this.settings.
+schedule.generations,m=me(l,c,{low:0,high:d,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let p of L){let h=Array.from(this.#m[p],f=>f??null);pe(
+m,[...h.keys()],h,`of-${p}s`)}return m},()=>{},l=>{let c=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#l.select({pursuer:c,evader:c})});this.#d=i.redraw,
+this.#s.replaceChildren(n.element,u("section",{class:"card scores"},u("h3",{},"Against opponents that never change"),u("p",{class:"small muted"},"Captures of ra\
+ndom walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),st(["pursuers","of-pursuers"],["evaders","of-evaders"]),i.element)),this.#p.
+replaceChildren(o,this.#h.dialog)}#A(e){let r=this.#a.newest;if(r<0||e<0)return null;let{world:n,payoff:s,seeds:o}=this.#a,a=this.#i++%s.episodes;this.newest.title.
+textContent=r?"Newest against newest":"Generation 0: nobody has learned anything yet",this.beginning.title.textContent="Pursuers of generation 0, newest evaders";
+for(let c of[this.newest,this.beginning])c.generation=r;for(let c of[this.newest,this.beginning])c.label=`A match. ${c.title.textContent}`;let[i,l]=[this.#a.policy(
+"pursuer",e),this.#a.policy("evader",r)];return this.#t.match(n,i,l,BigInt(o[e][r]),a)}#E(e){this.newest.renew(e),(this.#a.newest>0||this.state!=="waiting")&&this.
+beginning.renew(e)}#M(){this.element.dataset.state=this.state,this.#n.textContent=Ir(this.settings);let e=this.#u.get(`${this.#a.newest} ${this.#a.newest}`)??this.#u.
+get(`${this.#a.newest-1} ${this.#a.newest-1}`),r=e?[`Generation ${this.#a.newest} of ${this.settings.schedule.generations}`,`the newest pursuers catch ${Gt(B(e.
+capture_rates))} of the newest evaders`,`${Tu(e).toFixed(0)} collisions in 1000 moves`]:[];this.#o.replaceChildren(...r.map(n=>u("span",{},n))),this.dispatchEvent(
+new Event("state"))}#C(){this.#c.ariaLabel=`What came out. ${Ir(this.settings)}`;let e=this.#a.payoff.capture_rate.slice(0,this.#a.newest+1).map(n=>n.slice(0,this.#a.
+newest+1));if(e.length<2||e.some(n=>Array.from(n).includes(void 0)))return;let r=[["Score against scripts: generation 0",n=>Gt(this.#m[n][0]??0)],["Score agains\
+t scripts: newest generation",n=>Gt(this.#m[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Gt(oo(e,n))],["Below its own best s\
+o far, in the later half (forgetting)",n=>Gt(ao(e,n))]];this.#c.replaceChildren(u("h3",{},"What came out"),u("table",{class:"numbers"},u("thead",{},u("tr",{},u(
+"td"),...L.map(n=>u("th",{scope:"col",class:n},`${n}s`)))),u("tbody",{},...r.map(([n,s])=>u("tr",{},u("th",{scope:"row"},n),...L.map(o=>u("td",{},s(o))))))),u("\
+p",{class:"small muted"},"These are measures without a verdict: one race proves little. Save it, and ",u("code",{},"matrixworld judge")," weighs luck and says w\
+hat happened.")),this.#c.hidden=!1}};function Tu({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(t)/Math.max(1,r(e))}function ku(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var Cu={present:"●",
+absent:"○","cannot tell":"?"};function Ni(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,i,l],c)=>{let d=Ou(e.reasons[c]??
+"");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},Cu[a]??""),u("div",{},u("p",{},u("strong",{},o),` ${a}`,u(
+"span",{class:"muted"},` · ${l}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},i)))}),s=ku("What happened","Each condition is pre\
 sent, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("p",{},e.headline),...e.numbers.map(o=>u(
 "p",{class:"numbers"},`${de(o)}.`)),u("ul",{class:"findings"},...n),t.limits?u("p",{class:"small"},t.limits):null);return s.classList.add("diagnosis"),{element:s}}
-function _u(t){let[,e=""]=t.split(/, because (.*)/s);return de(e.replace(/\.$/,""))}var Pu=84;function Ii(t,e){let r=t.map((o,a)=>Lu(o,a,e)),n=u("nav",{class:"races","aria-label":"Runs"},...r.map(o=>o.button)),s=()=>r.forEach((o,a)=>o.update(a===
-e.selected.run));return e.on("match",s),e.on("hover",s),s(),n.hidden=t.length<2,n}function Lu(t,e,r){let[n,s]=t.payoff.shape,o=!t.name.startsWith(t.schedule),a=Pu/
-Math.max(n,s),i=u("canvas",{"aria-hidden":"true"});ot(i,t.payoff,{left:0,top:0,width:s*a,height:n*a});let l=u("span",{class:"place"}),c=u("button",{type:"button",
-class:"race",title:`${t.name} (key ${e+1})`,onclick:()=>Iu(t,e,r)},u("span",{class:"small-matrix"},i,l),u("span",{class:"race-text"},u("strong",{},o?t.name:t.schedule),
-u("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${Nu(t)}`),u("span",{class:"small muted"},`${o?`${t.schedule}, `:""}\
+function Ou(t){let[,e=""]=t.split(/, because (.*)/s);return de(e.replace(/\.$/,""))}var Ru=84;function Ii(t,e){let r=t.map((o,a)=>$u(o,a,e)),n=u("nav",{class:"races","aria-label":"Runs"},...r.map(o=>o.button)),s=()=>r.forEach((o,a)=>o.update(a===
+e.selected.run));return e.on("match hover",s),s(),n.hidden=t.length<2,n}function $u(t,e,r){let[n,s]=t.payoff.shape,o=!t.name.startsWith(t.schedule),a=Ru/Math.max(
+n,s),i=u("canvas",{"aria-hidden":"true"});ot(i,t.payoff,{left:0,top:0,width:s*a,height:n*a});let l=u("span",{class:"place"}),c=u("button",{type:"button",class:"\
+race",title:`${t.name} (key ${e+1})`,onclick:()=>Pu(t,e,r)},u("span",{class:"small-matrix"},i,l),u("span",{class:"race-text"},u("strong",{},o?t.name:t.schedule),
+u("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${_u(t)}`),u("span",{class:"small muted"},`${o?`${t.schedule}, `:""}\
 seed ${t.seed}`)));return{button:c,update:m=>{c.setAttribute("aria-current",String(m));let p=r.hover.pursuer??r.selected.pursuer,h=r.hover.evader??r.selected.evader;
-l.hidden=p>=n||h>=s,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-p-.5)*a}px`}}}var Nu=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Iu(t,e,r){
+l.hidden=p>=n||h>=s,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-p-.5)*a}px`}}}var _u=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Pu(t,e,r){
 let[n,s]=t.payoff.shape,{pursuer:o,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(o,n-1),evader:Math.min(a,s-1)})}var Fi=1;function Di({runs:t},e){let r=t[Fi],{shape:[n,s],episodes:o}=r.payoff,a=null,i=0,l=()=>a&&sr(a,r,{run:Fi,pursuer:n-1,evader:s-1,episode:i++%o,seed:null}),
 c=new Ue(l);return c.title.textContent=`Generation ${n-1} of both teams`,c.label=`A match. ${c.title.textContent}`,c.generation=n-1,e.then(d=>{a=d,c.renew(),Wi(
 c)}),u("div",{class:"widget"},c.element,Ce(c.player),Lr())}function Ui({evolve:t},e,{grows:r=!1}){let n=u("button",{type:"button",class:"evolve",disabled:!0},"E\
@@ -830,34 +827,34 @@ super(),this.#t=e,this.#e=this.#n(),this.#o({})}choice=e=>this.#e.choices.find((
 solved[e];solve=(e,r)=>this.#o({solved:{...this.#e.solved,[e]:r}});get exit(){return this.#e}set exit(e){this.#o(e)}get count(){return this.#e.choices.length}get file(){
 let{choices:e,pupil:r}=this.#e;return e.map(n=>`${JSON.stringify({...n,edition:this.#t,pupil:r})}
 `).join("")}forget(){this.#o(ls())}get#r(){return`matrixworld lesson ${this.#t}`}#n(){try{return{...ls(),...JSON.parse(localStorage.getItem(this.#r)??"{}")}}catch{
-return ls()}}#o(e){this.#e={...this.#e,...e};try{localStorage.setItem(this.#r,JSON.stringify(this.#e))}catch{this.keeps=!1}}};function Hi(t,e){let r=[],n=[];for(let i of t)try{n.push({...i,...Fu(i.text,e)})}catch(l){r.push({file:i.name,reason:l.message})}let s=new Map([...e.predictions].
+return ls()}}#o(e){this.#e={...this.#e,...e};try{localStorage.setItem(this.#r,JSON.stringify(this.#e))}catch{this.keeps=!1}}};function Hi(t,e){let r=[],n=[];for(let i of t)try{n.push({...i,...Lu(i.text,e)})}catch(l){r.push({file:i.name,reason:l.message})}let s=new Map([...e.predictions].
 map(([i,{options:l}])=>[i,new Map(Object.keys(l).map(c=>[c,0]))])),o=new Map,a=new Map;for(let{name:i,text:l,pupil:c,choices:d}of n.sort((m,p)=>p.choices.size-m.
 choices.size)){let m=[...d].filter(([h])=>!o.has(`${c} ${h}`)),p=a.get(l)??(m.length?void 0:o.get(`${c} ${[...d.keys()][0]}`));if(p!==void 0){r.push({file:i,reason:a.
 has(l)?`double: the same content as ${p}`:`double: the pupil of ${p}`});continue}a.set(l,i);for(let[h,f]of m)o.set(`${c} ${h}`,i),s.get(h).set(f,s.get(h).get(f)+
-1)}return{counts:s,pupils:new Set([...o.keys()].map(i=>i.split(" ")[0])).size,left:r}}function Fu(t,{edition:e,predictions:r}){if(t===null)throw new Error("expe\
+1)}return{counts:s,pupils:new Set([...o.keys()].map(i=>i.split(" ")[0])).size,left:r}}function Lu(t,{edition:e,predictions:r}){if(t===null)throw new Error("expe\
 cted at most 65536 bytes");let n=new Map,s="",o=t.split(/\r?\n/).filter(a=>a.trim());if(!o.length)throw new Error("expected predictions that the lesson has save\
-d, got an empty file");return o.forEach((a,i)=>{let l=Du(a),{prediction:c,choice:d}=l;if(typeof c!="string"||typeof d!="string")throw new Error(`line ${i+1}: ex\
+d, got an empty file");return o.forEach((a,i)=>{let l=Nu(a),{prediction:c,choice:d}=l;if(typeof c!="string"||typeof d!="string")throw new Error(`line ${i+1}: ex\
 pected a prediction and its choice`);if(l.edition!==e)throw new Error(`line ${i+1}: expected edition ${e} of the course, got ${cs(l.edition)}`);let m=r.get(c)?.
 options;if(!m)throw new Error(`line ${i+1}: expected a prediction of the lesson, got ${cs(c)}`);if(!Object.hasOwn(m,d))throw new Error(`line ${i+1}: expected on\
 e of ${Object.keys(m).join(", ")} for ${c}, got ${cs(d)}`);if(s||=String(l.pupil??""),!/^[0-9a-f]{8}$/.test(s)||l.pupil!==s)throw new Error(`line ${i+1}: expect\
-ed lines of one pupil`);n.has(c)||n.set(c,d)}),{pupil:s,choices:n}}function Du(t){try{let e=JSON.parse(t);return typeof e=="object"&&e!==null?e:{}}catch{return{}}}
+ed lines of one pupil`);n.has(c)||n.set(c,d)}),{pupil:s,choices:n}}function Nu(t){try{let e=JSON.parse(t);return typeof e=="object"&&e!==null?e:{}}catch{return{}}}
 var cs=t=>t===void 0?"none":JSON.stringify(t).slice(0,40);function ji(t){let e={edition:t.edition,predictions:hr(t)},r=u("p",{role:"status"}),n=u("ul",{class:"left"}),s=u("div",{class:"questions"}),o=new Set,a=[],i=()=>{
 let p=Hi(a,e);r.textContent=a.length?`${a.length} ${a.length===1?"file":"files"}, ${p.pupils} ${p.pupils===1?"pupil":"pupils"}.${p.left.length?" Not counted:":""}`:
 "No files yet.",n.replaceChildren(...p.left.map(({file:h,reason:f})=>u("li",{},u("strong",{},h),` ${f}`))),s.replaceChildren(...[...e.predictions.values()].map(
-h=>Wu(h,p,o,i)))},l=async p=>{let h=[...p].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(h)],i()},c=u("input",
-{type:"file",multiple:!0,accept:".jsonl",id:"vote-files"});c.addEventListener("change",()=>{l(c.files).then(()=>c.value="")});let d=u("button",{type:"button",onclick:()=>{
-a=[],o.clear(),i()}},"Remove all files"),m=u("section",{class:"card drop","aria-label":"Files"},u("p",{},u("label",{for:"vote-files"},"Drop the files that your \
-pupils have saved anywhere on this page, or choose them: ")),c,u("div",{class:"buttons"},r,d),n,u("p",{class:"small muted"},"A pupil saves predictions.jsonl at \
-the end of the lesson. Names of files do not matter. Each pupil counts once: a second file of a pupil is named as double. Nothing leaves this computer."));document.
-addEventListener("dragover",p=>p.preventDefault()),document.addEventListener("drop",p=>{p.preventDefault(),l(p.dataTransfer?.files??[])}),document.getElementById(
-"page").replaceWith(mr("How the class voted",u("span",{},`${t.title} `,u("a",{href:"#"},"Back to the lesson"))),u("main",{},m,s),u("footer",{class:"small muted"},
-`matrixworld ${t.version}, edition ${t.edition} of the course`)),i()}function Wu(t,e,r,n){let{predict:s,options:o,outcome:a}=t,i=e.counts.get(s),l=[...i.values()].
-reduce((h,f)=>h+f,0),c=r.has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.entries(o).map(([h,f])=>{let g=u("span",{class:"filled"});g.style.width=`${100*i.
-get(h)/Math.max(1,l)}%`;let y=c&&h===a;return u("li",{class:y?"vote right":"vote"},u("span",{},`${h}. ${f}`,y&&u("strong",{}," ✓ the outcome")),u("span",{class:"\
-bar","aria-hidden":"true"},g),u("span",{class:"numbers"},`${i.get(h)} of ${l}`,d&&u("span",{class:"muted"},`, at first ${d.get(h)}`)))}),p=u("button",{type:"but\
-ton",id:`outcome-${s}`,onclick:()=>{r.add(s),n()}},"Show the outcome");return u("section",{class:"card question",id:`votes-${s}`},u("h2",{},t.question),u("ul",{
-class:"of-votes"},...m),t.later?u("p",{class:"muted"},t.later):c?u("div",{class:"reply"},...Wt(t.explanation??"")):u("div",{},p))}var Gi="#votes",zu=["explorer"],Bu=t=>"needs"in t?t.needs:void 0,Zr=t=>"widget"in t;function Hu(t){let e=[];for(let r of t){let n=e.at(-1);!n||"text"in r||Zr(r)&&
-n.some(Zr)?e.push([r]):n.push(r)}return e}function ju(t){let e=t.find(Zr);return e&&t.length>1&&!zu.includes(e.widget)&&!e.grows?"block beside":"block"}var us=class{#e;#t;#r=()=>{};#n=new Promise(
+h=>Fu(h,p,o,i)))},l=async p=>{let h=[...p].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(h)],i()},c=u("input",
+{type:"file",multiple:!0,accept:".jsonl",id:"vote-files",onchange:()=>{l(c.files).then(()=>c.value="")}}),d=u("button",{type:"button",onclick:()=>{a=[],o.clear(),
+i()}},"Remove all files"),m=u("section",{class:"card drop","aria-label":"Files"},u("p",{},u("label",{for:"vote-files"},"Drop the files that your pupils have sav\
+ed anywhere on this page, or choose them: ")),c,u("div",{class:"buttons"},r,d),n,u("p",{class:"small muted"},"A pupil saves predictions.jsonl at the end of the \
+lesson. Names of files do not matter. Each pupil counts once: a second file of a pupil is named as double. Nothing leaves this computer."));document.addEventListener(
+"dragover",p=>p.preventDefault()),document.addEventListener("drop",p=>{p.preventDefault(),l(p.dataTransfer?.files??[])}),document.getElementById("page").replaceWith(
+mr("How the class voted",u("span",{},`${t.title} `,u("a",{href:"#"},"Back to the lesson"))),u("main",{},m,s),u("footer",{class:"small muted"},`matrixworld ${t.version}\
+, edition ${t.edition} of the course`)),i()}function Fu(t,e,r,n){let{predict:s,options:o,outcome:a}=t,i=e.counts.get(s),l=[...i.values()].reduce((h,f)=>h+f,0),c=r.
+has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.entries(o).map(([h,f])=>{let g=u("span",{class:"filled"});g.style.width=`${100*i.get(h)/Math.max(1,l)}%`;
+let y=c&&h===a;return u("li",{class:y?"vote right":"vote"},u("span",{},`${h}. ${f}`,y&&u("strong",{}," ✓ the outcome")),u("span",{class:"bar","aria-hidden":"t\
+rue"},g),u("span",{class:"numbers"},`${i.get(h)} of ${l}`,d&&u("span",{class:"muted"},`, at first ${d.get(h)}`)))}),p=u("button",{type:"button",id:`outcome-${s}`,
+onclick:()=>{r.add(s),n()}},"Show the outcome");return u("section",{class:"card question",id:`votes-${s}`},u("h2",{},t.question),u("ul",{class:"of-votes"},...m),
+t.later?u("p",{class:"muted"},t.later):c?u("div",{class:"reply"},...Wt(t.explanation??"")):u("div",{},p))}var Gi="#votes",Du=["explorer"],Uu=t=>"needs"in t?t.needs:void 0,Zr=t=>"widget"in t;function Wu(t){let e=[];for(let r of t){let n=e.at(-1);!n||"text"in r||Zr(r)&&
+n.some(Zr)?e.push([r]):n.push(r)}return e}function zu(t){let e=t.find(Zr);return e&&t.length>1&&!Du.includes(e.widget)&&!e.grows?"block beside":"block"}var us=class{#e;#t;#r=()=>{};#n=new Promise(
 e=>this.#r=e);#o={chase:()=>Di(this.#e,this.#n),evolving:e=>Ui(this.#e,this.#n,e),"right-of-way":va,flat:ya,hands:Ta,"hands-matrix":ka,games:_a,numbers:Pa,matrices:()=>fa(
 this.#e),explorer:()=>zi(this.#e,this.#n),judgement:()=>Bi(this.#e),"same-diagonal":ga,exit:e=>Ua(e,this.#t)};constructor(e){[this.#e,this.#t]=[e,new Jr(e.edition)];
 let r=this.#t,n=hr(e).size,s=u("span",{class:"small muted",role:"status"}),o=()=>{s.textContent=`${r.count} of ${n} predictions made. `+(r.keeps?"They stay in t\
@@ -869,9 +866,9 @@ redictions"),u("button",{type:"button",onclick:()=>print()},"Print"),u("button",
  sends nothing anywhere. matrixworld ${e.version}, edition ${e.edition} of the course. Teachers: `,u("a",{href:Gi},"count the votes of a class"),"."))),o()}async load(){
 this.#r(await Qt())}#s(e){return"text"in e?u("div",{class:"text"},...Wt(e.text)):Zr(e)?this.#o[e.widget](e):"exercise"in e?Da(e,this.#t):Fa(e,this.#t)}#c(e,r){let{
 sections:n}=this.#e,s=u("p",{class:"waiting muted",role:"status"}),o=u("section",{class:"card",id:e.id,"aria-labelledby":`title-${e.id}`},u("h2",{id:`title-${e.
-id}`},`${r+1}. ${e.title}`,u("span",{class:"muted small"},`${e.minutes} minutes`)),s),a=Hu(e.parts),i=a.map(m=>u("div",{class:ju(m)})),l=a.flatMap((m,p)=>m.map(
-()=>i[p])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){let[m,p]=[e.parts[c-1],e.parts[c]],h=[pr(m)?m.predict:void 0,Bu(p)].find(f=>f&&this.#t.choice(f)===
+id}`},`${r+1}. ${e.title}`,u("span",{class:"muted small"},`${e.minutes} minutes`)),s),a=Wu(e.parts),i=a.map(m=>u("div",{class:zu(m)})),l=a.flatMap((m,p)=>m.map(
+()=>i[p])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){let[m,p]=[e.parts[c-1],e.parts[c]],h=[pr(m)?m.predict:void 0,Uu(p)].find(f=>f&&this.#t.choice(f)===
 void 0);if(h){let f=n.findIndex(({parts:g})=>g.some(y=>pr(y)&&y.predict===h));s.textContent=`This section goes on with your prediction${f===r?"":` in section ${f+
-1}`}.`;return}s.before(l[c]),l[c].append(this.#s(p))}s.remove()};return this.#t.addEventListener("choice",d),d(),o}};function Gu(){let t=So(),e=()=>location.hash===
+1}`}.`;return}s.before(l[c]),l[c].append(this.#s(p))}s.remove()};return this.#t.addEventListener("choice",d),d(),o}};function Bu(){let t=So(),e=()=>location.hash===
 Gi,r=e();if(window.addEventListener("hashchange",()=>e()!==r&&location.reload()),r)return void Pn(Promise.resolve(ji(t)));let n=new us(t);requestAnimationFrame(
-()=>setTimeout(()=>Pn(n.load())))}typeof document>"u"?go():Gu();})();
+()=>setTimeout(()=>Pn(n.load())))}typeof document>"u"?go():Bu();})();
