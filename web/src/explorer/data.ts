@@ -97,9 +97,7 @@ export interface Data {
 }
 
 /** Return the data of the page. */
-export function readData(): Data {
-  return JSON.parse(text("data")) as Data;
-}
+export const readData = (): Data => JSON.parse(text("data")) as Data;
 
 /** Return what was measured of a cell; null where no episodes were played for it. */
 export function cellOf(run: Run, g: number, h: number): { rate: number; rates: readonly number[]; lengths: readonly number[] } | null {
@@ -185,6 +183,5 @@ export function bytesOf(identifier: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-export function text(identifier: string): string {
-  return document.getElementById(identifier)?.textContent ?? "";
-}
+/** Return the text of a data element. */
+export const text = (identifier: string): string => document.getElementById(identifier)?.textContent ?? "";

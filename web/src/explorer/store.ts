@@ -3,11 +3,7 @@
 import type { Team } from "./data.ts";
 
 /** A match: a cell of the matrix and one of its episodes. */
-export interface Selection {
-  readonly run: number;
-  readonly pursuer: number;
-  readonly evader: number;
-  readonly episode: number;
+export interface Selection extends Readonly<Record<"run" | "pursuer" | "evader" | "episode", number>> {
   /** Another seed than that of the cell; null for the cell's own. */
   readonly seed: string | null;
 }

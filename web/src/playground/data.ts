@@ -24,11 +24,7 @@ export interface Example {
 }
 
 /** What played for a team in the match of the explorer that a scene comes from. */
-export interface Champion {
-  readonly name: string;
-  readonly policy: TeamPolicy;
-}
-export type Champions = Readonly<Record<"pursuer" | "evader", Champion>>;
+export type Champions = Readonly<Record<"pursuer" | "evader", { readonly name: string; readonly policy: TeamPolicy }>>;
 
 export interface PageData {
   readonly variants: Readonly<Record<string, Rules>>;

@@ -17,9 +17,7 @@ export const GAMES = { escape: "Can you escape it?", match: "One match", file: "
 export type GameName = keyof typeof GAMES;
 
 /** A match of the page: who plays for each team, and the seed. */
-interface Choice extends Readonly<Record<Team, number>> {
-  readonly seed: bigint;
-}
+type Choice = Readonly<Record<Team, number>> & { readonly seed: bigint };
 
 /** The games, with what is chosen for them. It dispatches `game` when a link or a file begins another one. */
 export class Games extends EventTarget {

@@ -69,15 +69,15 @@ function withField(rules: Rules, field: Field, name: string): Rules {
 
 function comparison(store: Store): Control {
   const names = Object.keys(store.data.variants);
-  const select = html("select", { id: "compare" },
+  const compare = (): void => {
+    const rules = { "": null, present: store.scene.rules }[select.value];
+    change(store, { ...store.scene, others: rules === undefined ? store.data.variants[select.value]! : rules });
+  };
+  const select = html("select", { id: "compare", onchange: compare },
     html("option", { value: "" }, "nothing"),
     html("option", { value: "present" }, "the present rules"),
     html("option", { value: "own", hidden: true }, "own rules"),
     ...names.map((name) => html("option", { value: name }, `${name}: ${store.data.titles[name]}`)));
-  select.addEventListener("change", () => {
-    const rules = { "": null, present: store.scene.rules }[select.value];
-    change(store, { ...store.scene, others: rules === undefined ? store.data.variants[select.value]! : rules });
-  });
   return {
     element: html("div", { class: "pair" }, html("label", { for: "compare" }, "Compare with"), select),
     update: () => {

@@ -38,10 +38,8 @@ export class Store extends EventTarget {
   /** Throws EngineError if the engine refuses the scene. */
   constructor(engine: Engine, data: PageData, scene: Scene, example: Example | null = null) {
     super();
-    [this.#example, this.#original] = [example, scene];
-    this.#engine = engine;
-    this.data = data;
-    this.#scene = scene;
+    [this.#engine, this.data, this.#example] = [engine, data, example];
+    this.#scene = this.#original = scene;
     this.#games = this.#played(scene);
     this.player = new Player(this.game.length, { still: stillMotion() });
     this.player.jump(this.game.length);

@@ -218,12 +218,14 @@ export class PlayView {
     this.#rest();
     const [game, live, played] = [this.#game!, this.#live!, this.played!];
     const link = hasAddress() ? game.link(played) : null;
+    const name = `${agentName(played.seat, live.config.n_pursuers)}-${live.length}-steps.npz`;
+    const save = (): void => saveFile(name, episodeFile(this.#engine, live, played.seat) as BlobPart);
     this.#ending.replaceChildren(
       html("h3", { id: "play-headline" }, headline(live, played.seat)), ...game.ending(live, played),
       html("div", { class: "play-buttons" },
         html("button", { type: "button", class: "primary", onclick: () => game.again() }, "Again"),
         html("button", { type: "button", onclick: () => this.#watch() }, "Watch it"),
-        html("button", { type: "button", onclick: () => this.#save(live, played.seat) }, "Save"),
+        html("button", { type: "button", onclick: save }, "Save"),
         link && html("button", { type: "button", onclick: ({ currentTarget }: MouseEvent) => copied(currentTarget as HTMLElement, link) }, "Link")));
     this.element.dataset["state"] = "ended";
     this.#judge();
@@ -238,10 +240,6 @@ export class PlayView {
     this.player.length = this.#live!.length;
     this.player.jump(0);
     if (!stillMotion()) this.player.play();
-  }
-
-  #save(live: Live, seat: number): void {
-    saveFile(`${agentName(seat, live.config.n_pursuers)}-${live.length}-steps.npz`, episodeFile(this.#engine, live, seat) as BlobPart);
   }
 
   #tell(): void {
