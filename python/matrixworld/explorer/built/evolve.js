@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 2642c569899e07f6650750cff501dee939d1c0052863c1aac8a02fe721629271 */
+/* built from web/ by "npm run build"; sources 6ae834718958f561721e056307a0cf4faa867f13f79692820e208e7b606631a5 */
 "use strict";(()=>{var Ln={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Qe={DISAPPEAR:0,REACH:1,BOUNCE:2},In={OCCUPATION:0,SURROUND:1},Fn={FAULT:0,INVOLVED:1};var $r=["obstacle","teammate","adversary"],Lr=["vertex","edge","chain"],Un=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ir=["p\
 ursuer_{number}","evader_{number}"],Dn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},et={"both held":"both bounce","both doomed":"\
