@@ -4,7 +4,7 @@ import { byCell } from "./poses.ts";
 import type { Pose } from "./poses.ts";
 import { isPursuer } from "./recording.ts";
 import type { Moment, Recording } from "./recording.ts";
-import { teamColor } from "./layers.ts";
+import { pixelX, pixelY, teamColor, write } from "./layers.ts";
 import type { Sheet } from "./layers.ts";
 import { disc, triangle } from "./shapes.ts";
 
@@ -35,7 +35,7 @@ function drawAgent(
 ): void {
   const { ctx, grid, colors } = sheet;
   const pursuer = isPursuer(recording, agent);
-  const [x, y] = [grid.left + pose.x * grid.cell, grid.top + pose.y * grid.cell];
+  const [x, y] = [pixelX(grid, pose.x), pixelY(grid, pose.y)];
   const size = Math.max(4, grid.cell * pose.size * (pursuer ? TRIANGLE : DISC));
   const color = teamColor(sheet, recording, agent);
   const captured = !pursuer && Boolean(moment.captured[agent - recording.nPursuers]);
@@ -56,21 +56,11 @@ function drawAgent(
   }
   if (!numbers || size < SMALLEST_NUMBER * ratio) return;
   const text = String(pursuer ? agent : agent - recording.nPursuers);
-  ctx.font = `700 ${Math.round(size * (pursuer ? 0.4 : 0.5) * (text.length > 1 ? 0.8 : 1))}px system-ui, sans-serif`;
-  ctx.textAlign = "center";
-  ctx.textBaseline = "middle";
-  ctx.fillStyle = captured ? color : colors.paper;
-  ctx.fillText(text, x, y + size * (pursuer ? 0.17 : 0.03));
+  const high = size * (pursuer ? 0.4 : 0.5) * (text.length > 1 ? 0.8 : 1);
+  write(sheet, text, x, y + size * (pursuer ? 0.17 : 0.03), high, captured ? color : colors.paper);
 }
 
-function drawCount({ ctx, grid, colors }: Sheet, pose: Pose, count: number): void {
-  const [x, y] = [grid.left + pose.x * grid.cell, grid.top + pose.y * grid.cell];
-  ctx.font = `700 ${Math.round(grid.cell * 0.3)}px system-ui, sans-serif`;
-  ctx.textAlign = "center";
-  ctx.textBaseline = "middle";
-  ctx.strokeStyle = colors.paper;
-  ctx.lineWidth = grid.cell * 0.1;
-  ctx.strokeText(`+${count}`, x, y);
-  ctx.fillStyle = colors.ink;
-  ctx.fillText(`+${count}`, x, y);
+function drawCount(sheet: Sheet, pose: Pose, count: number): void {
+  const { cell } = sheet.grid;
+  write(sheet, `+${count}`, pixelX(sheet.grid, pose.x), pixelY(sheet.grid, pose.y), cell * 0.3, sheet.colors.ink, cell * 0.1);
 }

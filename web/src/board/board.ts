@@ -16,7 +16,7 @@ export const stillMotion = (): boolean => matchMedia("(prefers-reduced-motion: r
  *
  *     const board = new Board(document.querySelector("canvas"));
  *     board.show(recording, 3.5);            // half of step 4
- *     board.look = { ...board.look, trail: 0 };
+ *     board.look = { trail: 0 };
  */
 export class Board {
   readonly canvas: HTMLCanvasElement;
@@ -37,10 +37,7 @@ export class Board {
     addEventListener("beforeprint", () => this.drawNow());
   }
 
-  get look(): Look {
-    return this.#look;
-  }
-
+  /** Change what is shown beside the agents. */
   set look(look: Partial<Look>) {
     this.#look = { ...this.#look, ...look };
     this.#shape();

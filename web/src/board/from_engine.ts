@@ -6,15 +6,8 @@ import type { Moment, Recording } from "./recording.ts";
 
 /** Return a recording of a world of these settings. */
 export function recording(config: WorldConfig, obstacles: Uint8Array, moments: readonly Moment[]): Recording {
-  return {
-    rows: config.rows,
-    cols: config.cols,
-    nPursuers: config.n_pursuers,
-    fov: config.fov,
-    interaction: config.rules.interaction,
-    obstacles,
-    moments,
-  };
+  const { rows, cols, n_pursuers: nPursuers, fov, rules: { interaction } } = config;
+  return { rows, cols, nPursuers, fov, interaction, obstacles, moments };
 }
 
 /** Return the present moment of a world; `actions` are those of the step that led to it. */

@@ -3,13 +3,7 @@
 import type { Cell } from "./recording.ts";
 
 /** Where the grid lies on a canvas: the left and top of cell (0, 0), and the side of a cell. */
-export interface Geometry {
-  readonly rows: number;
-  readonly cols: number;
-  readonly left: number;
-  readonly top: number;
-  readonly cell: number;
-}
+export type Geometry = Readonly<Record<"rows" | "cols" | "left" | "top" | "cell", number>>;
 
 /** Room around the grid for marks at the border, in cells. */
 const MARGIN = 0.12;

@@ -34,6 +34,18 @@ export function teamColor(sheet: Sheet, recording: Recording, agent: number): st
   return isPursuer(recording, agent) ? sheet.colors.pursuer : sheet.colors.evader;
 }
 
+/** Write a bold text around a point, with a border of paper of a width. */
+export function write({ ctx, colors }: Sheet, text: string, x: number, y: number, size: number, color: string, border = 0): void {
+  ctx.font = `700 ${Math.round(size)}px system-ui, sans-serif`;
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  ctx.strokeStyle = colors.paper;
+  ctx.lineWidth = border;
+  if (border) ctx.strokeText(text, x, y);
+  ctx.fillStyle = color;
+  ctx.fillText(text, x, y);
+}
+
 /** Paper and lines between cells. */
 export function drawPaper({ ctx, grid, colors }: Sheet): void {
   const { left, top, cell, rows, cols } = grid;
@@ -110,7 +122,8 @@ export function drawFog(sheet: Sheet, recording: Recording, x: number, y: number
 }
 
 /** A square around the agent that a person plays, and the word "You". */
-export function drawYou({ ctx, grid, colors }: Sheet, { x, y, alpha }: { x: number; y: number; alpha: number }, ratio: number): void {
+export function drawYou(sheet: Sheet, { x, y, alpha }: { x: number; y: number; alpha: number }, ratio: number): void {
+  const { ctx, grid, colors } = sheet;
   const side = Math.max(grid.cell, 16 * ratio) * 1.06;
   const [left, top] = [pixelX(grid, x), pixelY(grid, y)];
   ctx.globalAlpha = Math.max(alpha, 0.6); // where it disappeared, too
@@ -120,17 +133,10 @@ export function drawYou({ ctx, grid, colors }: Sheet, { x, y, alpha }: { x: numb
   ctx.lineWidth = Math.max(2, 2.5 * ratio);
   ctx.stroke();
   const size = Math.max(11 * ratio, Math.min(18 * ratio, grid.cell * 0.5));
-  ctx.font = `700 ${Math.round(size)}px system-ui, sans-serif`;
-  ctx.textAlign = "center";
-  ctx.textBaseline = "middle";
   const below = top - side / 2 < size * 1.2; // on the first rows there is no room above
   const line = top + (below ? 1 : -1) * (side / 2 + size * 0.7);
-  ctx.strokeStyle = colors.paper;
   ctx.lineJoin = "round";
-  ctx.lineWidth = size * 0.35;
-  ctx.strokeText("You", left, line);
-  ctx.fillStyle = colors.ink;
-  ctx.fillText("You", left, line);
+  write(sheet, "You", left, line, size, colors.ink, size * 0.35);
   ctx.globalAlpha = 1;
 }
 

@@ -1,24 +1,14 @@
 // Colours of a board: CSS variables of board.css, so that light and dark themes are one place.
 
-const NAMES = {
-  paper: "--board-paper",
-  line: "--board-line",
-  frame: "--board-frame",
-  ink: "--board-ink",
-  muted: "--board-muted",
-  obstacle: "--board-obstacle",
-  pursuer: "--pursuer",
-  evader: "--evader",
-  capture: "--capture",
-  collision: "--collision",
-  focus: "--focus",
-} as const;
+/** Colours of the board alone, whose variables begin with "--board-", and those that the page uses, too. */
+const OF_BOARD = ["paper", "line", "frame", "ink", "muted", "obstacle"] as const;
+const OF_PAGE = ["pursuer", "evader", "capture", "collision", "focus"] as const;
 
-export type Palette = Readonly<Record<keyof typeof NAMES, string>>;
+export type Palette = Readonly<Record<(typeof OF_BOARD | typeof OF_PAGE)[number], string>>;
 
 /** Return the colours that apply to an element. */
 export function paletteOf(element: Element): Palette {
   const style = getComputedStyle(element);
-  const entries = Object.entries(NAMES).map(([name, variable]) => [name, style.getPropertyValue(variable).trim()]);
-  return Object.fromEntries(entries) as Palette;
+  const entry = (name: string, prefix: string): [string, string] => [name, style.getPropertyValue(prefix + name).trim()];
+  return Object.fromEntries([...OF_BOARD.map((name) => entry(name, "--board-")), ...OF_PAGE.map((name) => entry(name, "--"))]) as Palette;
 }

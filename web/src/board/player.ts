@@ -42,11 +42,9 @@ export class Player extends EventTarget {
   glide = 0.28;
 
   /** `still`: whether pictures jump from moment to moment, for readers who want no motion. */
-  constructor(length: number, options: { speed?: number; still?: boolean } = {}) {
+  constructor(length: number, { speed = 4, still = false }: { speed?: number; still?: boolean } = {}) {
     super();
-    this.#length = length;
-    this.#speed = options.speed ?? 4;
-    this.#still = options.still ?? false;
+    [this.#length, this.#speed, this.#still] = [length, speed, still];
   }
 
   /** The number of the step that is shown, 0 to `length`; while it is drawn, the step being made. */

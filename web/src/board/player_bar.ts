@@ -33,10 +33,15 @@ function button(name: Icon, label: string, keys: string, act: () => void): HTMLB
  */
 export function playerBar(player: Player): HTMLElement {
   const play = button("play", "Play", "Space", () => player.toggle());
-  const scrub = scrubber(player);
+  const scrub = html("input", { type: "range", class: "player-scrub", min: 0, step: 1, "aria-label": "Step", oninput: () => {
+    player.pause();
+    player.jump(Number(scrub.value));
+  } });
   const marks = html("div", { class: "captures", "aria-hidden": "true", title: "Captures" });
   const ticks = html("div", { class: "losses", "aria-hidden": "true" });
-  const speed = speeds(player);
+  const speed = html("select",
+    { class: "player-speed", "aria-label": "Speed", title: `Steps a second, or the whole in ${WHOLE} s (+ and -)`, onchange: () => (player.speed = Number(speed.value)) },
+    html("option", { value: FITTING }, `in ${WHOLE} s`), ...SPEEDS.map((each) => html("option", { value: each }, `${each} / s`)));
   const count = html("output", { class: "player-count" });
   const bar = html("div", { class: "player", role: "group", "aria-label": "Player" },
     button("first", "First step", "Home", () => player.move(-player.length)),
@@ -81,23 +86,4 @@ export function playerBar(player: Player): HTMLElement {
   });
   update();
   return bar;
-}
-
-function scrubber(player: Player): HTMLInputElement {
-  const scrub = html("input", { type: "range", class: "player-scrub", min: 0, step: 1, "aria-label": "Step" });
-  scrub.addEventListener("input", () => {
-    player.pause();
-    player.jump(Number(scrub.value));
-  });
-  return scrub;
-}
-
-function speeds(player: Player): HTMLSelectElement {
-  const title = `Steps a second, or the whole in ${WHOLE} s (+ and -)`;
-  const speed = html("select", { class: "player-speed", "aria-label": "Speed", title },
-    html("option", { value: FITTING }, `in ${WHOLE} s`), ...SPEEDS.map((each) => html("option", { value: each }, `${each} / s`)));
-  speed.addEventListener("change", () => {
-    player.speed = Number(speed.value);
-  });
-  return speed;
 }

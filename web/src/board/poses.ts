@@ -4,12 +4,7 @@ import { bounced, cellOf, isPursuer, target } from "./recording.ts";
 import type { Moment, Recording } from "./recording.ts";
 
 /** The middle of an agent, its size (1: alone on its cell) and how visible it is. */
-export interface Pose {
-  x: number;
-  y: number;
-  size: number;
-  alpha: number;
-}
+export type Pose = Record<"x" | "y" | "size" | "alpha", number>;
 
 /** Agents that share a cell stand beside each other: shifts in cells, by how many they are. */
 const GRID = [-0.31, 0, 0.31];

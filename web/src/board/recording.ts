@@ -59,8 +59,6 @@ export const cellOf = (moment: Moment, agent: number): Cell => [
   moment.positions[2 * agent]!, moment.positions[2 * agent + 1]!,
 ];
 
-export const sameCell = (a: Cell, b: Cell): boolean => a[0] === b[0] && a[1] === b[1];
-
 export const isCell = ({ rows, cols }: { rows: number; cols: number }, [row, col]: Cell): boolean =>
   row >= 0 && col >= 0 && row < rows && col < cols;
 
@@ -76,7 +74,8 @@ export const innocent = (moment: Moment, agent: number): boolean =>
 
 /** Return whether the step `before` -> `after` held the agent on its cell although it meant to move. */
 export function bounced(before: Moment, after: Moment, agent: number): boolean {
-  const moved = !sameCell(cellOf(before, agent), cellOf(after, agent));
+  const [from, to] = [cellOf(before, agent), cellOf(after, agent)];
+  const moved = from[0] !== to[0] || from[1] !== to[1];
   // An agent that a turn before its own has stopped from acting did not collide.
   const collided = after.involved === undefined || inAny(after.involved, agent);
   return Boolean(after.alive[agent] && after.actions?.[agent] && !moved && collided);

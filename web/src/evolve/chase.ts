@@ -96,8 +96,8 @@ export class Chase {
 
   // ---- Walls ------------------------------------------------------------------------------------
 
-  /** Let a finger, a mouse or the keyboard draw walls; `set` gets each cell and whether it becomes a wall, and returns why it does not. */
-  drawWalls(set: (cell: Cell, wall: boolean) => string): { active: (on: boolean) => void } {
+  /** Let a finger, a mouse or the keyboard draw walls; `set` gets each cell and whether it becomes a wall, and returns why it does not. Return what begins and ends it. */
+  drawWalls(set: (cell: Cell, wall: boolean) => string): (on: boolean) => void {
     let active = false;
     let wall = true;
     let cursor: Cell = [0, 0];
@@ -125,14 +125,12 @@ export class Chase {
       else put(cursor, !isWall(cursor));
       this.#board.look = { cursor };
     });
-    return {
-      active: (on) => {
-        active = on;
-        this.#canvas.classList.toggle("drawn-on", on);
-        this.#canvas.tabIndex = on ? 0 : -1;
-        this.#canvas.setAttribute("role", on ? "application" : "img");
-        this.#board.look = { cursor: null };
-      },
+    return (on) => {
+      active = on;
+      this.#canvas.classList.toggle("drawn-on", on);
+      this.#canvas.tabIndex = on ? 0 : -1;
+      this.#canvas.setAttribute("role", on ? "application" : "img");
+      this.#board.look = { cursor: null };
     };
   }
 

@@ -1,24 +1,20 @@
 // What a person has chosen, and the settings of the race that follow from it. A link holds the choice.
 
 import type { WorldConfig } from "../engine/types.ts";
+import { mapOf, withCell } from "../playground/scene.ts";
 import type { EvolveData, LearnerName } from "./data.ts";
 import { SCHEDULES, scheduleOf } from "./data.ts";
 import type { RaceSettings } from "./settings.ts";
 
-export interface Choice {
+export interface Choice extends Readonly<Record<"seed" | "pursuers" | "evaders" | "view" | "steps", number>> {
   readonly schedule: string;
   /** The schedule of a second race beside it; null for none. */
   readonly beside: string | null;
   readonly learner: LearnerName;
-  readonly seed: number;
-  readonly pursuers: number;
-  readonly evaders: number;
-  readonly view: number;
   /** Whether agents have right of way, so that none is ever at fault. */
   readonly way: boolean;
   /** Candidates of an epoch; 0 for the usual number. */
   readonly population: number;
-  readonly steps: number;
   /** The cells that are walls, row by row. */
   readonly walls: readonly number[];
 }
@@ -48,24 +44,15 @@ export const worldOf = (data: EvolveData): WorldConfig => Object.values(data.rac
 export function settingsOf(data: EvolveData, choice: Choice, schedule = choice.schedule): RaceSettings {
   const base = data.races[choice.learner][schedule]!;
   const usual = worldOf(data);
-  const { rows, cols } = usual;
-  const walls = new Set(choice.walls);
-  const map = Array.from({ length: rows }, (_, row) => Array.from({ length: cols }, (_none, col) => (walls.has(row * cols + col) ? "#" : ".")).join(""));
   const world = {
     ...usual, n_pursuers: choice.pursuers, n_evaders: choice.evaders, fov: choice.view, max_steps: choice.steps,
-    obstacles: walls.size ? map : usual.obstacles,
+    obstacles: choice.walls.length ? mapOf(choice.walls, usual.rows, usual.cols) : usual.obstacles,
   };
   return {
     ...base, world, train_steps: choice.steps, seed: choice.seed,
     policy: { ...base.policy, mask: choice.way ? "right-of-way" : "none" },
     learner: { ...base.learner, population: choice.population || base.learner.population },
   };
-}
-
-/** Return the walls with a cell added or taken away. */
-export function withWall(walls: readonly number[], cell: number, wall: boolean): readonly number[] {
-  const left = walls.filter((each) => each !== cell);
-  return wall ? [...left, cell].sort((a, b) => a - b) : left;
 }
 
 /** Return why a map cannot be played on; empty if it can. */
@@ -111,7 +98,7 @@ export function choiceOf(data: EvolveData, hash: string): Choice {
     view: way ? Math.max(LEAST_VIEW, view) : view, way,
     population: number("population", (value) => POPULATIONS.includes(value as 8)),
     steps: number("steps", (value) => STEPS.includes(value as 30)),
-    walls: walls.filter((cell) => cell < world.rows * world.cols).reduce<readonly number[]>((all, cell) => withWall(all, cell, true), []),
+    walls: walls.filter((cell) => cell < world.rows * world.cols).reduce<readonly number[]>((all, cell) => withCell(all, cell, true), []),
   } satisfies Choice;
   return whyNotPlayed(choice, world) ? { ...choice, walls: [] } : choice;
 }

@@ -24,8 +24,7 @@ export function controls(ask: Ask): { now: HTMLElement; anew: HTMLElement; show:
   const pursuers = select(counts, (value) => ask({ pursuers: Number(value) }));
   const evaders = select(counts, (value) => ask({ evaders: Number(value) }));
   const view = select(VIEWS.map((size) => [size, `${size} x ${size}`]), (value) => ask({ view: Number(value), ...(Number(value) < LEAST_VIEW ? { way: false } : {}) }));
-  const way = html("input", { type: "checkbox" });
-  way.addEventListener("change", () => ask({ way: way.checked, ...(way.checked ? { view: Math.max(LEAST_VIEW, Number(view.value)) } : {}) }));
+  const way = html("input", { type: "checkbox", onchange: () => ask({ way: way.checked, ...(way.checked ? { view: Math.max(LEAST_VIEW, Number(view.value)) } : {}) }) });
   const population = select([[0, "usual"], ...POPULATIONS.map((size): Option => [size, String(size)])], (value) => ask({ population: Number(value) }));
   const steps = select(STEPS.map((count) => [count, String(count)]), (value) => ask({ steps: Number(value) }));
   const learner = select([["es", "evolution strategy"], ["ga", "genetic algorithm"]], (value) => ask({ learner: value as "es" }, true));

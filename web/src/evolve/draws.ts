@@ -5,16 +5,7 @@ import { PURPOSE, seedWords } from "./seeds.ts";
 import type { Purpose } from "./seeds.ts";
 
 /** A generator; its methods are those of `numpy.random.Generator` that a race uses. */
-export interface Draws {
-  /** `count` normal numbers as float32. */
-  normals(count: number): Float32Array;
-  /** `count` whole numbers from 0 to `end` - 1. */
-  integers(end: number, count: number): Int32Array;
-  /** The numbers from 0 to `count` - 1 in random order. */
-  permutation(count: number): Int32Array;
-  /** `count` different numbers below `end`. */
-  choice(end: number, count: number): Int32Array;
-}
+export type Draws = Pick<Generator, "normals" | "integers" | "permutation" | "choice">;
 
 /** Returns the generator for a purpose at a position of the race, such as (team, generation, epoch). */
 export type Source = (purpose: Purpose, ...key: readonly number[]) => Draws;
@@ -23,7 +14,7 @@ export type Source = (purpose: Purpose, ...key: readonly number[]) => Draws;
 export const drawsOf = (seed: number): Source => (purpose, ...key) => new Generator(seedWords([seed], [PURPOSE[purpose], ...key], 3));
 
 /** The small fast counting generator of Chris Doty-Humphrey's PractRand, with words of 32 bits. */
-class Generator implements Draws {
+class Generator {
   #a: number;
   #b: number;
   #c: number;
@@ -47,7 +38,7 @@ class Generator implements Draws {
     return (this.#word() + 0.5) / 2 ** 32;
   }
 
-  /** Two at a time by the method of Box and Muller (1958). */
+  /** `count` normal numbers as float32, two at a time by the method of Box and Muller (1958). */
   normals(count: number): Float32Array {
     const made = new Float32Array(count);
     for (let i = 0; i < count; i += 2) {
@@ -58,14 +49,17 @@ class Generator implements Draws {
     return made;
   }
 
+  /** `count` whole numbers from 0 to `end` - 1. */
   integers(end: number, count: number): Int32Array {
     return Int32Array.from({ length: count }, () => Math.floor(this.#unit() * end));
   }
 
+  /** The numbers from 0 to `count` - 1 in random order. */
   permutation(count: number): Int32Array {
     return this.choice(count, count);
   }
 
+  /** `count` different numbers below `end`. */
   choice(end: number, count: number): Int32Array {
     const numbers = Int32Array.from({ length: end }, (_, i) => i);
     for (let i = 0; i < count; i++) {

@@ -188,9 +188,8 @@ export class Lane extends EventTarget {
     matrix.element.ariaLabel = `Payoff matrix. ${name}`; // of two races, each has its own name
     this.#takeOver = new TakeOver([this.#run], this.#store, match, false);
     this.#takeOver.start(this.#engine);
-    const dialog = html("dialog", { class: "of-cell-match", "aria-label": "Match" },
+    const dialog = html("dialog", { class: "of-cell-match", "aria-label": "Match", onclose: () => match.player.pause() },
       html("button", { type: "button", class: "leave", onclick: () => dialog.close() }, "Close"), match.element);
-    dialog.addEventListener("close", () => match.player.pause());
     let started = false;
     matrix.element.addEventListener("play", () => {
       const { pursuer, evader } = this.#store.selected;

@@ -16,21 +16,14 @@ export interface Learner {
   tell(fitness: Float64Array): void;
 }
 
-export interface EvolutionStrategySettings {
+interface EvolutionStrategySettings extends Readonly<Record<"population" | "sigma" | "learning_rate" | "relative_sigma", number>> {
   readonly kind: "es";
-  readonly population: number;
-  readonly sigma: number;
-  readonly learning_rate: number;
-  readonly relative_sigma: number;
 }
 
-export interface GeneticAlgorithmSettings {
+interface GeneticAlgorithmSettings extends Readonly<Record<"population" | "mutation" | "elites", number>> {
   readonly kind: "ga";
-  readonly population: number;
-  readonly mutation: number;
   /** Individuals in a tournament; null for the usual number. */
   readonly tournament: number | null;
-  readonly elites: number;
 }
 
 export type LearnerSettings = EvolutionStrategySettings | GeneticAlgorithmSettings;

@@ -8,8 +8,9 @@ import { hasAddress, html, started } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import { top } from "../page/top.ts";
 import { legend } from "../board/legend.ts";
-import { choiceOf, linkOf, settingsOf, whyNotPlayed, withWall, worldOf } from "./choice.ts";
+import { choiceOf, linkOf, settingsOf, whyNotPlayed, worldOf } from "./choice.ts";
 import type { Choice } from "./choice.ts";
+import { withCell } from "../playground/scene.ts";
 import { controls } from "./controls.ts";
 import type { Ask } from "./controls.ts";
 import { readData, scheduleOf } from "./data.ts";
@@ -41,7 +42,7 @@ class Page {
   readonly #told = html("span", { class: "small muted", role: "status" });
   readonly #controls = controls((change, anew) => this.#ask(change, anew));
   readonly #save = html("button", { type: "button", onclick: () => void this.#saveRaces(), title: "An archive that matrixworld judge, explore and replay read" }, "Save");
-  #pens: { active: (on: boolean) => void }[] = [];
+  #pens: ((on: boolean) => void)[] = [];
   #choice: Choice;
   #due = 0;
 
@@ -125,7 +126,7 @@ class Page {
   /** Draw a wall or remove it; returns why not. */
   #draw(row: number, col: number, wall: boolean): string {
     const { rows, cols } = this.lanes[0]!.settings.world;
-    const drawn = { ...this.#choice, walls: withWall(this.#choice.walls, row * cols + col, wall) };
+    const drawn = { ...this.#choice, walls: withCell(this.#choice.walls, row * cols + col, wall) };
     const why = whyNotPlayed(drawn, this.lanes[0]!.settings.world);
     if (why) return why;
     const { walls } = this.#choice = drawn;
@@ -139,7 +140,7 @@ class Page {
   #toggleWalls(): void {
     const on = this.#walls.ariaPressed !== "true";
     this.#walls.ariaPressed = String(on);
-    for (const pen of this.#pens) pen.active(on);
+    for (const pen of this.#pens) pen(on);
   }
 
   // ---- What is shown ----------------------------------------------------------------------------

@@ -21,11 +21,7 @@ const CHANNELS = 3;
 const FORBIDDEN = -(2 ** 100);
 
 /** One layer of a genome: where it begins, and its size. */
-interface Layer {
-  readonly at: number;
-  readonly inputs: number;
-  readonly outputs: number;
-}
+type Layer = Readonly<Record<"at" | "inputs" | "outputs", number>>;
 
 /** The hidden layers, with the units of the mask. */
 const hiddenOf = ({ hidden, mask }: Shape): number[] => hidden.map((size) => size + (mask ? MOVES : 0));

@@ -1,14 +1,13 @@
 // Who meets whom where both teams learn at once, as in `matrixworld.coevolution.race`.
 
 import type { Draws } from "./draws.ts";
+import type { Team } from "./settings.ts";
 
-/** Matches of two populations of n individuals; numbers from n on are members of a hall of fame. */
-export interface Pairings {
-  readonly pursuer: Int32Array;
-  readonly evader: Int32Array;
-  /** Matches of the same group have the same seed. */
-  readonly group: Int32Array;
-}
+/**
+ * Matches of two populations of n individuals; numbers from n on are members of a hall of fame, and matches of the
+ * same group have the same seed.
+ */
+type Pairings = Readonly<Record<Team | "group", Int32Array>>;
 
 /** Return matches of each individual against some living opponents, and each member of the other team's hall. */
 export function pairings(seedGroups: Int32Array, contemporaries: number, hall: readonly [number, number], draws: Draws): Pairings {

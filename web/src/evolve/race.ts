@@ -26,22 +26,14 @@ export interface Cell {
   readonly means: Readonly<Record<"collisions" | "faults" | "agent_steps" | "survivors", readonly number[]>>;
 }
 
-/** An epoch as it stands in the log of a run, with the names of its columns. */
-export interface Row {
-  readonly generation: number;
-  readonly team: Team;
-  readonly epoch: number;
-  readonly opponent: number;
-  readonly fitness_mean: number;
-  readonly fitness_std: number;
-  readonly fitness_best: number;
-  readonly capture_rate: number;
-  readonly length: number;
-  readonly pursuer_faults: number;
-  readonly evader_faults: number;
-  readonly matches: number;
-  readonly steps: number;
-}
+/** The columns in the log of a run, in their order. */
+export const COLUMNS = [
+  "generation", "team", "epoch", "opponent", "fitness_mean", "fitness_std", "fitness_best", "capture_rate",
+  "length", "pursuer_faults", "evader_faults", "matches", "steps",
+] as const;
+
+/** An epoch as it stands in the log. */
+export type Row = Readonly<Record<Exclude<(typeof COLUMNS)[number], "team">, number> & { team: Team }>;
 
 /** What happens in a race. */
 export type RaceEvent =

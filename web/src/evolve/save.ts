@@ -4,16 +4,15 @@
 import { strToU8, zipSync } from "fflate";
 import { writeNpz } from "../page/npz.ts";
 import type { NpyArray } from "../page/npz.ts";
+import type { EvolveData } from "./data.ts";
 import { mean } from "./measures.ts";
-import type { Cell, Race, Row } from "./race.ts";
+import { COLUMNS } from "./race.ts";
+import type { Cell, Race } from "./race.ts";
 import { TEAMS } from "./settings.ts";
 import type { RaceSettings } from "./settings.ts";
 
 /** What Python calls the format of a run's files, and its version. */
-export interface Format {
-  readonly format: number;
-  readonly version: string;
-}
+type Format = Pick<EvolveData, "format" | "version">;
 
 /** What is saved of a race. */
 export type Finished = Pick<Race, "settings" | "archive" | "rows" | "cells" | "counters" | "finished">;
@@ -21,12 +20,6 @@ export type Finished = Pick<Race, "settings" | "archive" | "rows" | "cells" | "c
 const json = (values: object): Uint8Array => strToU8(JSON.stringify(values, null, 2));
 const doubles = (data: readonly number[], ...shape: number[]): NpyArray => ({ dtype: "<f8", shape, data: Float64Array.from(data) });
 const spread = (values: readonly number[]): number => Math.sqrt(mean(values.map((each) => (each - mean(values)) ** 2)));
-
-/** The order of the columns in the log of a run. */
-const COLUMNS = [
-  ...["generation", "team", "epoch", "opponent", "fitness_mean", "fitness_std", "fitness_best", "capture_rate"],
-  ...["length", "pursuer_faults", "evader_faults", "matches", "steps"],
-] as readonly (keyof Row)[];
 
 /** Return what a generation has added; each is a stage. */
 function stage({ archive, rows, counters }: Finished, number: number): Record<string, NpyArray> {

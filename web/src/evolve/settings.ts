@@ -11,25 +11,18 @@ export const otherOf = (team: Team): Team => (team === "pursuer" ? "evader" : "p
 /** Which generations of the other team a team meets. */
 export type Opponents = "latest" | "round-robin" | "uniform";
 
-interface AnySchedule {
+interface AnySchedule extends Readonly<Record<"pursuers_meet" | "evaders_meet", Opponents>> {
   readonly generations: number;
-  readonly pursuers_meet: Opponents;
-  readonly evaders_meet: Opponents;
 }
 
 /** The teams learn in turns. */
-export interface Alternating extends AnySchedule {
+interface Alternating extends AnySchedule, Readonly<Record<"pursuer_epochs" | "evader_epochs", number>> {
   readonly kind: "alternating";
-  readonly pursuer_epochs: number;
-  readonly evader_epochs: number;
 }
 
 /** Both teams learn at once, from living opponents and halls of fame. */
-export interface Simultaneous extends AnySchedule {
+interface Simultaneous extends AnySchedule, Readonly<Record<"joint_epochs" | "contemporaries" | "hall_sample", number>> {
   readonly kind: "hall-of-fame";
-  readonly joint_epochs: number;
-  readonly contemporaries: number;
-  readonly hall_sample: number;
 }
 
 export interface RaceSettings {

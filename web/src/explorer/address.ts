@@ -78,14 +78,10 @@ export function reloadWhileGrowing(runs: readonly Run[], store: Store, busy: () 
   }
   setInterval(() => {
     if (busy() || performance.now() - acted < IDLE) return;
-    showNewest(runs, store);
+    // Leave the newest generations out of the address: the page that comes next shows its own.
+    const { run, pursuer, evader } = store.selected;
+    const [rows, columns] = runs[run]!.payoff.shape;
+    if (pursuer === rows - 1 && evader === columns - 1) history.replaceState(null, "", `#run=${run}`);
     location.reload();
   }, EVERY);
-}
-
-/** Leave the newest generations out of the address: the page that comes next shows its own. */
-function showNewest(runs: readonly Run[], store: Store): void {
-  const { run, pursuer, evader } = store.selected;
-  const [rows, columns] = runs[run]!.payoff.shape;
-  if (pursuer === rows - 1 && evader === columns - 1) history.replaceState(null, "", `#run=${run}`);
 }

@@ -13,14 +13,10 @@ export interface Axis {
 }
 
 /** The axes of a chart and its scales, in pixels. */
-export interface Frame {
+export interface Frame extends Readonly<Record<"left" | "right" | "top" | "bottom", number>> {
   readonly root: SVGSVGElement;
-  /** What moves with the selection; cleared by `clear`. */
+  /** What moves with the selection; `update` of the chart clears it. */
   readonly marks: SVGGElement;
-  readonly left: number;
-  readonly right: number;
-  readonly top: number;
-  readonly bottom: number;
   x(value: number): number;
   y(value: number): number;
   /** The value of the horizontal axis at a place in the window. */

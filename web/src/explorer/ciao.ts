@@ -36,20 +36,20 @@ function triangle(run: Run, team: Team, numbers: string, store: Store): { elemen
   const place = svg("rect", { class: "chosen", width: 1, height: 1 });
   const under = svg("rect", { class: "chosen under", width: 1, height: 1 });
   const overlay = svg("svg", { viewBox: `0 0 ${columns} ${rows}`, preserveAspectRatio: "none", "aria-hidden": "true" }, under, place);
-  const frame = html("div", { class: "triangle", "aria-label": `CIAO of the ${team}s: ${numbers}. Arrow keys choose a match.` }, canvas, overlay);
+  const frame = html("div", {
+    class: "triangle", "aria-label": `CIAO of the ${team}s: ${numbers}. Arrow keys choose a match.`,
+    onpointermove: (event: PointerEvent) => store.point(at(event) ?? {}),
+    onpointerleave: () => store.point({}),
+    onclick: (event: MouseEvent) => at(event) && store.select(at(event)!),
+  }, canvas, overlay);
   listenToArrows(frame, store, () => run.payoff.shape, team);
   frame.style.aspectRatio = `${columns} / ${rows}`;
-  const at = (event: MouseEvent): [number, number] | null => {
+  const at = (event: MouseEvent): { [name in Team]: number } | null => {
     const box = frame.getBoundingClientRect();
     const column = Math.floor(((event.clientX - box.left) / box.width) * columns);
     const row = rows - 1 - Math.floor(((event.clientY - box.top) / box.height) * rows);
-    return column >= 0 && row < rows && column <= row ? [row, column] : null;
+    return column >= 0 && row < rows && column <= row ? { [team]: row, [OTHER[team]]: column } as { [name in Team]: number } : null;
   };
-  const cell = (found: [number, number]): { [name in Team]: number } =>
-    ({ [team]: found[0], [OTHER[team]]: found[1] }) as { [name in Team]: number };
-  frame.addEventListener("pointermove", (event) => store.point(at(event) ? cell(at(event)!) : {}));
-  frame.addEventListener("pointerleave", () => store.point({}));
-  frame.addEventListener("click", (event) => at(event) && store.select(cell(at(event)!)));
   const update = (): void => {
     const row = store.hover[team] ?? store.selected[team];
     const column = store.hover[OTHER[team]] ?? store.selected[OTHER[team]];

@@ -4,7 +4,7 @@ import { unzlibSync } from "fflate";
 import { generationName } from "../page/names.ts";
 import type { PageData } from "../playground/data.ts";
 import type { Engine, Match } from "../engine/engine.ts";
-import type { Memory, NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 import type { Selection } from "./store.ts";
 
 export type Team = "pursuer" | "evader";
@@ -13,15 +13,12 @@ export const TEAMS: readonly Team[] = ["pursuer", "evader"];
 export type Matrix = readonly (readonly number[])[];
 export type Curve = readonly (number | null)[];
 
+/** A network without its genome. */
+export type NetworkOf = Omit<NetworkPolicy, "genome"> & { readonly genome_size: number };
+
 export interface TeamData {
   readonly script: ScriptName | null;
-  readonly network: {
-    readonly hidden: readonly number[];
-    readonly activation: "relu" | "tanh";
-    readonly sampled: boolean;
-    readonly memory: Memory;
-    readonly genome_size: number;
-  } | null;
+  readonly network: NetworkOf | null;
   /** The generations whose genomes the page holds. */
   readonly kept: readonly number[];
   readonly genomes: string;
@@ -47,28 +44,14 @@ export interface Training {
   readonly matches: number;
 }
 
-export interface Setting {
-  readonly name: string;
-  readonly value: string;
-  readonly help: string;
-}
-
 export interface Band {
   readonly mean: Curve;
   readonly low: Curve | null;
   readonly high: Curve | null;
 }
 
-export interface Checkerboard {
-  readonly pursuers: readonly [number, number];
-  readonly evaders: readonly [number, number];
-  readonly margin: number;
-}
-
-interface OfTeams<Value> {
-  readonly pursuers: Value;
-  readonly evaders: Value;
-}
+type OfTeams<Value> = Readonly<Record<"pursuers" | "evaders", Value>>;
+export type Checkerboard = OfTeams<readonly [number, number]> & { readonly margin: number };
 
 export interface Findings {
   /** What happened, in plain words; none while a race goes on. */
@@ -92,7 +75,7 @@ export interface Run {
   readonly learning: readonly Team[];
   readonly seed: string;
   readonly world: WorldConfig;
-  readonly settings: readonly Setting[];
+  readonly settings: readonly Readonly<Record<"name" | "value" | "help", string>>[];
   readonly training: Training;
   readonly payoff: Payoff;
   readonly seeds: readonly (readonly string[])[];
@@ -114,9 +97,7 @@ export interface Data {
 }
 
 /** Return the data of the page. */
-export function readData(): Data {
-  return JSON.parse(text("data")) as Data;
-}
+export const readData = (): Data => JSON.parse(text("data")) as Data;
 
 /** Return what was measured of a cell; null where no episodes were played for it. */
 export function cellOf(run: Run, g: number, h: number): { rate: number; rates: readonly number[]; lengths: readonly number[] } | null {
@@ -202,6 +183,5 @@ export function bytesOf(identifier: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-export function text(identifier: string): string {
-  return document.getElementById(identifier)?.textContent ?? "";
-}
+/** Return the text of a data element. */
+export const text = (identifier: string): string => document.getElementById(identifier)?.textContent ?? "";

@@ -26,9 +26,9 @@ export function loupe(run: Run, g: number, h: number, choose: (cell: { pursuer: 
   }
   const numbers = Array.from({ length: wide }, (_, column) => html("span", { class: "evader" }, left + column));
   const close = html("button", { type: "button", "aria-label": "Close: all cells", onclick: () => choose(null) }, "✕");
-  const made = html("div", { class: "loupe numbers", role: "group", "aria-label": "Cells around the tap" }, ...cells, close, ...numbers);
+  const keep = (event: Event): void => event.stopPropagation(); // not a tap on the matrix below
+  const made = html("div", { class: "loupe numbers", role: "group", "aria-label": "Cells around the tap", onclick: keep }, ...cells, close, ...numbers);
   made.style.gridTemplateColumns = `2.4rem repeat(${wide}, minmax(0, 1fr))`;
-  made.addEventListener("click", (event) => event.stopPropagation()); // not a tap on the matrix below
   return made;
 }
 

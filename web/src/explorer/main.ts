@@ -31,9 +31,7 @@ let engine: Engine | null = null;
 
 /** What happened in the race that is shown. */
 const told = html("span", { class: "told", "aria-live": "polite" });
-const tell = (): void => {
-  told.textContent = runs[store.selected.run]!.findings?.sentence ?? "";
-};
+const tell = (): void => void (told.textContent = runs[store.selected.run]!.findings?.sentence ?? "");
 store.on("run", tell);
 tell();
 const playHere = (): void => {

@@ -53,11 +53,12 @@ export class MatchPanel {
   /** `playground`: what opens a step in the playground; null for a page without one. */
   constructor(runs: readonly Run[], store: Store, playground: PageData | null) {
     [this.#runs, this.#store] = [runs, store];
-    const canvas = html("canvas", { "aria-label": "The match" });
+    const canvas = html("canvas", {
+      "aria-label": "The match", onclick: ({ clientX, clientY }: MouseEvent) => this.inspector.choose(this.#board.agentAt(clientX, clientY)),
+    });
     this.#board = new Board(canvas, { numbers: false });
     this.#strip = new EpisodeStrip(store);
     this.inspector = new Inspector((agent) => this.#look(agent));
-    canvas.addEventListener("click", (event) => this.inspector.choose(this.#board.agentAt(event.clientX, event.clientY)));
     this.actions = html("div", { class: "beside" },
       html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over"),
       playground && playgroundButton(() => this.shown, playground));

@@ -21,16 +21,8 @@ const HIGH = MARGIN.top - GAP - 14;
 
 type Point = [x: number, y: number];
 
-interface Places {
-  readonly width: number;
-  readonly height: number;
-  readonly left: number;
-  readonly top: number;
-  /** Side of a cell; the matrix is `columns` cells wide and `rows` high. */
-  readonly cell: number;
-  readonly rows: number;
-  readonly columns: number;
-}
+/** In pixels; `cell` is the side of a cell. The matrix is `columns` cells wide and `rows` high. */
+type Places = Readonly<Record<"width" | "height" | "left" | "top" | "cell" | "rows" | "columns", number>>;
 
 /** The matrix of the selected run, with its curves. */
 export class MatrixPanel {
@@ -49,20 +41,19 @@ export class MatrixPanel {
 
   constructor(runs: readonly Run[], store: Store) {
     [this.#runs, this.#store] = [runs, store];
-    this.#room = html(
-      "div",
-      { class: "matrix", id: "matrix", "aria-label": "Payoff matrix. Arrow keys choose a match, Enter plays it." },
-      this.#canvas, this.#overlay,
-    );
+    this.#room = html("div", {
+      class: "matrix", id: "matrix", "aria-label": "Payoff matrix. Arrow keys choose a match, Enter plays it.",
+      onpointermove: (event: PointerEvent) => this.#point(event),
+      onpointerleave: () => store.point({}),
+      onclick: (event: MouseEvent) => this.#choose(event),
+      onkeydown: ({ key }: KeyboardEvent) => key === "Enter" && this.#play(),
+    }, this.#canvas, this.#overlay);
     const readout = html("header", { class: "readout", "aria-live": "polite" },
       html("div", {}, this.#pair, this.#all),
       html("div", { class: "of-cell" }, this.#rate, this.#more));
     this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, readout, this.#room, scaleOfRates("0 all escape", "1 all caught"));
     this.#say();
     new ResizeObserver(() => this.#draw()).observe(this.#room);
-    this.#room.addEventListener("pointermove", (event) => this.#point(event));
-    this.#room.addEventListener("pointerleave", () => store.point({}));
-    this.#room.addEventListener("click", (event) => this.#choose(event));
     // A click gives the keys to the player, also those of a button that was pressed before; Tab and M
     // give them to the matrix.
     this.#room.addEventListener("mousedown", (event) => {
@@ -70,12 +61,8 @@ export class MatrixPanel {
       if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     });
     listenToArrows(this.#room, store, () => this.#run.payoff.shape);
-    this.#room.addEventListener("keydown", (event) => {
-      if (event.key === "Enter") this.#play();
-    });
     store.on("run", () => this.#draw());
-    store.on("match", () => this.#mark());
-    store.on("hover", () => this.#mark());
+    store.on("match hover", () => this.#mark());
   }
 
   get #run(): Run {

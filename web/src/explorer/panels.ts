@@ -23,8 +23,7 @@ export function panels(runs: readonly Run[], store: Store, play: () => void): HT
     update();
   };
   store.on("run", change);
-  store.on("match", update);
-  store.on("hover", update);
+  store.on("match hover", update);
   change();
   return place;
 }

@@ -12,8 +12,7 @@ export function raceTabs(runs: readonly Run[], store: Store): HTMLElement {
   const tabs = runs.map((run, number) => tab(run, number, store));
   const list = html("nav", { class: "races", "aria-label": "Runs" }, ...tabs.map((each) => each.button));
   const update = (): void => tabs.forEach((each, number) => each.update(number === store.selected.run));
-  store.on("match", update);
-  store.on("hover", update);
+  store.on("match hover", update);
   update();
   list.hidden = runs.length < 2;
   return list;

@@ -1,22 +1,16 @@
 // What is selected on the page. Every panel shows it, and changes it here only.
 
+import type { Team } from "./data.ts";
+
 /** A match: a cell of the matrix and one of its episodes. */
-export interface Selection {
-  readonly run: number;
-  readonly pursuer: number;
-  readonly evader: number;
-  readonly episode: number;
+export interface Selection extends Readonly<Record<"run" | "pursuer" | "evader" | "episode", number>> {
   /** Another seed than that of the cell; null for the cell's own. */
   readonly seed: string | null;
 }
 
 /** Generations under the pointer, in any panel; null where none is. */
-export interface Hover {
-  readonly pursuer: number | null;
-  readonly evader: number | null;
-}
-
-export const NOTHING: Hover = { pursuer: null, evader: null };
+type Hover = Readonly<Record<Team, number | null>>;
+const NOTHING: Hover = { pursuer: null, evader: null };
 
 /** The selection, and the pointer. It dispatches `run`, `match` and `hover` when they change. */
 export class Store extends EventTarget {
@@ -52,7 +46,7 @@ export class Store extends EventTarget {
     this.dispatchEvent(new Event("hover"));
   }
 
-  on(type: "run" | "match" | "hover", act: () => void): void {
-    this.addEventListener(type, act);
+  on(types: "run" | "match" | "match hover", act: () => void): void {
+    for (const type of types.split(" ")) this.addEventListener(type, act);
   }
 }

@@ -14,7 +14,10 @@ import type { MatchPanel } from "./match.ts";
 import type { Selection, Store } from "./store.ts";
 
 export class TakeOver {
-  readonly dialog = html("dialog", { class: "take-over", "aria-label": "Play an agent" });
+  readonly dialog = html("dialog", {
+    class: "take-over", "aria-label": "Play an agent", onclose: () => this.view?.stop(),
+    onkeydown: (event: KeyboardEvent) => this.view?.key(event) && event.preventDefault(),
+  });
   /** The match that a person plays. */
   view: PlayView | null = null;
   readonly #runs: readonly Run[];
@@ -27,8 +30,6 @@ export class TakeOver {
   constructor(runs: readonly Run[], store: Store, match: MatchPanel, linked = true) {
     [this.#runs, this.#store, this.#match, this.#linked] = [runs, store, match, linked];
     match.element.addEventListener("takeover", () => this.open());
-    this.dialog.addEventListener("keydown", (event) => this.view?.key(event) && event.preventDefault());
-    this.dialog.addEventListener("close", () => this.view?.stop());
   }
 
   /** Begin, with a match that the address holds. */

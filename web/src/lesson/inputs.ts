@@ -6,7 +6,7 @@ import { html, select } from "../page/dom.ts";
 export function slider<Value>(
   name: string, values: readonly Value[], first: Value, shown: (value: Value) => string, change: (value: Value) => void,
 ): HTMLElement {
-  const input = html("input", { type: "range", min: 0, max: values.length - 1, step: 1, "aria-label": name });
+  const input = html("input", { type: "range", min: 0, max: values.length - 1, step: 1, "aria-label": name, oninput: () => change(show()) });
   const output = html("output", { class: "numbers" });
   const show = (): Value => {
     const value = values[Number(input.value)]!;
@@ -14,7 +14,6 @@ export function slider<Value>(
     return value;
   };
   input.value = String(values.indexOf(first));
-  input.addEventListener("input", () => change(show()));
   show();
   return html("label", { class: "slider" }, html("span", {}, name), input, output);
 }

@@ -31,10 +31,7 @@ async function play(game: NumbersGame, see: () => void, goes: () => boolean): Pr
   }
 }
 
-interface Curves {
-  readonly score: number[];
-  readonly ones: number[];
-}
+type Curves = Readonly<Record<"score" | "ones", number[]>>;
 const unnamed = new Map<string, Curves[]>();
 const redraws: (() => void)[] = [];
 

@@ -98,7 +98,10 @@ function tableOf(matrix: readonly (readonly number[])[]): HTMLElement {
 const SHORTEST = 40;
 
 export function exitWidget({ question = "", points = [] }: WidgetPart, store: Store): HTMLElement {
-  const field = html("textarea", { id: "exit-answer", rows: 8 });
+  const field = html("textarea", { id: "exit-answer", rows: 8, oninput: () => {
+    store.exit = { exit: field.value };
+    printed.textContent = field.value;
+  } });
   const printed = html("p", { class: "printed" });
   const status = html("p", { class: "small muted", role: "status" });
   const done = html("button", { type: "submit", class: "primary" }, "I am done");
@@ -114,10 +117,6 @@ export function exitWidget({ question = "", points = [] }: WidgetPart, store: St
       html("ul", {}, ...points.map((point) => html("li", {}, ...inline(point))))));
   };
   field.value = store.exit.exit;
-  field.addEventListener("input", () => {
-    store.exit = { exit: field.value };
-    printed.textContent = field.value;
-  });
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     if (field.value.trim().length < SHORTEST) {

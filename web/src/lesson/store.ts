@@ -27,12 +27,13 @@ const nothing = (): Kept => {
 export class Store extends EventTarget {
   #kept: Kept;
   readonly #edition: number;
+  readonly #key: string;
   /** Whether the browser keeps what is written when the page is closed. */
   keeps = true;
 
   constructor(edition: number) {
     super();
-    this.#edition = edition;
+    [this.#edition, this.#key] = [edition, `matrixworld lesson ${edition}`];
     this.#kept = this.#read();
     this.#write({});
   }
@@ -67,13 +68,7 @@ export class Store extends EventTarget {
     return choices.map((each) => `${JSON.stringify({ ...each, edition: this.#edition, pupil })}\n`).join("");
   }
 
-  forget(): void {
-    this.#write(nothing());
-  }
-
-  get #key(): string {
-    return `matrixworld lesson ${this.#edition}`;
-  }
+  forget = (): void => this.#write(nothing());
 
   #read(): Kept {
     try {

@@ -41,10 +41,7 @@ function answer(hands: readonly number[], memory: number, draw: Draw): number {
 }
 
 /** The hand of each generation, by team. */
-export interface Hands {
-  readonly pursuers: number[];
-  readonly evaders: number[];
-}
+type Hands = Readonly<Record<"pursuers" | "evaders", number[]>>;
 
 /**
  * Play in turns: first the pursuers answer the last `memory` hands of the evaders, then these answer the pursuers.

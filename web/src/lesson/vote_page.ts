@@ -28,8 +28,7 @@ export function votePage(lesson: Lesson): void {
     files = [...files, ...await Promise.all(read)];
     show();
   };
-  const input = html("input", { type: "file", multiple: true, accept: ".jsonl", id: "vote-files" });
-  input.addEventListener("change", () => void add(input.files!).then(() => (input.value = "")));
+  const input = html("input", { type: "file", multiple: true, accept: ".jsonl", id: "vote-files", onchange: () => void add(input.files!).then(() => (input.value = "")) });
   const forget = html("button", { type: "button", onclick: () => {
     files = [];
     open.clear();

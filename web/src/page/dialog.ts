@@ -5,10 +5,9 @@ import type { Child } from "./dom.ts";
 
 /** Return a dialog with a title and a button that closes it; so does a press on the ground around it. */
 export function dialog(title: string, style: string, ...children: Child[]): HTMLDialogElement {
-  const made = html("dialog", { class: style, "aria-label": title },
+  const made = html("dialog", { class: style, "aria-label": title, onclick: ({ target }: MouseEvent) => target === made && made.close() },
     html("div", { class: "dialog-head" }, html("h2", {}, title),
       html("button", { type: "button", class: "close", "aria-label": "Close", onclick: () => made.close() }, "✕")), ...children);
-  made.addEventListener("click", (event) => event.target === made && made.close());
   return made;
 }
 

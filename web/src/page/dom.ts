@@ -26,18 +26,14 @@ function filled<Made extends Element>(element: Made, attributes: Attributes, chi
     if (typeof value === "function") element.addEventListener(name.slice(2), value as EventListener);
     else element.setAttribute(name, value === true ? "" : String(value));
   }
-  element.append(...children.filter(isShown).map((child) => (typeof child === "number" ? String(child) : child)));
+  const shown = children.filter((child) => child !== null && child !== undefined && child !== false);
+  element.append(...shown.map((child) => (typeof child === "number" ? String(child) : child)));
   return element;
-}
-
-function isShown(child: Child): child is Node | string | number {
-  return child !== null && child !== undefined && child !== false;
 }
 
 /** Return a list of choices; `change` gets the value of the one that is chosen. */
 export function select(options: readonly (readonly [value: string | number, text: string])[], change: (value: string) => void): HTMLSelectElement {
-  const made = html("select", {}, ...options.map(([value, text]) => html("option", { value }, text)));
-  made.addEventListener("change", () => change(made.value));
+  const made = html("select", { onchange: () => change(made.value) }, ...options.map(([value, text]) => html("option", { value }, text)));
   return made;
 }
 

@@ -49,9 +49,7 @@ export function agentsPanel(store: Store): HTMLElement {
     });
     rows.forEach((each, agent) => fill(store, each, agent));
   };
-  store.addEventListener("change", update);
-  store.player.addEventListener("step", update);
-  update();
+  store.shownBy(update);
   return element;
 }
 
@@ -63,12 +61,11 @@ function letNetworksMove(store: Store): void {
 function row(store: Store, agent: number): Row {
   const { scene } = store;
   const name = agentName(scene, agent);
-  const choice = html("select", { "aria-label": `${name} does next` }, ...choices(store, scene, agent));
-  choice.addEventListener("change", () => {
+  const choice = html("select", { "aria-label": `${name} does next`, onchange: () => {
     const chosen = choice.value;
     store.stop();
     store.change(withNext(store.scene, agent, /^\d$/.test(chosen) ? Number(chosen) : (chosen as Command)));
-  });
+  } }, ...choices(store, scene, agent));
   const state = html("span", { class: "state muted" });
   const heard = html("span", { class: "heard" });
   const select = html("button", { type: "button", class: "agent-name", onclick: () => (store.selected = agent) }, glyph(teamOf(scene, agent)), name, heard);

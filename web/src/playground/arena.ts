@@ -19,10 +19,7 @@ export function arena(store: Store): HTMLElement {
   const element = html("div", { class: "arena" });
   const arms = [arm(store, 0), arm(store, 1)];
   element.append(...arms.map((each) => each.element));
-  const update = (): void => arms.forEach((each) => each.update());
-  store.addEventListener("change", update);
-  store.player.addEventListener("frame", update);
-  update();
+  store.shownBy(() => arms.forEach((each) => each.update()), "frame");
   return element;
 }
 
@@ -85,11 +82,7 @@ function listenToPointer(store: Store, board: Board): void {
     const cell = board.cellAt(event.clientX, event.clientY);
     if (cell) gesture?.(cell);
   });
-  for (const end of ["pointerup", "pointercancel"] as const) {
-    board.canvas.addEventListener(end, () => {
-      gesture = null;
-    });
-  }
+  for (const end of ["pointerup", "pointercancel"] as const) board.canvas.addEventListener(end, () => (gesture = null));
 }
 
 /** Press an agent to choose it, and drag to say where it goes; or press a cell beside the chosen one. */
@@ -142,9 +135,7 @@ export function command(store: Store, action: number): void {
 // ---- Keyboard
 
 /** The cell that arrow keys have reached in mode "build". */
-interface Cursor {
-  cell: Cell;
-}
+type Cursor = { cell: Cell };
 
 function listenToKeys(store: Store, canvas: HTMLCanvasElement, cursor: Cursor, update: () => void): void {
   canvas.addEventListener("keydown", (event) => {

@@ -47,12 +47,8 @@ function towardsAbout(down: number, right: number, diagonal: boolean): number {
 export function listenToPointer(board: Board, own: () => { cell: Cell; diagonal: boolean } | null, act: (action: number) => void): void {
   let start: readonly [x: number, y: number] | null = null;
   const { canvas } = board;
-  canvas.addEventListener("pointerdown", ({ button, clientX, clientY }) => {
-    start = button === 0 ? [clientX, clientY] : null;
-  });
-  canvas.addEventListener("pointercancel", () => {
-    start = null;
-  });
+  canvas.addEventListener("pointerdown", ({ button, clientX, clientY }) => (start = button === 0 ? [clientX, clientY] : null));
+  canvas.addEventListener("pointercancel", () => (start = null));
   canvas.addEventListener("pointerup", ({ clientX, clientY }) => {
     const [from, here] = [start, own()];
     start = null;

@@ -1,8 +1,9 @@
 // What Python tells the page: the variants, the fields of rules with their values, the scripts, the
 // rewards and the gallery. The page adds nothing to it, so that page and package cannot diverge.
 
+import type { NetworkOf } from "../explorer/data.ts";
 import { html } from "../page/dom.ts";
-import type { NetworkPolicy, Rewards, Rules, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type { Rewards, Rules, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
 export interface Field {
   readonly name: keyof Rules;
@@ -23,11 +24,7 @@ export interface Example {
 }
 
 /** What played for a team in the match of the explorer that a scene comes from. */
-export interface Champion {
-  readonly name: string;
-  readonly policy: TeamPolicy;
-}
-export type Champions = Readonly<Record<"pursuer" | "evader", Champion>>;
+export type Champions = Readonly<Record<"pursuer" | "evader", { readonly name: string; readonly policy: TeamPolicy }>>;
 
 export interface PageData {
   readonly variants: Readonly<Record<string, Rules>>;
@@ -50,7 +47,7 @@ export interface TeamData {
   readonly usual: number;
   /** Of each name a script, or null: then the next genome plays. */
   readonly scripts: readonly (ScriptName | null)[];
-  readonly network: (Omit<NetworkPolicy, "genome"> & { readonly genome_size: number }) | null;
+  readonly network: NetworkOf | null;
 }
 
 /** A world, and what plays in it against a person. */

@@ -48,14 +48,8 @@ export function episodeFile(engine: Engine, live: Live, seat: number): Uint8Arra
   });
 }
 
-/** A match from a file: played again, and the seat of the person in it. */
-export interface Read {
-  readonly live: Live;
-  readonly seat: number | null;
-}
-
-/** Play the match of a file again: the same start, the same actions. Throws an error with what is wrong. */
-export function readEpisode(engine: Engine, bytes: Uint8Array): Read {
+/** Play the match of a file again: the same start, the same actions; `seat` is that of the person. Throws an error with what is wrong. */
+export function readEpisode(engine: Engine, bytes: Uint8Array): { live: Live; seat: number | null } {
   const arrays = readNpz(bytes);
   const numbers = (name: string): number[] => Array.from((arrays[name]?.data ?? []) as ArrayLike<number>);
   if (arrays["format"]?.data !== FORMAT) throw new EngineError(`expected a file marked "${FORMAT}"`);

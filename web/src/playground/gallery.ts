@@ -21,7 +21,7 @@ export function gallery(store: Store): HTMLElement {
   const reveal = html("details", { class: "reveal" }, html("summary", {}, "Reveal"), text);
   const element = html("nav", { class: "gallery", "aria-label": "Examples" }, html("div", { class: "chips" }, ...buttons), ask, reveal);
   let shown: unknown;
-  const update = (): void => {
+  store.shownBy(() => {
     store.data.gallery.forEach((example, place) => buttons[place]!.setAttribute("aria-pressed", String(example === store.example)));
     ask.replaceChildren(...unbroken(store.example?.ask ?? "A scene of your own. Choose an example, or change this one."));
     text.replaceChildren(...unbroken(store.example?.text ?? ""));
@@ -29,8 +29,6 @@ export function gallery(store: Store): HTMLElement {
     // A step of the same example leaves it as it is.
     if (shown !== store.example) reveal.open = false;
     shown = store.example;
-  };
-  store.addEventListener("change", update);
-  update();
+  });
   return element;
 }

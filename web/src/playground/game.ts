@@ -35,9 +35,7 @@ export class Game {
 
   /** Throws EngineError if the engine refuses the scene. */
   constructor(engine: Engine, scene: Scene, rules: Rules, champions?: Champions) {
-    this.#scene = scene;
-    this.#champions = champions;
-    this.rules = rules;
+    [this.#scene, this.#champions, this.rules] = [scene, champions, rules];
     const config = configOf(scene, rules);
     this.#world = engine.world(config);
     this.#world.restore(snapshotOf(this.#world, scene));

@@ -17,9 +17,7 @@ export const GAMES = { escape: "Can you escape it?", match: "One match", file: "
 export type GameName = keyof typeof GAMES;
 
 /** A match of the page: who plays for each team, and the seed. */
-interface Choice extends Readonly<Record<Team, number>> {
-  readonly seed: bigint;
-}
+type Choice = Readonly<Record<Team, number>> & { readonly seed: bigint };
 
 /** The games, with what is chosen for them. It dispatches `game` when a link or a file begins another one. */
 export class Games extends EventTarget {
@@ -35,7 +33,7 @@ export class Games extends EventTarget {
   readonly #ofFile: HTMLElement;
   readonly #about = html("ul", { class: "small muted about" });
   readonly #problem = html("p", { class: "problem", role: "alert" });
-  readonly #file = html("input", { type: "file", accept: ".npz", hidden: true });
+  readonly #file = html("input", { type: "file", accept: ".npz", hidden: true, onchange: () => this.#read() });
   readonly #card: HTMLElement;
 
   constructor(engine: Engine, data: OpponentsData) {
@@ -51,7 +49,6 @@ export class Games extends EventTarget {
     this.#ofFile = html("div", { class: "of-match" },
       html("button", { type: "button", class: "primary", onclick: () => this.#file.click() }, "Choose a file"), this.#file,
       html("span", { class: "small muted" }, "A match that this page or matrixworld.Episode has saved (.npz)."), this.#problem);
-    this.#file.addEventListener("change", () => this.#read());
     this.#card = html("section", { class: "card", "aria-label": "Match" }, this.view.element);
     this.element = html("section", { class: "games", "aria-label": "Play" }, html("div", { class: "card setup" }, this.#ofMatch, this.#ofFile), this.#card);
   }

@@ -13,10 +13,7 @@ import { linesOf } from "./words.ts";
 /** Return the card of the rules. */
 export function rulesPanel(store: Store): HTMLElement {
   const controls = [variants(store), ...store.data.fields.map((field) => fieldChoice(store, field)), comparison(store), board(store)];
-  const update = (): void => controls.forEach((control) => control.update());
-  store.addEventListener("change", update);
-  store.player.addEventListener("step", update);
-  update();
+  store.shownBy(() => controls.forEach((control) => control.update()));
   return html("section", { class: "card rules" }, ...controls.map((control) => control.element));
 }
 
@@ -45,11 +42,10 @@ function variants(store: Store): Control {
 
 /** Return the choice of one field. It is marked where it decided what happened in the step shown. */
 function fieldChoice(store: Store, field: Field): Control {
-  const inputs = field.values.map(({ name }) => {
-    const input = html("input", { type: "radio", name: field.name, value: name });
-    input.addEventListener("change", () => change(store, { ...store.scene, rules: withField(store.scene.rules, field, name) }));
-    return input;
-  });
+  const inputs = field.values.map(({ name }) => html("input", {
+    type: "radio", name: field.name, value: name,
+    onchange: () => change(store, { ...store.scene, rules: withField(store.scene.rules, field, name) }),
+  }));
   const labels = field.values.map(({ label }, place) => html("label", {}, inputs[place], html("span", {}, label)));
   const used = html("span", { class: "used-mark", title: "This rule decided what happened in the step that is shown" }, html("span", {}, "decided"));
   const element = html("fieldset", { class: "field", title: field.text },
@@ -73,15 +69,15 @@ function withField(rules: Rules, field: Field, name: string): Rules {
 
 function comparison(store: Store): Control {
   const names = Object.keys(store.data.variants);
-  const select = html("select", { id: "compare" },
+  const compare = (): void => {
+    const rules = { "": null, present: store.scene.rules }[select.value];
+    change(store, { ...store.scene, others: rules === undefined ? store.data.variants[select.value]! : rules });
+  };
+  const select = html("select", { id: "compare", onchange: compare },
     html("option", { value: "" }, "nothing"),
     html("option", { value: "present" }, "the present rules"),
     html("option", { value: "own", hidden: true }, "own rules"),
     ...names.map((name) => html("option", { value: name }, `${name}: ${store.data.titles[name]}`)));
-  select.addEventListener("change", () => {
-    const rules = { "": null, present: store.scene.rules }[select.value];
-    change(store, { ...store.scene, others: rules === undefined ? store.data.variants[select.value]! : rules });
-  });
   return {
     element: html("div", { class: "pair" }, html("label", { for: "compare" }, "Compare with"), select),
     update: () => {
@@ -95,25 +91,22 @@ function comparison(store: Store): Control {
 
 function board(store: Store): Control {
   const side = (name: "rows" | "cols", label: string): HTMLInputElement => {
-    const input = html("input", { type: "number", min: 1, max: MOST_SIDE, "aria-label": label });
-    input.addEventListener("change", () => {
+    const input = html("input", { type: "number", min: 1, max: MOST_SIDE, "aria-label": label, onchange: () => {
       const sides = { rows: store.scene.rows, cols: store.scene.cols, [name]: Math.round(Number(input.value)) };
       if (sides[name] >= 1 && sides[name] <= MOST_SIDE) resize(store, sides.rows, sides.cols);
       else store.say(`${name}: expected 1 to ${MOST_SIDE}, got ${input.value || "nothing"}`, true);
       input.value = String(store.scene[name]);
-    });
+    } });
     return input;
   };
   const [rows, cols] = [side("rows", "Rows"), side("cols", "Columns")];
-  const diagonal = html("input", { type: "checkbox", id: "diagonal" });
-  diagonal.addEventListener("change", () => change(store, {
+  const diagonal = html("input", { type: "checkbox", id: "diagonal", onchange: () => change(store, {
     ...store.game.scene(), diagonal: diagonal.checked,
     next: store.scene.next.map((command) => (typeof command === "number" && command > 4 ? 0 : command)),
-  }));
-  const rewards = html("select", { id: "rewards" },
+  }) });
+  const rewards = html("select", { id: "rewards", onchange: () => change(store, { ...store.scene, rewards: store.data.rewards[rewards.value]! }) },
     ...Object.keys(store.data.rewards).map((name) => html("option", { value: name }, name)),
     html("option", { value: "own", hidden: true }, "those of the link"));
-  rewards.addEventListener("change", () => change(store, { ...store.scene, rewards: store.data.rewards[rewards.value]! }));
   return {
     element: html("div", { class: "board-settings" },
       html("div", { class: "pair" }, html("span", {}, "Board"), html("span", { class: "sides" }, rows, "×", cols),

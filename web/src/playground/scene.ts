@@ -69,22 +69,24 @@ export function variantOf(rules: Rules, variants: Readonly<Record<string, Rules>
   return Object.keys(variants).find((name) => sameRules(variants[name]!, rules)) ?? null;
 }
 
+/** Return a map with walls on cells row * cols + col: rows of "." and "#". */
+export function mapOf(walls: readonly number[], rows: number, cols: number): string[] {
+  const found = new Set(walls);
+  return Array.from({ length: rows }, (_, row) => Array.from({ length: cols }, (_none, col) => (found.has(row * cols + col) ? "#" : ".")).join(""));
+}
+
+/** Return walls with a cell added or taken away, ascending. */
+export function withCell(walls: readonly number[], cell: number, wall: boolean): readonly number[] {
+  const left = walls.filter((each) => each !== cell);
+  return wall ? [...left, cell].sort((a, b) => a - b) : left;
+}
+
 /** Return the settings of the world of a scene under some rules. */
 export function configOf(scene: Scene, rules: Rules): WorldConfig {
-  const walls = new Set(scene.walls);
-  const rows = Array.from({ length: scene.rows }, (_, row) =>
-    Array.from({ length: scene.cols }, (_, col) => (walls.has(row * scene.cols + col) ? "#" : ".")).join(""));
+  const { rows, cols, fov, diagonal, rewards } = scene;
   return {
-    rules,
-    rows: scene.rows,
-    cols: scene.cols,
-    n_pursuers: scene.pursuers.length,
-    n_evaders: scene.evaders.length,
-    fov: scene.fov,
-    diagonal: scene.diagonal,
-    max_steps: scene.maxSteps,
-    obstacles: rows,
-    rewards: scene.rewards,
+    rules, rows, cols, n_pursuers: scene.pursuers.length, n_evaders: scene.evaders.length,
+    fov, diagonal, max_steps: scene.maxSteps, obstacles: mapOf(scene.walls, rows, cols), rewards,
   };
 }
 
@@ -129,11 +131,7 @@ export function removed(now: Scene, agent: number): Scene {
   };
 }
 
-export function withWall(now: Scene, cell: Cell, wall: boolean): Scene {
-  const index = cell[0] * now.cols + cell[1];
-  const walls = now.walls.filter((each) => each !== index);
-  return { ...now, walls: wall ? [...walls, index].sort((a, b) => a - b) : walls };
-}
+export const withWall = (now: Scene, [row, col]: Cell, wall: boolean): Scene => ({ ...now, walls: withCell(now.walls, row * now.cols + col, wall) });
 
 /** Change the size of the grid; what lies outside goes. */
 export function resized(now: Scene, rows: number, cols: number): Scene {

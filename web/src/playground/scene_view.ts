@@ -11,15 +11,8 @@ import type { Store } from "./store.ts";
 import { story } from "./story.ts";
 import { toolbar, undoButton } from "./toolbar.ts";
 
-export interface SceneView {
-  readonly element: HTMLElement;
-  /** Buttons for the head of the page. */
-  readonly tools: readonly HTMLElement[];
-  readonly dialog: HTMLElement;
-}
-
-/** Show what a store holds, and listen to keys while it is shown. */
-export function sceneView(store: Store, shown: () => boolean): SceneView {
+/** Show what a store holds, and listen to keys while it is shown; `tools` are buttons for the head of the page. */
+export function sceneView(store: Store, shown: () => boolean): { element: HTMLElement; tools: HTMLElement[]; dialog: HTMLElement } {
   const keys = keysDialog();
   const openKeys = (): void => keys.showModal();
   listenToKeys(store, openKeys, shown);

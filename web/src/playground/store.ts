@@ -38,10 +38,8 @@ export class Store extends EventTarget {
   /** Throws EngineError if the engine refuses the scene. */
   constructor(engine: Engine, data: PageData, scene: Scene, example: Example | null = null) {
     super();
-    [this.#example, this.#original] = [example, scene];
-    this.#engine = engine;
-    this.data = data;
-    this.#scene = scene;
+    [this.#engine, this.data, this.#example] = [engine, data, example];
+    this.#scene = this.#original = scene;
     this.#games = this.#played(scene);
     this.player = new Player(this.game.length, { still: stillMotion() });
     this.player.jump(this.game.length);
@@ -184,6 +182,13 @@ export class Store extends EventTarget {
 
   get canUndo(): boolean {
     return this.#undo.length > 0;
+  }
+
+  /** Let `update` show the store, now and after each change, and after each step or picture of the player. */
+  shownBy(update: () => void, type: "step" | "frame" = "step"): void {
+    this.addEventListener("change", update);
+    this.player.addEventListener(type, update);
+    update();
   }
 
   /** Tell the reader something; it stays until the next change. */

@@ -17,7 +17,7 @@ export function story(store: Store): HTMLElement {
   const heard = html("div", { class: "heard", role: "status" });
   const element = html("section", { class: "card story" }, title, body, heard);
   let shown = "";
-  const update = (): void => {
+  store.shownBy(() => {
     const step = Math.min(store.player.step, store.game.length);
     const parts = store.games.map((game, place) => {
       // Where the episode has ended earlier, nothing happens any more.
@@ -30,10 +30,7 @@ export function story(store: Store): HTMLElement {
     title.textContent = step ? `Step ${step}` : "Start";
     body.replaceChildren(...parts.map((part) => section(part, step)));
     heard.textContent = step ? `Step ${step}. ${parts.map(spoken).join(" ")}` : "";
-  };
-  store.addEventListener("change", update);
-  store.player.addEventListener("step", update);
-  update();
+  });
   return element;
 }
 

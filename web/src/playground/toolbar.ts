@@ -24,14 +24,11 @@ export function toolbar(store: Store): HTMLElement {
     message.classList.toggle("problem", problem);
   });
   const controls = [steps, modes, pad, build];
-  const update = (): void => controls.forEach((control) => control.update());
-  store.addEventListener("change", update);
   store.addEventListener("change", () => {
     message.textContent = "";
     message.classList.remove("problem");
   });
-  store.player.addEventListener("step", update);
-  update();
+  store.shownBy(() => controls.forEach((control) => control.update()));
   return html("div", { class: "toolbar" }, ...controls.map((control) => control.element), message);
 }
 
@@ -118,9 +115,7 @@ function padButtons(store: Store): Control {
 /** Return the button that undoes changes, for the head of the page. */
 export function undoButton(store: Store): HTMLButtonElement {
   const undo = html("button", { type: "button", title: "Undo the last change (Ctrl+Z)", onclick: () => store.undo() }, "Undo");
-  const update = (): void => undo.setAttribute("aria-disabled", String(!store.canUndo));
-  store.addEventListener("change", update);
-  update();
+  store.shownBy(() => undo.setAttribute("aria-disabled", String(!store.canUndo)));
   return undo;
 }
 

@@ -46,8 +46,8 @@ export class PlayView {
   readonly #told = html("p", { class: "play-told", role: "status" });
   readonly #pad = pad((action) => this.act(action));
   readonly #pace = select(PACES.map((each) => [each, each ? `${each} / s` : "step by step"]), () => this.#rest());
-  readonly #fog = html("input", { type: "checkbox" });
-  readonly #best = html("input", { type: "checkbox" });
+  readonly #fog = html("input", { type: "checkbox", onchange: () => this.#look() });
+  readonly #best = html("input", { type: "checkbox", onchange: () => this.#tell() });
   /** Shown where the world can be solved. */
   readonly #bestChoice = html("label", { class: "play-choice" }, this.#best, "Best move");
   readonly #keys = html("p", { class: "small muted play-keys", id: "play-keys" });
@@ -66,8 +66,6 @@ export class PlayView {
     this.#engine = engine;
     this.#board = new Board(this.#canvas, { numbers: false });
     this.#canvas.setAttribute("role", "application");
-    this.#fog.addEventListener("change", () => this.#look());
-    this.#best.addEventListener("change", () => this.#tell());
     listenToPointer(this.#board, () => {
       const cell = this.#seat !== null && this.#live && cellOf(this.#live.recording.moments.at(-1)!, this.#seat);
       return cell ? { cell, diagonal: this.#live!.config.diagonal } : null;
@@ -220,12 +218,14 @@ export class PlayView {
     this.#rest();
     const [game, live, played] = [this.#game!, this.#live!, this.played!];
     const link = hasAddress() ? game.link(played) : null;
+    const name = `${agentName(played.seat, live.config.n_pursuers)}-${live.length}-steps.npz`;
+    const save = (): void => saveFile(name, episodeFile(this.#engine, live, played.seat) as BlobPart);
     this.#ending.replaceChildren(
       html("h3", { id: "play-headline" }, headline(live, played.seat)), ...game.ending(live, played),
       html("div", { class: "play-buttons" },
         html("button", { type: "button", class: "primary", onclick: () => game.again() }, "Again"),
         html("button", { type: "button", onclick: () => this.#watch() }, "Watch it"),
-        html("button", { type: "button", onclick: () => this.#save(live, played.seat) }, "Save"),
+        html("button", { type: "button", onclick: save }, "Save"),
         link && html("button", { type: "button", onclick: ({ currentTarget }: MouseEvent) => copied(currentTarget as HTMLElement, link) }, "Link")));
     this.element.dataset["state"] = "ended";
     this.#judge();
@@ -240,10 +240,6 @@ export class PlayView {
     this.player.length = this.#live!.length;
     this.player.jump(0);
     if (!stillMotion()) this.player.play();
-  }
-
-  #save(live: Live, seat: number): void {
-    saveFile(`${agentName(seat, live.config.n_pursuers)}-${live.length}-steps.npz`, episodeFile(this.#engine, live, seat) as BlobPart);
   }
 
   #tell(): void {
