@@ -276,7 +276,7 @@ class InTurns(OfGenerations):
 
 
 def available(team: Team, k: int) -> int:
-    """Return how many generations of the other team are archived when a team learns, in turns.
+    """Return how many generations of the other team are archived when `team` learns, in turns.
 
     `k` is the generation that the team learns, at least 1: generation 0 is untrained.
     """

@@ -399,7 +399,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
             self._note_round()
 
     def _play_until_actors(self) -> None:
-        """Play turns of agents that are gone or built in, and select those that act next."""
+        """Play turns of agents that are gone or built in, select who acts next, and pay rewards."""
         ended: list[Status] = []
         while not (actors := self._living_actors()):
             if self.world.turn == 0 and (self.world.terminated or self.world.truncated):
