@@ -30,6 +30,7 @@ from matrixworld._util.imports import HAS_PROCESSES
 from matrixworld.coevolution import progress, run, storage
 from matrixworld.coevolution.learners.learner import table_length
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
+from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.world.policy import SCRIPTS
 
@@ -316,7 +317,7 @@ def _play_here(watch: _Watch, name: str, threads: int | None) -> None:
     on_epoch = watch.on_epoch if len(watch.job) == 1 else None  # the watch tells of several runs
     called = {} if name == ITSELF else {"run": name}
     try:
-        run.finish(
+        finish(
             watch.root / name,
             threads=threads,
             report=lambda now: watch.tell({name: now}),
@@ -339,7 +340,7 @@ def _submitted(
         with without_interrupts():  # which the processes inherit that this starts
             for name in names:
                 path = (root / name).absolute()
-                futures[executor.submit(run.finish, path, threads=threads)] = name
+                futures[executor.submit(finish, path, threads=threads)] = name
         yield futures
     except BaseException:
         # After Ctrl-C or an error: what has not begun does not begin.
