@@ -15,38 +15,22 @@ from typing import Any
 import numpy as np
 
 from matrixworld._util.checks import check_choice
-from matrixworld.analysis import cycles, games, progress, ratings, strength
+from matrixworld.analysis import cycles, games, intervals, progress, ratings, strength
+from matrixworld.analysis import payoffs as payoff_module
 from matrixworld.analysis.intervals import (
-    BIASED,
-    FEW_RUNS,
     LEVEL,
-    SINGLE_RUN,
     UNBOUNDED,
     UNIT,
     Bounds,
     Estimate,
-    check_level,
-    few_runs,
-    interval_over_runs,
     linear_over_episodes,
-    t_ends,
 )
-from matrixworld.analysis.payoffs import (
-    EPISODES_TO_JUDGE,
-    GENERATIONS_TO_JUDGE,
-    Payoffs,
-    Rates,
-    Source,
-    Window,
-    read_payoffs,
-    require,
-    swap_teams,
-)
+from matrixworld.analysis.payoffs import Payoffs, Rates, Source, Window, require
 
-TOO_SHORT = f"it takes at least {GENERATIONS_TO_JUDGE} generations of each team"
+TOO_SHORT = f"it takes at least {payoff_module.GENERATIONS_TO_JUDGE} generations of each team"
 NO_EPISODES = (
-    f"it takes the number of episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell it from "
-    "noise"
+    "it takes the number of episodes of each pair, at least "
+    f"{payoff_module.EPISODES_TO_JUDGE}, to tell it from noise"
 )
 NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
 
@@ -78,8 +62,8 @@ class Measure:
         with an interval over runs; a single run has one over its episodes, if they are known and
         their noise allows it. NaN where the payoffs do not hold what it takes; the note says what.
         """
-        payoffs = read_payoffs(source)
-        check_level(level)
+        payoffs = payoff_module.read_payoffs(source)
+        intervals.check_level(level)
         if window is not None:
             check_choice("window", window, payoffs.windows)
         part = payoffs.windows[window] if window else self.window_in(payoffs)
@@ -114,7 +98,7 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
     **known
         Other arguments of `read_payoffs`.
     """
-    payoffs = read_payoffs(source, **known)
+    payoffs = payoff_module.read_payoffs(source, **known)
     require(min(payoffs.shape) >= 2, "at least 2 x 2 generations", payoffs.shape)
     return {name: measure.of(payoffs, level=level) for name, measure in MEASURES.items()}
 
@@ -129,7 +113,7 @@ def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
     source, level, **known
         As for `measure_all`.
     """
-    payoffs = read_payoffs(source, **known)
+    payoffs = payoff_module.read_payoffs(source, **known)
     estimates = measure_all(payoffs, level=level)
     notes = _footnotes(payoffs, estimates)
     lines, last = [_heading(payoffs, estimates, level)], ""
@@ -146,7 +130,7 @@ def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
 
 def _heading(payoffs: Payoffs, estimates: Mapping[str, Estimate], level: float) -> str:
     if len(payoffs) > 1:
-        few = "; few runs make it wide" if len(payoffs) < FEW_RUNS else ""
+        few = "; few runs make it wide" if len(payoffs) < intervals.FEW_RUNS else ""
         return f"Mean ({level:.0%} interval over runs{few}):"
     if any(one.across == "episodes" for one in estimates.values()):
         return (
@@ -158,7 +142,7 @@ def _heading(payoffs: Payoffs, estimates: Mapping[str, Estimate], level: float) 
 
 def _footnotes(payoffs: Payoffs, estimates: Mapping[str, Estimate]) -> dict[str, str]:
     """Return the notes that the heading does not say, with a mark for each."""
-    said = (SINGLE_RUN, few_runs(len(payoffs)), "")
+    said = (intervals.SINGLE_RUN, intervals.few_runs(len(payoffs)), "")
     notes = dict.fromkeys(one.note for one in estimates.values() if one.note not in said)
     return {note: f"[{number}]" for number, note in enumerate(notes, 1)}
 
@@ -194,7 +178,7 @@ def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -
     """Estimate a number that noise shifts by an unknown amount."""
 
     def of_episodes(scores: Rates) -> Estimate:
-        return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=BIASED)
+        return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=intervals.BIASED)
 
     return _of_matrix(payoffs, window, level, of_episodes, number=number)
 
@@ -221,7 +205,7 @@ def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
     known = [value for value in map(float, values) if math.isfinite(value)]
     if not known:
         return Estimate(math.nan, note="not defined for any run")
-    return interval_over_runs(known, level=level, bounds=bounds)
+    return intervals.interval_over_runs(known, level=level, bounds=bounds)
 
 
 def _last_score(matrix: Rates, team: str) -> float:
@@ -253,7 +237,7 @@ def _deciding(
 
     The judgement asks for single runs and for all together, so numbers of single runs are kept.
     """
-    if window.generations < GENERATIONS_TO_JUDGE:
+    if window.generations < payoff_module.GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=TOO_SHORT)
     key, singles = (of_run, window, level, *options.values()), []
     for run in payoffs.runs:
@@ -271,7 +255,7 @@ def over_runs(singles: list[Estimate], level: float) -> Estimate:
         return next(one for one in singles if math.isnan(one.value))
     lows = [one.value if one.biased_low is None else one.biased_low for one in found]
     highs = [one.value if one.biased_high is None else one.biased_high for one in found]
-    ends = t_ends(lows, level)[0], t_ends(highs, level)[1]
+    ends = intervals.t_ends(lows, level)[0], intervals.t_ends(highs, level)[1]
     return Estimate(float(np.mean([one.value for one in found])), *ends, "runs", len(found))
 
 
@@ -291,7 +275,7 @@ def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]
 
 
 def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
-    if window.generations < GENERATIONS_TO_JUDGE:
+    if window.generations < payoff_module.GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=TOO_SHORT)
     found = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
     several = ("runs", len(payoffs)) if len(payoffs) > 1 else ("episodes", payoffs.episodes or 0)
@@ -352,13 +336,13 @@ def _recurrence(run: Payoffs, window: Window, level: float, team: str) -> Estima
 
 def _forgetting(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     """Estimate late forgetting: without bias where single episodes are known."""
-    long_enough = window.generations >= GENERATIONS_TO_JUDGE
+    long_enough = window.generations >= payoff_module.GENERATIONS_TO_JUDGE
     if payoffs.scores is not None and payoffs.shows_noise and long_enough:
         return _deciding(payoffs, window, level, of_run=_forgetting_of_run, team=team)
     span = window.cells[team == "evaders"]
     each = (strength.late_forgetting(_from_side(m, team), span) for m in payoffs.matrices)
     found = _mean_of(each, level, UNIT)
-    return found if len(payoffs) > 1 else replace(found, note=BIASED)
+    return found if len(payoffs) > 1 else replace(found, note=intervals.BIASED)
 
 
 def _forgetting_of_run(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
@@ -372,7 +356,7 @@ def _forgetting_of_run(run: Payoffs, window: Window, level: float, team: str) ->
 
 
 def _from_side(matrix: Rates, team: str) -> Rates:
-    return matrix if team == "pursuers" else swap_teams(matrix)
+    return matrix if team == "pursuers" else payoff_module.swap_teams(matrix)
 
 
 def _of_teams(

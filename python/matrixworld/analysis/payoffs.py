@@ -280,9 +280,8 @@ def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
         if shape[0] != 1:
             raise ValueError(f"{path}: expected one run a file, got {shape[0]}")
         if shape != shapes[0]:
-            raise ValueError(
-                f"{path}: expected the shape of {paths[0]}, {shapes[0][1:]}, got {shape[1:]}"
-            )
+            expected = f"the shape of {paths[0]}, {shapes[0][1:]}"
+            raise ValueError(f"{path}: expected {expected}, got {shape[1:]}")
     matrices = np.concatenate([run.matrices for run in runs])
     scores = [run.scores for run in runs if run.scores is not None]
     return Payoffs(matrices, np.concatenate(scores) if scores else None, runs[0].episodes)

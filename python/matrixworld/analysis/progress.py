@@ -10,18 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_floats
 from matrixworld._util.readable import Readable
+from matrixworld.analysis import payoffs
 from matrixworld.analysis.intervals import Estimate
-from matrixworld.analysis.payoffs import (
-    ByTeam,
-    Rates,
-    check_payoff,
-    check_rates,
-    require,
-    swap_teams,
-)
 
 
-def generalization(payoff: ArrayLike) -> ByTeam[Rates]:
+def generalization(payoff: ArrayLike) -> payoffs.ByTeam[payoffs.Rates]:
     """Return the mean payoff of each generation of both teams against all opponents, in [0, 1].
 
     Capture rates of the pursuers, row means of `payoff` (n, m), and escape rates of the evaders.
@@ -31,8 +24,8 @@ def generalization(payoff: ArrayLike) -> ByTeam[Rates]:
     Floreano and Nolfi (1997), "Adaptive behavior in competing co-evolving species": the master
     tournament. Sun et al. (2023), "MatrixWorld", arXiv:2307.14854: the figure of generalization.
     """
-    matrix = check_payoff(payoff)
-    return ByTeam(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
+    matrix = payoffs.check_payoff(payoff)
+    return payoffs.ByTeam(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -43,7 +36,7 @@ class LagProfile(Readable):
     """
 
     lags: NDArray[np.int64]
-    means: Rates
+    means: payoffs.Rates
     cells: NDArray[np.int64]
 
 
@@ -53,7 +46,7 @@ def lag_profile(payoff: ArrayLike) -> LagProfile:
     At lag d: pursuers against evaders that are d generations older. Specialists beat the current
     opponent only, so their profile is flat with a notch at 0; that of generalists rises.
     """
-    matrix = check_payoff(payoff)
+    matrix = payoffs.check_payoff(payoff)
     rows, columns = matrix.shape
     lags = np.arange(1 - columns, rows)
     # NumPy counts offsets above the diagonal, where evaders are newer: the sign changes.
@@ -62,7 +55,7 @@ def lag_profile(payoff: ArrayLike) -> LagProfile:
     return LagProfile(lags, means, np.array([len(diagonal) for diagonal in diagonals]))
 
 
-def lag_rise(matrix: Rates) -> float:
+def lag_rise(matrix: payoffs.Rates) -> float:
     """Return the lag profile at a third of the generations minus that at minus as much."""
     # Long enough for strength to grow by more than noise, short enough to leave many cells. Both
     # lags have the same number of cells in a square matrix, so both means are equally noisy.
@@ -70,13 +63,13 @@ def lag_rise(matrix: Rates) -> float:
     return float(np.diagonal(matrix, -lag).mean()) - float(np.diagonal(matrix, lag).mean())
 
 
-def team_phase_rates(payoff: ArrayLike) -> Rates:
+def team_phase_rates(payoff: ArrayLike) -> payoffs.Rates:
     """Return the capture rate after each team phase of generations 1, 2, ... in `payoff` (n, m).
 
     Row ``k - 1`` of the result (min(n, m) - 1, 2) holds ``M[k, k - 1]``, after the pursuers of
     generation k have learned, and ``M[k, k]``, after the evaders have learned.
     """
-    matrix = check_payoff(payoff)
+    matrix = payoffs.check_payoff(payoff)
     # Generation 0 is untrained: no team phase precedes it.
     k = np.arange(1, min(matrix.shape))
     return np.stack([matrix[k, k - 1], matrix[k, k]], axis=1)
@@ -151,26 +144,26 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
     length = -(-len(array) // 2)
     # Mean of each stretch of that length; a stretch in which evaders win is seen from their side.
     means = np.convolve(array.mean(axis=1), np.full(length, 1.0 / length), mode="valid")
-    payoffs = np.maximum(means, 1.0 - means)
+    winning = np.maximum(means, 1.0 - means)
     matches = 2 * length * episodes
-    wins, losses = payoffs * matches, (1.0 - payoffs) * matches
-    tail = (1.0 - level) / 2.0 / len(payoffs)  # of all stretches together (Bonferroni)
+    wins, losses = winning * matches, (1.0 - winning) * matches
+    tail = (1.0 - level) / 2.0 / len(winning)  # of all stretches together (Bonferroni)
     # At no loss the upper end is 1, where the formula divides by zero; payoffs are never 0.
     lows = betaincinv(wins, losses + 1.0, tail)
     highs = np.where(
         losses > 0.0, betaincinv(wins + 1.0, np.maximum(losses, 1e-9), 1.0 - tail), 1.0
     )
-    best = int(payoffs.argmax())
+    best = int(winning.argmax())
     low, high = float(lows[best]), float(highs.max())
-    return Estimate(float(payoffs[best]), low, high, "episodes", biased_low=low, biased_high=high)
+    return Estimate(float(winning[best]), low, high, "episodes", biased_low=low, biased_high=high)
 
 
-def _check_team_phases(rates: ArrayLike) -> Rates:
+def _check_team_phases(rates: ArrayLike) -> payoffs.Rates:
     given = check_floats("team phase capture rates", rates)
     if given.shape == (0, 2):  # a race before its first generation is valid
         return given
-    array = check_rates(given, ndim=2, what="team phase capture rates")
-    require(array.shape[1] == 2, "team phase capture rates of shape (K, 2)", array.shape)
+    array = payoffs.check_rates(given, ndim=2, what="team phase capture rates")
+    payoffs.require(array.shape[1] == 2, "team phase capture rates of shape (K, 2)", array.shape)
     return array
 
 
@@ -193,14 +186,14 @@ class Triangle:
     without one, and up to about .2 of noise. `period`: the lag of that peak.
     """
 
-    payoff: Rates
-    by_age: Rates
+    payoff: payoffs.Rates
+    by_age: payoffs.Rates
     fading: float
     stripes: float
     period: int | None
 
 
-def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
+def ciao(payoff: ArrayLike) -> payoffs.ByTeam[Triangle]:
     """Compare current individuals with ancestral opponents, in a triangle of each team.
 
     Stripes show intransitivity. Fading away from the diagonal, the current opponent, shows that a
@@ -212,11 +205,11 @@ def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
     Cliff and Miller (1995), "Tracking the Red Queen: measurements of adaptive progress in
     co-evolutionary simulations".
     """
-    matrix = check_payoff(payoff)
-    return ByTeam(_triangle(matrix), _triangle(swap_teams(matrix)))
+    matrix = payoffs.check_payoff(payoff)
+    return payoffs.ByTeam(_triangle(matrix), _triangle(payoffs.swap_teams(matrix)))
 
 
-def _triangle(matrix: Rates) -> Triangle:
+def _triangle(matrix: payoffs.Rates) -> Triangle:
     lower = np.where(np.tri(*matrix.shape) > 0.0, matrix, np.nan)
     # If the team has more generations than its opponents, some diagonals may be empty.
     diagonals = [np.diagonal(lower, offset=-age) for age in range(len(lower))]
@@ -225,7 +218,7 @@ def _triangle(matrix: Rates) -> Triangle:
     return Triangle(lower, by_age, _fading(lower), stripes, period)
 
 
-def _fading(lower: Rates) -> float:
+def _fading(lower: payoffs.Rates) -> float:
     """Return newer minus older half; the middle one of an odd number of opponents is left out."""
     differences = []
     for row in lower:
@@ -236,7 +229,7 @@ def _fading(lower: Rates) -> float:
     return float(np.mean(differences)) if differences else float("nan")
 
 
-def autocorrelation(lower: Rates) -> Rates:
+def autocorrelation(lower: payoffs.Rates) -> payoffs.Rates:
     """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in a lower triangle, by d."""
     counts = np.sum(~np.isnan(lower), axis=1, keepdims=True)
     centered = lower - np.nansum(lower, axis=1, keepdims=True) / counts
@@ -250,7 +243,7 @@ def autocorrelation(lower: Rates) -> Rates:
     return np.array(found)
 
 
-def _correlation(one: Rates, other: Rates) -> float:
+def _correlation(one: payoffs.Rates, other: payoffs.Rates) -> float:
     # NaN marks cells outside the triangle; a pair counts if both of its cells lie inside.
     both = ~(np.isnan(one) | np.isnan(other))
     x, y = one[both], other[both]
@@ -259,7 +252,7 @@ def _correlation(one: Rates, other: Rates) -> float:
     return float(np.corrcoef(x, y)[0, 1])
 
 
-def _first_peak(correlations: Rates) -> tuple[float, int | None]:
+def _first_peak(correlations: payoffs.Rates) -> tuple[float, int | None]:
     """Return height and lag of the first positive local maximum after the first negative value."""
     # Neighbouring generations are alike, so the correlation first falls from 1 whatever happens;
     # only a rise after it has been negative shows that something comes back.

@@ -3,22 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_integer
-from matrixworld.analysis.intervals import (
-    LEVEL,
-    UNIT,
-    Band,
-    Estimate,
-    band_over_runs,
-    check_level,
-    difference_of_runs,
-    does_not_vary,
-    t_quantile,
-)
+from matrixworld.analysis import intervals
+from matrixworld.analysis.intervals import LEVEL, UNIT, Band, Estimate
 from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 from matrixworld.analysis.progress import generalization, lag_profile
 from matrixworld.analysis.ratings import ELO_POINTS, elo
@@ -32,7 +24,7 @@ SEPARATE = "no interval: the scores of the two groups do not overlap"
 
 def fewest_runs(level: float = LEVEL) -> int:
     """Return the fewest runs with which intervals of scores are given: 6 at a level of 95 %."""
-    check_level(level)
+    intervals.check_level(level)
     # All n runs lie on the same side of the median with probability ``2 ** (1 - n)``, so a
     # bootstrap interval of fewer runs cannot reach the level, whatever its method.
     return max(2, math.ceil(1.0 - math.log2(1.0 - level)))
@@ -112,19 +104,19 @@ def probability_of_improvement(
     beaten, beating = wins.mean(axis=(1, 2)), wins.mean(axis=(0, 2))
     value, fewest = float(wins.mean()), min(len(first), len(second))
     missing = _too_few(fewest, level)
-    if not missing and does_not_vary(beaten) and does_not_vary(beating):
+    if not missing and intervals.does_not_vary(beaten) and intervals.does_not_vary(beating):
         missing = SEPARATE
     if missing:
         return Estimate(value, samples=fewest, note=missing)
     # The difference of the means is `value`, because the second mean is 0.
-    return difference_of_runs(beaten, beating - value, level=level, bounds=UNIT)
+    return intervals.difference_of_runs(beaten, beating - value, level=level, bounds=UNIT)
 
 
 def expanded_tail(runs: int, level: float) -> float:
     """Return the probability below the lower end of an expanded percentile interval."""
     from scipy.special import ndtr
 
-    return float(ndtr(-math.sqrt(runs / (runs - 1)) * float(t_quantile(level, runs - 1))))
+    return float(ndtr(-math.sqrt(runs / (runs - 1)) * float(intervals.t_quantile(level, runs - 1))))
 
 
 def _middle_mean(scores: Rates) -> float:
@@ -149,12 +141,14 @@ def race_bands(payoffs: ArrayLike, *, level: float = LEVEL) -> dict[str, Band]:
     By name: ``pursuer_generalization``, ``evader_ratings`` and so on, and ``lag_profile``.
     """
     matrices = check_rates(payoffs, ndim=3, what="payoff matrices (runs, n, m)")
+    over_runs = partial(intervals.band_over_runs, level=level)
     found: dict[str, Band] = {}
     for team in ("pursuers", "evaders"):
         scores = [getattr(generalization(matrix), team) for matrix in matrices]
         ratings = [ELO_POINTS * getattr(elo(matrix), team) for matrix in matrices]
-        found[f"{team[:-1]}_generalization"] = band_over_runs(scores, level=level, bounds=UNIT)
-        found[f"{team[:-1]}_ratings"] = band_over_runs(ratings, level=level)
+        found[f"{team[:-1]}_generalization"] = over_runs(scores, bounds=UNIT)
+        found[f"{team[:-1]}_ratings"] = over_runs(ratings)
     profiles = [lag_profile(matrix) for matrix in matrices]
     lags, means = profiles[0].lags, [profile.means for profile in profiles]
-    return {**found, "lag_profile": band_over_runs(means, places=lags, level=level, bounds=UNIT)}
+    found["lag_profile"] = over_runs(means, places=lags, bounds=UNIT)
+    return found

@@ -215,9 +215,8 @@ def score_command(
     found = {}
     for group in groups:
         of_runs = [played.pop(0) for _ in group.runs]
-        console.print_head(
-            f"{group.name}: {console.seeds_finished(group)}" if group.several else group.name
-        )
+        finished = f": {console.seeds_finished(group)}" if group.several else ""
+        console.print_head(f"{group.name}{finished}")
         plain: dict[str, Any] = {
             "seeds": list(group.seeds),
             "missing": list(group.missing),
@@ -283,9 +282,8 @@ def tournament_command(
     runs = (find_runs(run) if race is None else []) or [options.run_in(run, race)]
     for option, given in (("RUN2", other), ("--out", out)):
         if given is not None and len(runs) > 1:
-            raise click.UsageError(
-                f"{option}: expected one race in RUN, got {len(runs)}; --race NAME chooses one"
-            )
+            got = f"{len(runs)}; --race NAME chooses one"
+            raise click.UsageError(f"{option}: expected one race in RUN, got {got}")
     rival = None if other is None else open_run(options.run_in(other, race))
     for ours in map(open_run, runs):
         theirs = rival or ours

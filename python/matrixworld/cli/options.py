@@ -320,9 +320,8 @@ def run_in(
     if setting:
         raise click.UsageError(f"{begin}expected one run, got a directory of several: {listed}")
     if not chosen:
-        raise click.UsageError(
-            f"{path}: expected --race with one of its races, {listed}, got {race}"
-        )
+        expected = f"--race with one of its races, {listed}"
+        raise click.UsageError(f"{path}: expected {expected}, got {race}")
     others = f"the first of {len(chosen)} races; --race chooses another: {listed}"
     console.note(f"{chosen[0]}: {others}")
     return chosen[0]

@@ -161,12 +161,8 @@ def replay_command(
         every = max(1, round(played.length / (SHOWN_SECONDS * fps)))
         if every > 1:
             say(f"Every {every} steps are a frame, so that it takes about {SHOWN_SECONDS} seconds.")
-    look: dict[str, Any] = {
-        "fps": fps,
-        "step": -1 if step is None else step,
-        "numbers": numbers,
-        "viewers": view,
-    }
+    moment = -1 if step is None else step
+    look: dict[str, Any] = {"fps": fps, "step": moment, "numbers": numbers, "viewers": view}
     for path in out:
         if path.suffix.lower() == ".npz":
             played.save(path)

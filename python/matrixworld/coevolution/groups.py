@@ -5,23 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld import analysis
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis import (
-    Estimate,
-    Judgement,
-    interquartile_mean,
-    interval_over_runs,
-    judge,
-    measure_all,
-    read_payoffs,
-)
+from matrixworld.analysis import Estimate, Judgement
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.settings import RaceSettings
@@ -77,12 +70,12 @@ class RunGroup:
     def payoffs(self) -> Payoffs:
         """Payoffs of all runs."""
         rates = np.stack([run.payoff().capture_rates for run in self.runs])
-        return read_payoffs(rates, per_episode=True)
+        return analysis.read_payoffs(rates, per_episode=True)
 
     @cached_property
     def judgement(self) -> Judgement:
         """The judgement of all of them together."""
-        return judge(self.payoffs)
+        return analysis.judge(self.payoffs)
 
     @cached_property
     def singles(self) -> tuple[RunGroup, ...]:
@@ -105,10 +98,8 @@ class RunGroup:
         """
         rows = [run.summary() for run in self.runs]
         if len(rows) > 1:
-            return {
-                name: interval_over_runs([row[name] for row in rows], bounds=(0.0, math.inf))
-                for name in OF_ONE_TEAM
-            }
+            over_runs = partial(analysis.interval_over_runs, bounds=(0.0, math.inf))
+            return {name: over_runs([row[name] for row in rows]) for name in OF_ONE_TEAM}
         [row] = rows
         found = {}
         for name in OF_ONE_TEAM:
@@ -124,14 +115,15 @@ class RunGroup:
         if not self.is_race:
             return {**plain, "measures": plain_values(self.means())}
         scores = {f"{team}s": self.held_out(team) for team in TEAMS}
+        over_runs = partial(analysis.interval_over_runs, bounds=(0.0, 1.0))
         return {
             **plain,
             "judgement": self.judgement.to_json(),
-            "measures": plain_values(measure_all(self.payoffs)),
+            "measures": plain_values(analysis.measure_all(self.payoffs)),
             "held_out": {
                 team: {
-                    "mean": plain_values(interval_over_runs(each.mean(axis=1), bounds=(0.0, 1.0))),
-                    "interquartile mean": plain_values(interquartile_mean(each)),
+                    "mean": plain_values(over_runs(each.mean(axis=1))),
+                    "interquartile mean": plain_values(analysis.interquartile_mean(each)),
                 }
                 for team, each in scores.items()
             },
@@ -144,7 +136,7 @@ class RunGroup:
             return run.summary()
         return {
             **run.summary(),
-            "measures": plain_values(measure_all(self.payoffs)),
+            "measures": plain_values(analysis.measure_all(self.payoffs)),
             "judgement": self.judgement.to_json(),
             "held_out": kept_scores(self.runs)[0],
         }

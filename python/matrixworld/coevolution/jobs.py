@@ -8,6 +8,7 @@ saved.
 
 from __future__ import annotations
 
+import concurrent.futures
 import multiprocessing
 import os
 import re
@@ -15,14 +16,7 @@ import signal
 import threading
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    BrokenExecutor,
-    Executor,
-    Future,
-    ProcessPoolExecutor,
-    wait,
-)
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from multiprocessing import connection, resource_tracker
@@ -33,25 +27,10 @@ from typing import Any
 from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
 from matrixworld._util.files import DamagedFileError, sentence_of
 from matrixworld._util.imports import HAS_PROCESSES
-from matrixworld.coevolution import storage
+from matrixworld.coevolution import progress, run, storage
 from matrixworld.coevolution.learners.learner import table_length
-from matrixworld.coevolution.progress import (
-    LOG,
-    SECONDS,
-    OnEpoch,
-    Progress,
-    Report,
-    StopRun,
-    silent,
-)
-from matrixworld.coevolution.run import (
-    DisengagementWarning,
-    check_same,
-    check_sources,
-    create,
-    finish,
-    total_matches,
-)
+from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
+from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.world.policy import SCRIPTS
 
@@ -116,10 +95,8 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
 
 def found_job(root: Path) -> Job:
     """Return the job in a directory: all runs in it. Errors are those of `SavedRun.settings`."""
-    return {
-        path.relative_to(root).as_posix(): storage.SavedRun(path).settings
-        for path in storage.find_runs(root)
-    }
+    paths = storage.find_runs(root)
+    return {path.relative_to(root).as_posix(): storage.SavedRun(path).settings for path in paths}
 
 
 class FailedRunsError(RuntimeError):
@@ -242,7 +219,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
             f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
         )
     for name in found:
-        check_same(storage.SavedRun(root / name), job[name])
+        run.check_same(storage.SavedRun(root / name), job[name])
     left = {n: each for n, each in job.items() if not storage.SavedRun(root / n).finished}
     if not elsewhere:
         at_once = shares(len(left), threads)[0]
@@ -259,7 +236,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
             if not elsewhere:
                 learner.check_machine()
         if not method.is_race and not found:
-            check_sources(method)
+            run.check_sources(method)
 
 
 def run_memory(settings: RaceSettings) -> dict[str, int]:
@@ -287,11 +264,11 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
 def create_job(job: Job, root: Path) -> None:
     """Make the directories of all runs of a job, or none of them; a job that is there stays."""
     if ITSELF in job:
-        create(job[ITSELF], root)
+        run.create(job[ITSELF], root)
     elif not storage.find_runs(root):
         with storage.new_directory(root) as place:
             for name, settings in job.items():
-                create(settings, place / name)
+                run.create(settings, place / name)
 
 
 def shares(runs: int, threads: int | None) -> tuple[int, int]:
@@ -326,7 +303,7 @@ def play_job(
         with pool as players, _submitted(players, root, left, each) as futures:
             pending = {*futures}
             while pending:
-                done, pending = wait(pending, SECONDS, FIRST_COMPLETED)
+                done, pending = wait(pending, SECONDS, concurrent.futures.FIRST_COMPLETED)
                 watch.look()
                 for future in done:
                     _take(watch, futures[future], future)
@@ -345,7 +322,7 @@ def _play_here(watch: _Watch, name: str, threads: int | None) -> None:
         finish(
             watch.root / name,
             threads=threads,
-            report=lambda progress: watch.tell({name: progress}),
+            report=lambda now: watch.tell({name: now}),
             on_epoch=on_epoch and (lambda row: on_epoch({**row, **called})),
         )
         watch.end(name)
@@ -387,10 +364,10 @@ def _take(watch: _Watch, name: str, future: Future[storage.SavedRun]) -> None:
     except Exception as error:  # noqa: BLE001, of one run: the others go on
         watch.fail(name, error)
     else:
-        LOG.info("%s: ended", watch.root / name)  # its process has told it to nobody
+        progress.LOG.info("%s: ended", watch.root / name)  # its process has told it to nobody
         # The warning of the run itself stayed in its process.
         for text in numbers.get("disengagement", []):
-            warnings.warn(f"{name}: {text}", DisengagementWarning, stacklevel=4)
+            warnings.warn(f"{name}: {text}", run.DisengagementWarning, stacklevel=4)
 
 
 class _Watch:
@@ -431,15 +408,15 @@ class _Watch:
 
     def _look_at(self, name: str) -> None:
         """Take what a run has saved since the last look, and tell its epochs."""
-        run, settings = storage.SavedRun(self.root / name), self.job[name]
-        stage, stages = run.newest(), settings.schedule.n_stages
-        total = total_matches(settings, settings.schedule.entries**2 if settings.is_race else 1)
-        done = total if run.finished else min(settings.counted(run.matches(), 0), total)
+        saved, settings = storage.SavedRun(self.root / name), self.job[name]
+        stage, stages = saved.newest(), settings.schedule.n_stages
+        total = run.total_matches(settings, settings.schedule.entries**2 if settings.is_race else 1)
+        done = total if saved.finished else min(settings.counted(saved.matches(), 0), total)
         before = self._work[name].before if name in self._work else done
         what = f"stage {stage} of {stages}" if stage < stages else "tournament"
         self._work[name] = Progress(what, done, total, before)
         if self.on_epoch is not None and len(self.job) > 1:
-            for row in run.rows(self._stages.get(name, stage)):
+            for row in saved.rows(self._stages.get(name, stage)):
                 stage = row["stage"]  # it may have saved one more meanwhile
                 self.on_epoch({"run": name, "seed": settings.seed, **row})
         self._stages[name] = stage
@@ -459,9 +436,8 @@ class _Watch:
         what = f"{len(self.ended) - len(self.failures)} of {len(self.job)} runs{failed}"
         if len(self.job) == 1 and work:
             what = work[0].what
-        done, total, before = (
-            sum(getattr(each, part) for each in work) for part in ("done", "total", "before")
-        )
+        parts = ("done", "total", "before")
+        done, total, before = (sum(getattr(each, part) for each in work) for part in parts)
         self._report(Progress(what, done, max(total, 1), before))
 
 
@@ -508,7 +484,7 @@ def _begin(parent: Connection) -> None:
     """Begin a process that ends when it is stopped, or with the process that has started it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The main process warns when a run has ended, with its name.
-    warnings.simplefilter("ignore", DisengagementWarning)
+    warnings.simplefilter("ignore", run.DisengagementWarning)
     threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
 
 

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from matrixworld._util.checks import check_floats
 from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
-from matrixworld.coevolution.types import FloatArray, Indices, State
+from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
 
 __all__ = [
     "Latest",
@@ -64,9 +64,7 @@ class Opponents(Section):
         return {}
 
     @abstractmethod
-    def sample(
-        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the opponents (c,) of an epoch, all below `available`, without repetition.
 
         At least 1, at most `count` of them. `available` never falls during a run; `epoch` counts
@@ -92,9 +90,7 @@ class Latest(Opponents):
 
     kind: ClassVar[str] = "latest"
 
-    def sample(
-        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the newest opponents, the newest first."""
         return np.arange(available)[::-1][:count]
 
@@ -110,9 +106,7 @@ class Uniform(Opponents):
 
     kind: ClassVar[str] = "uniform"
 
-    def sample(
-        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return opponents in random order."""
         return rng.choice(available, size=min(count, available), replace=False)
 
@@ -129,9 +123,7 @@ class RoundRobin(Opponents):
 
     kind: ClassVar[str] = "round-robin"
 
-    def sample(
-        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the next opponents in the cycle."""
         # No more than are available, or an opponent would come twice in an epoch.
         turns = np.arange(min(count, available))
@@ -152,9 +144,7 @@ class NewestAndOlder(Opponents):
 
     kind: ClassVar[str] = "newest-and-older"
 
-    def sample(
-        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the newest opponents, the newest first, and then the older ones."""
         # Opponents 0 .. older - 1 are the older ones.
         older = max(0, available - count // 2)
@@ -167,9 +157,8 @@ def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, Fl
     """Return opponents (c,) and scores (n, c); ValueError unless they fit and are in [0, 1]."""
     index, values = np.asarray(opponents, dtype=np.intp), np.asarray(scores, dtype=np.float64)
     if values.ndim != 2 or index.shape != values.shape[1:] or not values.size:
-        raise ValueError(
-            f"scores: expected shape (n, {index.size}), at least one each, got {values.shape}"
-        )
+        expected = f"shape (n, {index.size}), at least one each"
+        raise ValueError(f"scores: expected {expected}, got {values.shape}")
     if not ((values >= 0.0) & (values <= 1.0)).all():
         raise ValueError(f"scores: expected numbers in [0, 1], got {values}")
     return index, values
@@ -237,9 +226,7 @@ class Prioritized(Opponents):
         total = weights.sum()
         return weights / total if total > 0.0 else np.full(available, 1.0 / available)
 
-    def sample(
-        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return opponents drawn by their weights, in the order of the draw."""
         probabilities = self.probabilities(state, available)
         positive = np.flatnonzero(probabilities)
@@ -261,7 +248,7 @@ class Prioritized(Opponents):
         return {"wins": wins, "games": games}
 
 
-def shared_sample(beats: ArrayLike, count: int, rng: np.random.Generator) -> Indices:
+def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
     """Return a greedy sample of opponents, each of which beats what few others in it beat.
 
     ::
@@ -305,9 +292,7 @@ class SharedSampling(Opponents):
         """Return no scores."""
         return {"beats": np.ones((0, 1))}
 
-    def sample(
-        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the sample, the strongest first."""
         return shared_sample(_known(state["beats"], available)[:available], count, rng)
 
@@ -369,9 +354,7 @@ class NashOpponents(Opponents):
         rounded = np.round(nash_averaging(payoffs).evaders, WEIGHT_DECIMALS)
         return {"payoffs": payoffs, "weights": rounded / rounded.sum()}
 
-    def sample(
-        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return opponents drawn by their weights."""
         weights = state["weights"]
         if not len(weights):

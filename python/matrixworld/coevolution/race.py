@@ -34,6 +34,7 @@ import numpy as np
 
 from matrixworld._util.checks import check_choice, check_integer
 from matrixworld.analysis.intervals import does_not_vary, t_ends
+from matrixworld.coevolution import types
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents import (
     AnyOpponents,
@@ -43,19 +44,9 @@ from matrixworld.coevolution.opponents import (
     RoundRobin,
     Uniform,
 )
-from matrixworld.coevolution.sections import Section, documented, kinds_in, setting
+from matrixworld.coevolution.sections import Section, by_race, documented, kinds_in, setting
 from matrixworld.coevolution.seeding import Phase, Purpose, learning_phase, training_seeds
-from matrixworld.coevolution.types import (
-    SEVERAL,
-    TEAMS,
-    FloatArray,
-    Genome,
-    Genomes,
-    Indices,
-    Payoff,
-    Team,
-    other,
-)
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Payoff, Team, other
 from matrixworld.play.rollout import Matches
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 
@@ -243,12 +234,8 @@ class InTurns(OfGenerations):
     }
 
     opponents: int = setting(1, "opponents of each candidate in an epoch", least=1)
-    pursuer_epochs: int = setting(
-        28, "epochs per generation in which pursuers learn", by_race=True, least=1
-    )
-    evader_epochs: int = setting(
-        58, "epochs per generation in which evaders learn", by_race=True, least=1
-    )
+    pursuer_epochs: int = by_race(28, "epochs per generation in which pursuers learn", least=1)
+    evader_epochs: int = by_race(58, "epochs per generation in which evaders learn", least=1)
 
     @property
     def name(self) -> str:
@@ -301,7 +288,7 @@ def available(team: Team, k: int) -> int:
 
 def improve(
     run: Run, team: Team, generation: int, count: int, epochs: Iterable[int], activity: str
-) -> Genome:
+) -> types.Genome:
     """Let a team learn for some epochs against `count` opponents each; return its genome.
 
     ::
@@ -330,7 +317,7 @@ def improve(
         scores = run.play_candidates(team, candidates, opponents, met, seeds)
         # Win rates, not fitness: samplers expect numbers in [0, 1].
         run.tell_sampler(team, met, table(win_rates(scores, team)))
-        opponent = int(met[0]) if len(met) == 1 else SEVERAL
+        opponent = int(met[0]) if len(met) == 1 else types.SEVERAL
         fitness = run.log_fitness(team, scores, table, generation, epoch, opponent)
         run.report(activity)
         run.tell(team, fitness, opponents, np.tile(met, n), seeds.ravel())
@@ -378,9 +365,7 @@ class AtOnce(OfGenerations):
 
     kind: ClassVar[str] = "hall-of-fame"
 
-    joint_epochs: int = setting(
-        43, "epochs per generation, in which both teams learn", by_race=True, least=1
-    )
+    joint_epochs: int = by_race(43, "epochs per generation, in which both teams learn", least=1)
     contemporaries: int = setting(2, "living opponents of each individual")
     hall_sample: int = setting(1, "opponents of each individual from the hall of fame")
 
@@ -464,7 +449,7 @@ class AtOnce(OfGenerations):
             own, opponents = getattr(pairs, team), getattr(pairs, other(team))
             rivals = everyone[other(team)]
             table = partial(table_of_individuals, own, opponents, n)
-            fitness = run.log_fitness(team, scores, table, generation, epoch, SEVERAL)
+            fitness = run.log_fitness(team, scores, table, generation, epoch, types.SEVERAL)
             if len(sampled[team]):
                 # Columns from n on are the hall of fame.
                 won = table(win_rates(scores, team))[:, n:]
@@ -474,7 +459,7 @@ class AtOnce(OfGenerations):
             run.tell(team, fitness, rivals, opponents[living], seeds[living])
         return found
 
-    def _sample_halls(self, run: Run, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
+    def _sample_halls(self, run: Run, epoch: int, rng: types.Rng) -> dict[Team, Indices]:
         """Return for each team its opponents from the other team's hall of fame."""
         if not self.hall_sample:
             return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
@@ -495,7 +480,7 @@ class Pairings(NamedTuple):
 
 
 def pairings(
-    seed_groups: Indices, contemporaries: int, hall: tuple[int, int], rng: np.random.Generator
+    seed_groups: Indices, contemporaries: int, hall: tuple[int, int], rng: types.Rng
 ) -> Pairings:
     """Return the matches of two populations of n individuals.
 
@@ -568,7 +553,7 @@ class Against(Race):
     start: str | None = setting(
         None, "run directory; start from its last generation instead of an untrained genome"
     )
-    epochs: int = setting(6000, "epochs of the run", by_race=True, least=1)
+    epochs: int = by_race(6000, "epochs of the run", least=1)
     archive_every: int = setting(
         100, "epochs between entries of the archive; each is a checkpoint", least=1
     )

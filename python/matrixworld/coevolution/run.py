@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util.checks import check_floats, check_instance, check_threads
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.progress import PATIENCE, Disengagement
-from matrixworld.coevolution import storage
+from matrixworld.coevolution import storage, types
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.fitness import Table
 from matrixworld.coevolution.learners.learner import Learner, Results
@@ -31,18 +31,7 @@ from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.sections import PluginError, different_settings
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import (
-    TEAMS,
-    FloatArray,
-    Genome,
-    Genomes,
-    Indices,
-    Payoff,
-    Seeds,
-    State,
-    Team,
-    other,
-)
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Seeds, Team, other
 from matrixworld.play.network_policy import check_fits
 from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout
 from matrixworld.world.config import WorldConfig
@@ -99,7 +88,7 @@ def create(
         return storage.SavedRun(path)
     # Everything that can be wrong is checked before the directory is made.
     storage.check_empty(path)
-    begin: Genome | None = None
+    begin: types.Genome | None = None
     archive: dict[Team, Any] = {team: [] for team in TEAMS}
     config: dict[str, Any] = {}
     if isinstance(schedule, Against):
@@ -111,7 +100,7 @@ def create(
             config["opponent_network"] = {"hidden": list(network.hidden), **shape}
         # config.json must not name opponents that were not used.
         settings = settings.changed({f"schedule.{name}": GIVEN for name in given})
-    states: dict[str, State] = {}
+    states: dict[str, types.State] = {}
     for team in settings.learning_teams:
         learner = settings.learner_of(team)
         states[team] = learner.start(settings.task(team, begin))
@@ -124,7 +113,7 @@ def create(
 
 def check_sources(
     settings: RaceSettings, opponents: Population | None = None, start: ArrayLike | None = None
-) -> tuple[TeamPolicy, Genome | None]:
+) -> tuple[TeamPolicy, types.Genome | None]:
     """Return the opponents and the genome to start from, those given or those of the settings.
 
     FileNotFoundError or ValueError if a run holds none, or if they do not fit the settings.
@@ -270,7 +259,7 @@ class Run:
         """Run one stage, as the kind of race says."""
         self.settings.schedule.learn(self, stage)
 
-    def evaluate(self) -> Payoff:
+    def evaluate(self) -> types.Payoff:
         """Play the finalists of one team against those of the other, on episodes of their own."""
         finalists = self.settings.schedule.finalists(self)
         (pursuers, g), (evaders, h) = (finalists[team] for team in TEAMS)
@@ -286,7 +275,7 @@ class Run:
             on_row=lambda played: self.report("tournament", played),
         )
 
-    def summary(self, payoff: Payoff) -> dict[str, Any]:
+    def summary(self, payoff: types.Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
         counters = {f"training_{name}": getattr(self, name) for name in storage.COUNTERS}
         return {
@@ -337,10 +326,10 @@ class Run:
         self.matches, self.steps, self.agent_steps = (
             int(counted[name]) for name in storage.COUNTERS
         )
-        self.archive: dict[Team, list[Genome]] = {
+        self.archive: dict[Team, list[types.Genome]] = {
             team: [*genomes] for team, genomes in restored.archive.items()
         }
-        self.states: dict[str, State] = restored.states
+        self.states: dict[str, types.State] = restored.states
         self.rows, self.results = [], {}
 
     # What the loop of a race works with:
@@ -367,9 +356,7 @@ class Run:
         """Return how many opponents there are."""
         return team_size(opponents)
 
-    def generator(
-        self, purpose: Purpose, team: Team, generation: int, epoch: int
-    ) -> np.random.Generator:
+    def generator(self, purpose: Purpose, team: Team, generation: int, epoch: int) -> types.Rng:
         """Return the random numbers of a team in an epoch."""
         return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
 
@@ -407,9 +394,7 @@ class Run:
         payoff = partial(self._payoff, team, episodes=episodes)
         self.states[name] = sampler.update(self.states[name], own, available, payoff)
 
-    def sample(
-        self, team: Team, available: int, count: int, epoch: int, rng: np.random.Generator
-    ) -> Indices:
+    def sample(self, team: Team, available: int, count: int, epoch: int, rng: types.Rng) -> Indices:
         """Return the opponents (c,) of a team in an epoch."""
         state = self.states[f"{team}.opponents"]
         return self.samplers[team].sample(state, available, count, epoch, rng)
@@ -419,7 +404,7 @@ class Run:
         name = f"{team}.opponents"
         self.states[name] = self.samplers[team].tell(self.states[name], met, rates)
 
-    def archive_genome(self, team: Team, genome: Genome) -> None:
+    def archive_genome(self, team: Team, genome: types.Genome) -> None:
         """Add a genome to the archive of a team; DivergedError if it is not finite."""
         self.archive[team].extend(self.population(team, genome[np.newaxis].copy()).genomes)
 
@@ -507,7 +492,7 @@ class Run:
         fitness: FloatArray,
         opponents: TeamPolicy,
         met: Indices,
-    ) -> Genome:
+    ) -> types.Genome:
         """Return the genome that enters the archive, from the last epoch of a generation.
 
         It is the learner's. With `retest_episodes` it is the best of that one and the two fittest
@@ -528,7 +513,7 @@ class Run:
         again = self.fitness(
             team, scores, lambda values: np.asarray(values.reshape(n, c, episodes).mean(axis=2))
         )
-        champion: Genome = genomes[np.argmax(again)]
+        champion: types.Genome = genomes[np.argmax(again)]
         return champion
 
     def _count_in_last_epoch(self) -> None:

@@ -73,6 +73,11 @@ def setting(
     return field(default=None if by_race else default, metadata=metadata)
 
 
+def by_race(default: Any, text: str, **limits: Any) -> Any:
+    """Return a `setting` whose default may be another one, by kind of race and learner."""
+    return setting(default, text, by_race=True, **limits)
+
+
 def documented(cls: type[AnySection]) -> type[AnySection]:
     """Add the help texts of the fields to a docstring, as its section of parameters."""
     lines = [cleandoc(cls.__doc__ or ""), "", "Parameters", "----------"]
@@ -416,11 +421,8 @@ def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
     The kind of a section has the path of the section.
     """
     for item in fields(section):
-        value, here, text = (
-            getattr(section, item.name),
-            f"{path}{item.name}",
-            item.metadata.get("help", ""),
-        )
+        value, here = getattr(section, item.name), f"{path}{item.name}"
+        text = item.metadata.get("help", "")
         if isinstance(value, Section):
             if value.kind:
                 yield here, value.kind, text

@@ -10,22 +10,13 @@ from dataclasses import dataclass, fields, replace
 from functools import cached_property, partial
 from typing import Any
 
+from matrixworld.coevolution import sections
 from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.learner import Learner, Task
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
-from matrixworld.coevolution.sections import (
-    AnySection,
-    OwnCode,
-    Section,
-    by_path,
-    documented,
-    inside,
-    kinds_in,
-    merged,
-    setting,
-)
+from matrixworld.coevolution.sections import Section, by_race, setting
 from matrixworld.coevolution.types import TEAMS, Genome, Team
 from matrixworld.world import masks
 from matrixworld.world.config import WorldConfig
@@ -42,12 +33,12 @@ RETESTED = 3
 candidates."""
 
 
-@documented
+@sections.documented
 @dataclass(frozen=True)
 class PolicySettings(Section):
     """Settings of the policy networks: both teams have one of the same shape."""
 
-    hidden: tuple[int, ...] = setting((32,), "sizes of the hidden layers", by_race=True)
+    hidden: tuple[int, ...] = by_race((32,), "sizes of the hidden layers")
     activation: str = setting(
         "relu", "activation of the hidden layers: relu or tanh", choices=("relu", "tanh")
     )
@@ -56,12 +47,8 @@ class PolicySettings(Section):
         "recurrent layer after the first hidden layer: gru (gated recurrent units) or none",
         choices=tuple(GATES),
     )
-    initial_weight: float = setting(
-        0.05, "standard deviation of untrained hidden weights", by_race=True
-    )
-    initial_head: float = setting(
-        0.1, "standard deviation of untrained output weights", by_race=True
-    )
+    initial_weight: float = by_race(0.05, "standard deviation of untrained hidden weights")
+    initial_head: float = by_race(0.1, "standard deviation of untrained output weights")
     mask: str = setting(
         "none",
         "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
@@ -71,7 +58,7 @@ class PolicySettings(Section):
     )
 
 
-@documented
+@sections.documented
 @dataclass(frozen=True)
 class RaceSettings(Section):
     """Settings of a run: a race, in which both teams learn, or one team `Against` fixed opponents.
@@ -85,7 +72,7 @@ class RaceSettings(Section):
     policy: PolicySettings = setting(PolicySettings(), "the policy networks")
     learner: BuiltInLearner | OwnLearner = setting(
         EvolutionStrategy(),
-        f"how teams learn: {', '.join(kinds_in(BuiltInLearner))} or module:object",
+        f"how teams learn: {', '.join(sections.kinds_in(BuiltInLearner))} or module:object",
     )
     evader_learner: BuiltInLearner | OwnLearner | None = setting(
         None, "how the evaders learn, where it differs; learner is then that of the pursuers"
@@ -94,7 +81,7 @@ class RaceSettings(Section):
         SCHEDULES["generalist-generalist"], "whom teams meet while they learn, and for how long"
     )
     fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
-    train_steps: int = setting(200, "maximum steps of a training episode", by_race=True, least=1)
+    train_steps: int = by_race(200, "maximum steps of a training episode", least=1)
     match_episodes: int = setting(1, "episodes of each training match", least=1)
     retest_episodes: int = setting(
         0,
@@ -102,9 +89,7 @@ class RaceSettings(Section):
         "candidates against each of their last opponents; the best one enters the archive; 0: the "
         "learner's genome does",
     )
-    evaluation_episodes: int = setting(
-        10, "evaluation episodes of each pair", by_race=True, least=1
-    )
+    evaluation_episodes: int = by_race(10, "evaluation episodes of each pair", least=1)
     seed: int = setting(0, "seed of the run", most=MOST_SEED)
 
     def check(self) -> None:
@@ -128,7 +113,7 @@ class RaceSettings(Section):
             )
         for team in self.learning_teams:
             learner = getattr(self, self.learner_path(team))
-            if not isinstance(learner, OwnCode):  # which is not imported yet
+            if not isinstance(learner, sections.OwnCode):  # which is not imported yet
                 self._check_fits(self.learner_path(team), learner)
 
     def _check_fits(self, path: str, learner: Learner) -> None:
@@ -144,7 +129,7 @@ class RaceSettings(Section):
         """Return the defaults that the kind of race and a learner state, by default `learner`."""
         return {**self.schedule.defaults, **getattr(learner or self.learner, "defaults", {})}
 
-    def _filled(self, name: str, section: AnySection) -> AnySection:
+    def _filled(self, name: str, section: sections.AnySection) -> sections.AnySection:
         """Return a section with its defaults; ValueError if these do not fit the rest of it."""
         is_learner = name in ("learner", "evader_learner")
         usual = self._defaults(section if is_learner else None)
@@ -154,7 +139,7 @@ class RaceSettings(Section):
             for item in fields(section)
             if item.metadata.get("by_race") and getattr(section, item.name) is None
         }
-        with inside(name):
+        with sections.inside(name):
             return replace(section, **empty)
 
     def _check_mask(self) -> None:
@@ -176,15 +161,11 @@ class RaceSettings(Section):
         ignored = set.intersection(*({*getattr(each, "ignores", ())} for each in learners))
         started = isinstance(self.schedule, Against) and self.schedule.start is not None
         shallow = ("activation", "memory", "initial_weight")
+        alone = self.schedule.opponents_met < 2
         rows: list[tuple[str, tuple[str, ...], bool, str]] = [
             ("policy", shallow, not self.policy.hidden, "without hidden layers"),
             ("policy", ("initial_weight", "initial_head"), started, "with a genome to start from"),
-            (
-                "fitness",
-                ("sharing",),
-                self.schedule.opponents_met < 2,
-                "with one opponent an epoch",
-            ),
+            ("fitness", ("sharing",), alone, "with one opponent an epoch"),
         ]
         kinds = " and ".join(dict.fromkeys(each.kind for each in learners))
         for path in sorted(ignored):
@@ -250,7 +231,7 @@ class RaceSettings(Section):
         learners = {}
         for path in ("learner", "evader_learner"):
             learner = getattr(self, path)
-            if isinstance(learner, OwnCode):
+            if isinstance(learner, sections.OwnCode):
                 learner = self._filled(path, learner.load())
                 self._check_fits(path, learner)
             learners[path] = learner
@@ -322,7 +303,7 @@ class RaceSettings(Section):
         ('ga', 5)
         """
         values = {item.name: getattr(self, item.name) for item in fields(self)}
-        return RaceSettings(**merged(RaceSettings, values, by_path(changes)))
+        return RaceSettings(**sections.merged(RaceSettings, values, sections.by_path(changes)))
 
     @classmethod
     def of(cls, *values: Mapping[str, Any]) -> RaceSettings:
@@ -335,5 +316,5 @@ class RaceSettings(Section):
         """
         given: dict[str, Any] = {}
         for each in values:
-            given = merged(cls, given, by_path(each))
+            given = sections.merged(cls, given, sections.by_path(each))
         return cls(**given)

@@ -133,10 +133,8 @@ class SavedRun:
     def __repr__(self) -> str:
         """Return directory, kind and seed of the run, and the size of each team's archive."""
         sizes = ", ".join(f"{team}s: {self._size(team)}" for team in self.teams)
-        kind = self.settings.schedule.name
-        return (
-            f"{type(self).__name__}({str(self.path)!r}, {kind}, seed {self.settings.seed}, {sizes})"
-        )
+        kind, seed = self.settings.schedule.name, self.settings.seed
+        return f"{type(self).__name__}({str(self.path)!r}, {kind}, seed {seed}, {sizes})"
 
     def _repr_html_(self) -> str:
         world, state = self.settings.world, "finished" if self.finished else "not finished"
@@ -271,9 +269,8 @@ class SavedRun:
         if team in settings.learning_teams:
             return Population(genomes, settings.network)
         # Opponents of a single team may come from a run with other hidden layers.
-        return Population(
-            genomes, Network.for_config(settings.world, **self.config["opponent_network"])
-        )
+        network = Network.for_config(settings.world, **self.config["opponent_network"])
+        return Population(genomes, network)
 
     def last(self, team: Team) -> TeamPolicy:
         """Return the last generation of a team, as a population of one genome, or its script."""
@@ -306,15 +303,9 @@ class SavedRun:
             Number of the episode of this pair.
         """
         g, h = self.generation("pursuer", pursuer), self.generation("evader", evader)
-        return record(
-            self.settings.world,
-            self.teams["pursuer"],
-            self.teams["evader"],
-            seed=evaluation_seed(self.settings.seed, g, h),
-            pursuer=g,
-            evader=h,
-            episode=episode,
-        )
+        world, seed = self.settings.world, evaluation_seed(self.settings.seed, g, h)
+        teams = self.teams["pursuer"], self.teams["evader"]
+        return record(world, *teams, seed=seed, pursuer=g, evader=h, episode=episode)
 
     def policy(
         self,

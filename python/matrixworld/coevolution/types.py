@@ -30,6 +30,8 @@ Seeds = NDArray[np.uint64]
 """Seeds of matches."""
 State = dict[str, NDArray[Any]]
 """All that changes in a learner or sampler, as plain arrays by name."""
+Rng = np.random.Generator
+"""What all random numbers are drawn from."""
 
 SEVERAL = -1
 """Value of `opponent` in the log of an epoch with several opponents."""

@@ -361,8 +361,6 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self.infos: dict[str, Info] = {}
         self._skip_agent_selection: str | None = None
         self._play_until_actors()
-        self._accumulate_rewards()
-        self._deads_step_first()
 
     def observe(self, agent: str) -> View:
         """Return what an agent sees after the last played turn, uint8 of shape (3, fov, fov)."""
@@ -388,8 +386,6 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
             return
         self._play_turn()
         self._play_until_actors()
-        self._accumulate_rewards()
-        self._deads_step_first()
 
     def _play_turn(self) -> None:
         # Rewards accumulate over a round in the world; an AEC step pays the difference of its turn.
@@ -403,7 +399,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
             self._note_round()
 
     def _play_until_actors(self) -> None:
-        """Play turns of agents that are gone or built in, and select those that act next."""
+        """Play turns of agents that are gone or built in, select who acts next, and pay rewards."""
         ended: list[Status] = []
         while not (actors := self._living_actors()):
             if self.world.turn == 0 and (self.world.terminated or self.world.truncated):
@@ -414,6 +410,8 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self._report(ended)
         if actors:
             self.agent_selection, *self._to_commit = actors
+        self._accumulate_rewards()
+        self._deads_step_first()
 
     def _report(self, ended: list[Status]) -> None:
         """Tell all agents the results of this round and of those that ended before it."""

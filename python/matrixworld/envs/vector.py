@@ -172,11 +172,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         mine = _of_agents(kept, self.agents)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
-        seen = (
-            (*self._views.shape[:2], -1)
-            if checks.check_bool("flatten", flatten)
-            else self._views.shape
-        )
+        shape = self._views.shape
+        seen = (*shape[:2], -1) if checks.check_bool("flatten", flatten) else shape
         self.observations: NDArray[Any] = self._views.reshape(seen)
         self.rewards: NDArray[np.float32] = mine["rewards"]
         self.terminations: NDArray[np.bool_] = mine["terminations"]
@@ -258,9 +255,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         and infos, the attributes or copies of them. RuntimeError before the first reset.
         """
         self._play(actions)
-        return self._returned(
-            (self.observations, self.rewards, self.terminations, self.truncations, self.infos)
-        )
+        ends = self.terminations, self.truncations
+        return self._returned((self.observations, self.rewards, *ends, self.infos))
 
     def _play(self, actions: ArrayLike | None) -> None:
         self._require_open("step")
@@ -304,9 +300,8 @@ def make_vec(
     **settings: Any,
 ) -> VectorEnv:
     """Make a `VectorEnv` with the names of arguments that ``gymnasium.make_vec`` uses."""
-    return VectorEnv(
-        config, num_envs, **with_limit("max_episode_steps", max_episode_steps, settings)
-    )
+    limited = with_limit("max_episode_steps", max_episode_steps, settings)
+    return VectorEnv(config, num_envs, **limited)
 
 
 class TeamView:

@@ -183,9 +183,8 @@ class Episode:
         ValueError for a name that ends otherwise than in ``.npz``, such as that of a picture.
         """
         if Path(path).suffix not in ("", ".npz"):
-            raise ValueError(
-                f"path: expected a name that ends in .npz, got {path}; replay.save writes pictures"
-            )
+            expected, hint = "a name that ends in .npz", "replay.save writes pictures"
+            raise ValueError(f"path: expected {expected}, got {path}; {hint}")
         arrays = self._arrays()
         if self.seat is not None:
             arrays["seat"] = np.array(self.seat)

@@ -159,9 +159,8 @@ class SafetyMonitor:
     def add_infos(self, infos: Mapping[str, Any]) -> None:
         """Collect the episodes that ended in a step of a `VectorEnv`, if any did."""
         if not isinstance(infos, Mapping) or not {"_episode", "episode"} <= infos.keys():
-            raise TypeError(
-                f"infos: expected those of a matrixworld.VectorEnv, got {checks.shown(infos)}"
-            )
+            expected = "those of a matrixworld.VectorEnv"
+            raise TypeError(f"infos: expected {expected}, got {checks.shown(infos)}")
         ended, statistics = infos["_episode"], infos["episode"]
         if ended.any():
             self.add(*(statistics[name][ended] for name in _COUNTED))

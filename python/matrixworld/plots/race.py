@@ -153,9 +153,7 @@ def generalization_curves(
         head = style.wrapped(name, style.room(figure, columns, 1.2))
         axes.set_title(head, size="medium", fontweight="bold")
         style.label_first([axes], ["mean score"], is_first=number % columns == 0)
-    style.legend_below(figure, style.labelled(*(axes for [axes] in panels)))
-    style.entitle(figure, title)
-    return figure
+    return style.finished(figure, style.labelled(*(axes for [axes] in panels)), title)
 
 
 def comparison(

@@ -60,10 +60,8 @@ def run_dots(
         mean = analysis.interval_over_runs(values, bounds=bounds)
         _draw_dots(axes, row, mean, np.asarray(values))
     for index, (name, level) in enumerate(style.by_name("levels", levels).items()):
-        dashes, place = (
-            style.DASHES[index % len(style.DASHES)],
-            checks.check_real(f"level {name}", level),
-        )
+        dashes = style.DASHES[index % len(style.DASHES)]
+        place = checks.check_real(f"level {name}", level)
         axes.axvline(place, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
     _label_dots(axes, each, "mean, 95% interval")
     _name_rows(figure, axes, groups, NAMES)
@@ -74,9 +72,7 @@ def run_dots(
         axes.set_xlim(min(low, -0.02), max(high, 1.02))
     style.plain_axis(axes)
     axes.grid(visible=False, axis="y")
-    style.legend_below(figure, style.labelled(axes), columns=4)
-    style.entitle(figure, title)
-    return figure
+    return style.finished(figure, style.labelled(axes), title, columns=4)
 
 
 def _draw_dots(axes: Axes, row: int, mean: analysis.Estimate, values: np.ndarray) -> None:
@@ -147,9 +143,7 @@ def run_curves(
     style.generation_axis(axes)
     style.plain_axis(axes)
     entries = style.labelled(axes)
-    style.legend_below(figure, entries, columns=4 if len(entries) <= 4 else 3)
-    style.entitle(figure, title)
-    return figure
+    return style.finished(figure, entries, title, columns=4 if len(entries) <= 4 else 3)
 
 
 SCORES = {"pursuer": "capture rate", "evader": "escape rate"}
@@ -192,14 +186,9 @@ def seed_scores(
         axes.set(xlim=(-0.02, 1.02), xlabel=SCORES[team])
         axes.set_title(f"{team}s", size="medium")
         style.plain_axis(axes)
-    _label_dots(
-        panels[0],
-        "mean of one run",
-        f"interquartile mean, 95% interval from {fewest_runs()} seeds on",
-    )
-    style.legend_below(figure, style.labelled(panels[0]), columns=2)
-    style.entitle(figure, title)
-    return figure
+    mean = f"interquartile mean, 95% interval from {fewest_runs()} seeds on"
+    _label_dots(panels[0], "mean of one run", mean)
+    return style.finished(figure, style.labelled(panels[0]), title, columns=2)
 
 
 GROUPS = 5
@@ -245,9 +234,7 @@ def seed_bands(
     for column in panels:  # all groups have the same scale of ratings
         column[1].set_ylim(min(low for low, _ in ends), max(high for _, high in ends))
     entries = style.labelled(*(column[0] for column in panels))
-    style.legend_below(figure, entries, columns=2 if columns < 3 else 4)
-    style.entitle(figure, title)
-    return figure
+    return style.finished(figure, entries, title, columns=2 if columns < 3 else 4)
 
 
 def _draw_group(column: Sequence[Axes], matrices: Rates) -> None:
@@ -335,9 +322,8 @@ def verdict_strip(
         head = style.wrapped(f"{name}: {analysis.headline(judgement)}", style.room(figure, 1.3))
         axes.set_title(head, size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
-    style.legend_below(figure, {name: Patch(**look) for name, look in LOOKS.items()}, columns=4)
-    style.entitle(figure, title)
-    return figure
+    entries = {name: Patch(**look) for name, look in LOOKS.items()}
+    return style.finished(figure, entries, title, columns=4)
 
 
 def _seeds(name: str, given: Sequence[int]) -> list[int]:

@@ -214,9 +214,8 @@ def _mean_score(race: SavedRun, team: Team, trained: SavedRun) -> float:
     """Return the mean score of the last genome of a team against all opponents of a race."""
     sides = {**race.teams, team: trained.last(team)}
     settings, episodes = race.settings, race.settings.evaluation_episodes
-    payoff = tournament(
-        settings.world, sides["pursuer"], sides["evader"], seed=settings.seed, episodes=episodes
-    )
+    teams = sides["pursuer"], sides["evader"]
+    payoff = tournament(settings.world, *teams, seed=settings.seed, episodes=episodes)
     rates = payoff.capture_rate.ravel()
     return float((rates if team == "pursuer" else 1 - rates).mean())
 
@@ -225,7 +224,6 @@ def _of_seed(name: str, runs: Sequence[SavedRun], seed: int) -> SavedRun:
     """Return the run with the seed of the race; the only one, if there is only one."""
     found = [run for run in runs if run.settings.seed == seed or len(runs) == 1]
     if len(found) != 1:
-        raise ValueError(
-            f"baseline {name}: expected one run of seed {seed}, or one in all, got {len(found)}"
-        )
+        expected = f"one run of seed {seed}, or one in all"
+        raise ValueError(f"baseline {name}: expected {expected}, got {len(found)}")
     return found[0]

@@ -154,6 +154,15 @@ def legend_below(figure: Figure, entries: Mapping[str, Artist], *, columns: int 
     )  # fmt: skip
 
 
+def finished(
+    figure: Figure, entries: Mapping[str, Artist], title: str | None, *, columns: int = 2
+) -> Figure:
+    """Return a figure with its legend below all axes, and its title above them."""
+    legend_below(figure, entries, columns=columns)
+    entitle(figure, title)
+    return figure
+
+
 def unit_axis(axes: Axes) -> None:
     """Let the vertical axis show rates from 0 to 1, with room for lines at both ends."""
     axes.set_ylim(-0.02, 1.02)

@@ -106,9 +106,7 @@ def collision_rates(
         _draw_collisions(axes, values[:, team], _TEAMS[team], colors.TEAMS[team])
     panels[0].set_ylabel("collisions per 1000 agent-steps")
     panels[0].set_ylim(bottom=0.0)
-    style.legend_below(figure, style.labelled(panels[0]), columns=3)
-    style.entitle(figure, title)
-    return figure
+    return style.finished(figure, style.labelled(panels[0]), title, columns=3)
 
 
 def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: str) -> None:

@@ -325,9 +325,8 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
     with suppress(ValueError):  # of rows of different lengths
         array = np.asanyarray(source)
     if array.ndim == 0 or array.dtype.kind in "OUS":
-        raise TypeError(
-            f"map: expected a path, rows of text or an array, got {checks.shown(source)}"
-        )
+        expected = "a path, rows of text or an array"
+        raise TypeError(f"map: expected {expected}, got {checks.shown(source)}")
     return _from_array(array)
 
 

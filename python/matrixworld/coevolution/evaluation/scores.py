@@ -17,15 +17,11 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld import analysis
 from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, load_arrays, read_json, save_json
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.analysis import (
-    Estimate,
-    interquartile_mean,
-    interval_over_runs,
-    mean_over_episodes,
-)
+from matrixworld.analysis import Estimate
 from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks, team_size
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.race import Against
@@ -188,7 +184,7 @@ class HeldOutScores(Readable):
 
     def _estimate(self, row: int, chosen: Sequence[int]) -> Estimate:
         # Episode e against each opponent is one independent sample of the mean.
-        return mean_over_episodes(self.rates[row][list(chosen)].mean(axis=0))
+        return analysis.mean_over_episodes(self.rates[row][list(chosen)].mean(axis=0))
 
     def to_json(self) -> dict[str, Any]:
         """Return everything except the single episodes as values that JSON can hold."""
@@ -221,8 +217,9 @@ def estimates_of(scores: Sequence[HeldOutScores], row: int = -1) -> dict[str, Es
         return {**{n: one.against(n, row) for n in one.opponents}, "mean": one.mean(row)}
     rates = np.array([each.rates[row].mean(axis=1) for each in scores])
     columns = {**dict(zip(scores[0].opponents, rates.T, strict=True)), "mean": rates.mean(axis=1)}
-    found = {name: interval_over_runs(each, bounds=(0.0, 1.0)) for name, each in columns.items()}
-    return {**found, "interquartile mean": interquartile_mean(rates)}
+    over_runs = partial(analysis.interval_over_runs, bounds=(0.0, 1.0))
+    found = {name: over_runs(each) for name, each in columns.items()}
+    return {**found, "interquartile mean": analysis.interquartile_mean(rates)}
 
 
 def score_table(scores: Sequence[HeldOutScores]) -> str:
@@ -354,15 +351,9 @@ def score(
     episodes = checks.check_integer("episodes", episodes, 2)
     checks.check_threads(threads)
     world = run.settings.world if steps is None else replace(run.settings.world, max_steps=steps)
-    return _scores(
-        world,
-        [_side(run, team, generation, world) for team in run.settings.learning_teams],
-        episodes=episodes,
-        seed=seed,
-        threads=threads,
-        report=report,
-        executor=executor,
-    )
+    sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
+    play: Any = {"threads": threads, "report": report, "executor": executor}
+    return _scores(world, sides, episodes=episodes, seed=seed, **play)
 
 
 def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> _Side:

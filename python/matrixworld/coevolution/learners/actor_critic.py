@@ -23,18 +23,11 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 
 from matrixworld._util.checks import shown
-from matrixworld.coevolution.learners.learner import (
-    Learner,
-    Results,
-    Task,
-    adam,
-    adam_state,
-    annealed,
-)
+from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.learners.transitions import Experience, Reals, Views
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State
+from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, Rng, State
 from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, Network
@@ -192,11 +185,11 @@ class Perceptron:
         """Make one step of Adam, at a share of the learning rate."""
         if self.fixed is not None:
             gradient = np.where(self.fixed, np.float32(0.0), gradient)
-        change, averages = adam(self.state, gradient, share * self.rate, self._prefix)
+        change, averages = learner.adam(self.state, gradient, share * self.rate, self._prefix)
         self.state = {**averages, f"{self._prefix}weights": self.weights + change}
 
 
-def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float = 1.0) -> Genome:
+def orthogonal(sizes: tuple[int, ...], rng: Rng, *, head: float = 1.0) -> Genome:
     """Return untrained weights in the layout of a genome: orthogonal matrices, and biases of 0.
 
     The last layer is scaled by `head`, the others by the square root of 2 (Saxe et al. 2014, "Exact
@@ -215,7 +208,7 @@ def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float 
 
 @documented
 @dataclass(frozen=True)
-class ActorCritic(Learner):
+class ActorCritic(learner.Learner):
     """Actor-critic: policy gradient with generalized advantage estimation.
 
     ::
@@ -277,9 +270,8 @@ class ActorCritic(Learner):
                 f"in an epoch, got {self.minibatches}"
             )
         if self.cost_rate is not None and self.cost_limit is None:
-            raise ValueError(
-                f"cost_rate: expected no value without cost_limit, got {self.cost_rate}"
-            )
+            expected = "no value without cost_limit"
+            raise ValueError(f"cost_rate: expected {expected}, got {self.cost_rate}")
 
     def check_fits(self, path: str, world: WorldConfig, network: Network) -> None:
         """Raise ValueError for networks with memory, or one critic for agents that take turns."""
@@ -296,9 +288,7 @@ class ActorCritic(Learner):
                 f"itself, got {network.memory!r}"
             )
 
-    def untrained(
-        self, network: Network, rng: np.random.Generator, *, weight: float, head: float
-    ) -> Genome:
+    def untrained(self, network: Network, rng: Rng, *, weight: float, head: float) -> Genome:
         """Return orthogonal weights: gradients vanish or explode from other beginnings."""
         return orthogonal(network.sizes, rng, head=head)
 
@@ -311,7 +301,7 @@ class ActorCritic(Learner):
         """Raise an error if PyTorch is not installed, or lacks the device here."""
         _usable_device(self.device)
 
-    def start(self, task: Task) -> State:
+    def start(self, task: learner.Task) -> State:
         """Return the multiplier, and weights and averages of Adam of actor and critics."""
         self.check_machine()
         network, cells = task.network, task.world.rows * task.world.cols
@@ -331,18 +321,18 @@ class ActorCritic(Learner):
         if task.mask is not None:
             state["fixed"] = task.mask.fixed
         for name, vector in weights.items():
-            state |= {f"{name}_weights": vector, **adam_state(vector.size, f"{name}_")}
+            state |= {f"{name}_weights": vector, **learner.adam_state(vector.size, f"{name}_")}
         return state
 
     def genome(self, state: State) -> Genome:
         """Return the weights of the actor."""
         return state["actor_weights"]
 
-    def ask(self, state: State, rng: np.random.Generator) -> tuple[Genomes, State]:
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
         """Return the actor once for each match."""
         return np.repeat(self.genome(state)[np.newaxis], self.population, axis=0), state
 
-    def tell(self, state: State, results: Results) -> State:
+    def tell(self, state: State, results: learner.Results) -> State:
         """Learn from the transitions of the matches; their fitness is for the log alone."""
         update = Update(self, state)
         update.learn(results.experience(states=self.central_critic))
@@ -368,7 +358,7 @@ class Update:
         self.multiplier = float(state["multiplier"])
         updates = int(state["actor_updates"]) // chosen.actor_updates
         # Of the learning rates, in this epoch.
-        self._share = annealed(updates, int(state["epochs"])) if chosen.anneal else 1.0
+        self._share = learner.annealed(updates, int(state["epochs"])) if chosen.anneal else 1.0
 
     def state(self) -> State:
         """Return the state after the update."""

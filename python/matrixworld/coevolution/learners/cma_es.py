@@ -12,7 +12,7 @@ from threadpoolctl import ThreadpoolController
 
 from matrixworld.coevolution.learners.learner import Learner, Results, Task, checked_fitness
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import Genome, Genomes, State
+from matrixworld.coevolution.types import Genome, Genomes, Rng, State
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network
 
@@ -67,7 +67,7 @@ class CmaEs(Learner):
             genome: Genome = state["centroid"].astype(np.float32)
         return genome
 
-    def ask(self, state: State, rng: np.random.Generator) -> tuple[Genomes, State]:
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
         """Return the samples."""
         with blas().limit(limits=1, user_api="blas"), np.errstate(all="ignore"):
             # Column by column, as LAPACK returned it: BLAS rounds differently in another order.

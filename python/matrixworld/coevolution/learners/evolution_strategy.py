@@ -8,19 +8,9 @@ from typing import ClassVar
 import numpy as np
 
 from matrixworld._util.checks import shown
-from matrixworld.coevolution.learners.learner import (
-    Learner,
-    Results,
-    Task,
-    adam,
-    adam_state,
-    annealed,
-    checked_fitness,
-    draw_windows,
-    noise_of,
-)
-from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State
+from matrixworld.coevolution.learners import learner
+from matrixworld.coevolution.sections import by_race, documented, setting
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 
 def centred_ranks(fitness: FloatArray) -> FloatArray:
@@ -37,7 +27,7 @@ def centred_ranks(fitness: FloatArray) -> FloatArray:
 
 @documented
 @dataclass(frozen=True)
-class EvolutionStrategy(Learner):
+class EvolutionStrategy(learner.Learner):
     """An evolution strategy with mirrored samples and ranks.
 
     ::
@@ -64,21 +54,15 @@ class EvolutionStrategy(Learner):
     ignores: ClassVar[tuple[str, ...]] = ()
     steps: ClassVar[tuple[str, ...]] = ("learning_rate", "sigma")
 
-    sigma: float = setting(0.1, "standard deviation of the samples", by_race=True, positive=True)
-    learning_rate: float = setting(
-        0.03, "learning rate of the optimizer", by_race=True, positive=True
-    )
+    sigma: float = by_race(0.1, "standard deviation of the samples", positive=True)
+    learning_rate: float = by_race(0.03, "learning rate of the optimizer", positive=True)
     momentum: float | None = setting(
         None, "coefficient of classical momentum, in [0, 1); default: Adam instead", most=1.0
     )
-    relative_sigma: float = setting(
-        0.4,
-        "least standard deviation, as a share of the root mean square of the genome",
-        by_race=True,
+    relative_sigma: float = by_race(
+        0.4, "least standard deviation, as a share of the root mean square of the genome"
     )
-    anneal: bool = setting(
-        False, "reduce the learning rate linearly to a tenth over the run", by_race=True
-    )
+    anneal: bool = by_race(False, "reduce the learning rate linearly to a tenth over the run")
 
     def check(self) -> None:
         """Raise ValueError for an odd population or a momentum of 1."""
@@ -92,7 +76,7 @@ class EvolutionStrategy(Learner):
         """Both candidates of a mirrored pair are one group."""
         return np.tile(np.arange(self.population // 2), 2)
 
-    def start(self, task: Task) -> State:
+    def start(self, task: learner.Task) -> State:
         """Return the mean and the state of the optimizer."""
         genome = task.genomes(1)[0]
         velocity = {"velocity": np.zeros_like(genome), "updates": np.array(0)}
@@ -100,7 +84,7 @@ class EvolutionStrategy(Learner):
             "genome": genome,
             "epochs": np.array(task.epochs),
             **task.noise_state(),
-            **(adam_state(genome.size) if self.momentum is None else velocity),
+            **(learner.adam_state(genome.size) if self.momentum is None else velocity),
         }
 
     def scale(self, state: State) -> float:
@@ -113,28 +97,27 @@ class EvolutionStrategy(Learner):
         return max(self.sigma, self.relative_sigma * length) / self.sigma
 
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
-    def ask(self, state: State, rng: np.random.Generator) -> tuple[Genomes, State]:
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
         """Return the samples: half of them, then their mirror images in the same order."""
         genome, pairs = state["genome"], self.population // 2
-        windows = draw_windows(pairs, genome.size, rng)
+        windows = learner.draw_windows(pairs, genome.size, rng)
         # Both halves are written into one array, which a rollout takes without another copy.
         candidates = np.empty((2, pairs, genome.size), dtype=np.float32)
         plus, minus = candidates
         scale = np.float32(self.scale(state))
-        for i, vector in enumerate(noise_of(state, windows, genome.size, self.sigma)):
+        for i, vector in enumerate(learner.noise_of(state, windows, genome.size, self.sigma)):
             noise = vector if scale == 1.0 else scale * vector
             np.add(genome, noise, out=plus[i])
             np.subtract(genome, noise, out=minus[i])
         return candidates.reshape(self.population, -1), {**state, "windows": windows}
 
     @np.errstate(over="ignore", invalid="ignore")
-    def tell(self, state: State, results: Results) -> State:
+    def tell(self, state: State, results: learner.Results) -> State:
         """Move the mean towards the better samples."""
         before = {name: value for name, value in state.items() if name != "windows"}
         genome, windows = state["genome"], state["windows"]
-        plus, minus = centred_ranks(checked_fitness(results.fitness, 2 * len(windows))).reshape(
-            2, -1
-        )
+        fitness = learner.checked_fitness(results.fitness, 2 * len(windows))
+        plus, minus = centred_ranks(fitness).reshape(2, -1)
         # The table's numbers are e_i times sigma, hence the square; with a larger s, too, so that
         # steps of momentum do not shrink as s grows. Those of Adam hardly change with it.
         weights = ((plus - minus) / (self.population * self.sigma**2)).astype(np.float32)
@@ -142,7 +125,7 @@ class EvolutionStrategy(Learner):
         # Term by term, not as a matrix product: the order in which BLAS adds, and with it the
         # rounding, depends on the machine.
         term = np.empty_like(gradient)
-        noise = noise_of(state, windows, genome.size, self.sigma)
+        noise = learner.noise_of(state, windows, genome.size, self.sigma)
         for weight, vector in zip(weights, noise, strict=True):
             np.multiply(weight, vector, out=term)
             gradient += term
@@ -152,10 +135,10 @@ class EvolutionStrategy(Learner):
     def _step(self, state: State, gradient: Genome) -> tuple[Genome, State]:
         """Return the change of the mean, and the state of the optimizer after it."""
         updates = int(state["updates"])
-        share = annealed(updates, int(state["epochs"])) if self.anneal else 1.0
+        share = learner.annealed(updates, int(state["epochs"])) if self.anneal else 1.0
         rate = self.learning_rate * share
         if self.momentum is None:
-            return adam(state, gradient, rate)
+            return learner.adam(state, gradient, rate)
         kept: Genome = np.float32(self.momentum) * state["velocity"]
         velocity = kept + np.float32(rate) * gradient
         return velocity, {"velocity": velocity, "updates": np.array(updates + 1)}

@@ -13,25 +13,15 @@ from typing import ClassVar
 import numpy as np
 from deap import base
 
-from matrixworld.coevolution.learners.learner import (
-    MUTATION,
-    Learner,
-    Results,
-    Task,
-    checked_fitness,
-    draw_windows,
-    noise_of,
-)
-from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State
+from matrixworld.coevolution.learners import learner
+from matrixworld.coevolution.sections import by_race, documented, setting
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 TOURNAMENT = 5
 """Individuals in a tournament, unless another number is given."""
 
 
-def select_tournament(
-    fitness: FloatArray, k: int, rng: np.random.Generator, *, size: int
-) -> Indices:
+def select_tournament(fitness: FloatArray, k: int, rng: Rng, *, size: int) -> Indices:
     """Return the parents (k,): each the fittest of `size` random entrants; size 1 is random."""
     entrants = rng.integers(0, len(fitness), size=(k, size))
     # Rows are tournaments; of equal fitness the first entrant wins, and their order is random.
@@ -40,9 +30,7 @@ def select_tournament(
     return selected
 
 
-def select_truncation(
-    fitness: FloatArray, k: int, rng: np.random.Generator, *, fraction: float
-) -> Indices:
+def select_truncation(fitness: FloatArray, k: int, rng: Rng, *, fraction: float) -> Indices:
     """Return k parents drawn evenly from the fittest `fraction` of the population, in (0, 1]."""
     survivors = fittest(fitness, max(1, round(fraction * len(fitness))))
     return survivors[rng.integers(0, len(survivors), size=k)]
@@ -54,12 +42,7 @@ def fittest(fitness: FloatArray, k: int) -> Indices:
 
 
 def mate_uniform(
-    genomes: Genomes,
-    population: Genomes,
-    mates: Indices,
-    rng: np.random.Generator,
-    *,
-    probability: float,
+    genomes: Genomes, population: Genomes, mates: Indices, rng: Rng, *, probability: float
 ) -> Genomes:
     """Turn genomes (n, genes) into children by uniform crossover, in place, and return them.
 
@@ -75,11 +58,11 @@ def mate_uniform(
     return genomes
 
 
-def mutate(genomes: Genomes, rng: np.random.Generator, *, state: State, sigma: float) -> Genomes:
+def mutate(genomes: Genomes, rng: Rng, *, state: State, sigma: float) -> Genomes:
     """Add Gaussian noise to genomes, in place, and return them."""
     # Row by row: no array holds the noise of all of them.
     genes = genomes.shape[1]
-    noise = noise_of(state, draw_windows(len(genomes), genes, rng), genes, sigma)
+    noise = learner.noise_of(state, learner.draw_windows(len(genomes), genes, rng), genes, sigma)
     for genome, change in zip(genomes, noise, strict=True):
         np.add(genome, change, out=genome)
     return genomes
@@ -87,7 +70,7 @@ def mutate(genomes: Genomes, rng: np.random.Generator, *, state: State, sigma: f
 
 @documented
 @dataclass(frozen=True)
-class GeneticAlgorithm(Learner):
+class GeneticAlgorithm(learner.Learner):
     """A generational genetic algorithm with elitism, its operators in a DEAP toolbox.
 
     ::
@@ -109,9 +92,7 @@ class GeneticAlgorithm(Learner):
     ignores: ClassVar[tuple[str, ...]] = ()
     steps: ClassVar[tuple[str, ...]] = ("mutation",)
 
-    mutation: float = setting(
-        MUTATION, "standard deviation of a mutation", by_race=True, positive=True
-    )
+    mutation: float = by_race(learner.MUTATION, "standard deviation of a mutation", positive=True)
     crossover: float = setting(0.0, "probability that a child has two parents", most=1.0)
     tournament: int | None = setting(
         None, "individuals in a tournament that selects a parent; default: 5", least=1
@@ -127,9 +108,8 @@ class GeneticAlgorithm(Learner):
     def check(self) -> None:
         """Raise ValueError if two ways to select are given, or too many elites."""
         if self.tournament is not None and self.truncation is not None:
-            raise ValueError(
-                f"tournament: expected no value beside truncation, got {self.tournament}"
-            )
+            expected = "no value beside truncation"
+            raise ValueError(f"tournament: expected {expected}, got {self.tournament}")
         if self.population is not None and self.elites >= self.population:
             raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
 
@@ -145,7 +125,7 @@ class GeneticAlgorithm(Learner):
         toolbox.register("mutate", mutate, sigma=self.mutation)
         return toolbox
 
-    def start(self, task: Task) -> State:
+    def start(self, task: learner.Task) -> State:
         """Return a population that nobody has scored yet."""
         population = task.genomes(self.population, self.mutation)
         unscored = {"fitness": np.zeros(0), "champion": np.array(0)}
@@ -157,7 +137,7 @@ class GeneticAlgorithm(Learner):
         return genome
 
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
-    def ask(self, state: State, rng: np.random.Generator) -> tuple[Genomes, State]:
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
         """Return the next population: at first as given, later elites and then children."""
         population, fitness, toolbox = state["population"], state["fitness"], self.toolbox
         if not len(fitness):
@@ -177,10 +157,10 @@ class GeneticAlgorithm(Learner):
             children[:] = mutants
         return offspring, {**state, "candidates": offspring}
 
-    def tell(self, state: State, results: Results) -> State:
+    def tell(self, state: State, results: learner.Results) -> State:
         """Make the candidates the population, with this fitness."""
         before = {name: value for name, value in state.items() if name != "candidates"}
         population = state["candidates"]
-        fitness = checked_fitness(results.fitness, len(population))
+        fitness = learner.checked_fitness(results.fitness, len(population))
         champion = np.array(np.argmax(fitness))
         return {**before, "population": population, "fitness": fitness, "champion": champion}

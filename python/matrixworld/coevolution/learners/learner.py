@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats
 from matrixworld.coevolution.learners.transitions import Experience
-from matrixworld.coevolution.sections import Section, setting
+from matrixworld.coevolution.sections import Section, by_race
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import FixedWeights
 from matrixworld.world.policy import Network
@@ -55,7 +55,7 @@ class Task:
     seed: int
     team: int
     epochs: int
-    untrained: Callable[[np.random.Generator], Genome]
+    untrained: Callable[[Rng], Genome]
     begin: Genome | None
     world: WorldConfig
     network: Network
@@ -138,14 +138,14 @@ class Learner(Section):
     steps: ClassVar[tuple[str, ...]] = ()
     """Settings that say how far the learner goes at a time: too far, if it diverges."""
 
-    population: int = setting(48, "candidates per epoch", by_race=True, least=2)
+    population: int = by_race(48, "candidates per epoch", least=2)
 
     @abstractmethod
     def start(self, task: Task) -> State:
         """Return the state before the first epoch."""
 
     @abstractmethod
-    def ask(self, state: State, rng: np.random.Generator) -> tuple[Genomes, State]:
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
         """Return the candidates (n, genes) float32 to be scored, and the state for `tell`."""
 
     @abstractmethod
@@ -173,9 +173,7 @@ class Learner(Section):
     def check_machine(self) -> None:
         """Raise ModuleNotFoundError or ValueError if this machine lacks what the learner needs."""
 
-    def untrained(
-        self, network: Network, rng: np.random.Generator, *, weight: float, head: float
-    ) -> Genome:
+    def untrained(self, network: Network, rng: Rng, *, weight: float, head: float) -> Genome:
         """Return an untrained genome; `weight` and `head` are scales of hidden and last layer."""
         return network.initial(rng, weight=weight, head=head)
 
@@ -223,7 +221,7 @@ def _table(key: tuple[int, ...], genes: int, sigma: float) -> Genome:
     return numbers
 
 
-def draw_windows(count: int, genes: int, rng: np.random.Generator) -> Indices:
+def draw_windows(count: int, genes: int, rng: Rng) -> Indices:
     """Return where the windows of `count` noise vectors begin."""
     # The last window may end with the table, hence the endpoint.
     return rng.integers(0, table_length(genes) - genes, size=count, endpoint=True)
