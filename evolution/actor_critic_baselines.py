@@ -35,7 +35,7 @@ from typing import Any
 import numpy as np
 from scipy.stats import t
 
-from common import PPO, SMALL_STEPS, Numbers, Runs, by_seed, experiment, markdown, pairs, written
+from common import PPO, SMALL_STEPS, Numbers, Runs, experiment, markdown, of_each, pairs, written
 from matrixworld.analysis import Estimate, interval_over_runs, mean_over_episodes
 from matrixworld.coevolution import RaceSettings, SavedRun, Team
 
@@ -166,13 +166,11 @@ def taught(runs: Runs, quick: bool) -> dict[str, list[RaceSettings]]:
     }
 
 
-def measured(runs: Runs, quick: bool) -> Numbers:
-    """Return captures and lengths of all test episodes, and the costs of training and test."""
-    return by_seed(runs, numbers_of)
-
-
 def numbers_of(run: SavedRun) -> dict[str, Any]:
-    """Return the numbers of a run; its seconds are those between its first and its last file."""
+    """Return captures and lengths of all test episodes of a run, and the costs of its training.
+
+    Its seconds are those between its first and its last file.
+    """
     payoff = run.payoff()
     first, last = (run.path / name for name in ("config.json", "summary.json"))
     return {
@@ -220,4 +218,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, then=taught, measure=measured, table=table, seeds=3)
+    experiment(__doc__, kinds=kinds, then=taught, measure=of_each(numbers_of), table=table, seeds=3)

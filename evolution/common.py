@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,7 @@ from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create, finish, tournament
 from matrixworld.coevolution.fitness import Table
 from matrixworld.coevolution.settings import OVERLAP_PENALTY
+from matrixworld.solve import Solution, best_response, solve
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
 
@@ -76,6 +78,8 @@ Numbers = Mapping[str, NDArray[Any]]
 """By ``"<kind> / <number>"``, the first axis is that of the seeds; others by names of their own."""
 Runs = Mapping[str, list[SavedRun]]
 """Runs of each kind, by seed."""
+Measure = Callable[[SavedRun], Mapping[str, ArrayLike]]
+"""A run -> its numbers."""
 Play = Callable[..., SavedRun]
 """As `play`: settings, directory and ``threads=`` -> the finished run."""
 
@@ -172,7 +176,7 @@ def experiment(
     write(results, measure(runs, args.quick), table)
 
 
-def by_seed(runs: Runs, measure: Callable[[SavedRun], Mapping[str, ArrayLike]]) -> dict[str, Any]:
+def by_seed(runs: Runs, measure: Measure) -> dict[str, Any]:
     """Return the numbers of each run as ``"<kind> / <number>"``, stacked over the seeds."""
     numbers = {}
     for kind, of_kind in tqdm(runs.items(), unit=" kinds", desc="measured", disable=None):
@@ -180,6 +184,11 @@ def by_seed(runs: Runs, measure: Callable[[SavedRun], Mapping[str, ArrayLike]]) 
         for number in measured[0]:
             numbers[f"{kind} / {number}"] = np.stack([each[number] for each in measured])
     return numbers
+
+
+def of_each(measure: Measure) -> Callable[[Runs, bool], Numbers]:
+    """Return what `experiment` measures if each run is measured by itself."""
+    return lambda runs, quick: by_seed(runs, measure)
 
 
 def pairs(runs: Runs, *kinds: str) -> Iterator[tuple[SavedRun, ...]]:
@@ -287,6 +296,19 @@ def scores_against(
     sides = (own, opponents) if team == "pursuer" else (opponents, own)
     rates = tournament(world, *sides, seed=seed, episodes=episodes).capture_rate
     return rates if team == "pursuer" else 1.0 - rates.T
+
+
+@cache
+def solved(world: mw.WorldConfig) -> Solution:
+    """Return the solution of a world, which all races in it share."""
+    return solve(world)
+
+
+def guaranteed(run: SavedRun, team: Team) -> NDArray[np.float64]:
+    """Return the capture rate of each generation of a team against its best response, exactly."""
+    states, policy = solved(run.settings.world).states, run.teams[team]
+    champions = (mw.Population(genome[None], policy.network) for genome in policy.genomes)
+    return np.array([best_response(states, each, team).value for each in champions])
 
 
 SIGNIFICANCE = 0.05

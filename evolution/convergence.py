@@ -28,17 +28,15 @@ for the number of rows (Holm). The last column says how much the NashConv falls 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import common
-import matrixworld as mw
 from matrixworld import analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team
-from matrixworld.solve import Solution, best_response, solve
 
 WORLD = {
     "rules": "TO", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 4, "fov": 7,
@@ -121,24 +119,12 @@ def mixtures(matrix: NDArray[np.float64], k: int) -> list[NDArray[np.float64]]:
     return [np.append(weights, rest) for weights in (nash.pursuers, nash.evaders)]
 
 
-@cache
-def solved(world: mw.WorldConfig) -> Solution:
-    """Return the solution of a world, which all races in it share."""
-    return solve(world)
-
-
 def shortfalls(run: SavedRun) -> dict[Team, NDArray[np.float64]]:
     """Return by how much what each generation of a team guarantees falls short of the value."""
-    solution = solved(run.settings.world)
-
-    def guaranteed(team: Team) -> NDArray[np.float64]:
-        policy = run.teams[team]
-        champions = (mw.Population(genome[None], policy.network) for genome in policy.genomes)
-        return np.array([best_response(solution.states, each, team).value for each in champions])
-
+    value = common.solved(run.settings.world).value
     return {
-        "pursuer": solution.value - guaranteed("pursuer"),
-        "evader": guaranteed("evader") - solution.value,
+        "pursuer": value - common.guaranteed(run, "pursuer"),
+        "evader": common.guaranteed(run, "evader") - value,
     }
 
 
@@ -152,7 +138,7 @@ def measured(runs: common.Runs, quick: bool) -> dict[str, Any]:
         **common.by_seed(
             runs, lambda run: common.kept(run.path.with_suffix(".json"), partial(numbers_of, run))
         ),
-        "value": solved(world).value,
+        "value": common.solved(world).value,
     }
 
 

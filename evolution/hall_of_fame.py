@@ -55,11 +55,6 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     }
 
 
-def measured(runs: common.Runs, quick: bool) -> common.Numbers:
-    """Return the numbers of `numbers_of` of all races."""
-    return common.by_seed(runs, numbers_of)
-
-
 def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return the numbers of `MEASURES` of one finished race."""
     matrix, scores = run.payoff().capture_rate, score(run)
@@ -103,4 +98,6 @@ def table(numbers: common.Numbers) -> str:
 
 
 if __name__ == "__main__":
-    common.experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10)
+    common.experiment(
+        __doc__, kinds=kinds, measure=common.of_each(numbers_of), table=table, seeds=10
+    )

@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from common import Numbers, Runs, by_seed, experiment, kinds_in, markdown, mean
+from common import Numbers, experiment, kinds_in, markdown, mean, of_each
 from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -55,9 +55,7 @@ SMALL = {
     "world.max_steps": 10, "train_steps": 10, "policy.hidden": (8,), "schedule.epochs": 4,
     "schedule.archive_every": 2,
 }  # fmt: skip
-PUBLISHED = {
-    "world.rewards": "published", "schedule.epochs": 5000, "policy.initial_head": 2**0.5,
-}  # fmt: skip
+PUBLISHED = {"world.rewards": "published", "schedule.epochs": 5000, "policy.initial_head": 2**0.5}
 FREE = {
     "world.rewards": mw.Rewards(pursuer_collide=0.0),
     "schedule.epochs": 2500, "policy.hidden": (64,), "learner.population": 2, "learner.clip": 0.2,
@@ -78,11 +76,6 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return the settings of each kind."""
     small = SMALL if quick else {}
     return {kind: BASE.changed({**changes, **small}) for kind, changes in KINDS.items()}
-
-
-def measured(runs: Runs, quick: bool) -> Numbers:
-    """Return the numbers of `of_run` of all runs."""
-    return by_seed(runs, of_run)
 
 
 def of_run(run: SavedRun) -> Numbers:
@@ -200,4 +193,4 @@ def course(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=tables, seeds=SEEDS)
+    experiment(__doc__, kinds=kinds, measure=of_each(of_run), table=tables, seeds=SEEDS)

@@ -122,9 +122,7 @@ EPISODES = {False: 200, True: 5}
 EVOLVED = " evolution: "
 LONG_TEST = 1e7
 """Steps of pursuers with right of way in the test of all their last generations."""
-HEADS = (
-    "capture rate", "steps", "collisions", *COLLISION_KINDS, "while training", "million steps",
-)  # fmt: skip
+HEADS = ("capture rate", "steps", "collisions", *COLLISION_KINDS, "while training", "million steps")
 FREELY, LIMIT_ALONE = "gradients: no penalty", "gradients: limit, by a multiplier"
 WALLED, MASKED = "gradients: mask of obstacles", "gradients: right of way"
 COMPARED = (

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from common import SMALL_RACE, Numbers, Runs, by_seed, experiment, markdown, mean
+from common import SMALL_RACE, Numbers, experiment, markdown, mean, of_each
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 
 MASKS = ("none", "right-of-way")
@@ -33,11 +33,6 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return default races with each of `MASKS`."""
     base = RaceSettings.of(QUICK if quick else {})
     return {mask: base.changed({"policy.mask": mask}) for mask in MASKS}
-
-
-def measured(runs: Runs, quick: bool) -> Numbers:
-    """Return the numbers of `numbers_of` of all races."""
-    return by_seed(runs, numbers_of)
 
 
 def numbers_of(run: SavedRun) -> dict[str, list[float]]:
@@ -75,4 +70,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10)
+    experiment(__doc__, kinds=kinds, measure=of_each(numbers_of), table=table, seeds=10)

@@ -26,7 +26,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +43,7 @@ from common import (
     markdown,
     scores_against,
     shown_p,
+    solved,
     written,
 )
 from matrixworld import analysis
@@ -60,7 +60,7 @@ from matrixworld.coevolution import (
     tournament,
 )
 from matrixworld.coevolution.types import other
-from matrixworld.solve import Solution, best_response, expected_payoff, solve
+from matrixworld.solve import best_response, expected_payoff
 
 RACE, YOKED = "race", "yoked race"
 EVERY = 5
@@ -232,12 +232,6 @@ def against_common(team: Team, seed: int, run: SavedRun, races: Sequence[SavedRu
     scores = scores_against(run.settings.world, team, *teams, seed=seed, episodes=EPISODES)
     first, *last = scores.mean(axis=1)
     return float(np.mean(last) - first)
-
-
-@cache
-def solved(world: mw.WorldConfig) -> Solution:
-    """Return the solution of a world, which all races in it share."""
-    return solve(world)
 
 
 def exact_rises(team: Team, run: SavedRun) -> NDArray[np.float64]:

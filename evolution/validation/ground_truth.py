@@ -40,7 +40,7 @@ seed 0 had been seen.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -54,11 +54,13 @@ from common import (
     Runs,
     by_seed,
     experiment,
+    guaranteed,
     kept,
     kinds_in,
     markdown,
     mean,
     scores_against,
+    solved,
     written,
 )
 from judgement_tables import RATE_HEADS, count_verdicts, errors_of, read_counts
@@ -66,7 +68,6 @@ from judgement_truths import WINDOWS
 from matrixworld import Capture, Interaction, Outcome, Rules, analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, score
 from matrixworld.coevolution.types import BoolArray, FloatArray, other
-from matrixworld.solve import States, best_response, solve
 
 SURROUND = Rules(Interaction.AGENT_TURNS, evader=Outcome.BOUNCE, capture=Capture.SURROUND)
 WORLDS: dict[str, dict[str, Any]] = {
@@ -139,23 +140,10 @@ def settings(world: dict[str, Any], schedule: dict[str, Any], quick: bool) -> Ra
     return RaceSettings.of(chosen | (QUICK if quick else {}))
 
 
-@cache
-def states_of(world: mw.WorldConfig) -> States:
-    """Return the states of a world, which all races share."""
-    return States(world)
-
-
-def guarantees(states: States, run: SavedRun, team: Team) -> FloatArray:
-    """Return the capture rate of each generation of a team against its best opponent, (G,)."""
-    archive: Any = run.teams[team]
-    genomes = (mw.Population(genome[None], archive.network) for genome in archive.genomes)
-    return np.array([best_response(states, genome, team).value for genome in genomes])
-
-
 def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return truth, measures and verdicts of a race that need no other race."""
-    states, payoff = states_of(run.settings.world), run.payoff()
-    pursuers, evaders = (guarantees(states, run, team) for team in TEAMS)
+    payoff = run.payoff()
+    pursuers, evaders = (guaranteed(run, team) for team in TEAMS)
     held_out = score(run, generation=None, episodes=HELD_OUT_EPISODES)
     each = [measures_of(payoff.capture_rate, team) for team in TEAMS]
     return {
@@ -163,7 +151,7 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
         **{name: [of_team[name].tolist() for of_team in each] for name in each[0]},
         "held_out": [held_out[team].rates.mean(axis=(1, 2)).tolist() for team in TEAMS],
         "verdicts": verdicts(payoff.capture_rates),
-        "value": solve(states).value,
+        "value": solved(run.settings.world).value,
     }
 
 

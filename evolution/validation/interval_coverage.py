@@ -138,11 +138,10 @@ def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping
         drawn = SCORES[scores](rates, episodes, rng)
         return {
             (name, data): linear_over_episodes(
-                drawn, lambda m, w=weights[name, size]: float(np.vdot(w, m)),
-                bounds=LINEAR[name],
+                drawn, lambda m, w=weights[name, size]: float(np.vdot(w, m)), bounds=LINEAR[name]
             )
             for name in LINEAR
-        }  # fmt: skip
+        }
 
     truths = {(name, data): float(np.vdot(weights[name, size], rates)) for name in LINEAR}
     return Simulation(size, episodes, truths, estimates)
@@ -315,13 +314,6 @@ def read_counts(path: Path) -> list[Count]:
     return [Count(r.pop("interval"), r.pop("data"), *map(int, r.values())) for r in rows]
 
 
-def write(counts: list[Count], results: Path) -> None:
-    """Write the counts and the table."""
-    results.mkdir(parents=True, exist_ok=True)
-    judgement_tables.write_counts([vars(row) for row in counts], results / "coverage.csv")
-    (results / "coverage.md").write_text(table(counts) + "\n", encoding="utf-8")
-
-
 def main() -> None:
     """Repeat all simulations, print and write the results."""
     parser = script_parser(__doc__, quick="20 repetitions of the small cases")
@@ -338,8 +330,11 @@ def main() -> None:
             # A seed for each simulation: the number of repetitions of others changes no counts.
             for row in count(simulation, repetitions, np.random.default_rng(number))
         ]
-    write(counts, args.results)
-    print(table(counts))
+    text = table(counts)
+    args.results.mkdir(parents=True, exist_ok=True)
+    judgement_tables.write_counts([vars(row) for row in counts], args.results / "coverage.csv")
+    (args.results / "coverage.md").write_text(f"{text}\n", encoding="utf-8")
+    print(text)
     print(f"\nWritten: {args.results}/coverage.md, {args.results}/coverage.csv")
 
 

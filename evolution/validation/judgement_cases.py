@@ -186,21 +186,13 @@ POWER = {
 
 
 class Source(NamedTuple):
-    """Where races come from.
-
-    Parameters
-    ----------
-    case : callable
-        (Kind, seed) -> `Case`.
-    kinds : tuple of str
-        Kinds of races.
-    share : float
-        Seeds of each kind, in units of ``--seeds``.
-    """
+    """Where races come from."""
 
     case: Callable[[str, int], Case]
+    """Kind and seed -> `Case`."""
     kinds: tuple[str, ...]
     share: float
+    """Seeds of each kind, in units of ``--seeds``."""
 
 
 SOURCES = {

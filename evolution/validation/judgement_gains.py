@@ -25,15 +25,10 @@ FIRST_SEED = 500_000
 GROUPS = 300
 RUNS = (1, 2, 3, 5, 10)
 GENERATIONS = (15, 31)
-SIZE = {
-    "noise only, .5": 1.0,
-    "drift": 1.0,
-    "fluctuation": 1.0,
-    "single jump": 1.0,
-    "common jump": 1.0,
-    "own jumps": 1.0,
-    "smooth wander": 1.0,
-}
+SIZE = dict.fromkeys((
+    "noise only, .5", "drift", "fluctuation", "single jump", "common jump", "own jumps",
+    "smooth wander",
+), 1.0)  # fmt: skip
 """Kinds without a trend, and their effect."""
 POWER = {"pure race": 0.2, "sigmoid": 0.6, "early dip": 0.6, "late onset": 0.6, "uneven pace": 0.3}
 """Kinds in which both teams gain, and their effect."""

@@ -21,20 +21,21 @@ Row = dict[str, str]
 VERDICTS = PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
 DEVELOPMENT, HELD_BACK = "development", "held back"
 
-SIZE_EDGES = {
-    "arms race": (0.02, 0.05, 0.1, 0.2, 0.3, 0.5),
-    "one-sided progress": (0.02, 0.05, 0.1, 0.2, 0.4, 0.6),
-    "stagnation": (0.0, 0.005, 0.02, 0.05, 0.1, 0.2, 0.4),
-    "rise": (0.07, 0.1, 0.15, 0.2, 0.3, 0.5),
-    "intransitivity": (0.02, 0.04, 0.08, 0.14, 0.2, 0.3),
-    "cycling": (0.3, 0.4, 0.5, 0.6, 0.8, 1.0),
-    "forgetting": (0.1, 0.15, 0.2, 0.3, 0.4, 0.6),
-    "disengagement": (0.97, 0.98, 0.985, 0.99, 0.995, 1.0),
+SIZES = {
+    "arms race": ("smaller gain of capture rate", (0.02, 0.05, 0.1, 0.2, 0.3, 0.5)),
+    "one-sided progress": ("gain of capture rate", (0.02, 0.05, 0.1, 0.2, 0.4, 0.6)),
+    "stagnation": (
+        "larger change of capture rate (0: true)",
+        (0.0, 0.005, 0.02, 0.05, 0.1, 0.2, 0.4),
+    ),
+    "rise": ("change of capture rate", (0.07, 0.1, 0.15, 0.2, 0.3, 0.5)),
+    "intransitivity": ("share of checkerboards", (0.02, 0.04, 0.08, 0.14, 0.2, 0.3)),
+    "cycling": ("similarity to the own past", (0.3, 0.4, 0.5, 0.6, 0.8, 1.0)),
+    "forgetting": ("drop of capture rate", (0.1, 0.15, 0.2, 0.3, 0.4, 0.6)),
+    "disengagement": ("payoff of the winning team", (0.97, 0.98, 0.985, 0.99, 0.995, 1.0)),
 }
-"""Edges of the bins of the figure, in the units of `judgement_truths.truths`.
-
-The last bin has no upper end.
-"""
+"""Size of an effect in words, and edges of the bins of the figure, in the units of
+`judgement_truths.truths`. The last bin has no upper end."""
 
 
 # ---- Counts --------------------------------------------------------------------------------------
@@ -85,7 +86,7 @@ def count_by_size(judgements: Iterable[dict[str, Any]]) -> list[Row]:
         still_possible = found["intransitivity"][0] is found["disengagement"][0] is False
         for condition, (holds, size, verdict) in found.items():
             if holds or (condition == "stagnation" and still_possible):
-                edges = SIZE_EDGES[condition]
+                edges = SIZES[condition][1]
                 # Effects beyond the last edge belong to the last bin.
                 place = min(int(np.searchsorted(edges, size, "right")), len(edges) - 1)
                 ends = (f"{edges[place - 1]:g}", f"{edges[place]:g}")
@@ -128,16 +129,6 @@ def totals(rows: Iterable[Row], **wanted: str) -> dict[str, int]:
 
 ALLOWED = 0.05
 """False alarms that a judgement may have, as a share."""
-SIZE_LABELS = {
-    "arms race": "smaller gain of capture rate",
-    "one-sided progress": "gain of capture rate",
-    "stagnation": "larger change of capture rate (0: true)",
-    "rise": "change of capture rate",
-    "intransitivity": "share of checkerboards",
-    "cycling": "similarity to the own past",
-    "forgetting": "drop of capture rate",
-    "disengagement": "payoff of the winning team",
-}
 
 
 # ---- Rates ---------------------------------------------------------------------------------------
@@ -357,7 +348,7 @@ def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
             points = _points([r for r in rows if r["condition"] == condition], noise, least)
             style = "--" if noise.startswith("30") else "-"
             axis.plot(*np.reshape(points, (-1, 2)).T, style, marker="o", markersize=4, label=noise)
-        axis.set(title=condition, xlabel=SIZE_LABELS[condition], ylim=(-0.03, 1.03))
+        axis.set(title=condition, xlabel=SIZES[condition][0], ylim=(-0.03, 1.03))
     for axis in axes[:, 0]:
         axis.set_ylabel('share of "present"')
     figure.legend(*axes.flat[0].get_legend_handles_labels(), ncols=6, loc="outside lower center")
