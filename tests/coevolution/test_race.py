@@ -320,8 +320,10 @@ def test_several_opponents_take_turns(tmp_path):
     assert open_run(tmp_path / "run").settings.schedule.opponent == "given as genomes"
 
 
-@pytest.mark.parametrize("learner", ["es", "ga"])
+@pytest.mark.parametrize("learner", ["es", "ga", "actor-critic"])
 def test_warm_start(learner, tmp_path):
+    if learner == "actor-critic":
+        pytest.importorskip("torch")
     first = played(tiny_single(team="evader"), tmp_path / "first")
     champion = last_generation(tmp_path / "first", "evader").genomes[0]
     assert np.array_equal(champion, first.archive()["evader"][-1])
