@@ -18,8 +18,6 @@ from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.sections import Section, hints_of, sections_in
 from matrixworld.world.config import WorldConfig
 
-# Settings
-
 NO_NUMBERS = ("1", None, [1], {}, True, np.True_, 1j, b"1")
 NO_INTEGERS = (*NO_NUMBERS, 1.5, math.nan, math.inf, 10**400)
 NO_FLOATS = (*NO_NUMBERS, math.nan, math.inf, -math.inf, 10**400)
@@ -99,9 +97,6 @@ def test_the_message_begins_with_the_path(name: str) -> None:
                 (TypeError, ValueError), match=rf"^{name}\.{item.name}.*: expected "
             ):
                 RaceSettings.of({**values, f"{name}.{item.name}": value})
-
-
-# Options and arguments of commands
 
 
 def wrong_words(kind: click.ParamType) -> list[str]:

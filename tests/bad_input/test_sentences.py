@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.coevolution import competitive_sharing
 from refusals import CONFIG, GENOME, NETWORK, SMALL, assert_refuses, kind, table, value
 
 TEAM = mw.Population(np.stack([GENOME, GENOME]), NETWORK)
@@ -52,6 +53,7 @@ VALUES = [
     kind(with_buffer("rewards", np.zeros((2, 3), ">f4")), "dtype float32 | got >f4"),
     value(with_buffer("positions", np.zeros((2, 4, 2), np.int32)), "shape (2, 3, 2) | (2, 4, 2)"),
     value(with_buffer("positions", np.zeros((2, 3, 4), "i4")[:, :, ::2]), "a writeable C | pos"),
+    value(lambda: competitive_sharing([1, 0]), "(n, m) numbers >= 0 | wins"),
     # Environments
     value(lambda: mw.VectorEnv("O", 0), "at least 1 | got 0"),
     value(lambda: mw.VectorEnv(dtype=np.float64), "uint8 or float32 | float64"),

@@ -147,9 +147,6 @@ def test_a_module_or_a_class_that_fails_is_named_with_its_error(folder):
     assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args  # noqa: S301
 
 
-# Checks: what passes, and what is found
-
-
 @pytest.mark.parametrize(
     "learner",
     [

@@ -147,9 +147,6 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
         np.testing.assert_allclose(state["weights"], mixture, atol=1e-6)
 
 
-# Champions by new matches:
-
-
 class Crowning(Run):
     def champion(self, team, generation, candidates, fitness, opponents, met):
         chosen = super().champion(team, generation, candidates, fitness, opponents, met)
@@ -200,9 +197,6 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
     assert len(set(number)) > 1  # not always the learner's own
 
 
-# At the same time:
-
-
 @pytest.mark.parametrize("groups", [1, 3, 6])
 def test_all_individuals_have_the_same_number_of_opponents(groups):
     pairs = pairings(np.tile(np.arange(groups), 6 // groups), 3, (1, 2), np.random.default_rng(0))
@@ -251,9 +245,6 @@ def test_matches_as_a_table_of_individuals():
     assert np.array_equal(
         table, [[np.nan, 3.0, np.nan, 7.0], [2.0, np.nan, 4.0, np.nan]], equal_nan=True
     )
-
-
-# One team alone:
 
 
 @pytest.mark.parametrize(("team", "against"), [("pursuer", "fleer"), ("evader", "random")])

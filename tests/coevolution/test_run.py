@@ -111,9 +111,6 @@ def test_another_seed_is_another_race() -> None:
     assert all(ours[name] != theirs[name] for name in ours)
 
 
-# What the files of a tiny race hold:
-
-
 def test_log_has_a_row_per_epoch_and_counts_matches(race: Path) -> None:
     log = open_run(race).log()
     assert log["stage"].tolist() == [1] * 2 + [2] * 3 + [3] * 2 + [4] * 3
@@ -160,9 +157,6 @@ def test_runs_are_compared_at_equal_budgets(tmp_path: Path) -> None:
     assert at == {15: (0, 0), 16: (1, 0), 39: (1, 0), 40: (1, 1)}
     assert run.generation_at("pursuer", 10**6) == run.generation_at("evader", 160) == 4
     assert run.generation_at("evader", 159) == 3
-
-
-# What a run tells:
 
 
 def test_progress_is_reported_when_asked(tmp_path: Path) -> None:

@@ -97,9 +97,6 @@ def test_a_stage_costs_the_same_in_every_generation(tmp_path):
     assert max(sizes) - min(sizes) < 100  # numbers in the log have one digit or more
 
 
-# Files of several moments beside each other:
-
-
 @pytest.fixture(scope="module", params=SETTINGS)
 def life(request, tmp_path_factory):
     parent = tmp_path_factory.mktemp(request.param)
@@ -182,9 +179,6 @@ def test_a_reader_beside_a_writer_never_fails(tmp_path):
         writer.join()
 
 
-# Damaged directories: an error that names the file, or repaired; never a wrong result.
-
-
 FILES = {
     "race": (
         ".lock", "config.json", "stage-0000.npz", "stage-0003.npz", "stage-0004.npz",
@@ -264,9 +258,6 @@ def test_another_version_s_files(copy, change, message):
         with pytest.raises(OtherVersionError, match=rf"config\.json: .*{message}"):
             read(copy)
     assert all(path.read_bytes() == content for path, content in before.items())
-
-
-# Directories that are incomplete or cannot be written to:
 
 
 @pytest.mark.parametrize("name", [".lock", "notes.txt", "stage-0000.npz"])

@@ -33,9 +33,6 @@ def held(found: Truths) -> dict[str, bool | None]:
     return {condition: truth.holds for condition, truth in found.items()}
 
 
-# Formulas
-
-
 def what_holds(kind: str, window: str = "whole", **options: float) -> list[set[bool | None]]:
     """Return, for each condition, what is true of ten races of a kind."""
     found = [truths(synthetic_races(kind, 40, seed, **options)[0], window) for seed in range(10)]
@@ -153,9 +150,6 @@ def test_rates_are_rates_and_follow_from_the_seed(kind: str) -> None:
         assert tuple(truths_of_group(runs, "whole")) == CONDITIONS
 
 
-# Toys
-
-
 @pytest.mark.parametrize("game", ["scalar", "focusing", "intransitive"])
 def test_chances_are_the_means_of_many_matches(game: str) -> None:
     history, picked = toys.numbers_game(game, 3, generations=60), np.array([0, 20, 40, 60])
@@ -219,9 +213,6 @@ def test_truths_of_histories_by_hand() -> None:
 def test_what_is_true_of_toys(name: str, condition: str, holds: bool) -> None:
     for seed in SEEDS:
         assert toy_race(name, seed).truths["last half"][condition].holds is holds
-
-
-# Counts, tables and files
 
 
 def opinion(source: np.ndarray, *, per_episode: bool = False, episodes: int | None = None) -> Any:

@@ -1,6 +1,7 @@
 """Races on maps that evolve: what is played where, what is kept, and that they resume."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from maps.race import MapRace, MapSettings
 from matrixworld import rollout
 from matrixworld.coevolution import TEAMS
 from matrixworld.solve import States, best_response
-from tiny_race import StopAt, results, tiny_race
+from tiny_race import results, stop_and_continue, tiny_race
 
 RACE = tiny_race(
     rules="TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, fov=7, max_steps=6, train_steps=6,
@@ -120,17 +121,9 @@ def test_regret_is_how_far_both_champions_fall_short(tmp_path):
     ("fitness", "call"), [("learnability", 7), ("regret", 9), ("none", 6), ("max-monte-carlo", 12)]
 )
 def test_a_stopped_race_ends_as_if_never_stopped(tmp_path, fitness, call):
-    settings = settings_of(fitness)
-    MapRace(settings, tmp_path / "straight", threads=3).run()
-    race = MapRace(settings, tmp_path / "run", threads=1, play=StopAt(call))
-    with pytest.raises(KeyboardInterrupt):
-        race.run()
-    with pytest.raises(ValueError, match="holds a race on maps of other settings"):
-        MapRace(replace(settings, edits=9), tmp_path / "run")
-    # Both ways to continue: by the same object, and by a new one.
-    if call % 2:
-        race.rollout = rollout
-        race.run()
-    else:
-        MapRace(settings, tmp_path / "run", threads=1).run()
+    make = partial(MapRace, settings_of(fitness))
+    make(tmp_path / "straight", threads=3).run()
+    stop_and_continue(make, call, tmp_path / "run")
     assert results(tmp_path / "run") == results(tmp_path / "straight")
+    with pytest.raises(ValueError, match="holds a race on maps of other settings"):
+        MapRace(settings_of(fitness, edits=9), tmp_path / "run")

@@ -34,8 +34,6 @@ from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
 from matrixworld.analysis.judge import RULES
 from matrixworld.coevolution.race import HIDES_CYCLING
 
-# What is published follows from the numbers beside it
-
 NUMBER = r"-?\d+\.\d+"
 
 
@@ -109,9 +107,6 @@ def test_what_short_races_are_said_to_hide_follows_from_published_numbers() -> N
     short = cycling(race_budgets.DEFAULT, race_budgets.DEFAULT_SAME)
     assert short in told
     assert cycling(race_budgets.LONG, race_budgets.LONG_SPREADING) in told.split(short)[1]
-
-
-# Verdicts and numbers by hand
 
 
 def yoked(p: float, low: float | None, high: float | None) -> str:
@@ -209,8 +204,6 @@ def test_phases_of_a_race_are_changes_while_one_team_learns() -> None:
         found = paper_claims.in_parts(rates, partial(paper_claims.phase, team))
         np.testing.assert_allclose(found, np.full((len(paper_claims.PARTS), 1), change))
 
-
-# Coverage of intervals
 
 COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
 SCORES = read_payoffs(np.random.default_rng(0).random((14, 14, 9)), per_episode=True)

@@ -16,8 +16,6 @@ from matrixworld import coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun
 from tiny_race import tiny_race
 
-# All scripts, each night
-
 LIBRARIES = {"common", "paper_runs"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
 WITH_TORCH = {
@@ -52,9 +50,6 @@ def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: P
     run_quickly("evolve_held_out", tmp_path, "--processes", "2", "--output", "again.npz")
     assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
     assert "| evolved-2 | " in run_quickly("evolve_held_out", tmp_path, "--table", "held_out.npz")
-
-
-# What experiments share
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
@@ -124,9 +119,6 @@ def test_an_unknown_kind_is_refused(
         played(monkeypatch, "--kinds", "race-3")
     assert "races-1-epochs, races-2-epochs, got race-3" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
-
-
-# Their own numbers
 
 
 def test_the_deap_example_scores_each_player_against_each_rival() -> None:

@@ -1,8 +1,8 @@
 """Yoked races: whom they meet, that they resume, and which races they cannot replay."""
 
 import shutil
-from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,22 +11,21 @@ import pytest
 
 from matrixworld import rollout
 from matrixworld.coevolution import TEAMS, SavedRun, available
-from tiny_race import StopAt, alternating, directory_in_memory, played, results, tiny_race
+from tiny_race import alternating, played, results, stop_and_continue, tiny_race
 from yoked_races import YokedRace
 
 SEED = tiny_race().seed
 
 
 @pytest.fixture(scope="module")
-def real() -> Iterator[SavedRun]:
+def real(tmp_path_factory: pytest.TempPathFactory) -> SavedRun:
     """A finished race."""
-    with directory_in_memory() as directory:
-        yield played(alternating("uniform"), directory / "real")
+    return played(alternating("uniform"), tmp_path_factory.mktemp("races") / "real")
 
 
 def yoked_to(run: SavedRun, directory: Path, *, seed: int = SEED + 1, **options: Any) -> YokedRace:
     """Return a race of another seed that is yoked to a run."""
-    return YokedRace(replace(run.settings, seed=seed), directory, run, threads=1, **options)
+    return YokedRace(replace(run.settings, seed=seed), directory, run, **options)
 
 
 class Watched(YokedRace):
@@ -58,9 +57,7 @@ def test_teams_meet_the_generations_of_the_other_race(real: SavedRun, tmp_path: 
 @pytest.mark.parametrize("call", [0, 7])
 def test_a_stopped_race_ends_as_if_never_stopped(real: SavedRun, tmp_path: Path, call: int) -> None:
     yoked_to(real, tmp_path / "straight").run()
-    with pytest.raises(KeyboardInterrupt):
-        yoked_to(real, tmp_path / "run", play=StopAt(call)).run()
-    yoked_to(real, tmp_path / "run").run()
+    stop_and_continue(partial(yoked_to, real), call, tmp_path / "run")
     assert results(tmp_path / "run") == results(tmp_path / "straight")
 
 

@@ -2,6 +2,7 @@
 
 import warnings
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -194,15 +195,10 @@ def assert_same_values(config: mw.WorldConfig, steps: int) -> None:
 
 
 def on_ring(rules: mw.Rules, rows: int = 3, **changes: int) -> mw.WorldConfig:
-    ground = [[0, 0, 0], [0, 1, 0], [0, 0, 0]][:rows]
+    ground = np.array([[0, 0, 0], [0, 1, 0], [0, 0, 0]][:rows], bool)
     if not rules.captures:
-        rules = mw.Rules(
-            rules.interaction, rules.obstacle, rules.teammate, rules.evader, rules.pursuer, SURROUND
-        )
-    sizes = {"n_pursuers": 2, "n_evaders": 1, **changes}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # rules that capture nobody are rules, too
-        return mw.WorldConfig(rules, obstacles=np.array(ground, bool), **sizes)
+        rules = replace(rules, capture=SURROUND)
+    return world(rules, rows=rows, cols=3, obstacles=ground, **changes)
 
 
 @pytest.mark.slow

@@ -3,10 +3,10 @@
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import fields
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -146,7 +146,13 @@ def straight(settings: RaceSettings) -> dict[str, bytes]:
 
 def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
     """Stop a run at a call of `rollout`, continue it, and compare it with one never stopped."""
-    run = begun(settings, directory, threads=1, play=StopAt(call))
+    stop_and_continue(partial(begun, settings), call, directory)
+    assert results(directory) == straight(settings)
+
+
+def stop_and_continue(make: Callable[..., Run], call: int, directory: Path) -> None:
+    """Stop a run at a call of `rollout`, and continue it."""
+    run = make(directory, threads=1, play=StopAt(call))
     with pytest.raises(KeyboardInterrupt):
         run.run()
     # Both ways to continue: by the same object, and by a new one.
@@ -154,5 +160,4 @@ def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
         run.rollout = rollout  # not `StopAt`, which would stop it again
         run.run()
     else:
-        finish(directory, threads=1)
-    assert results(directory) == straight(settings)
+        make(directory, threads=1).run()

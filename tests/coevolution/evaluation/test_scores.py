@@ -137,9 +137,6 @@ def test_opponents_that_do_not_fit_are_left_out(settings, opponents, why, tmp_pa
     assert scores["evader"].left_out.startswith(why)
 
 
-# Any policy is scored as the genomes of a run are:
-
-
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("name", ["O", "swarm-D"])
 def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: Any) -> None:

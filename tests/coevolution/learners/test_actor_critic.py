@@ -192,9 +192,6 @@ def test_it_learns_to_catch_in_a_small_world() -> None:
     assert captures() > 0.65
 
 
-# Runs: all schedules, exact resume, what it needs and refuses
-
-
 LEARNER: dict[str, Any] = {"learner": "actor-critic", "population": 3, "actor_rate": 0.01}
 
 
