@@ -1,7 +1,6 @@
 """Kinds of races: whom teams meet and on which seeds, champions, and one team alone."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,6 +15,7 @@ from matrixworld.coevolution.storage import last_generation
 from matrixworld.coevolution.types import other
 from matrixworld.world.policy import Network
 from tiny_race import (
+    Listening,
     StopAt,
     alternating,
     begun,
@@ -25,17 +25,6 @@ from tiny_race import (
     tiny_race,
     tiny_single,
 )
-
-
-class Listening:
-    """Plays matches like `rollout`, and keeps what it was asked for."""
-
-    def __init__(self) -> None:
-        self.calls: list[Any] = []
-
-    def __call__(self, config, pursuers, evaders, matches, **options):
-        self.calls.append((config, pursuers, evaders, matches, options["episodes"]))
-        return rollout(config, pursuers, evaders, matches, **options)
 
 
 @pytest.mark.parametrize(
@@ -66,9 +55,9 @@ def test_training_matches_are_those_of_the_log(tmp_path):
     archive, log = run.archive(), run.log()
     rows = zip(log["generation"], log["team"], log["opponent"], listening.calls, strict=False)
     for generation, team, opponent, call in rows:
-        config, pursuers, evaders, matches, episodes = call
+        config, pursuers, evaders, matches, scores = call
         learning, still = (pursuers, evaders) if team == "pursuer" else (evaders, pursuers)
-        assert (config.max_steps, episodes, learning.genomes.shape[0]) == (8, 2, 4)
+        assert (config.max_steps, scores.length.shape[1], learning.genomes.shape[0]) == (8, 2, 4)
         met = matches.evader if team == "pursuer" else matches.pursuer
         assert set(met.tolist()) == {opponent}
         assert np.array_equal(still.genomes, archive[other(team)][: len(still.genomes)])

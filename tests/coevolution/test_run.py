@@ -22,6 +22,7 @@ from matrixworld.coevolution.run import total_matches
 from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.coevolution.seeding import evaluation_seed
 from tiny_race import (
+    Listening,
     StopAt,
     alternating,
     check_resumes,
@@ -85,17 +86,10 @@ def test_a_stopped_run_ends_as_if_never_stopped(name: str, call: int, tmp_path: 
 
 @pytest.mark.parametrize("name", RUNS)
 def test_matches_are_counted_predicted_and_logged(name: str, tmp_path: Path) -> None:
-    games = 0
-
-    def counting(*args: Any, **options: Any) -> Any:
-        nonlocal games
-        scores = rollout(*args, **options)
-        games += scores.length.size
-        return scores
-
-    settings = RUNS[name][0]
-    run = played(settings, tmp_path / "run", play=counting)
+    settings, listening = RUNS[name][0], Listening()
+    run = played(settings, tmp_path / "run", play=listening)
     evaluated = run.payoff().lengths.size
+    games = sum(scores.length.size for *_, scores in listening.calls)
     training, summary, log = games - evaluated, run.summary(), run.log()
     assert (summary["training_matches"], summary["evaluation_matches"]) == (training, evaluated)
     assert log["matches"][-1] == run.matches() == training

@@ -11,10 +11,9 @@ import matrixworld as mw
 from course.boards import playable
 from maps.archive import MAP_FITNESS
 from maps.race import MapRace, MapSettings
-from matrixworld import rollout
 from matrixworld.coevolution import TEAMS
 from matrixworld.solve import States, best_response
-from tiny_race import results, stop_and_continue, tiny_race
+from tiny_race import Listening, results, stop_and_continue, tiny_race
 
 RACE = tiny_race(
     rules="TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, fov=7, max_steps=6, train_steps=6,
@@ -39,16 +38,9 @@ class Watched(MapRace):
 
 def played(settings: MapSettings, directory: Any) -> tuple[list[Any], list[Any], MapRace]:
     """Return the arguments and scores of all matches, the maps of each generation, and the race."""
-    calls: list[Any] = []
-
-    def play(config: Any, pursuers: Any, evaders: Any, matches: Any, **options: Any) -> Any:
-        scores = rollout(config, pursuers, evaders, matches, **options)
-        calls.append((config, pursuers, evaders, scores))
-        return scores
-
-    race = Watched(settings, directory, play=play)
+    race = Watched(settings, directory, play=Listening())
     race.run()
-    return calls, race.archives, race
+    return race.rollout.calls, race.archives, race
 
 
 @pytest.mark.parametrize("fitness", MAP_FITNESS)
@@ -100,7 +92,7 @@ def test_the_best_of_old_and_new_maps_are_kept(tmp_path, fitness):
             for t, team in enumerate(TEAMS)
         )
         every = {}
-        for world, _, _, scores in scored:
+        for world, *_, scores in scored:
             key = world.map.tobytes()
             every[key] = slow_scores(fitness, scores, known.setdefault(key, ([], [])))
         slow = sorted(every.values(), reverse=True)[: len(archive["scores"])]

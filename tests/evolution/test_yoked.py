@@ -3,15 +3,15 @@
 import shutil
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from matrixworld import rollout
 from matrixworld.coevolution import TEAMS, SavedRun, available
-from tiny_race import alternating, played, results, stop_and_continue, tiny_race
+from tiny_race import Listening, alternating, played, results, stop_and_continue, tiny_race
 from yoked_races import YokedRace
 
 SEED = tiny_race().seed
@@ -28,30 +28,18 @@ def yoked_to(run: SavedRun, directory: Path, *, seed: int = SEED + 1, **options:
     return YokedRace(replace(run.settings, seed=seed), directory, run, **options)
 
 
-class Watched(YokedRace):
-    """A race that lists, stage by stage, the genomes of both teams in its matches."""
-
-    def learn(self, stage: int) -> None:
-        self.met: list[list[Any]] = [*getattr(self, "met", []), []]
-        super().learn(stage)
-
-
 def test_teams_meet_the_generations_of_the_other_race(real: SavedRun, tmp_path: Path) -> None:
-    def play(config: Any, pursuers: Any, evaders: Any, matches: Any, **options: Any) -> Any:
-        run.met[-1].append((pursuers.genomes, evaders.genomes))
-        return rollout(config, pursuers, evaders, matches, **options)
-
-    settings = replace(real.settings, seed=SEED + 1)
-    run = Watched(settings, tmp_path / "run", real, threads=1, play=play)
-    archive = run.run().archive()
-    for stage, met in enumerate(run.met):
+    listening, schedule = Listening(), real.settings.schedule
+    archive = yoked_to(real, tmp_path / "run", play=listening).run().archive()
+    calls = iter(listening.calls)
+    for stage in range(schedule.n_stages):
         team, other = TEAMS[stage % 2], 1 - stage % 2
         theirs = real.teams[TEAMS[other]].genomes[: available(team, 1 + stage // 2)]
-        epochs = met[: real.settings.schedule.epochs(team)]
-        assert all(np.array_equal(genomes[other], theirs) for genomes in epochs)
+        for call in islice(calls, schedule.epochs(team)):
+            assert np.array_equal(call[1 + other].genomes, theirs)
         own = archive[team][1 + stage // 2]
         assert not (own == real.teams[team].genomes).all(axis=1).any()
-    assert stage + 1 == settings.schedule.n_stages
+    assert len([*calls]) == len(archive["pursuer"])  # rows of the evaluation
 
 
 @pytest.mark.parametrize("call", [0, 7])

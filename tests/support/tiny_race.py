@@ -125,6 +125,18 @@ def directory_in_memory() -> Iterator[Path]:
         yield Path(directory)
 
 
+class Listening:
+    """Plays matches like `rollout`, and keeps what it was asked for, and the scores."""
+
+    def __init__(self) -> None:
+        self.calls: list[Any] = []
+
+    def __call__(self, config: Any, pursuers: Any, evaders: Any, matches: Any, **more: Any) -> Any:
+        scores = rollout(config, pursuers, evaders, matches, **more)
+        self.calls.append((config, pursuers, evaders, matches, scores))
+        return scores
+
+
 class StopAt:
     """Plays matches like `rollout`, but raises KeyboardInterrupt at a given call."""
 
