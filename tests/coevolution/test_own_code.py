@@ -202,8 +202,12 @@ def forgets(self, state, results):
     return {**HillClimber.tell(self, state, results), "sigma": np.array(type(self).kept)}
 
 
+def samples(*chosen):
+    return changed(Oldest, sample=lambda *_: np.array(chosen, np.intp))
+
+
 @pytest.mark.parametrize(
-    ("learner", "message"),
+    ("broken", "message"),
     [
         (
             changed(ask=draws_otherwise),
@@ -220,28 +224,14 @@ def forgets(self, state, results):
         (changed(genome=lambda self, state: state["genome"][:3]), "genome: expected an array of"),
         (changed(seed_groups=np.arange(4) // 3), "seed_groups: expected 4 numbers of groups fr"),
         (changed(start=lambda self, task: [1]), "state: expected a dict of arrays, got"),
-    ],
-)
-def test_a_broken_promise_of_a_learner_is_named(learner, message):
-    with pytest.raises(PluginError, match=f"^{message}"):
-        check_learner(learner)
-
-
-def samples(*chosen):
-    return changed(Oldest, sample=lambda *_: np.array(chosen, np.intp))
-
-
-@pytest.mark.parametrize(
-    ("sampler", "message"),
-    [
         (samples(1), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[1\]"),
         (samples(0, 0), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[0 0\]"),
         (samples(), r"sample: expected .* got \[\]"),
     ],
 )
-def test_a_broken_promise_of_a_sampler_is_named(sampler, message):
+def test_a_broken_promise_is_named(broken, message):
     with pytest.raises(PluginError, match=f"^{message}"):
-        check_sampler(sampler)
+        (check_learner if isinstance(broken, HillClimber) else check_sampler)(broken)
 
 
 def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
