@@ -4,7 +4,6 @@ import inspect
 import re
 from collections.abc import Callable, Iterator
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -187,9 +186,7 @@ def parameters() -> Iterator[Any]:
 
 @pytest.mark.filterwarnings("ignore::UserWarning", "ignore::RuntimeWarning")
 @pytest.mark.parametrize(("call", "parameter"), list(parameters()))
-def test_a_malformed_value_is_a_value_or_type_error(
-    call: partial[object], parameter: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_malformed_value_is_a_value_or_type_error(call, parameter, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     name = call.func.__qualname__
     # None: as if it were not given.

@@ -124,9 +124,7 @@ PARAMETERS = [
 
 
 @pytest.mark.parametrize(("command", "param"), PARAMETERS)
-def test_a_bad_word_is_refused_by_the_name_of_its_option(
-    command: click.Command, param: click.Parameter
-) -> None:
+def test_a_bad_word_is_refused_by_the_name_of_its_option(command, param):
     for word in wrong_words(param.type):
         words = ["--", word] if isinstance(param, click.Argument) else [f"{param.opts[0]}={word}"]
         with pytest.raises(click.UsageError) as caught:

@@ -175,9 +175,7 @@ def test_a_logger_is_told_where_a_run_is(tmp_path: Path, caplog: Any) -> None:
     [hall_of_fame(seed=2, generations=2), tiny_single(seed=3, learner="ga"), tiny_race(**RETEST)],
     ids=["hall-of-fame", "single", "retest"],
 )
-def test_a_callback_is_told_each_epoch_can_stop_the_run_and_changes_no_byte(
-    settings: Any, tmp_path: Path
-) -> None:
+def test_a_callback_is_told_each_epoch_can_stop_the_run_and_changes_no_byte(settings, tmp_path):
     expected = played(settings, tmp_path / "without").rows(0)
     rows: list[dict[str, Any]] = []
 

@@ -3,7 +3,7 @@
 import json
 import sys
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
+from dataclasses import is_dataclass
 from pathlib import Path
 from typing import Any
 
@@ -24,15 +24,11 @@ class Enough(Exception):  # noqa: N818, it is no error
 
 def values_in(given: Any) -> Iterator[Any]:
     yield given
-    parts: Any = ()
-    if isinstance(given, dict):
-        parts = given.values()
-    elif isinstance(given, list | tuple):
-        parts = given
-    elif is_dataclass(given) and not isinstance(given, type):
-        parts = [getattr(given, item.name, None) for item in fields(given)]
-    for part in parts:
-        yield from values_in(part)
+    if is_dataclass(given) and not isinstance(given, type):
+        given = vars(given)
+    if isinstance(given, dict | list | tuple):
+        for part in given.values() if isinstance(given, dict) else given:
+            yield from values_in(part)
 
 
 def passed(code: Any, arguments: dict[str, Any], value: float) -> bool:

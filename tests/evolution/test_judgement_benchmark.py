@@ -4,7 +4,6 @@ import sys
 from collections.abc import Callable
 from functools import cache
 from operator import itemgetter
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -71,9 +70,7 @@ def toy_race(name: str, seed: int) -> Any:
         ("period 2", "whole", [ANY, ANY, ANY, T, T, ANY, ANY]),
     ],
 )
-def test_what_is_true_of_kinds(
-    kind: str, window: str, expected: list[set[bool | None] | None]
-) -> None:
+def test_what_is_true_of_kinds(kind, window, expected):
     # Whether the played strength rises in a steady way depends on the nuisance parameters.
     known = dict(zip(CONDITIONS, what_holds(kind, window), strict=True))
     del known["rise"]
@@ -251,9 +248,7 @@ def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> 
 
 
 @pytest.mark.nightly
-def test_quick_benchmark_writes_tables_that_follow_from_counts(
-    run: Callable[..., str], tmp_path: Path
-) -> None:
+def test_quick_benchmark_writes_tables_that_follow_from_counts(run, tmp_path):
     told = run("--quick", "--results", tmp_path)
     assert told.startswith(read(tmp_path / "errors.md"))
     assert tables.report_of(tmp_path) == read(tmp_path / "errors.md")
@@ -275,9 +270,7 @@ def test_quick_benchmark_writes_tables_that_follow_from_counts(
 
 
 @pytest.mark.nightly
-def test_an_interrupted_benchmark_continues(
-    run: Callable[..., str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interrupted_benchmark_continues(run, tmp_path, monkeypatch):
     options = ("--seeds", 2, "--development", "--results", tmp_path)
     whole = run(*options)
     file = tmp_path / "judgements.jsonl"

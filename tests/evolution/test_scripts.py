@@ -85,12 +85,7 @@ def played(monkeypatch: pytest.MonkeyPatch, *options: str, **others: Any) -> Non
     )
 
 
-def test_an_experiment_keeps_numbers_by_kind_and_seed(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    no_processes: None,
-) -> None:
+def test_an_experiment_keeps_numbers_by_kind_and_seed(tmp_path, monkeypatch, capsys, no_processes):
     monkeypatch.chdir(tmp_path)
     played(monkeypatch, "--kinds", "races-2")
     assert capsys.readouterr().out.startswith("races, 2 epochs\n")
@@ -111,9 +106,7 @@ def test_an_experiment_keeps_numbers_by_kind_and_seed(
     assert read(tmp_path / "script/table.md").startswith("races, 2 epochs")
 
 
-def test_an_unknown_kind_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_unknown_kind_is_refused(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit):
         played(monkeypatch, "--kinds", "race-3")

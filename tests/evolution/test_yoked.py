@@ -50,9 +50,7 @@ def test_a_stopped_race_ends_as_if_never_stopped(real: SavedRun, tmp_path: Path,
 
 
 @pytest.mark.parametrize("changes", [{"seed": SEED}, {"world.rows": 7}])
-def test_a_race_that_does_not_fit_is_refused(
-    real: SavedRun, tmp_path: Path, changes: dict[str, Any]
-) -> None:
+def test_a_race_that_does_not_fit_is_refused(real, tmp_path, changes):
     settings = real.settings.changed({"seed": SEED + 1, **changes})
     with pytest.raises(ValueError, match="real: expected a finished race of these settings"):
         YokedRace(settings, tmp_path / "run", real)

@@ -225,9 +225,7 @@ def test_a_central_critic_sees_no_turns() -> None:
         HALL.changed({"world.rules": "TO", "learner.central_critic": True})
 
 
-def test_a_device_that_is_missing_is_refused_before_anything_is_written(
-    torch, tmp_path: Path
-) -> None:
+def test_a_device_that_is_missing_is_refused_before_anything_is_written(torch, tmp_path):
     with pytest.raises(ValueError, match="^device: expected"):
         create(tiny_race(**LEARNER, device="tpu9"), tmp_path / "run")
     assert not (tmp_path / "run").exists()
