@@ -4,7 +4,6 @@ import inspect
 import re
 from collections.abc import Callable, Iterator
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,8 +16,7 @@ from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
 from matrixworld.play.rollout import match_seed
 from matrixworld.world import render
-from refusals import CONFIG, GENOME, NETWORK
-from rows import random_walks
+from rows import random_genome, random_walks
 from tiny_race import tiny_race, tiny_single
 
 MALFORMED = {
@@ -38,6 +36,9 @@ MALFORMED = {
 SAID = "expected|iterable|null byte|string conversion|truth value|missing|update sequence"
 """What messages say: what was expected, or in Python's words what a value cannot do."""
 
+CONFIG = mw.WorldConfig(rows=3, cols=4, n_pursuers=2, n_evaders=1, fov=5)
+NETWORK = mw.Network.for_config(CONFIG, (4,))
+GENOME = random_genome(NETWORK, 0)
 TEAM = mw.Population(GENOME, NETWORK)
 MATCH = mw.Matches.of(0, 0, 0)
 EPISODE = random_walks(steps=3)
@@ -185,9 +186,7 @@ def parameters() -> Iterator[Any]:
 
 @pytest.mark.filterwarnings("ignore::UserWarning", "ignore::RuntimeWarning")
 @pytest.mark.parametrize(("call", "parameter"), list(parameters()))
-def test_a_malformed_value_is_a_value_or_type_error(
-    call: partial[object], parameter: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_malformed_value_is_a_value_or_type_error(call, parameter, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     name = call.func.__qualname__
     # None: as if it were not given.

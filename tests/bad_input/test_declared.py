@@ -18,8 +18,6 @@ from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.sections import Section, hints_of, sections_in
 from matrixworld.world.config import WorldConfig
 
-# Settings
-
 NO_NUMBERS = ("1", None, [1], {}, True, np.True_, 1j, b"1")
 NO_INTEGERS = (*NO_NUMBERS, 1.5, math.nan, math.inf, 10**400)
 NO_FLOATS = (*NO_NUMBERS, math.nan, math.inf, -math.inf, 10**400)
@@ -101,9 +99,6 @@ def test_the_message_begins_with_the_path(name: str) -> None:
                 RaceSettings.of({**values, f"{name}.{item.name}": value})
 
 
-# Options and arguments of commands
-
-
 def wrong_words(kind: click.ParamType) -> list[str]:
     """Return words that a parameter of a type must not have."""
     if isinstance(kind, click.Choice):
@@ -129,9 +124,7 @@ PARAMETERS = [
 
 
 @pytest.mark.parametrize(("command", "param"), PARAMETERS)
-def test_a_bad_word_is_refused_by_the_name_of_its_option(
-    command: click.Command, param: click.Parameter
-) -> None:
+def test_a_bad_word_is_refused_by_the_name_of_its_option(command, param):
     for word in wrong_words(param.type):
         words = ["--", word] if isinstance(param, click.Argument) else [f"{param.opts[0]}={word}"]
         with pytest.raises(click.UsageError) as caught:

@@ -1,5 +1,6 @@
 """Mistakes that users make first: the exception, what was expected; and nothing has changed."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -7,13 +8,44 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from refusals import CONFIG, GENOME, NETWORK, SMALL, assert_refuses, kind, table, value
+from matrixworld.coevolution import competitive_sharing
+from rows import random_genome
 
+SMALL = {"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1}
+CONFIG = mw.WorldConfig(**SMALL, fov=5)
+NETWORK = mw.Network.for_config(CONFIG, (4,))
+GENOME = random_genome(NETWORK, 0)
 TEAM = mw.Population(np.stack([GENOME, GENOME]), NETWORK)
 MATCH = mw.Matches.of(0, 0, 0)
 SPOILT = TEAM.genomes.copy()
 SPOILT[1, 17] = np.nan
 DIAGONAL = mw.WorldConfig(**SMALL, fov=5, diagonal=True)
+
+
+def value(call: Any, says: str) -> Any:
+    """Return a case of a wrong value; `says` is ``"expected part | got part"`` of the message."""
+    return pytest.param(call, ValueError, says, id=says)
+
+
+def kind(call: Any, says: str) -> Any:
+    """Return a case of a value of a wrong type."""
+    return pytest.param(call, TypeError, says, id=says)
+
+
+def table(cases: list[Any]) -> pytest.MarkDecorator:
+    return pytest.mark.parametrize(("call", "error", "says"), cases)
+
+
+def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -> None:
+    """Check the type of the exception, and both parts of its message."""
+    expected, received = says.split(" | ")
+    with pytest.raises(error) as caught:
+        call()
+    message = str(caught.value)
+    # A subclass could be an accident, such as UnicodeDecodeError.
+    assert type(caught.value) is error
+    assert f"expected {expected}" in message, message
+    assert received in message, message
 
 
 def config(**field: Any) -> Any:
@@ -23,6 +55,11 @@ def config(**field: Any) -> Any:
 
 def with_buffer(name: str, array: Any) -> Any:
     return lambda: mw.Batch(2, CONFIG, buffers={name: array})
+
+
+def score(**arguments: Any) -> Any:
+    usual = {"policy": lambda seen: [0] * len(seen), "team": "pursuer", "episodes": 2}
+    return lambda: mw.score_policy(config=CONFIG, **{**usual, **arguments})
 
 
 VALUES = [
@@ -52,6 +89,11 @@ VALUES = [
     kind(with_buffer("rewards", np.zeros((2, 3), ">f4")), "dtype float32 | got >f4"),
     value(with_buffer("positions", np.zeros((2, 4, 2), np.int32)), "shape (2, 3, 2) | (2, 4, 2)"),
     value(with_buffer("positions", np.zeros((2, 3, 4), "i4")[:, :, ::2]), "a writeable C | pos"),
+    value(lambda: competitive_sharing([1, 0]), "(n, m) numbers >= 0 | wins"),
+    value(score(episodes=1), "at least 2 | got 1"),
+    value(score(policy=lambda seen: 1), "shape | actions of the policy"),
+    value(score(opponents={"mad": "mad"}), "one of random | opponents"),
+    value(score(opponents={}), "at least one | got none"),
     # Environments
     value(lambda: mw.VectorEnv("O", 0), "at least 1 | got 0"),
     value(lambda: mw.VectorEnv(dtype=np.float64), "uint8 or float32 | float64"),

@@ -1,13 +1,11 @@
 """Sizes that cannot be are refused before anything is written: a job's memory, pictures."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import matrixworld as mw
 from matrixworld._util import checks
-from matrixworld.coevolution import RaceSettings, evolve
+from matrixworld.coevolution import evolve
 from matrixworld.episodes import replay
 from rows import random_walks
 from tiny_race import tiny_race
@@ -24,9 +22,7 @@ TOO_LARGE = {
 
 
 @pytest.mark.parametrize("settings", TOO_LARGE.values(), ids=TOO_LARGE)
-def test_a_job_that_is_too_large_is_refused_with_an_estimate(
-    settings: RaceSettings, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_job_that_is_too_large_is_refused_with_an_estimate(settings, tmp_path, monkeypatch):
     monkeypatch.setattr(checks, "available_memory", lambda: GB // 2)
     with pytest.raises(checks.OutOfMemoryError, match="expected .*at most 0.5 GB.* got .* GB"):
         evolve(settings, tmp_path / "job")
@@ -44,9 +40,7 @@ def test_what_else_is_too_large_fails_as_in_numpy() -> None:
 
 
 @pytest.mark.parametrize("suffix", [".gif", ".mp4"])
-def test_animations_have_a_largest_size(
-    tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_animations_have_a_largest_size(tmp_path, suffix, monkeypatch):
     monkeypatch.setattr(replay, "MOST_ANIMATED", 10**6)
     with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
         replay.save(random_walks(), tmp_path / f"x{suffix}")

@@ -61,11 +61,6 @@ def test_each_beaten_opponent_is_worth_one(wins):
     assert fitness.sum() == pytest.approx(np.count_nonzero(np.any(np.array(wins) > 0, axis=0)))
 
 
-def test_bad_wins_are_refused():
-    with pytest.raises(ValueError, match=r"^wins: expected \(n, m\) numbers >= 0"):
-        competitive_sharing([1, 0])
-
-
 def test_opponents_that_were_not_met_do_not_count():
     nan = np.nan
     payoff = np.array([[1.0, 0.0, nan], [1.0, nan, 0.5], [0.0, 0.0, nan]])
@@ -109,9 +104,6 @@ def test_a_limit_decides_the_fitness_of_a_run(tmp_path) -> None:
     )
     assert (rates <= limit).sum() == 4
     np.testing.assert_allclose(limited, feasible_first(plain, rates - limit))
-
-
-# ---- Seeds of training matches, against numpy.random.SeedSequence ----
 
 
 LARGEST = 2**64 - 1

@@ -4,7 +4,6 @@ import os
 import pickle
 import sys
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -27,16 +26,7 @@ from matrixworld.coevolution import (
 from matrixworld.coevolution.learners import OwnLearner
 from matrixworld.coevolution.opponents import OwnOpponents
 from own_code import Crash, Fails, Hardest, HillClimber, InPlace, Oldest
-from tiny_race import (
-    StopAt,
-    alternating,
-    check_resumes,
-    hall_of_fame,
-    played,
-    results,
-    tiny_race,
-    tiny_single,
-)
+from tiny_race import alternating, played, results, tiny_race
 
 
 @pytest.fixture
@@ -157,9 +147,6 @@ def test_a_module_or_a_class_that_fails_is_named_with_its_error(folder):
     assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args  # noqa: S301
 
 
-# Checks: what passes, and what is found
-
-
 @pytest.mark.parametrize(
     "learner",
     [
@@ -215,13 +202,15 @@ def forgets(self, state, results):
     return {**HillClimber.tell(self, state, results), "sigma": np.array(type(self).kept)}
 
 
+def samples(*chosen):
+    return changed(Oldest, sample=lambda *_: np.array(chosen, np.intp))
+
+
 @pytest.mark.parametrize(
-    ("learner", "message"),
+    ("broken", "message"),
     [
         (
-            changed(
-                ask=lambda self, state, _: HillClimber.ask(self, state, np.random.default_rng())
-            ),
+            changed(ask=draws_otherwise),
             "expected equal results from equal generators, got others in epoch 0",
         ),
         (changed(tell=forgets), "expected equal results from equal generators, got others in"),
@@ -235,28 +224,14 @@ def forgets(self, state, results):
         (changed(genome=lambda self, state: state["genome"][:3]), "genome: expected an array of"),
         (changed(seed_groups=np.arange(4) // 3), "seed_groups: expected 4 numbers of groups fr"),
         (changed(start=lambda self, task: [1]), "state: expected a dict of arrays, got"),
-    ],
-)
-def test_a_broken_promise_of_a_learner_is_named(learner, message):
-    with pytest.raises(PluginError, match=f"^{message}"):
-        check_learner(learner)
-
-
-def samples(*chosen):
-    return changed(Oldest, sample=lambda *_: np.array(chosen, np.intp))
-
-
-@pytest.mark.parametrize(
-    ("sampler", "message"),
-    [
         (samples(1), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[1\]"),
         (samples(0, 0), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[0 0\]"),
         (samples(), r"sample: expected .* got \[\]"),
     ],
 )
-def test_a_broken_promise_of_a_sampler_is_named(sampler, message):
+def test_a_broken_promise_is_named(broken, message):
     with pytest.raises(PluginError, match=f"^{message}"):
-        check_sampler(sampler)
+        (check_learner if isinstance(broken, HillClimber) else check_sampler)(broken)
 
 
 def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
@@ -275,30 +250,6 @@ def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
     assert Run(tmp_path / "run").stage == 0  # the last finished one
     with pytest.raises(PluginError, match="called exit"):  # it does not end the program
         played(tiny_race(learner="own_code:Exits"), tmp_path / "exits")
-
-
-LEARNER = {"learner": "own_code:HillClimber", "settings": {"sigma": 0.2}}
-BOTH = {
-    "pursuers_meet": OwnOpponents(code="own_code:Hardest", settings={"forget": 0.25}),
-    "evaders_meet": "own_code:Oldest",
-}
-RUNS = {
-    "in turns": alternating(**LEARNER, **BOTH, generations=2),
-    "hall of fame": hall_of_fame(**LEARNER, **BOTH, generations=2),
-    "retest": tiny_race(**LEARNER, retest_episodes=2),
-    "evaders alone": tiny_single(team="evader", **LEARNER),
-}
-
-
-@pytest.mark.parametrize("kind", RUNS)
-def test_each_interruption_is_resumed_bit_for_bit(kind: str, tmp_path: Path) -> None:
-    calls = StopAt(1000)
-    run = played(RUNS[kind], tmp_path / "counted", play=calls)
-    for team in run.settings.learning_teams:
-        assert len(np.unique(run.archive()[team], axis=0)) > 1
-    for call in range(1000 - calls.left):
-        check_resumes(RUNS[kind], call, tmp_path / str(call))
-    assert call >= 4
 
 
 def test_a_class_of_the_package_by_its_path_gives_the_same_run(tmp_path):

@@ -1,7 +1,6 @@
 """Kinds of races: whom teams meet and on which seeds, champions, and one team alone."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,6 +15,7 @@ from matrixworld.coevolution.storage import last_generation
 from matrixworld.coevolution.types import other
 from matrixworld.world.policy import Network
 from tiny_race import (
+    Listening,
     StopAt,
     alternating,
     begun,
@@ -25,17 +25,6 @@ from tiny_race import (
     tiny_race,
     tiny_single,
 )
-
-
-class Listening:
-    """Plays matches like `rollout`, and keeps what it was asked for."""
-
-    def __init__(self) -> None:
-        self.calls: list[Any] = []
-
-    def __call__(self, config, pursuers, evaders, matches, **options):
-        self.calls.append((config, pursuers, evaders, matches, options["episodes"]))
-        return rollout(config, pursuers, evaders, matches, **options)
 
 
 @pytest.mark.parametrize(
@@ -66,9 +55,9 @@ def test_training_matches_are_those_of_the_log(tmp_path):
     archive, log = run.archive(), run.log()
     rows = zip(log["generation"], log["team"], log["opponent"], listening.calls, strict=False)
     for generation, team, opponent, call in rows:
-        config, pursuers, evaders, matches, episodes = call
+        config, pursuers, evaders, matches, scores = call
         learning, still = (pursuers, evaders) if team == "pursuer" else (evaders, pursuers)
-        assert (config.max_steps, episodes, learning.genomes.shape[0]) == (8, 2, 4)
+        assert (config.max_steps, scores.length.shape[1], learning.genomes.shape[0]) == (8, 2, 4)
         met = matches.evader if team == "pursuer" else matches.pursuer
         assert set(met.tolist()) == {opponent}
         assert np.array_equal(still.genomes, archive[other(team)][: len(still.genomes)])
@@ -147,9 +136,6 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
         np.testing.assert_allclose(state["weights"], mixture, atol=1e-6)
 
 
-# Champions by new matches:
-
-
 class Crowning(Run):
     def champion(self, team, generation, candidates, fitness, opponents, met):
         chosen = super().champion(team, generation, candidates, fitness, opponents, met)
@@ -200,9 +186,6 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
     assert len(set(number)) > 1  # not always the learner's own
 
 
-# At the same time:
-
-
 @pytest.mark.parametrize("groups", [1, 3, 6])
 def test_all_individuals_have_the_same_number_of_opponents(groups):
     pairs = pairings(np.tile(np.arange(groups), 6 // groups), 3, (1, 2), np.random.default_rng(0))
@@ -251,9 +234,6 @@ def test_matches_as_a_table_of_individuals():
     assert np.array_equal(
         table, [[np.nan, 3.0, np.nan, 7.0], [2.0, np.nan, 4.0, np.nan]], equal_nan=True
     )
-
-
-# One team alone:
 
 
 @pytest.mark.parametrize(("team", "against"), [("pursuer", "fleer"), ("evader", "random")])
@@ -320,8 +300,10 @@ def test_several_opponents_take_turns(tmp_path):
     assert open_run(tmp_path / "run").settings.schedule.opponent == "given as genomes"
 
 
-@pytest.mark.parametrize("learner", ["es", "ga"])
+@pytest.mark.parametrize("learner", ["es", "ga", "actor-critic"])
 def test_warm_start(learner, tmp_path):
+    if learner == "actor-critic":
+        pytest.importorskip("torch")
     first = played(tiny_single(team="evader"), tmp_path / "first")
     champion = last_generation(tmp_path / "first", "evader").genomes[0]
     assert np.array_equal(champion, first.archive()["evader"][-1])

@@ -13,15 +13,8 @@ from matrixworld.coevolution import (
     AtOnce,
     EvolutionStrategy,
     InTurns,
-    PolicySettings,
     RaceSettings,
-)
-from matrixworld.coevolution.opponents import (
-    Latest,
-    NashOpponents,
-    Prioritized,
-    RoundRobin,
-    Uniform,
+    opponents,
 )
 from matrixworld.coevolution.race import ALL_SCHEDULES
 from matrixworld.coevolution.sections import (
@@ -60,7 +53,7 @@ ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sig
         ({"schedule": Against(team="evader")},
          {**ALONE, "schedule.epochs": 4000, "train_steps": 300,
           "policy.initial_weight": 0.05, "policy.initial_head": 0.1}),
-        ({"learner": "cma", "world": mw.WorldConfig(fov=5), "policy": PolicySettings(hidden=())},
+        ({"learner": "cma", "world": mw.WorldConfig(fov=5), "policy": {"hidden": []}},
          {"learner.population": 48, "learner.sigma": 0.8}),
         # Those of the published code:
         (GRADIENTS, {"learner.population": 1, "train_steps": 500, "policy.hidden": [400, 300],
@@ -108,11 +101,14 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
 def test_a_text_stands_for_a_section():
     assert RaceSettings(schedule="hall-of-fame") == RaceSettings(schedule=AtOnce())
     alternating = InTurns(pursuers_meet="latest", evaders_meet="prioritized-even")
-    assert alternating.pursuers_meet == Latest()
-    assert alternating.evaders_meet == Prioritized(weighting="even")
-    assert RaceSettings(schedule="alternating").schedule.evaders_meet == Uniform()
+    assert alternating.pursuers_meet == opponents.Latest()
+    assert alternating.evaders_meet == opponents.Prioritized(weighting="even")
+    assert RaceSettings(schedule="alternating").schedule.evaders_meet == opponents.Uniform()
     generalists = RaceSettings(schedule="generalist-specialist").schedule
-    assert (generalists.pursuers_meet, generalists.evaders_meet) == (RoundRobin(), Latest())
+    assert (generalists.pursuers_meet, generalists.evaders_meet) == (
+        opponents.RoundRobin(),
+        opponents.Latest(),
+    )
 
 
 AGAINST = {"schedule": "against"}
@@ -243,8 +239,8 @@ def test_a_part_of_an_opponent_sampler_that_a_schedule_names() -> None:
         RaceSettings(schedule="hall-of-fame").changed(given),
     ):
         schedule = settings.schedule
-        assert (schedule.name, schedule.evaders_meet) == ("psro", NashOpponents())
-        assert schedule.pursuers_meet == NashOpponents(episodes=3)
+        assert (schedule.name, schedule.evaders_meet) == ("psro", opponents.NashOpponents())
+        assert schedule.pursuers_meet == opponents.NashOpponents(episodes=3)
     # A mixture of one team only has no name.
     assert (
         RaceSettings.of({**given, "schedule.evaders_meet": "latest"}).schedule.name == "alternating"

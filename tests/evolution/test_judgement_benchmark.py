@@ -4,7 +4,6 @@ import sys
 from collections.abc import Callable
 from functools import cache
 from operator import itemgetter
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -31,9 +30,6 @@ COMMITTED = RESULTS / "judgement"
 
 def held(found: Truths) -> dict[str, bool | None]:
     return {condition: truth.holds for condition, truth in found.items()}
-
-
-# Formulas
 
 
 def what_holds(kind: str, window: str = "whole", **options: float) -> list[set[bool | None]]:
@@ -74,9 +70,7 @@ def toy_race(name: str, seed: int) -> Any:
         ("period 2", "whole", [ANY, ANY, ANY, T, T, ANY, ANY]),
     ],
 )
-def test_what_is_true_of_kinds(
-    kind: str, window: str, expected: list[set[bool | None] | None]
-) -> None:
+def test_what_is_true_of_kinds(kind, window, expected):
     # Whether the played strength rises in a steady way depends on the nuisance parameters.
     known = dict(zip(CONDITIONS, what_holds(kind, window), strict=True))
     del known["rise"]
@@ -153,9 +147,6 @@ def test_rates_are_rates_and_follow_from_the_seed(kind: str) -> None:
         assert tuple(truths_of_group(runs, "whole")) == CONDITIONS
 
 
-# Toys
-
-
 @pytest.mark.parametrize("game", ["scalar", "focusing", "intransitive"])
 def test_chances_are_the_means_of_many_matches(game: str) -> None:
     history, picked = toys.numbers_game(game, 3, generations=60), np.array([0, 20, 40, 60])
@@ -221,9 +212,6 @@ def test_what_is_true_of_toys(name: str, condition: str, holds: bool) -> None:
         assert toy_race(name, seed).truths["last half"][condition].holds is holds
 
 
-# Counts, tables and files
-
-
 def opinion(source: np.ndarray, *, per_episode: bool = False, episodes: int | None = None) -> Any:
     """Call all but a cycle present, whatever the matches, and leave out first halves."""
     assert source.ndim in ((3, 4) if per_episode else (2, 3))
@@ -260,9 +248,7 @@ def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> 
 
 
 @pytest.mark.nightly
-def test_quick_benchmark_writes_tables_that_follow_from_counts(
-    run: Callable[..., str], tmp_path: Path
-) -> None:
+def test_quick_benchmark_writes_tables_that_follow_from_counts(run, tmp_path):
     told = run("--quick", "--results", tmp_path)
     assert told.startswith(read(tmp_path / "errors.md"))
     assert tables.report_of(tmp_path) == read(tmp_path / "errors.md")
@@ -284,9 +270,7 @@ def test_quick_benchmark_writes_tables_that_follow_from_counts(
 
 
 @pytest.mark.nightly
-def test_an_interrupted_benchmark_continues(
-    run: Callable[..., str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interrupted_benchmark_continues(run, tmp_path, monkeypatch):
     options = ("--seeds", 2, "--development", "--results", tmp_path)
     whole = run(*options)
     file = tmp_path / "judgements.jsonl"

@@ -1,6 +1,7 @@
 """Races on maps that evolve: what is played where, what is kept, and that they resume."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,10 +11,9 @@ import matrixworld as mw
 from course.boards import playable
 from maps.archive import MAP_FITNESS
 from maps.race import MapRace, MapSettings
-from matrixworld import rollout
 from matrixworld.coevolution import TEAMS
 from matrixworld.solve import States, best_response
-from tiny_race import StopAt, results, tiny_race
+from tiny_race import Listening, results, stop_and_continue, tiny_race
 
 RACE = tiny_race(
     rules="TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, fov=7, max_steps=6, train_steps=6,
@@ -38,16 +38,9 @@ class Watched(MapRace):
 
 def played(settings: MapSettings, directory: Any) -> tuple[list[Any], list[Any], MapRace]:
     """Return the arguments and scores of all matches, the maps of each generation, and the race."""
-    calls: list[Any] = []
-
-    def play(config: Any, pursuers: Any, evaders: Any, matches: Any, **options: Any) -> Any:
-        scores = rollout(config, pursuers, evaders, matches, **options)
-        calls.append((config, pursuers, evaders, scores))
-        return scores
-
-    race = Watched(settings, directory, play=play)
+    race = Watched(settings, directory, play=Listening())
     race.run()
-    return calls, race.archives, race
+    return race.rollout.calls, race.archives, race
 
 
 @pytest.mark.parametrize("fitness", MAP_FITNESS)
@@ -99,7 +92,7 @@ def test_the_best_of_old_and_new_maps_are_kept(tmp_path, fitness):
             for t, team in enumerate(TEAMS)
         )
         every = {}
-        for world, _, _, scores in scored:
+        for world, *_, scores in scored:
             key = world.map.tobytes()
             every[key] = slow_scores(fitness, scores, known.setdefault(key, ([], [])))
         slow = sorted(every.values(), reverse=True)[: len(archive["scores"])]
@@ -120,17 +113,9 @@ def test_regret_is_how_far_both_champions_fall_short(tmp_path):
     ("fitness", "call"), [("learnability", 7), ("regret", 9), ("none", 6), ("max-monte-carlo", 12)]
 )
 def test_a_stopped_race_ends_as_if_never_stopped(tmp_path, fitness, call):
-    settings = settings_of(fitness)
-    MapRace(settings, tmp_path / "straight", threads=3).run()
-    race = MapRace(settings, tmp_path / "run", threads=1, play=StopAt(call))
-    with pytest.raises(KeyboardInterrupt):
-        race.run()
-    with pytest.raises(ValueError, match="holds a race on maps of other settings"):
-        MapRace(replace(settings, edits=9), tmp_path / "run")
-    # Both ways to continue: by the same object, and by a new one.
-    if call % 2:
-        race.rollout = rollout
-        race.run()
-    else:
-        MapRace(settings, tmp_path / "run", threads=1).run()
+    make = partial(MapRace, settings_of(fitness))
+    make(tmp_path / "straight", threads=3).run()
+    stop_and_continue(make, call, tmp_path / "run")
     assert results(tmp_path / "run") == results(tmp_path / "straight")
+    with pytest.raises(ValueError, match="holds a race on maps of other settings"):
+        MapRace(settings_of(fitness, edits=9), tmp_path / "run")

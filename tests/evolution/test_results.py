@@ -34,8 +34,6 @@ from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
 from matrixworld.analysis.judge import RULES
 from matrixworld.coevolution.race import HIDES_CYCLING
 
-# What is published follows from the numbers beside it
-
 NUMBER = r"-?\d+\.\d+"
 
 
@@ -44,41 +42,27 @@ def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
     return lambda at: table(dict(np.load(at / "numbers.npz")))
 
 
+OF_A_TABLE = (
+    baselines, actor_critic_races, convergence, ground_truth, hall_of_fame, learned, page_races,
+    map_races, race_budgets, safe_learning, yoked_races,
+)  # fmt: skip
+OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES: dict[str, Callable[[Path], str]] = {
-    "actor_critic_baselines/table.md": of(baselines.table),
-    "actor_critic_claims/table.md": of(actor_critic_claims.tables),
-    "actor_critic_races/table.md": of(actor_critic_races.table),
-    "convergence/table.md": of(convergence.table),
+    **{f"{script.__name__}/table.md": of(script.table) for script in OF_A_TABLE},
+    **{f"{script.__name__}/table.md": of(script.tables) for script in OF_SEVERAL},
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
-    "ground_truth/table.md": of(ground_truth.table),
-    "hall_of_fame/table.md": of(hall_of_fame.table),
     "judgement/errors.md": judgement_tables.report_of,
-    "learned_exploitability/table.md": of(learned.table),
-    "page_races/table.md": of(page_races.table),
-    "paper_claims/table.md": of(paper_claims.tables),
-    "paper_surrounding/table.md": of(paper_surrounding.tables),
-    "map_races/table.md": of(map_races.table),
-    "race_budgets/table.md": of(race_budgets.table),
-    "safe_learning/table.md": of(safe_learning.table),
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
         {
             name: [row and scripted_pursuit.Row(*row) for row in rows]
             for name, rows in json.loads(read(at / "numbers.json")).items()
         }
     ),
-    "yoked_races/table.md": of(yoked_races.table),
 }
 """Published tables, and how they are made from the other files of their directory."""
 ROUNDED = {"actor_critic_claims/table.md", "ground_truth/table.md", "paper_claims/table.md"}
 """Tables with numbers that another processor or SciPy may round otherwise."""
-LONG = {
-    "actor_critic_claims/table.md",
-    "actor_critic_races/table.md",
-    "coverage/coverage.md",
-    "ground_truth/table.md",
-    "judgement/errors.md",
-    "paper_claims/table.md",
-}
+LONG = ROUNDED | {"actor_critic_races/table.md", "coverage/coverage.md", "judgement/errors.md"}
 """Tables that take seconds."""
 
 
@@ -109,9 +93,6 @@ def test_what_short_races_are_said_to_hide_follows_from_published_numbers() -> N
     short = cycling(race_budgets.DEFAULT, race_budgets.DEFAULT_SAME)
     assert short in told
     assert cycling(race_budgets.LONG, race_budgets.LONG_SPREADING) in told.split(short)[1]
-
-
-# Verdicts and numbers by hand
 
 
 def yoked(p: float, low: float | None, high: float | None) -> str:
@@ -209,8 +190,6 @@ def test_phases_of_a_race_are_changes_while_one_team_learns() -> None:
         found = paper_claims.in_parts(rates, partial(paper_claims.phase, team))
         np.testing.assert_allclose(found, np.full((len(paper_claims.PARTS), 1), change))
 
-
-# Coverage of intervals
 
 COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
 SCORES = read_payoffs(np.random.default_rng(0).random((14, 14, 9)), per_episode=True)

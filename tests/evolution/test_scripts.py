@@ -16,8 +16,6 @@ from matrixworld import coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun
 from tiny_race import tiny_race
 
-# All scripts, each night
-
 LIBRARIES = {"common", "paper_runs"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
 WITH_TORCH = {
@@ -54,9 +52,6 @@ def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: P
     assert "| evolved-2 | " in run_quickly("evolve_held_out", tmp_path, "--table", "held_out.npz")
 
 
-# What experiments share
-
-
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     return {
         f"races, {n} epochs": tiny_race().changed(epochs(n)) for n in ((1,) if quick else (1, 2))
@@ -90,12 +85,7 @@ def played(monkeypatch: pytest.MonkeyPatch, *options: str, **others: Any) -> Non
     )
 
 
-def test_an_experiment_keeps_numbers_by_kind_and_seed(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    no_processes: None,
-) -> None:
+def test_an_experiment_keeps_numbers_by_kind_and_seed(tmp_path, monkeypatch, capsys, no_processes):
     monkeypatch.chdir(tmp_path)
     played(monkeypatch, "--kinds", "races-2")
     assert capsys.readouterr().out.startswith("races, 2 epochs\n")
@@ -116,17 +106,12 @@ def test_an_experiment_keeps_numbers_by_kind_and_seed(
     assert read(tmp_path / "script/table.md").startswith("races, 2 epochs")
 
 
-def test_an_unknown_kind_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_unknown_kind_is_refused(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit):
         played(monkeypatch, "--kinds", "race-3")
     assert "races-1-epochs, races-2-epochs, got race-3" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
-
-
-# Their own numbers
 
 
 def test_the_deap_example_scores_each_player_against_each_rival() -> None:

@@ -5,7 +5,6 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -123,13 +122,7 @@ if len(cores) > 1:
         ("1:cpu:/x\n0::/a/b\n", {"a": "400000 100000\n", "a/b": "max 100000\n"}, 4),
     ],
 )
-def test_control_groups_limit_cores(
-    own: str | None,
-    limits: dict[str, str],
-    cores: float,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_control_groups_limit_cores(own, limits, cores, tmp_path, monkeypatch):
     monkeypatch.setattr(checks, "_OWN_GROUP", tmp_path / "own")
     monkeypatch.setattr(checks, "_GROUPS", tmp_path / "groups")
     if own is not None:

@@ -80,8 +80,6 @@ class Mind:
     def happens(self, shift: int, of_256: int) -> bool:
         return (self.draw >> shift) % 256 < of_256
 
-    # ---- Worth -------------------------------------------------------------------------------
-
     def worth(self) -> list[int]:
         if self.foes & self.beside(self.here):
             return self.as_holder()
@@ -183,8 +181,6 @@ class Mind:
             return None
         return [-left.get(plus(self.here, move), -FORBIDDEN) for move in range(self.n)]
 
-    # ---- Search ------------------------------------------------------------------------------
-
     def is_border(self, move: int, steps: int) -> bool:
         there = plus(self.here, move, steps)
         row = [plus(there, right_of(move), aside) for aside in (-1, 0, 1)]
@@ -284,8 +280,6 @@ class Mind:
         elif not self.is_border(shift, self.reach):
             worth[shift] += 8
         return worth
-
-    # ---- Choice ------------------------------------------------------------------------------
 
     def has_right_of_way(self, move: int) -> bool:
         """In a row that surrounds, for a pursuer."""

@@ -1,19 +1,23 @@
 """Exact solutions of small worlds, against theory, an own trial and slow computations."""
 
 import warnings
-from collections.abc import Callable
-from itertools import product
+from collections.abc import Callable, Iterator
+from copy import copy
+from dataclasses import replace
+from functools import cache
+from itertools import permutations, product
 from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import linprog
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS
 from matrixworld.solve import Solution, States, best_response, expected_payoff, solve
-from rows import CUSTOM, OCCUPATION, SURROUND, TOGETHER, B, D, R
+from reference import ReferenceWorld
+from rows import CUSTOM, OCCUPATION, SURROUND, TOGETHER, B, D, R, random_team
 from slow import quickly
-from slow_solver import SlowSolver
 
 ROWS = {**mw.VARIANTS, **CUSTOM}
 HOLE = [[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]]
@@ -88,7 +92,7 @@ def assert_comes_to(config: mw.WorldConfig, pursuers: Any, evaders: Any, expecte
 def test_a_pair_gets_exactly_what_its_matches_come_to(name: str) -> None:
     config = world(ROWS[name], rows=3, obstacles=np.array(HOLE, bool), max_steps=6)
     states = States(config)
-    solution, pursuers = solve(states), network(config)
+    solution, pursuers = solve(states), random_team(config, 0)
     response = best_response(states, pursuers, "pursuer")
     assert solution.gap < 1e-10
     perfect = solution.policy("pursuer")
@@ -102,7 +106,7 @@ def test_a_pair_gets_exactly_what_its_matches_come_to(name: str) -> None:
 @pytest.mark.parametrize("name", ["O", "TO"])
 def test_best_responses_to_networks_that_see_less_are_exact(name: str) -> None:
     config = world(name, obstacles=np.array(HOLE, bool), rows=3, max_steps=6, fov=3)
-    champion = network(config)
+    champion = random_team(config, 0)
     to_pursuers, to_evaders = (best_response(config, champion, team) for team in TEAMS)
     assert_comes_to(config, champion, to_pursuers.policy("evader"), to_pursuers.value)
     assert_comes_to(config, to_evaders.policy("pursuer"), champion, to_evaders.value)
@@ -153,7 +157,10 @@ def test_a_solved_team_plays_in_all_places() -> None:
         (lambda: solve(world(obstacles=0.1)), "expected none or a map"),
         (lambda: solve(world(rows=60, cols=60)), "cells would fit"),
         (lambda: solve(world(), steps=0), "steps"),
-        (lambda: best_response(world(), network(world(), memory="gru"), "pursuer"), "without mem"),
+        (
+            lambda: best_response(world(), random_team(world(), 0, memory="gru"), "pursuer"),
+            "without mem",
+        ),
         (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter"),
         (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
         (lambda: longer_reply(solve(world())), "steps: expected 1 to 5, got 9"),
@@ -171,15 +178,102 @@ def longer_reply(champion: Solution) -> Solution:
     return best_response(champion.states, [(1.0, champion)], "pursuer", steps=9)
 
 
-def network(config: mw.WorldConfig, **fields: Any) -> mw.Population:
-    shape = mw.Network.for_config(config, **fields)
-    return mw.Population(shape.initial(np.random.default_rng(0), weight=0.5, head=0.5), shape)
-
-
 def play(config: mw.WorldConfig, swapped: bool = False) -> object:
     policy = solve(world()).policy("pursuer")
     teams = ("still", policy) if swapped else (policy, "still")
     return mw.record(config, *teams, seed=0)
+
+
+class SlowSolver:
+    """Recursion over the slow reading of the rules, whose agents keep their numbers.
+
+    States are dictionaries, and every game is a linear programme of SciPy.
+    """
+
+    def __init__(self, config: mw.WorldConfig) -> None:
+        self.config = config
+        self.value = cache(self.value)
+        self.after: dict[tuple, list[list[tuple]]] = {}
+
+    def mean(self, steps: int) -> float:
+        return float(np.mean([self.value(start, 0, steps) for start in self.starts()]))
+
+    def starts(self) -> Iterator[tuple]:
+        ground = np.zeros((self.config.rows, self.config.cols), bool)
+        ground = ground if self.config.map is None else self.config.map
+        free = [tuple(map(int, cell)) for cell in np.argwhere(~ground)]
+        for cells in permutations(free, self.config.n_agents):
+            yield tuple(enumerate(cells)), frozenset(), frozenset(), frozenset()
+
+    def world(self, state: tuple) -> ReferenceWorld:
+        where, ever, taken, now = state
+        world = ReferenceWorld(self.config)
+        cells = [(0, 0)] * self.config.n_agents
+        n = self.config.n_pursuers
+        world.place(cells[:n], cells[n:], self.config.map)
+        world.where, world.been = dict(where), dict(where)
+        world.ever, world.taken, world.now = set(ever), set(taken), {e: {0} for e in now}
+        return world
+
+    def moment(self, world: ReferenceWorld) -> tuple:
+        sets = (frozenset(each) for each in (world.ever, world.taken, world.now))
+        return (tuple(sorted(world.where.items())), *sets)
+
+    def value(self, state: tuple, turn: int, steps: int) -> float:
+        """What the pursuers get from a moment before a turn, with so many rounds left."""
+        world = self.world(state)
+        if world.has_ended() or steps == 0:
+            surround = self.config.rules.capture is mw.Capture.SURROUND
+            captured = set(world.now) | world.taken if surround else world.ever
+            return len(captured) / self.config.n_evaders
+        turns = list(world.turns())
+        last = turn + 1 == len(turns)
+        following = (turn + 1) % len(turns), steps - last
+        table = self.successors(state, turn)
+        return game_value(np.array([[self.value(s, *following) for s in row] for row in table]))
+
+    def successors(self, state: tuple, turn: int) -> list[list[tuple]]:
+        """What follows each joint action of pursuers (rows) and evaders (columns)."""
+        if (state, turn) not in self.after:
+            world = self.world(state)
+            number, agents = list(world.turns())[turn]
+            teams = [[a for a in agents if (a in world.evaders) == evaders] for evaders in (0, 1)]
+            moves = [list(product(range(self.config.n_actions), repeat=len(t))) for t in teams]
+            actors = teams[0] + teams[1]
+            self.after[state, turn] = [
+                [
+                    self.play(world, number, dict(zip(actors, mine + theirs, strict=True)))
+                    for theirs in moves[1]
+                ]
+                for mine in moves[0]
+            ]
+        return self.after[state, turn]
+
+    def play(self, world: ReferenceWorld, number: int, actions: dict[int, int]) -> tuple:
+        world = copy(world)
+        world.where, world.ever, world.taken = dict(world.where), set(world.ever), set(world.taken)
+        acting = {a for a in actions if a in world.where}
+        if acting:
+            world.begin_round()
+            world.play(number, acting, actions)
+        return self.moment(world)
+
+
+def game_value(matrix: np.ndarray) -> float:
+    """The value of a matrix game for the player of the rows."""
+    n_rows, n_cols = matrix.shape
+    low, high = matrix.min(axis=1).max(), matrix.max(axis=0).min()
+    if low == high:  # most games; the rest takes long
+        return float(low)
+    solved = linprog(
+        [*np.zeros(n_rows), -1.0],
+        A_ub=np.hstack([-matrix.T, np.ones((n_cols, 1))]),
+        b_ub=np.zeros(n_cols),
+        A_eq=[[*np.ones(n_rows), 0.0]],
+        b_eq=[1.0],
+        bounds=[(0, None)] * n_rows + [(None, None)],
+    )
+    return -solved.fun
 
 
 TABLES = list(product((D, R, B), repeat=3))  # of a teammate, an evader and a pursuer
@@ -194,15 +288,10 @@ def assert_same_values(config: mw.WorldConfig, steps: int) -> None:
 
 
 def on_ring(rules: mw.Rules, rows: int = 3, **changes: int) -> mw.WorldConfig:
-    ground = [[0, 0, 0], [0, 1, 0], [0, 0, 0]][:rows]
+    ground = np.array([[0, 0, 0], [0, 1, 0], [0, 0, 0]][:rows], bool)
     if not rules.captures:
-        rules = mw.Rules(
-            rules.interaction, rules.obstacle, rules.teammate, rules.evader, rules.pursuer, SURROUND
-        )
-    sizes = {"n_pursuers": 2, "n_evaders": 1, **changes}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # rules that capture nobody are rules, too
-        return mw.WorldConfig(rules, obstacles=np.array(ground, bool), **sizes)
+        rules = replace(rules, capture=SURROUND)
+    return world(rules, rows=rows, cols=3, obstacles=ground, **changes)
 
 
 @pytest.mark.slow

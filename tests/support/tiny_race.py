@@ -3,10 +3,10 @@
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import fields
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -125,6 +125,18 @@ def directory_in_memory() -> Iterator[Path]:
         yield Path(directory)
 
 
+class Listening:
+    """Plays matches like `rollout`, and keeps what it was asked for, and the scores."""
+
+    def __init__(self) -> None:
+        self.calls: list[Any] = []
+
+    def __call__(self, config: Any, pursuers: Any, evaders: Any, matches: Any, **more: Any) -> Any:
+        scores = rollout(config, pursuers, evaders, matches, **more)
+        self.calls.append((config, pursuers, evaders, matches, scores))
+        return scores
+
+
 class StopAt:
     """Plays matches like `rollout`, but raises KeyboardInterrupt at a given call."""
 
@@ -146,7 +158,13 @@ def straight(settings: RaceSettings) -> dict[str, bytes]:
 
 def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
     """Stop a run at a call of `rollout`, continue it, and compare it with one never stopped."""
-    run = begun(settings, directory, threads=1, play=StopAt(call))
+    stop_and_continue(partial(begun, settings), call, directory)
+    assert results(directory) == straight(settings)
+
+
+def stop_and_continue(make: Callable[..., Run], call: int, directory: Path) -> None:
+    """Stop a run at a call of `rollout`, and continue it."""
+    run = make(directory, threads=1, play=StopAt(call))
     with pytest.raises(KeyboardInterrupt):
         run.run()
     # Both ways to continue: by the same object, and by a new one.
@@ -154,5 +172,4 @@ def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
         run.rollout = rollout  # not `StopAt`, which would stop it again
         run.run()
     else:
-        finish(directory, threads=1)
-    assert results(directory) == straight(settings)
+        make(directory, threads=1).run()

@@ -137,9 +137,6 @@ def test_opponents_that_do_not_fit_are_left_out(settings, opponents, why, tmp_pa
     assert scores["evader"].left_out.startswith(why)
 
 
-# Any policy is scored as the genomes of a run are:
-
-
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("name", ["O", "swarm-D"])
 def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: Any) -> None:
@@ -159,18 +156,3 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: 
     assert scores.left_out == expected.left_out != ""
     # Never asked for nobody.
     assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"episodes": 1}, "episodes: expected at least 2, got 1"),
-        ({"policy": lambda seen: 1}, "actions of the policy: expected shape"),
-        ({"opponents": {"mad": "mad"}}, "opponents: expected one of random"),
-        ({"opponents": {}}, "opponents: expected at least one, got none"),
-    ],
-)
-def test_wrong_arguments_are_refused(arguments: dict[str, Any], message: str) -> None:
-    given = {"policy": lambda seen: [0] * len(seen), "team": "pursuer", "episodes": 2}
-    with pytest.raises(ValueError, match=message):
-        mw.score_policy(config=config_of("R"), **{**given, **arguments})

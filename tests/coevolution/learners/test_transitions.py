@@ -10,31 +10,22 @@ from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network, Population
 from matrixworld.world.world import World
 from rows import config_of, random_team
 
 CONFIG = WorldConfig("D", rows=7, cols=7, n_pursuers=3, n_evaders=4, fov=5, max_steps=25)
-NETWORK = Network((6,), fov=5)
+OWN, OTHERS = random_team(CONFIG, 0, hidden=(6,)), random_team(CONFIG, 1, 2, 3, hidden=(6,))
 SEEDS = np.array([3, 2**63, 9, 11], np.uint64)
 CHOSEN = np.array([0, 2, 1, 2])
 
 
-def genomes(seed: int, count: int) -> Population:
-    rng = np.random.default_rng(seed)
-    return Population(
-        np.stack([NETWORK.initial(rng, weight=0.5, head=0.5) for _ in range(count)]), NETWORK
-    )
-
-
 @pytest.mark.parametrize("team", TEAMS)
-@pytest.mark.parametrize("opponents", [genomes(1, 3), "random"], ids=["genomes", "script"])
+@pytest.mark.parametrize("opponents", [OTHERS, "random"], ids=["genomes", "script"])
 @pytest.mark.parametrize("worlds", [1, 3])
 def test_the_matches_are_those_of_a_rollout(team: Team, opponents, worlds: int) -> None:
-    own = genomes(0, 1)
-    found = experience(CONFIG, team, own, opponents, CHOSEN, SEEDS, worlds=worlds, threads=1)
+    found = experience(CONFIG, team, OWN, opponents, CHOSEN, SEEDS, worlds=worlds, threads=1)
     others = 0 if isinstance(opponents, str) else CHOSEN
-    sides = (own, opponents) if team == "pursuer" else (opponents, own)
+    sides = (OWN, opponents) if team == "pursuer" else (opponents, OWN)
     indices = (0, others) if team == "pursuer" else (others, 0)
     scores = rollout(CONFIG, *sides, Matches.of(*indices, SEEDS), episodes=worlds)
     side = TEAMS.index(team)
@@ -52,15 +43,13 @@ def test_the_matches_are_those_of_a_rollout(team: Team, opponents, worlds: int) 
 
 
 def test_states_are_kept_if_asked_for() -> None:
-    found = experience(
-        CONFIG, "evader", genomes(0, 1), "random", CHOSEN, SEEDS, states=True, threads=1
-    )
+    found = experience(CONFIG, "evader", OWN, "random", CHOSEN, SEEDS, states=True, threads=1)
     world = World(CONFIG)
     world.reset(seed=int(SEEDS[2]))
     assert found.states is not None
     assert found.states.shape == (len(found.acted), 4, 3 * 49)
     np.testing.assert_array_equal(found.states[0, 2], world.state().ravel())
-    assert experience(CONFIG, "evader", genomes(0, 1), "still", CHOSEN, SEEDS).states is None
+    assert experience(CONFIG, "evader", OWN, "still", CHOSEN, SEEDS).states is None
 
 
 @pytest.mark.parametrize("name", ["TO", "swarm-D", "agents-S", "D"])
