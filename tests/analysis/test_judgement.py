@@ -190,7 +190,6 @@ WINDOWS = ("whole", "first half", "last half")
 
 
 def with_verdicts(found: dict[str, dict[str, tuple[str, tuple[str, ...]]]]) -> Judgement:
-    """Return a judgement with verdicts and teams by window and condition."""
     windows = {
         window: {name: Finding(verdict, "", teams) for name, (verdict, teams) in one.items()}
         for window, one in found.items()

@@ -158,7 +158,6 @@ def test_cycles_are_stripes_of_their_period(period: int) -> None:
 
 
 def test_elo_minimises_its_documented_objective() -> None:
-    """Compare with a general minimiser of the objective."""
     rng = np.random.default_rng(3)
     matrix = rng.random((3, 4))
     x = 0.01 + 0.98 * matrix

@@ -85,8 +85,6 @@ def _files_in(target: Path) -> dict[str, bytes]:
     }
 
 
-# The page
-
 PAGE = (Path(__file__).parents[2] / "docs/cluster.md").read_text(encoding="utf-8")
 SCRIPTS = re.findall(r"^```sh\n(#!/bin/bash\n.*?)^```", PAGE, re.M | re.S)
 TINY = {"world.rows": 8, "world.n_evaders": 2, "schedule.generations": 1}

@@ -17,8 +17,6 @@ from matrixworld.coevolution import jobs as jobs_module
 from matrixworld.coevolution.sections import values_of
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
-# The options
-
 
 def test_the_help_of_all_settings_has_every_one_with_its_default():
     shown = " ".join(evolved("--help-all").output.split())
@@ -122,9 +120,6 @@ def test_the_default_directory_is_named_after_variant_and_seeds(options, name):
     assert default_directory(job_of(options)) == Path("runs") / name
 
 
-# evolve
-
-
 def test_the_main_job_writes_figures_and_numbers(main_job):
     output, told = main_job
     first = "The first run has ended. A match of it: matrixworld replay 'main job/"
@@ -176,9 +171,6 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     archive = open_run("next/pursuer-against-evader-against-random/seed-5").archive()
     last = open_run(first).archive()["evader"][-1]
     assert np.array_equal(archive["evader"], last[None])
-
-
-# Interrupting and going on
 
 
 def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeypatch):

@@ -44,8 +44,6 @@ def test_every_command_that_names_an_output_file_has_force():
             assert "--force" in flags, name
 
 
-# Existing outputs
-
 OUTPUTS = {
     "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
     "tournament": (["tournament", "run", "--episodes", 2], "run/tournament-2x12-seed0.png"),

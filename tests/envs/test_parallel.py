@@ -109,7 +109,6 @@ DOORS = {
 
 
 def annotations_of(typed_dict: Any) -> dict[str, str]:
-    """Return the annotations of a TypedDict as they are written."""
     return {name: each.__forward_arg__ for name, each in typed_dict.__annotations__.items()}
 
 

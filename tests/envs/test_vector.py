@@ -62,7 +62,6 @@ def leaves(value: Any) -> list[np.ndarray]:
 
 @pytest.mark.parametrize("mode", MODES)
 def test_what_was_returned_stays(mode: AutoresetMode) -> None:
-    """Every array of `reset` and `step` is the caller's: later steps do not change it."""
     env = make(state=True, action_mask=True, autoreset_mode=mode)
     returned = [env.reset(seed=0)]
     for actions in random_actions(2, 5, 9, 4, env.config.n_agents):

@@ -76,7 +76,6 @@ def test_worlds_are_those_of_parallel_environments(name: str, team: str) -> None
 
 
 def test_a_league_changes_from_episode_to_episode() -> None:
-    """Opponents that are set play from the next episodes on; the present ones go on."""
     config = config_of("R", max_steps=5)
     envs = mw.VectorEnv(config, 40, evaders=["still", "fleer", "random"])
     stay = np.zeros((40, 3), int)

@@ -30,7 +30,6 @@ Terminal = pytest.CaptureFixture[str]
 
 @pytest.fixture
 def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Collect the pauses instead of taking them."""
     taken: list[float] = []
     monkeypatch.setattr("time.sleep", taken.append)
     monkeypatch.setattr("time.monotonic", lambda: 5.0)

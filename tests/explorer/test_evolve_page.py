@@ -29,8 +29,6 @@ def test_evolve_writes_and_names_it(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert Path(PAGE).read_text(encoding="utf-8") == evolve_page()
 
 
-# ---- In a real browser ---------------------------------------------------------------------------
-
 STATE = "document.body.dataset.state"
 NEWEST = "matrixworldEvolve.lanes[0].newestGeneration"
 FACTS = "document.querySelector('.facts').textContent"
@@ -38,14 +36,12 @@ FACTS = "document.querySelector('.facts').textContent"
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page as a file."""
     file = tmp_path_factory.mktemp("evolve") / PAGE
     file.write_text(evolve_page(), encoding="utf-8")
     return file
 
 
 def opened(browser: Browser, page: Path, settings: str, size: tuple[int, int]) -> None:
-    """Open the page with settings in its address."""
     browser.resize(*size)
     browser.driver.get("about:blank")  # another address after the # loads no page
     browser.driver.get(page.as_uri() + settings)

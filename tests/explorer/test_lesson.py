@@ -25,7 +25,6 @@ PAGE = DOCS / "lesson.html"
 
 @pytest.fixture(scope="module")
 def lesson() -> Iterator[ModuleType]:
-    """The program that makes the page."""
     sys.path.insert(0, str(DOCS))
     import lesson_page
 
@@ -73,7 +72,6 @@ def test_letters_of_an_edition_stay_and_any_may_be_right(lesson: ModuleType) -> 
 
 
 def saved(choices: dict[str, str], pupil: str, edition: int = 2) -> str:
-    """Return a file as the lesson saves it."""
     common = {"edition": edition, "pupil": pupil}
     lines = [{"prediction": name, "choice": choice, **common} for name, choice in choices.items()]
     return "".join(json.dumps(line) + "\n" for line in lines)
@@ -199,8 +197,6 @@ def test_the_games_are_those_of_slow_python() -> None:
         won, lost = GAMES[name].beats(a[first], b[second]), GAMES[name].beats(b[second], a[first])
         assert game["score"] == pytest.approx(np.mean((1.0 + won - lost) / 2))
 
-
-# ---- The page ------------------------------------------------------------------------------------
 
 CHOOSE = """(([name, choice]) => {
   const form = document.getElementById(`prediction-${name}`);

@@ -148,9 +148,6 @@ def test_readers_with_disabilities_are_not_hindered(
     assert browser.hindrances(tmp_path / "page.html", *OPENED.get(page, [])) == {}
 
 
-# ---- As files ------------------------------------------------------------------------------------
-
-
 def test_built_files_are_of_the_present_sources() -> None:
     """If this fails, run ``npm ci && npm run build`` in web/."""
     assert tuple(sorted(main.parent.name for main in WEB.glob("src/*/main.ts"))) == PAGES
@@ -187,11 +184,7 @@ def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
         render_page(page, "title", {"rate": float("nan")}, folder=folder)
 
 
-# ---- In notebooks --------------------------------------------------------------------------------
-
-
 def picture(bundle: dict[str, str]) -> np.ndarray:
-    """Return the pixels of the picture in an output."""
     with Image.open(io.BytesIO(base64.b64decode(bundle["image/png"]))) as image:
         assert image.format == "PNG"
         return np.asarray(image.convert("RGB"))
@@ -212,7 +205,6 @@ def test_a_notebook_shows_the_page_in_a_frame_and_as_a_picture_of_its_scene() ->
 
 
 def test_a_notebook_that_is_kept_shows_the_picture_and_no_frame() -> None:
-    """The formatter of a notebook, and then the script that runs and keeps the notebooks."""
     formatters = pytest.importorskip("IPython.core.formatters")
     drop_frame = runpy.run_path(str(REPOSITORY / "tutorials" / "run.py"))["drop_frame"]
     data, metadata = formatters.DisplayFormatter().format(Playground())

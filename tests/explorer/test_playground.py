@@ -36,8 +36,6 @@ from tiny_race import tiny_race
 
 DOCS = Path(__file__).parents[2] / "docs"
 
-# ---- Scenes as text ------------------------------------------------------------------------------
-
 
 def small_world(rules: mw.Rules | str = "SB") -> mw.World:
     world = mw.World(rules, rows=2, cols=4, n_pursuers=2, n_evaders=1)
@@ -131,12 +129,10 @@ location.hash = arguments[0];
 
 SCENE = "rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=240"
 UP, RIGHT, DOWN, LEFT = "\ue013", "\ue014", "\ue015", "\ue012"
-ENTER, BACKSPACE, HOME, DELETE = "\ue007", "\ue003", "\ue011", "\ue017"
+ENTER, BACKSPACE, HOME = "\ue007", "\ue003", "\ue011"
 
 
 class PlaygroundPage:
-    """The page in a browser, without motion, whose pictures take time."""
-
     def __init__(self, browser: Browser, file: Path) -> None:
         self.browser = browser
         browser.prefer(prefers_reduced_motion="reduce")
@@ -144,21 +140,17 @@ class PlaygroundPage:
         browser.open(file)
 
     def load(self, scene: str) -> None:
-        """Show a scene as a click on a link to it does."""
         self.browser.driver.execute_async_script(SHOW, f"#{quote(scene, safe='=&._,x+-')}")
 
     def text(self, selector: str) -> str:
-        """Return the text of an element."""
         return self.browser.js(f"document.querySelector('{selector}').textContent")
 
     def scene(self, *names: str) -> Any:
-        """Return parts of the present scene."""
         return self.browser.js(
             f"(scene => [{', '.join(f'scene.{n}' for n in names)}])(playground.scene)"
         )
 
     def cells(self) -> list[list[int]]:
-        """Return where agents are at present."""
         return self.browser.js(
             "playground.game.scene().pursuers.concat(playground.game.scene().evaders)"
             ".map(({ cell }) => cell)"
@@ -278,7 +270,6 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int = 0) -> None:
-    """Show a match, go to a step, and take an agent over."""
     address = f"#run={run}&pursuers={g}&evaders={h}&step={step}"
     browser.open(page)
     browser.driver.execute_script(f"location.hash = '{address}'")
@@ -290,14 +281,12 @@ def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int 
 def moves_until_done(
     browser: Browser, keys: dict[int, str], seed: int, view: str = IN_EXPLORER
 ) -> None:
-    """Press random keys until the match has ended for the person."""
     rng = np.random.default_rng(seed)
     while browser.js(f"{view}.element.dataset.state") == "playing":
         browser.press(keys[int(rng.choice(list(keys)))])
 
 
 def shown(browser: Browser, view: str = IN_EXPLORER) -> dict[str, Any]:
-    """Return what the page has played."""
     return browser.js(
         f"(({{live, played}}) => ({{seat: played?.seat, moves: played?.moves,"
         " actions: live.actions.map((each) => Array.from(each)),"
@@ -328,9 +317,6 @@ def generation(run: SavedRun, team: Team, number: int) -> Population:
     population = run.teams[team]
     assert isinstance(population, Population)
     return Population(population.genomes[number], population.network)
-
-
-# ---- Taken over in the explorer ------------------------------------------------------------------
 
 
 @pytest.mark.nightly
@@ -403,9 +389,6 @@ def test_files_and_links_hold_the_match(
 
 def press_button(browser: Browser, text: str) -> None:
     browser.driver.find_element("xpath", f"//button[text()='{text}']").click()
-
-
-# ---- On the page itself -------------------------------------------------------------------------
 
 
 @pytest.mark.nightly

@@ -267,9 +267,6 @@ def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
     assert [run["teams"][team]["script"] for team in TEAMS] == ["chaser", None]
 
 
-# ---- In notebooks and scripts --------------------------------------------------------------------
-
-
 def test_a_notebook_writes_and_shows_the_page(job: Job) -> None:
     run = job["race"].path
     page = explore(run)

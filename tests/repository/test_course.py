@@ -38,7 +38,6 @@ RUN = runpy.run_path(str(TUTORIALS / "run.py"))
 
 
 def printed(cell: dict) -> str:
-    """Return what a cell shows, without its pictures."""
     shown = [output.get("data", {}) | {"": output.get("text", "")} for output in cell["outputs"]]
     return " ".join(
         "".join(text) for each in shown for kind, text in each.items() if "/png" not in kind

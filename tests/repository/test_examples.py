@@ -38,8 +38,6 @@ ELSEWHERE = {
 """Pages whose examples another test runs."""
 PAGES = sorted({ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *ROOT.glob("*/*/README.md")})
 
-# Examples in Python
-
 NUMBER = r"-?\d+\.?\d*"
 RATE = r"0\.\d+ \(0\.\d+ to 0\.\d+\)"
 FENCE = re.compile(
@@ -66,7 +64,6 @@ def examples_of(page: str) -> list[Example]:
 
 
 def is_absent(need: str) -> bool:
-    """Whether a module, or ``module.name``, is not installed."""
     module, _, name = need.partition(".")
     return find_spec(module) is None or not (not name or hasattr(import_module(module), name))
 
@@ -112,13 +109,10 @@ def test_examples_of_other_libraries_say_what_they_need() -> None:
             assert all(need in example.code for need in example.needs), page
 
 
-# Programs for other libraries
-
 PROGRAMS = sorted((ROOT / "docs" / "clients").glob("learn_*.py"))
 
 
 def missing_modules(code: str) -> list[str]:
-    """Return modules that code imports and that are not installed."""
     statements = [*ast.walk(ast.parse(code))]
     names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
     names += [each.module or "" for each in statements if isinstance(each, ast.ImportFrom)]
@@ -227,7 +221,6 @@ OF_SECTIONS = re.compile(
 
 @cache
 def paths() -> set[str]:
-    """Return the paths of all settings, as the command line lists them."""
     told = CliRunner().invoke(main, ["evolve", "--help-all"], catch_exceptions=False).output
     told = told.partition("\nsettings:\n")[2]
     return {"learner", "schedule", *re.findall(r"^  ([a-z_]+(?:\.[a-z_]+)*)(?: |$)", told, re.M)}
@@ -239,7 +232,6 @@ def exists(path: str) -> bool:
 
 
 def value_of(text: str) -> Any:
-    """Return the value of a text as --set reads it."""
     try:
         return json.loads(text)
     except ValueError:

@@ -227,7 +227,6 @@ def is_enum(found: object) -> bool:
 
 
 def parameters_of(found: Callable[..., Any]) -> set[str]:
-    """Return the names of the parameters that a caller gives."""
     if inspect.isclass(found) and issubclass(found, Exception):
         return set()
     if getattr(found, "_is_protocol", False):  # nobody calls it
@@ -276,7 +275,6 @@ def includes(file: Path) -> list[tuple[str, str]]:
 
 
 def test_every_folder_is_a_room_of_the_table() -> None:
-    """A new folder below cpp/ needs a row that says what it may include."""
     assert {path.name for path in CPP.iterdir() if path.is_dir()} == set(ALLOWED)
     assert len({each for file in CPP.rglob("*.[ch]pp") for each in includes(file)}) > 20
 

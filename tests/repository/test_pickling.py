@@ -52,7 +52,6 @@ SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3, "fov": 3, "max_s
 
 
 def public_classes() -> dict[str, type]:
-    """Return every class that a package exports and that holds more than plain fields."""
     found = pkgutil.walk_packages(mw.__path__, "matrixworld.")
     # Import neither the engine, which is compiled, nor the command, which would run.
     names = [each.name for each in found if not each.name.endswith(("_core", "__main__"))]
@@ -69,7 +68,6 @@ def public_classes() -> dict[str, type]:
 
 
 def same(one: Any, other: Any) -> bool:
-    """Whether two objects have the same type and the same content, bit for bit."""
     return content(one) == content(other)
 
 

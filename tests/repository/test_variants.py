@@ -38,7 +38,6 @@ def make_pages() -> Any:
 
 
 def table(text: str) -> dict[str, str]:
-    """The rows of two cells."""
     rows = re.findall(r"^\| (.+?) \| (.+) \|$", text, re.MULTILINE)
     return {key: value.replace("`", "") for key, value in rows}
 

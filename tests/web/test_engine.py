@@ -26,7 +26,6 @@ ROOT = Path(__file__).parents[2]
 
 
 def program(file: str) -> SimpleNamespace:
-    """Return the names of a program of this repository."""
     return SimpleNamespace(**runpy.run_path(str(ROOT / file)))
 
 
@@ -63,7 +62,6 @@ def test_arithmetic_of_our_own(driver: str, argument: str, answer: str, tmp_path
 
 
 def game(number: int, config: mw.WorldConfig, expected: SimpleNamespace) -> dict[str, Any]:
-    """Return the episodes of one config as plain values."""
     shape = expected.STEPS, expected.N_WORLDS, config.n_agents
     network = mw.Network.for_config(config, (9, 7))
     return {
@@ -104,7 +102,6 @@ READ = ("positions", "alive", "rewards", "captors", "involved", "fault", "views"
 
 @pytest.fixture(scope="module")
 def run_command() -> Iterator[Commands]:
-    """Carry out a command in one process of the built engine."""
     commands = Commands()
     yield commands
     commands.close()
@@ -118,7 +115,6 @@ def team(config: mw.WorldConfig, hidden: tuple[int, ...], seed: int, **more: Any
 def asked(
     config: mw.WorldConfig, pursuers: Policy, evaders: Policy, seed: int, **more: Any
 ) -> dict[str, Any]:
-    """Return a command that is about two policies in a world."""
     return {
         "config": config.to_json(),
         "pursuers": policy_json(pursuers),
@@ -127,8 +123,6 @@ def asked(
         **more,
     }
 
-
-# ---- Matches ------------------------------------------------------------------------------------
 
 MATCHES = {
     "one hidden layer": ("O", (32,), {"activation": "relu"}, {}),
@@ -175,13 +169,9 @@ def test_every_script_plays_as_in_the_extension(run_command: Commands, script: s
     assert got["positions"] == wanted.positions.ravel().tolist()
 
 
-# ---- Worlds -------------------------------------------------------------------------------------
-
-
 def played_in_python(
     config: mw.WorldConfig, start: dict[str, Any], actions: np.ndarray, turns: bool
 ) -> list[dict[str, Any]]:
-    """Return what a world tells after its start and after each row of actions."""
     world = mw.World(config)
     world.keeps_conflicts = True
     world.reset(**start)
@@ -249,9 +239,6 @@ def test_a_snapshot_goes_on_in_another_world(run_command: Commands) -> None:
     assert twin[0] != world[0]
 
 
-# ---- Networks -----------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("sampled", "memory"), [(True, "none"), (False, "gru")])
 def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: str) -> None:
     config = config_of("O", obstacles=0.1)
@@ -293,9 +280,6 @@ def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: st
     assert got["view"] == world.views()[alive[0]].ravel().tolist()
 
 
-# ---- Words --------------------------------------------------------------------------------------
-
-
 def test_conflicts_have_the_words_of_python(run_command: Commands) -> None:
     """All kinds, forms and outcomes, with all agents at fault, held and doomed."""
     bits = range(4)
@@ -312,8 +296,6 @@ def test_conflicts_have_the_words_of_python(run_command: Commands) -> None:
     got = run_command(do="texts", table=table, n_pursuers=3)
     assert got == plain_values([conflict_of(row, 3) for row in rows])
 
-
-# ---- Refusals -----------------------------------------------------------------------------------
 
 OPEN = config_of("O").to_json()
 
@@ -352,8 +334,6 @@ def test_a_refused_call_leaves_the_world_as_it_was(
     assert got["same"]
 
 
-# ---- Perfect play --------------------------------------------------------------------------------
-
 SOLVED = {
     "O": mw.WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=6),
     "TO": mw.WorldConfig("TO", rows=3, cols=4, n_pursuers=2, n_evaders=1, max_steps=6),
@@ -371,7 +351,6 @@ SOLVED = {
 @pytest.mark.parametrize("name", SOLVED)
 @pytest.mark.parametrize("payoff", PAYOFFS)
 def test_pages_know_perfect_play(run_command: Commands, name: str, payoff: PayoffName) -> None:
-    """What pages compute is what Python does: of the capture rate bit for bit."""
     config = SOLVED[name]
     solution = solve(config, payoff=payoff)
     rng, world = np.random.default_rng(3), mw.World(config)

@@ -41,7 +41,6 @@ def test_every_field_is_described(
 
 @pytest.mark.parametrize("views", [np.uint8, np.float32])
 def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
-    """Whatever is in memory before, each array ends up the same, and its surroundings unchanged."""
     config = config_of("SB", obstacles=0.1, max_steps=3)
     specs = mw.array_specs(config) | mw.episode_specs(config)
     written = []

@@ -103,7 +103,6 @@ def test_the_mask_forbids_no_more_than_it_must(rules: Any, team: Team) -> None:
 
 
 def begun(config: mw.WorldConfig, placed: dict[str, np.ndarray]) -> mw.Batch:
-    """Return one world for each placement of the teams."""
     specs, n = mw.array_specs(config), len(placed["pursuers"])
     buffers = new_arrays({name: specs[name] for name in ("views", "fault")}, n)
     batch = mw.Batch(n, config, threads=1, buffers=buffers)
