@@ -51,9 +51,7 @@ def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
 
 
 @given(payoffs(), margins, st.none() | sixteenths)
-def test_checkerboards_agree_with_four_loops(
-    matrix: np.ndarray, margin: float, level: float | None
-) -> None:
+def test_checkerboards_by_loops(matrix: np.ndarray, margin: float, level: float | None) -> None:
     boards = analysis.checkerboards(matrix, margin=margin, level=level)
     rows, columns = matrix.shape
     assert boards.count == sum(
@@ -86,9 +84,7 @@ def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray) -> None:
 
 
 @given(payoffs(most=8), st.integers(1, 12), margins)
-def test_the_strongest_checkerboards_are_chosen_first(
-    matrix: np.ndarray, count: int, margin: float
-) -> None:
+def test_strongest_boards_are_chosen_first(matrix: np.ndarray, count: int, margin: float) -> None:
     """All are the best of their pursuers; another one is weak, late, or too like a chosen one."""
     best: dict[tuple, tuple] = {}
     for won, lost, (pursuers, evaders) in quadruples(matrix):
@@ -137,12 +133,10 @@ nan = np.nan
 
 def test_ciao_holds_the_two_triangles_with_the_diagonal() -> None:
     pursuers, evaders = analysis.ciao(MATRIX)
-    np.testing.assert_array_equal(
-        pursuers.payoff, [[0.1, nan, nan], [0.4, 0.5, nan], [0.7, 0.8, 1.0]]
-    )
-    np.testing.assert_allclose(
-        evaders.payoff, [[0.9, nan, nan], [0.8, 0.5, nan], [0.7, 0.4, 0.0]], atol=1e-15
-    )
+    below = [[0.1, nan, nan], [0.4, 0.5, nan], [0.7, 0.8, 1.0]]
+    np.testing.assert_array_equal(pursuers.payoff, below)
+    above = [[0.9, nan, nan], [0.8, 0.5, nan], [0.7, 0.4, 0.0]]
+    np.testing.assert_allclose(evaders.payoff, above, atol=1e-15)
     np.testing.assert_allclose(pursuers.by_age, [1.6 / 3, 0.6, 0.7])
     # Fading compares newer with older ancestors.
     assert pursuers.fading == pytest.approx(((0.5 - 0.4) + (1.0 - 0.7)) / 2)

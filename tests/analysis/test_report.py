@@ -57,9 +57,7 @@ def test_several_runs_have_intervals_over_runs() -> None:
 
 @settings(max_examples=8)
 @given(small_payoffs)
-def test_any_matrix_is_analysed_and_swapping_the_teams_swaps_the_numbers(
-    matrix: np.ndarray,
-) -> None:
+def test_any_matrix_is_analysed_and_swapping_teams_swaps_the_numbers(matrix: np.ndarray) -> None:
     numbers, swapped = analysis.measure_all(matrix), analysis.measure_all(1 - matrix.T)
     for name, one in numbers.items():
         value = one.value

@@ -86,11 +86,9 @@ def test_numbers_on_standard_output(run):
 
 
 def test_the_package_is_a_command_and_needs_no_docstrings():
-    environment = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONOPTIMIZE": "2"}
+    env = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONOPTIMIZE": "2"}
     command = [sys.executable, "-m", "matrixworld", "--version"]
-    done = subprocess.run(
-        command, env=os.environ | environment, capture_output=True, text=True, check=True
-    )
+    done = subprocess.run(command, env=os.environ | env, capture_output=True, text=True, check=True)
     assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
 
 

@@ -19,10 +19,8 @@ from tiny_race import tiny_race
 
 FIRST, SECOND = SCHEDULES = ("specialist-specialist", "generalist-generalist")
 SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)  # one has not begun
-LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
-JOB = job_of(
-    [tiny_race(schedule=name, seed=seed, **LONGER) for name in SCHEDULES for seed in ASKED]
-)
+LONG = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
+JOB = job_of([tiny_race(schedule=name, seed=seed, **LONG) for name in SCHEDULES for seed in ASKED])
 
 
 @pytest.fixture(scope="module")

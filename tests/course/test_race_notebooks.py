@@ -169,12 +169,8 @@ def test_the_mask_of_the_package_is_that_of_right_before_left() -> None:
 
 def test_nobody_is_at_fault_where_one_of_two_goes_first() -> None:
     greedy = [6, 20, 0, 0, 0, 0]
-    for convention in (
-        as_on_a_road,
-        lambda own, other: own < other,
-        lambda own, other: own > other,
-    ):
-        safety, _ = play_masked(greedy, mask_of(convention), episodes=100, seed=92)
+    for rule in (as_on_a_road, lambda own, other: own < other, lambda own, other: own > other):
+        safety, _ = play_masked(greedy, mask_of(rule), episodes=100, seed=92)
         assert not safety.summary().fault_rate[0].any()
     both_go, _ = play_masked(greedy, mask_of(left_waits), episodes=100, seed=92)
     assert both_go.summary().fault_rate[0, 1] > 0

@@ -114,9 +114,7 @@ def test_a_function_gets_the_observations_of_living_agents() -> None:
         ({"evaders": ""}, ValueError, "evaders"),  # which is the current directory
     ],
 )
-def test_what_cannot_play_is_refused(
-    given: dict[str, Any], error: type[Exception], field: str
-) -> None:
+def test_non_players_are_refused(given: dict[str, Any], error: type[Exception], field: str) -> None:
     with pytest.raises(error, match=f"^{field}: .*expected"):
         mw.parallel_env("O", **given)
 

@@ -15,7 +15,6 @@ import matrixworld as mw
 from matrixworld.envs.vector import AutoresetMode
 from rows import config_of, random_actions
 
-MODES = list(AutoresetMode)
 SETTINGS = {"num_envs": 3, "rows": 12, "n_evaders": 2, "autoreset_mode": "SameStep"}
 ENTRY_POINT = "vector_entry_point"
 
@@ -25,7 +24,7 @@ def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
     return mw.VectorEnv(config_of(name, max_steps=7), n_worlds, **settings)
 
 
-@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("mode", AutoresetMode)
 @pytest.mark.parametrize("name", ["SDB", "TO"])
 def test_its_arrays_are_those_of_a_batch(name: str, mode: AutoresetMode) -> None:
     env = make(name, state=True, autoreset_mode=mode)
@@ -60,7 +59,7 @@ def leaves(value: Any) -> list[np.ndarray]:
     return [leaf for each in value.values() for leaf in leaves(each)]
 
 
-@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("mode", AutoresetMode)
 def test_what_was_returned_stays(mode: AutoresetMode) -> None:
     env = make(state=True, action_mask=True, autoreset_mode=mode)
     returned = [env.reset(seed=0)]

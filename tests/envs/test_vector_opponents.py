@@ -10,8 +10,6 @@ from matrixworld.coevolution import TEAMS
 from matrixworld.envs.vector import AutoresetMode
 from rows import by_name, config_of, random_actions, random_team
 
-MODES = list(AutoresetMode)
-
 
 def chosen(envs: mw.VectorEnv, policy: Any) -> np.ndarray:
     """Return what a policy chooses for the caller's team, with the random numbers of a rollout."""
@@ -20,7 +18,7 @@ def chosen(envs: mw.VectorEnv, policy: Any) -> np.ndarray:
     return actions[:, envs.agents.start : envs.agents.stop]
 
 
-@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("mode", AutoresetMode)
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("name", ["D", "R", "SB"])
 def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMode) -> None:
@@ -43,9 +41,8 @@ def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMod
             for world in infos["_episode"].nonzero()[0]:
                 if played[world] < 3:  # worlds with short episodes play more of them
                     for key, told in infos["episode"].items():
-                        np.testing.assert_array_equal(
-                            told[world], counted[key][world, played[world]]
-                        )
+                        expected = counted[key][world, played[world]]
+                        np.testing.assert_array_equal(told[world], expected)
                 played[world] += 1
             if mode is AutoresetMode.DISABLED and infos["_episode"].any():
                 envs.reset(options={"reset_mask": infos["_episode"]})
@@ -100,7 +97,7 @@ def test_a_league_changes_from_episode_to_episode() -> None:
     assert (infos["opponent"] == np.where(some, 0, kept)).all()
 
 
-@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("mode", AutoresetMode)
 def test_functions_are_asked_for_agents_that_act_only(mode: AutoresetMode) -> None:
     asked = []
 

@@ -49,9 +49,7 @@ def opened(browser: Browser, page: Path, settings: str, size: tuple[int, int]) -
 
 
 @pytest.mark.slow
-def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
-    browser: Browser, page: Path
-) -> None:
+def test_a_race_evolves_is_changed_and_plays_its_matches(browser: Browser, page: Path) -> None:
     opened(browser, page, SMALL, LAPTOP)
     assert browser.js(STATE) == "waiting"
     browser.wait("matrixworldEvolve.lanes[0].newest.player.step > 2")  # a chase runs already

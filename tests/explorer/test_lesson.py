@@ -164,10 +164,8 @@ def numbers_game(
                 won[side] += game.beats(ones[side], np.tile(past[champion], (n, 1)))
         for side in (0, 1):
             champions[side].append(ones[side][won[side].argmax()])
-            chances = np.cumsum(won[side] if won[side].any() else np.ones(n))
-            parents = [
-                int(np.searchsorted(chances, draw() * chances[-1], "right")) for _ in range(n)
-            ]
+            sums = np.cumsum(won[side] if won[side].any() else np.ones(n))
+            parents = [int(np.searchsorted(sums, draw() * sums[-1], "right")) for _ in range(n)]
             flips = [draw() < settings["mutation"] for _ in range(bits[side].size)]
             bits[side] = bits[side][parents] ^ np.reshape(flips, bits[side].shape)
     return [each.sum(axis=2).tolist() for each in bits]

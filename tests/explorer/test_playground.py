@@ -18,7 +18,7 @@ import matrixworld as mw
 from browser import Browser
 from command_line import matrixworld_command
 from matrixworld import Episode, World, WorldConfig, record
-from matrixworld.coevolution import TEAMS, SavedRun, Team, evolve
+from matrixworld.coevolution import TEAMS, SavedRun, Team
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
 from matrixworld.explorer.page import write_page
@@ -32,9 +32,9 @@ from matrixworld.explorer.playground import (
 )
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 from scripts import wait_until
-from tiny_race import tiny_race
 
 DOCS = Path(__file__).parents[2] / "docs"
+Job = dict[str, SavedRun]
 
 
 def small_world(rules: mw.Rules | str = "SB") -> mw.World:
@@ -146,9 +146,7 @@ class PlaygroundPage:
         return self.browser.js(f"document.querySelector('{selector}').textContent")
 
     def scene(self, *names: str) -> Any:
-        return self.browser.js(
-            f"(scene => [{', '.join(f'scene.{n}' for n in names)}])(playground.scene)"
-        )
+        return self.browser.js(f"(s => [{', '.join(f's.{n}' for n in names)}])(playground.scene)")
 
     def cells(self) -> list[list[int]]:
         return self.browser.js(
@@ -247,19 +245,8 @@ ARROWS = {0: " ", 1: "\ue013", 2: "\ue014", 3: "\ue015", 4: "\ue012"}
 
 
 @pytest.fixture(scope="module")
-def job(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
-    """A race with obstacles, and one in which the teams take turns and move diagonally."""
-    root = tmp_path_factory.mktemp("job")
-    settings = {
-        "race": tiny_race(obstacles=0.15, max_steps=30),
-        "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
-    }
-    return evolve(settings, root, threads=1)
-
-
-@pytest.fixture(scope="module")
-def races(job: list[SavedRun]) -> Path:
-    return explore(*(run.path for run in job)).path
+def races(job: Job) -> Path:
+    return explore(*(run.path for run in job.values())).path
 
 
 @pytest.fixture(scope="module")
@@ -278,9 +265,7 @@ def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int 
     browser.wait(f"{IN_EXPLORER} && document.querySelector('.take-over').open")
 
 
-def moves_until_done(
-    browser: Browser, keys: dict[int, str], seed: int, view: str = IN_EXPLORER
-) -> None:
+def play_on(browser: Browser, keys: dict[int, str], seed: int, view: str = IN_EXPLORER) -> None:
     rng = np.random.default_rng(seed)
     while browser.js(f"{view}.element.dataset.state") == "playing":
         browser.press(keys[int(rng.choice(list(keys)))])
@@ -320,22 +305,22 @@ def generation(run: SavedRun, team: Team, number: int) -> Population:
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize(("run", "keys"), [(0, ARROWS), (1, LETTERS)])
+@pytest.mark.parametrize(("number", "keys"), [(0, ARROWS), (1, LETTERS)])
 def test_a_match_played_by_keys_is_that_of_the_world(
-    browser: Browser, races: Path, job: list[SavedRun], run: int, keys: dict[int, str]
+    browser: Browser, races: Path, job: Job, number: int, keys: dict[int, str]
 ) -> None:
     """The person's keys are its actions; networks decide as `World.decide` does."""
-    g, h, step = 2, 1, 3
-    take_over(browser, races, run, g, h, step)
-    moves_until_done(browser, keys, run)
+    run, g, h, step = [*job.values()][number], 2, 1, 3
+    take_over(browser, races, number, g, h, step)
+    play_on(browser, keys, number)
     played = shown(browser)
-    world = World(job[run].settings.world)
-    world.reset(evaluation_seed(job[run].settings.seed, g, h))
-    before = job[run].record(g, h).actions[:step, played["seat"]]
+    world = World(run.settings.world)
+    world.reset(evaluation_seed(run.settings.seed, g, h))
+    before = run.record(g, h).actions[:step, played["seat"]]
     assert played["moves"][:step] == before.tolist()
     assert len(played["actions"]) == len(played["moves"]) > step
     policies: dict[Team, TeamPolicy] = {
-        team: generation(job[run], team, number) for team, number in zip(TEAMS, (g, h), strict=True)
+        team: generation(run, team, of_team) for team, of_team in zip(TEAMS, (g, h), strict=True)
     }
     for moment, move in enumerate(played["moves"]):
         alive = world.alive.copy()
@@ -348,20 +333,20 @@ def test_a_match_played_by_keys_is_that_of_the_world(
 
 @pytest.mark.nightly
 def test_files_and_links_hold_the_match(
-    browser: Browser, races: Path, own: Path, job: list[SavedRun], tmp_path: Path
+    browser: Browser, races: Path, own: Path, job: Job, tmp_path: Path
 ) -> None:
     """And the page of its own opens files that it or Python saved, and no others."""
     allow = {"behavior": "allow", "downloadPath": str(tmp_path)}
     browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", allow)
     take_over(browser, races, 1, 0, 2, 2)
-    moves_until_done(browser, LETTERS, 1)
+    play_on(browser, LETTERS, 1)
     played = shown(browser)
     press_button(browser, "Save")
     wait_until(lambda: [*tmp_path.glob("*.npz")], "a file of the match", 10)
     [file] = tmp_path.glob("*.npz")
     episode = Episode.load(file)
     assert (episode.seat, episode.length) == (played["seat"], len(played["moves"]))
-    assert WorldConfig.from_json(episode.config) == job[1].settings.world
+    assert WorldConfig.from_json(episode.config) == job["turns"].settings.world
     press_button(browser, "Link")
     link = browser.js("document.querySelector('.play-ending input').value")
     browser.driver.get("about:blank")
@@ -398,7 +383,7 @@ def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> Non
     for turn in range(3):
         title = browser.js("document.querySelector('.play h2').innerText")
         assert f"Round {turn + 1} of 3" in title
-        moves_until_done(browser, ARROWS, turn, IN_PAGE)
+        play_on(browser, ARROWS, turn, IN_PAGE)
         lasted.append(browser.js(f"{IN_PAGE}.live.length"))
         press_button(browser, "Watch it")  # which counts nothing again
         browser.press("\ue010")
@@ -437,24 +422,22 @@ def test_tabs_and_the_form_show_the_game_that_runs(browser: Browser, own: Path) 
     assert browser.errors() == []
 
 
-def test_a_run_gives_its_generations_to_the_page(job: list[SavedRun]) -> None:
-    opponents = of_run(job[0])
-    assert opponents.world == job[0].settings.world
+def test_a_run_gives_its_generations_to_the_page(job: Job) -> None:
+    opponents = of_run(job["race"])
+    assert opponents.world == job["race"].settings.world
     for team in TEAMS:
         players = opponents.players[team]
         assert [*players] == [f"generation {number}" for number in range(3)]
         last = players["generation 2"]
-        assert np.array_equal(last.genomes, generation(job[0], team, 2).genomes)
+        assert np.array_equal(last.genomes, generation(job["race"], team, 2).genomes)
     assert '"usual":2' in playground_page("", opponents)
 
 
-def test_the_command_writes_the_page(
-    job: list[SavedRun], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_command_writes_it(job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     assert matrixworld_command("playground", "sb", "--no-open").output == "playground.html\n"
     page = (tmp_path / "playground.html").read_text(encoding="utf-8")
     assert page == playground_page("", shipped("SB"))
-    run = job[0].path
+    run = job["race"].path
     matrixworld_command("playground", run, "--no-open")
     assert "generation 2" in (run / "playground.html").read_text(encoding="utf-8")

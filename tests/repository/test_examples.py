@@ -214,9 +214,7 @@ OPTIONS = {
 }
 """Options of `evolve` and the settings that they set."""
 NESTED = ("world.rewards.", "world.rules.", "learner.settings.", "schedule.pursuers_meet.settings.")
-OF_SECTIONS = re.compile(
-    r"`((?:policy|learner|schedule|fitness)\.[a-z_]+(?:\.[a-z_]+)*)(?:=[^`]*)?`"
-)
+NAMED = re.compile(r"`((?:policy|learner|schedule|fitness)\.[a-z_]+(?:\.[a-z_]+)*)(?:=[^`]*)?`")
 
 
 @cache
@@ -252,7 +250,7 @@ def check_settings(line: str, given: dict[str, Any]) -> None:
 @pytest.mark.parametrize("page", PAGES, ids=page_id)
 def test_settings_that_a_page_names_exist(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
-    named = {path for path in OF_SECTIONS.findall(text) if not path.endswith(".py")}
+    named = {path for path in NAMED.findall(text) if not path.endswith(".py")}
     assert {path for path in named if not exists(path)} == set()
     of_worlds = set(re.findall(r"`world\.([a-z_]+)(?:=[^`]*)?`", text))
     world = {path.partition(".")[2] for path in paths() if path.startswith("world.")}

@@ -216,14 +216,10 @@ def public_objects() -> Iterator[Any]:
         for name in names:
             found = getattr(module, name)
             ours = getattr(found, "__module__", "").startswith("matrixworld")
-            if callable(found) and ours and id(found) not in seen and not is_enum(found):
+            is_enum = hasattr(found, "__members__")  # whose members document themselves
+            if callable(found) and ours and id(found) not in seen and not is_enum:
                 seen.add(id(found))
                 yield pytest.param(found, id=f"{module_name.removeprefix('matrixworld.')}.{name}")
-
-
-def is_enum(found: object) -> bool:
-    """Whether something is an enumeration, whose members document themselves."""
-    return hasattr(found, "__members__")
 
 
 def parameters_of(found: Callable[..., Any]) -> set[str]:

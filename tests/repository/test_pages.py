@@ -78,9 +78,7 @@ def test_the_exercises_that_the_teachers_page_names_exist() -> None:
         assert isinstance(exercises(int(chapter))[name], Exercise) is item.isdigit(), name
 
 
-def test_the_answers_for_a_class_are_what_dice_and_hands_do(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_answers_for_a_class_are_what_dice_and_hands_do(capsys: pytest.CaptureFixture[str]) -> None:
     runpy.run_path(str(DOCS / "class_material" / "simulate.py"), run_name="__main__")
     told = re.findall(r"\d+\.\d|\d+ %", capsys.readouterr().out)
     assert len(told) == 9

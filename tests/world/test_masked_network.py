@@ -66,9 +66,7 @@ def test_the_engine_never_plays_a_forbidden_move(
     # Agents remember anything, but not what was forbidden.
     states = np.random.default_rng(2).uniform(-1, 1, (len(views), network.state_size))
     states = states.astype(np.float32)
-    (logits, _), (bare, _) = (
-        network.advance(each, views, states) for each in (genomes[0], without)
-    )
+    (logits, _), (bare, _) = (network.advance(g, views, states) for g in (genomes[0], without))
     np.testing.assert_array_equal(logits[~refused], bare[~refused])
     assert (logits[refused] < FORBIDDEN / 2).all()  # whatever the other weights add
     assert len(np.unique(played.actions)) == config.n_actions
@@ -92,9 +90,7 @@ def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("learner", ["es", "ga"])
-def test_nobody_is_at_fault_in_training_however_large_the_weights(
-    learner: str, tmp_path: Path
-) -> None:
+def test_nobody_is_at_fault_in_training_with_any_weights(learner: str, tmp_path: Path) -> None:
     settings = tiny_race(mask="right-of-way", learner=learner, fov=5, rules="S")
     large: dict[str, Any] = {"policy.initial_head": 1e5}
     if learner == "es":  # samples that spread with the genome must not spread with the mask

@@ -132,12 +132,9 @@ def test_extreme_and_equal_outputs(outputs: list[float], sampled: bool, taken: s
 
 
 def hash_with_kernels(level: str) -> list[str]:
-    environment = os.environ | {
-        "PYTHONPATH": os.pathsep.join(sys.path),
-        "MATRIXWORLD_KERNELS": level,
-    }
+    env = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "MATRIXWORLD_KERNELS": level}
     command = [sys.executable, network_hash.__file__]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    done = subprocess.run(command, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout.split()
 

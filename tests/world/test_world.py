@@ -105,9 +105,7 @@ def penalties_only(**changes: object) -> mw.Rewards:
 
 @pytest.mark.parametrize("name", ["D", "S", "SDB", "swarm-S", "agents-R"])
 @pytest.mark.parametrize("blame", list(mw.Blame))
-def test_penalties_agree_with_the_reported_fault_and_involvement(
-    name: str, blame: mw.Blame
-) -> None:
+def test_penalties_agree_with_reported_fault_and_involvement(name: str, blame: mw.Blame) -> None:
     by_kind = {"pursuer_collide": (-1, -20, -300), "evader_collide": [-2, -40, -600]}
     config = config_of(name, obstacles=0.1, rewards=penalties_only(**by_kind, blame=blame))
     world = mw.World(config)
