@@ -77,10 +77,7 @@ NUMBERS, TYPE = "an array of numbers, got", r"expected .* got "
         (partial(over_runs, level="0.9"), [[0.1, 0.2]], TypeError, TYPE),
         (partial(over_runs, bounds={0, 1}), [[0.1, 0.2]], TypeError, TYPE),
         (partial(over_runs, bounds=(1, 0)), [[0.1, 0.2]], ValueError, r"bounds .*, got \(1, 0\)"),
-        (
-            partial(analysis.difference_of_runs, paired=True),
-            [[0.1], [0.1, 0.2]], ValueError, "1 paired runs, got 2",
-        ),
+        (partial(analysis.difference_of_runs, [1], paired=True), [[0, 1]], ValueError, "1 paired"),
         (analysis.interquartile_mean, [[0.1]], ValueError, r"scores .* with 2 dim"),
         (analysis.probability_of_improvement, [ONE, TASK], ValueError, "same 5 opponents, got 1"),
         (analysis.measure_table, [np.zeros((1, 5))], ValueError, r"2 x 2 generations, got"),

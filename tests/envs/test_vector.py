@@ -131,10 +131,8 @@ def test_make_vec(variant: str) -> None:
 def test_spaces_are_those_that_gymnasium_would_make(team: str | None, flatten: bool) -> None:
     worlds = make(flatten=flatten, dtype="float32", autoreset_mode="SameStep")
     env: Any = mw.AgentVectorEnv(worlds, team) if team else worlds
-    for whole, single in (
-        (env.observation_space, env.single_observation_space),
-        (env.action_space, env.single_action_space),
-    ):
+    for kind in ("observation_space", "action_space"):
+        whole, single = getattr(env, kind), getattr(env, f"single_{kind}")
         expected = batch_space(single, env.num_envs)
         assert whole == expected == pickle.loads(pickle.dumps(whole))  # noqa: S301
         whole.seed(1)

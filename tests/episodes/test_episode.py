@@ -13,11 +13,7 @@ from matrixworld.episodes.episode import Episode
 from rows import random_walks
 
 EPISODE = random_walks()
-ARRAYS = [
-    each.name
-    for each in dataclasses.fields(Episode)
-    if isinstance(getattr(EPISODE, each.name), np.ndarray)
-]
+ARRAYS = [name for name, value in vars(EPISODE).items() if isinstance(value, np.ndarray)]
 
 
 def test_round_trip(tmp_path: Path) -> None:

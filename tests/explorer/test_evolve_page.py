@@ -31,6 +31,7 @@ def test_evolve_writes_and_names_it(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 STATE = "document.body.dataset.state"
 NEWEST = "matrixworldEvolve.lanes[0].newestGeneration"
+DRAW_WALLS = "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
 FACTS = "document.querySelector('.facts').textContent"
 
 
@@ -72,9 +73,7 @@ def test_a_race_evolves_is_changed_and_plays_its_matches(browser: Browser, page:
     # The mask ends all collisions at once, and walls play the matrix again.
     browser.driver.execute_script("document.querySelector('.controls [type=checkbox]').click()")
     browser.wait(f"/\\D0 collisions/.test({FACTS})")
-    browser.driver.execute_script(
-        "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
-    )
+    browser.driver.execute_script(DRAW_WALLS)
     box = "document.querySelector('.chase canvas').getBoundingClientRect()"
     left, top, width = browser.js(f"(box => [box.left, box.top, box.width])({box})")
     cells = [(left + width * (column + 0.5) / 12, top + width * 2.5 / 12) for column in (3, 4, 5)]
@@ -89,9 +88,7 @@ def test_a_race_evolves_is_changed_and_plays_its_matches(browser: Browser, page:
 @pytest.mark.slow
 def test_a_wall_that_would_cut_off_a_cell_is_refused(browser: Browser, page: Path) -> None:
     opened(browser, page, "#population=8&walls=12.13", LAPTOP)
-    browser.driver.execute_script(
-        "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
-    )
+    browser.driver.execute_script(DRAW_WALLS)
     told = "document.querySelector('.chase > [role=status]').textContent"
     rows = "matrixworldEvolve.lanes[0].settings.world.obstacles"
     browser.wait("matrixworldEvolve.lanes[0].newest.player.step > 0")

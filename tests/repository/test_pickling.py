@@ -108,11 +108,8 @@ def of_worlds() -> Iterator[Any]:
 
 
 def of_runs(directory: Path) -> Iterator[Any]:
-    for name, settings in (
-        ("single", tiny_single()),
-        ("joint", tiny_race(schedule="hall-of-fame")),
-        ("race", tiny_race()),
-    ):
+    joint = tiny_race(schedule="hall-of-fame")
+    for name, settings in (("single", tiny_single()), ("joint", joint), ("race", tiny_race())):
         create(settings, directory / name)
         run = Run(directory / name, threads=1)
         yield from (settings, run)

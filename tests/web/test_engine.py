@@ -112,9 +112,7 @@ def team(config: mw.WorldConfig, hidden: tuple[int, ...], seed: int, **more: Any
     return mw.Population(random_genome(network, seed), network)
 
 
-def asked(
-    config: mw.WorldConfig, pursuers: Policy, evaders: Policy, seed: int, **more: Any
-) -> dict[str, Any]:
+def asked(config: mw.WorldConfig, pursuers: Policy, evaders: Policy, seed: int, **more: Any) -> Any:
     return {
         "config": config.to_json(),
         "pursuers": policy_json(pursuers),
