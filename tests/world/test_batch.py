@@ -19,7 +19,7 @@ def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
 class SingleWorld:
     """Reference for one world of a batch, in Python, without the statistics of episodes.
 
-    Those are compared with rollouts in tests/envs/test_vector_opponents.py.
+    Those are compared with rollouts in tests/envs/test_vector.py.
     """
 
     def __init__(self, config: mw.WorldConfig, seed: int, episode: int, mode: mw.Autoreset) -> None:
