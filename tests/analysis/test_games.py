@@ -55,9 +55,7 @@ def test_mixtures_are_an_equilibrium(matrix: np.ndarray) -> None:
 
 
 @given(payoffs(parts=8), st.data())
-def test_copies_change_nothing_but_share_their_weight(
-    matrix: np.ndarray, data: st.DataObject
-) -> None:
+def test_copies_change_nothing_and_share_weight(matrix: np.ndarray, data: st.DataObject) -> None:
     row = data.draw(st.integers(0, len(matrix) - 1))
     found = analysis.nash_averaging(matrix)
     copied = analysis.nash_averaging(np.vstack([matrix, matrix[row]]))

@@ -32,9 +32,7 @@ def test_intervals_are_those_of_scipy() -> None:
         (analysis.probability_of_improvement(ONE, OTHER[:5]), "no interval below 6 runs"),
     ],
 )
-def test_too_few_or_equal_runs_have_no_interval_and_say_so(
-    found: analysis.Estimate, note: str
-) -> None:
+def test_few_or_equal_runs_have_no_interval_and_say_so(found: analysis.Estimate, note: str) -> None:
     assert (found.low, found.high, found.note) == (None, None, note)
 
 

@@ -17,9 +17,7 @@ from matrixworld.analysis.judge import RULES
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Finding
 
 
-def played(
-    chance: np.ndarray, episodes: int = 10, seed: int = 0, *, evaders: int = 1
-) -> np.ndarray:
+def drawn(chance: np.ndarray, episodes: int = 10, seed: int = 0, *, evaders: int = 1) -> np.ndarray:
     """Draw episodes: the share of some evaders that is captured, each with these chances."""
     rng = np.random.default_rng(seed)
     chances = np.repeat(np.clip(chance, 0, 1)[..., None], episodes, axis=-1)
@@ -71,17 +69,15 @@ PURSUERS_FADE = race(0.3 * np.minimum(G, 40 - G), 0.3 * G)
         (np.full((31, 31), 0.99), {"disengagement"}, set()),
     ],
 )
-def test_races_whose_truth_is_known(
-    chance: np.ndarray, present: set[str], absent: set[str]
-) -> None:
-    found = verdicts(of_scores(played(chance, 20, evaders=30)))
+def test_races_of_known_truth(chance: np.ndarray, present: set[str], absent: set[str]) -> None:
+    found = verdicts(of_scores(drawn(chance, 20, evaders=30)))
     assert {name for name in CONDITIONS if found[name] == PRESENT} == present
     assert absent <= {name for name in CONDITIONS if found[name] == ABSENT}
 
 
 @pytest.mark.parametrize("chance", [SLOW, LATE_STOP, np.full((31, 31), 0.1)])
 def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray) -> None:
-    scores = played(chance, 10)
+    scores = drawn(chance, 10)
     for judgement in (of_scores(scores), judge(scores.mean(axis=2), episodes=10)):
         for window in judgement.windows:
             found = verdicts(judgement, window)
@@ -92,7 +88,7 @@ def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray) -> None:
 def test_a_walk_may_rise_without_a_trend() -> None:
     # Two questions: did it become stronger; does a random walk explain that?
     walk = np.random.default_rng(18).normal(0, 0.25, 31).cumsum()
-    found = of_scores(played(race(walk, 0 * G), 10, evaders=30)).windows["whole"]
+    found = of_scores(drawn(race(walk, 0 * G), 10, evaders=30)).windows["whole"]
     assert (found["rise"].verdict, found["one-sided progress"].verdict) == (PRESENT, CANNOT_TELL)
 
 
@@ -109,9 +105,9 @@ def test_episodes_may_share_their_worlds() -> None:
 
 
 def test_few_or_unknown_episodes_give_no_verdict_on_what_noise_can_fake() -> None:
-    few = of_scores(played(logistic(15, 0.3), 2)).findings
+    few = of_scores(drawn(logistic(15, 0.3), 2)).findings
     assert {few[name].verdict for name in (*CIRCLES, "forgetting")} == {CANNOT_TELL}
-    matrix = played(circular(31), 10, evaders=30).mean(axis=2)
+    matrix = drawn(circular(31), 10, evaders=30).mean(axis=2)
     assert verdicts(judge(matrix))["intransitivity"] == CANNOT_TELL
     known = verdicts(judge(matrix, episodes=10))
     assert known["intransitivity"] == PRESENT
@@ -122,7 +118,7 @@ def test_few_or_unknown_episodes_give_no_verdict_on_what_noise_can_fake() -> Non
 def test_a_wave_in_the_first_half_is_reported() -> None:
     chance = STEADY.copy()
     chance[:15, :15] = circular(15)  # the pairs of the first half only
-    judgement = of_scores(played(chance, 20, evaders=30))
+    judgement = of_scores(drawn(chance, 20, evaders=30))
     assert judgement.window == "last half"
     assert verdicts(judgement)["cycling"] == ABSENT
     assert verdicts(judgement, "first half")["cycling"] == PRESENT
@@ -131,14 +127,14 @@ def test_a_wave_in_the_first_half_is_reported() -> None:
 @pytest.mark.parametrize("shape", [(40, 12), (31, 6)])
 def test_sides_of_different_length(shape: tuple[int, int]) -> None:
     rows, columns = (np.arange(size) for size in shape)
-    judgement = of_scores(played(race(0.1 * rows, 0.1 * columns), 10, evaders=30))
+    judgement = of_scores(drawn(race(0.1 * rows, 0.1 * columns), 10, evaders=30))
     assert verdicts(judgement)["disengagement"] == ABSENT
     assert verdicts(judgement, "whole")["arms race"] == PRESENT
 
 
 @pytest.mark.parametrize("chance", [circular(31), PURSUERS_ONLY])
 def test_swapping_the_teams_swaps_the_gains_and_keeps_the_verdicts(chance: np.ndarray) -> None:
-    scores = played(chance, 10, evaders=30)
+    scores = drawn(chance, 10, evaders=30)
     one, other = of_scores(scores), of_scores(1 - scores.transpose(1, 0, 2))
     assert verdicts(one) == verdicts(other)
     for window in one.windows:
@@ -148,7 +144,7 @@ def test_swapping_the_teams_swaps_the_gains_and_keeps_the_verdicts(chance: np.nd
 
 
 def test_several_runs_are_judged_over_runs() -> None:
-    scores = np.stack([played(STEADY, 10, seed, evaders=30) for seed in range(5)])
+    scores = np.stack([drawn(STEADY, 10, seed, evaders=30) for seed in range(5)])
     judgement = of_scores(scores)
     assert judgement.runs == 5
     found = gain(judgement, "pursuer")
@@ -157,7 +153,7 @@ def test_several_runs_are_judged_over_runs() -> None:
     assert judgement.findings["arms race"].by_run == (PRESENT,) * 5
     # Runs that differ give no verdict.
     kinds = (STEADY, circular(31), STEADY, circular(31))
-    differ = of_scores(np.stack([played(chance, 20, evaders=30) for chance in kinds]))
+    differ = of_scores(np.stack([drawn(chance, 20, evaders=30) for chance in kinds]))
     found = differ.findings["intransitivity"]
     assert (found.verdict, found.by_run) == (CANNOT_TELL, (ABSENT, PRESENT, ABSENT, PRESENT))
 
@@ -165,7 +161,7 @@ def test_several_runs_are_judged_over_runs() -> None:
 def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
     won = np.full((31, 31), 0.995)  # so one-sided that learning has nothing to go by
     chances = [won, *(STEADY for _ in range(4))]
-    scores = np.stack([played(each, 20, seed, evaders=30) for seed, each in enumerate(chances)])
+    scores = np.stack([drawn(each, 20, seed, evaders=30) for seed, each in enumerate(chances)])
     judgement = of_scores(scores)
     assert verdicts(judgement)["disengagement"] != PRESENT
     assert gain(judgement, "pursuer").samples == 4
@@ -174,7 +170,7 @@ def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
 
 def test_words_and_json() -> None:
     assert tuple(RULES) == CONDITIONS
-    judgement = of_scores(played(circular(31), 10, evaders=30))
+    judgement = of_scores(drawn(circular(31), 10, evaders=30))
     heads, *rows = analysis.judgement_table(judgement)
     assert heads[:2] == ("condition", "verdict")
     assert [row[0] for row in rows[: len(CONDITIONS)]] == list(CONDITIONS)
@@ -190,7 +186,6 @@ WINDOWS = ("whole", "first half", "last half")
 
 
 def with_verdicts(found: dict[str, dict[str, tuple[str, tuple[str, ...]]]]) -> Judgement:
-    """Return a judgement with verdicts and teams by window and condition."""
     windows = {
         window: {name: Finding(verdict, "", teams) for name, (verdict, teams) in one.items()}
         for window, one in found.items()
@@ -239,7 +234,7 @@ def test_a_plain_sentence_says_who_improved_until_when_and_what_was_lost() -> No
         "skills at least from generation 15 on.": when(("evaders",), rise="w", forgetting="l?"),
     }
     assert [*map(analysis.sentence, said.values())] == [*said]
-    several = [played(STEADY, 10, seed, evaders=30) for seed in range(2)]
+    several = [drawn(STEADY, 10, seed, evaders=30) for seed in range(2)]
     assert analysis.sentence(of_scores(np.stack(several))).startswith("In the mean of 2 runs, both")
     assert analysis.sentence(judge(logistic(5))) == "It cannot be told whether a team improved."
 

@@ -106,9 +106,7 @@ def test_change_is_a_regression_with_known_noise() -> None:
 @settings(deadline=None)
 @given(rates, st.integers(0, 2**32 - 1))
 def test_the_transitive_fit_is_the_nearest_monotone_matrix(matrix: np.ndarray, seed: int) -> None:
-    order = np.ix_(
-        np.argsort(matrix.mean(1), kind="stable"), np.argsort(matrix.mean(0), kind="stable")
-    )
+    order = np.ix_(*(np.argsort(matrix.mean(axis), kind="stable") for axis in (1, 0)))
     values, fit = matrix[order], transitive_fit(matrix)[order]
     assert (np.diff(fit, axis=0) >= -1e-3).all()
     assert (np.diff(fit, axis=1) >= -1e-3).all()

@@ -1,11 +1,12 @@
-"""The measures of matrixworld.analysis on matrices whose answer is known."""
+"""The measures of matrixworld.analysis on matrices whose answer is known, and all of runs."""
 
 from itertools import combinations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy import stats
 from scipy.optimize import minimize
 from scipy.special import expit
 from scipy.stats import t
@@ -13,10 +14,12 @@ from scipy.stats import t
 from matrices import circular, logistic, payoffs, quadruples
 from matrixworld import analysis
 from matrixworld.analysis.cycles import (
+    MARGIN,
     Checkerboard,
     strongest_checkerboards,
     transitive_share_over_episodes,
 )
+from matrixworld.analysis.games import game_value
 from matrixworld.analysis.progress import Disengagement, lag_rise
 from matrixworld.analysis.ratings import ELO_POINTS, RIDGE
 
@@ -51,9 +54,7 @@ def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
 
 
 @given(payoffs(), margins, st.none() | sixteenths)
-def test_checkerboards_agree_with_four_loops(
-    matrix: np.ndarray, margin: float, level: float | None
-) -> None:
+def test_checkerboards_by_loops(matrix: np.ndarray, margin: float, level: float | None) -> None:
     boards = analysis.checkerboards(matrix, margin=margin, level=level)
     rows, columns = matrix.shape
     assert boards.count == sum(
@@ -86,9 +87,7 @@ def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray) -> None:
 
 
 @given(payoffs(most=8), st.integers(1, 12), margins)
-def test_the_strongest_checkerboards_are_chosen_first(
-    matrix: np.ndarray, count: int, margin: float
-) -> None:
+def test_strongest_boards_are_chosen_first(matrix: np.ndarray, count: int, margin: float) -> None:
     """All are the best of their pursuers; another one is weak, late, or too like a chosen one."""
     best: dict[tuple, tuple] = {}
     for won, lost, (pursuers, evaders) in quadruples(matrix):
@@ -137,12 +136,10 @@ nan = np.nan
 
 def test_ciao_holds_the_two_triangles_with_the_diagonal() -> None:
     pursuers, evaders = analysis.ciao(MATRIX)
-    np.testing.assert_array_equal(
-        pursuers.payoff, [[0.1, nan, nan], [0.4, 0.5, nan], [0.7, 0.8, 1.0]]
-    )
-    np.testing.assert_allclose(
-        evaders.payoff, [[0.9, nan, nan], [0.8, 0.5, nan], [0.7, 0.4, 0.0]], atol=1e-15
-    )
+    below = [[0.1, nan, nan], [0.4, 0.5, nan], [0.7, 0.8, 1.0]]
+    np.testing.assert_array_equal(pursuers.payoff, below)
+    above = [[0.9, nan, nan], [0.8, 0.5, nan], [0.7, 0.4, 0.0]]
+    np.testing.assert_allclose(evaders.payoff, above, atol=1e-15)
     np.testing.assert_allclose(pursuers.by_age, [1.6 / 3, 0.6, 0.7])
     # Fading compares newer with older ancestors.
     assert pursuers.fading == pytest.approx(((0.5 - 0.4) + (1.0 - 0.7)) / 2)
@@ -158,7 +155,6 @@ def test_cycles_are_stripes_of_their_period(period: int) -> None:
 
 
 def test_elo_minimises_its_documented_objective() -> None:
-    """Compare with a general minimiser of the objective."""
     rng = np.random.default_rng(3)
     matrix = rng.random((3, 4))
     x = 0.01 + 0.98 * matrix
@@ -189,3 +185,60 @@ def test_intervals_of_ratings_are_those_of_a_jackknife() -> None:
         np.testing.assert_allclose(ratings.mean, ELO_POINTS * whole, atol=1e-6)
         half = (ratings.high - ratings.low) / 2
         np.testing.assert_allclose(half, t.ppf(0.975, 199) * error, rtol=0.03)
+
+
+small_payoffs = payoffs(least=2, most=5)
+noisy = np.random.default_rng(0)
+RUNS = np.stack([noisy.binomial(40, logistic(13)) / 40 for _ in range(6)])
+SCORES = (noisy.random((13, 13, 20)) < logistic(13)[:, :, None]).astype(np.float32)
+
+
+def test_measures_are_those_of_the_single_functions() -> None:
+    matrix = circular(13)
+    found = {name: one.value for name, one in analysis.measure_all(matrix).items()}
+    late = analysis.last_half(matrix)
+    assert found["game_value"] == game_value(matrix)
+    assert found["transitive_share"] == analysis.transitive_share(late)
+    assert found["checkerboards"] == analysis.checkerboards(late, margin=MARGIN, level=None).share
+    assert found["pursuer_stripes"] == analysis.ciao(matrix).pursuers.stripes
+    forgetting = analysis.MEASURES["evader_forgetting"]
+    drops = analysis.forgetting(matrix).evaders
+    assert forgetting.of(matrix, "whole").value == drops[6:].mean()
+    assert forgetting.of(matrix).value == found["evader_forgetting"] == drops[9:].mean()
+
+
+def test_the_judgement_and_the_tables_have_the_same_numbers() -> None:
+    for scores in (SCORES, np.stack([SCORES, SCORES[::-1]]), SCORES[:8, :8]):
+        payoffs = analysis.read_payoffs(scores, per_episode=True)
+        found, judgement = analysis.measure_all(payoffs), analysis.judge(payoffs)
+        for finding in judgement.findings.values():
+            assert all(found[name] == one for name, one in finding.estimates.items())
+
+
+def test_a_single_run_has_no_intervals_and_says_so() -> None:
+    found = analysis.measure_all(circular(13))
+    scatter = {"pursuer_gain", "evader_gain", "pursuer_change", "evader_change"}
+    assert all(one.low is None and one.note for name, one in found.items() if name not in scatter)
+    assert analysis.measure_table(circular(13)).startswith("A single run (95% interval over its")
+
+
+def test_several_runs_have_intervals_over_runs() -> None:
+    share = analysis.measure_all(RUNS)["transitive_share"]
+    each = [analysis.transitive_share(analysis.last_half(run)) for run in RUNS]
+    assert share.value == pytest.approx(np.mean(each))
+    half = stats.t.ppf(0.975, 5) * np.std(each, ddof=1) / np.sqrt(6)
+    assert share.ends == pytest.approx((share.value - half, share.value + half))
+    assert (share.across, share.samples) == ("runs", 6)
+    assert f"{share}" in analysis.measure_table(RUNS)
+
+
+@settings(max_examples=8)
+@given(small_payoffs)
+def test_any_matrix_is_analysed_and_swapping_teams_swaps_the_numbers(matrix: np.ndarray) -> None:
+    numbers, swapped = analysis.measure_all(matrix), analysis.measure_all(1 - matrix.T)
+    for name, one in numbers.items():
+        value = one.value
+        team, _, measure = name.partition("_")
+        other = {"pursuer": f"evader_{measure}", "evader": f"pursuer_{measure}"}.get(team, name)
+        expected = 1 - value if name in ("capture_rate", "game_value") else value
+        np.testing.assert_allclose(swapped[other].value, expected, atol=1e-6, err_msg=name)

@@ -54,17 +54,7 @@ def usual(command: click.Command, param: click.Parameter) -> list[str]:
 NUMBERS = ["", "-1", "0", "1", "x", "inf", "-inf", "1e-320", "1" + 30 * "0"]
 TEXTS = ["", "-", "0", "x", "-1", "nan", "\udcff", "\x1b]0;x\x07", "x" * 5000, "a=b", "="]
 ENDINGS = ["", ".json", ".npz", ".html", ".png", ".csv", ".toml"]
-FILES = [
-    "missing/x",
-    "file.txt/x",
-    "/proc/x",
-    "\udcff",
-    "x" * 300,
-    "directory",
-    "old",
-    "cut",
-    "new",
-]
+BARE = ["missing/x", "file.txt/x", "/proc/x", "\udcff", "x" * 300, "directory", "old", "cut", "new"]
 PATHS = ["", ".", "..", "-", "file.txt", "RUN", "/dev/null", "link", "empty", "RUN/payoff.npz"]
 
 
@@ -82,7 +72,7 @@ def borders(param: click.Parameter) -> list[list[str]]:
         values = NUMBERS + [str(each) for each in (least, least and least - 1) if each is not None]
         values += [str(2**31 - 1 if most is None else most + 1)]
     elif isinstance(type_, click.Path) or re.search("RUN|FILE|DIR|PATH", param.metavar or ""):
-        values = PATHS + [f"{file}{ending}" for file in FILES for ending in ENDINGS]
+        values = PATHS + [f"{file}{ending}" for file in BARE for ending in ENDINGS]
         values += [] if isinstance(type_, click.Path) else TEXTS
     values = list(dict.fromkeys(values))
     if isinstance(param, click.Argument):
@@ -116,10 +106,7 @@ def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def tree(root: Path) -> Tree:
-    return {
-        path.relative_to(root): None if path.is_dir() else path.read_bytes()
-        for path in root.rglob("*")
-    }
+    return {p.relative_to(root): None if p.is_dir() else p.read_bytes() for p in root.rglob("*")}
 
 
 READERS: list[Any] = [

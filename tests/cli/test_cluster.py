@@ -31,17 +31,13 @@ def dask() -> Iterator[Any]:
         yield running
 
 
-def test_without_dask_the_command_that_installs_it_is_named(
-    race: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_dask_the_command_that_installs_it_is_named(race, monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     told = matrixworld_command("tournament", race, "--cluster", "auto", code=1).output
     assert "pip install 'matrixworld-pursuit[cluster]'" in told
 
 
-def test_workers_of_another_version_are_refused(
-    race: Path, dask: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_workers_of_another_version_are_refused(race, dask, monkeypatch):
     monkeypatch.setattr(cluster, "__version__", "9")
     address = dask.scheduler_address
     done = matrixworld_command("tournament", race, "--cluster", address, code=1)
@@ -59,7 +55,7 @@ COMMANDS = {
 @pytest.mark.slow
 @pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize("name", COMMANDS)
-def test_a_cluster_gives_the_same_files(name: str, race: Path, dask: Any, tmp_path: Path) -> None:
+def test_a_cluster_gives_the_same_files(name, race, dask, tmp_path):
     job = tmp_path / "job"
     if "{job}" in COMMANDS[name]:
         evolve([tiny_race(seed=seed) for seed in (0, 1)], job, threads=1)
@@ -85,15 +81,13 @@ def _files_in(target: Path) -> dict[str, bytes]:
     }
 
 
-# The page
-
 PAGE = (Path(__file__).parents[2] / "docs/cluster.md").read_text(encoding="utf-8")
 SCRIPTS = re.findall(r"^```sh\n(#!/bin/bash\n.*?)^```", PAGE, re.M | re.S)
 TINY = {"world.rows": 8, "world.n_evaders": 2, "schedule.generations": 1}
 
 
 @pytest.mark.slow
-def test_the_example_in_python_runs(tmp_path: Path) -> None:
+def test_the_example_in_python_runs(tmp_path):
     [code] = re.findall(r"^```python\n(.*?)^```", PAGE, re.M | re.S)
     (tmp_path / "script.py").write_text(code)
     subprocess.run([sys.executable, "script.py"], cwd=tmp_path, check=True)
@@ -103,7 +97,7 @@ def test_the_example_in_python_runs(tmp_path: Path) -> None:
 @pytest.mark.nightly
 @pytest.mark.skipif(sys.platform != "linux", reason="scripts of batch systems of Linux")
 @pytest.mark.parametrize("script", SCRIPTS, ids=["array", "cluster"])
-def test_scripts_for_batch_systems_run(script: str, tmp_path: Path) -> None:
+def test_scripts_for_batch_systems_run(script, tmp_path):
     settings = f"RaceSettings.of({{**{TINY}, 'schedule': schedule, 'seed': seed}})"
     sets = "".join(f" --set {path}={value}" for path, value in TINY.items())
     changes = {

@@ -17,8 +17,6 @@ def test_warnings_for_users_are_lines_of_their_own(capsys):
     assert capsys.readouterr().err == "Warning: the pursuers win nearly everything\n"
 
 
-# Text that others have written:
-
 EVIL = "a\x1b]0;owned\x07\u202efdp.exe\x9b31m\udcff"
 """Sets the title of the terminal, rings, turns the direction of text round, has a color."""
 SHOWN = r"a\x1b]0;owned\x07\u202efdp.exe\x9b31m\udcff"

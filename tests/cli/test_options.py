@@ -44,8 +44,6 @@ def test_every_command_that_names_an_output_file_has_force():
             assert "--force" in flags, name
 
 
-# Existing outputs
-
 OUTPUTS = {
     "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
     "tournament": (["tournament", "run", "--episodes", 2], "run/tournament-2x12-seed0.png"),
@@ -88,11 +86,9 @@ def test_numbers_on_standard_output(run):
 
 
 def test_the_package_is_a_command_and_needs_no_docstrings():
-    environment = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONOPTIMIZE": "2"}
+    env = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONOPTIMIZE": "2"}
     command = [sys.executable, "-m", "matrixworld", "--version"]
-    done = subprocess.run(
-        command, env=os.environ | environment, capture_output=True, text=True, check=True
-    )
+    done = subprocess.run(command, env=os.environ | env, capture_output=True, text=True, check=True)
     assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
 
 

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 from click.testing import Result
-from syrupy.assertion import SnapshotAssertion
 
 from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
 
@@ -23,9 +22,7 @@ def masked(text: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def printed(
-    tmp_path_factory: pytest.TempPathFactory, main_job: tuple[Path, Result]
-) -> dict[str, str]:
+def said(tmp_path_factory: pytest.TempPathFactory, main_job: tuple[Path, Result]) -> dict[str, str]:
     """What `evolve` prints of some jobs; they lie in the working directory of the module."""
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(tmp_path_factory.mktemp("jobs"))
@@ -39,8 +36,8 @@ def printed(
 
 
 @pytest.mark.parametrize("job", ["main job", *JOBS])
-def test_evolve(printed: dict[str, str], snapshot: SnapshotAssertion, job: str) -> None:
-    assert masked(printed[job]) == snapshot
+def test_evolve(said, snapshot, job):
+    assert masked(said[job]) == snapshot
 
 
 @pytest.mark.parametrize(
@@ -56,11 +53,6 @@ def test_evolve(printed: dict[str, str], snapshot: SnapshotAssertion, job: str) 
     ],
     ids=lambda command: " ".join(map(str, command[:3])),
 )
-def test_commands(
-    printed: dict[str, str],
-    snapshot: SnapshotAssertion,
-    monkeypatch: pytest.MonkeyPatch,
-    command: list[object],
-) -> None:
-    monkeypatch.chdir(printed["directory"])
+def test_commands(said, snapshot, monkeypatch, command):
+    monkeypatch.chdir(said["directory"])
     assert masked(matrixworld_command(*command).stdout) == snapshot

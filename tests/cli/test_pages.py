@@ -2,18 +2,13 @@
 
 from pathlib import Path
 
-import pytest
-from click.testing import Result
-
 from browser import data_of
 from command_line import MAIN_JOB, PLACES, matrixworld_command
 from matrixworld.cli import pages
 from matrixworld.explorer import Playground
 
 
-def test_pages_are_written_and_opened(
-    main_job: tuple[Path, Result], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_pages_are_written_and_opened(main_job, monkeypatch):
     root, _ = main_job
     data = data_of(root / "explorer.html")  # that of evolve
     assert data["title"] == "main job"
@@ -32,9 +27,7 @@ def test_pages_are_written_and_opened(
     assert Path("playground.html").read_text(encoding="utf-8") == Playground().html()
 
 
-def test_many_seeds_show_some_of_each_group_and_say_so(
-    main_job: tuple[Path, Result], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_many_seeds_show_some_of_each_group_and_say_so(main_job, monkeypatch):
     assert pages.first_seeds(["abc", "d", "efg"], 5) == [*"abdef"]
     monkeypatch.setattr(pages, "MOST_RUNS", 2)
     told = matrixworld_command("explore", main_job[0], "-o", "page.html", "--no-open").output

@@ -96,7 +96,6 @@ OTHERS = [
     (["tournament", "race", "--out", "payoff.png"], 2, "--out: expected a name that ends in .npz"),
     (["solve", "--rows", 30, "--cols", 30], 2, "cells would fit"),
     (["solve", "--rows", 4, "--cols", 4, "--obstacles", 0.1], 2, "expected none or a map"),
-    (["solve", "--n-pursuers", 0], 2, "--n-pursuers"),
     (["solve", "--run", "race", "--rows", 4], 2, "--run: expected no --rows beside it"),
     (["solve", "--run", "race"], 2, "states: expected at most "),
     (["tournament", "race", "--cluster", "nowhere"], 2, "expected auto, an address such as tcp://"),

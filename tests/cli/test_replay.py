@@ -90,9 +90,6 @@ def test_a_film_of_a_long_episode_takes_about_ten_seconds(monkeypatch):
     assert seen["every"] == 1
 
 
-# Tournaments
-
-
 def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     said = played(run, "--episodes", 3, "--steps", 12, "--seed", 5, "--threads", 1)
     made = run / "tournament-3x12-seed5.npz"

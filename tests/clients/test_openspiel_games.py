@@ -25,9 +25,7 @@ def games() -> Any:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("config", WORLDS.values(), ids=WORLDS)
-def test_value_iteration_of_the_library_finds_the_solution(
-    config: mw.WorldConfig, games: Any
-) -> None:
+def test_value_iteration_finds_the_solution(config: mw.WorldConfig, games: Any) -> None:
     pytest.importorskip("cvxpy")
     found = pytest.importorskip("open_spiel.python.algorithms.value_iteration")
     game = games.WorldGame(config)

@@ -18,8 +18,6 @@ from student_functions import by_index
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
 
-# ---- Small worlds --------------------------------------------------------------------------------
-
 DRAWING = ". . . . / . A . B / . . . ."
 
 
@@ -46,7 +44,6 @@ def test_a_step_is_played_and_can_be_explained() -> None:
 
 
 def test_there_is_one_shortest_way() -> None:
-    """All ways of at most 7 moves are walked."""
     # So that `np.roll` leads nobody round the border.
     walls = np.pad(drawn_world("O", MAZE).map, 1, constant_values=True)
     ways = np.zeros(walls.shape, int)

@@ -128,10 +128,6 @@ EVADERS, PURSUERS, OBSTACLES = range(3)  # channels of views
 # ---- Notebook 9: safety --------------------------------------------------------------------------
 
 
-def everything(views: np.ndarray) -> np.ndarray:
-    return np.ones((len(views), WORLD.n_actions), bool)
-
-
 def test_conventions_that_stop_no_group_are_the_orders_of_the_moves() -> None:
     """Of the 64 in which exactly one of two goes first."""
     moves = range(1, 5)
@@ -173,19 +169,14 @@ def test_the_mask_of_the_package_is_that_of_right_before_left() -> None:
 
 def test_nobody_is_at_fault_where_one_of_two_goes_first() -> None:
     greedy = [6, 20, 0, 0, 0, 0]
-    for convention in (
-        as_on_a_road,
-        lambda own, other: own < other,
-        lambda own, other: own > other,
-    ):
-        safety, _ = play_masked(greedy, mask_of(convention), episodes=100, seed=92)
+    for rule in (as_on_a_road, lambda own, other: own < other, lambda own, other: own > other):
+        safety, _ = play_masked(greedy, mask_of(rule), episodes=100, seed=92)
         assert not safety.summary().fault_rate[0].any()
     both_go, _ = play_masked(greedy, mask_of(left_waits), episodes=100, seed=92)
     assert both_go.summary().fault_rate[0, 1] > 0
 
 
 def test_what_the_kept_packs_show() -> None:
-    """Penalties make packs that collide or capture nothing; masks rule collisions out."""
     runs = kept("safe_packs")
     captured = {name: runs[f"{name}_captured"] / runs["episodes"] for name in PACKS}
     for name in PACKS[:7]:
@@ -232,7 +223,6 @@ def test_the_kept_truth_is_what_the_notebook_says() -> None:
 
 
 def test_answers_to_the_newest_never_improve_and_those_to_the_nash_mixture_do() -> None:
-    """In games that the notebook does not play."""
     names: dict[str, Any] = {"np": np, "analysis": analysis}
     for text in map(source, cells(NOTEBOOKS[-1], "code")):
         if text.startswith("def newest"):

@@ -42,10 +42,7 @@ WRONG: dict[str, dict[str, Any]] = {
         "too short": [EAST, EAST, SOUTH, SOUTH, EAST, EAST, STAY],
         "no such action": [EAST, EAST, SOUTH, SOUTH, EAST, EAST, 5],
     },
-    "1.2": {
-        "swaps": [EAST, WEST, EAST, WEST],
-        "into the border": [WEST, EAST, WEST, EAST],
-    },
+    "1.2": {"swaps": [EAST, WEST, EAST, WEST], "into the border": [WEST, EAST, WEST, EAST]},
     "1.3": {
         "simultaneous": bumper_cars(interaction=mw.Interaction.SIMULTANEOUS),
         "two fields": bumper_cars(pursuer=mw.Outcome.REACH, captured_disappear=True),
@@ -72,10 +69,7 @@ WRONG: dict[str, dict[str, Any]] = {
         "no capture": [-12.05, -12.05, 9.95, -0.05, -12.05],
         "two penalties": [-24.05, -12.05, 9.95, -10.05, -12.05],
     },
-    "2.3": {
-        "equal": 201,
-        "too few": 100,
-    },
+    "2.3": {"equal": 201, "too few": 100},
     "2.4": {
         "by index": student.by_index,
         "no chains": student.without_chains,
@@ -131,13 +125,8 @@ WRONG: dict[str, dict[str, Any]] = {
         "the opponents win": lambda beats, a, b: beats(*student.pairs(a, b)[::-1]).mean(),
         "one opponent each": lambda beats, a, b: beats(a[: len(b)], b).mean(),
     },
-    "5.1": {
-        "two swapped": {**ENDINGS, "A": "cycle", "B": "one side only"},
-    },
-    "5.2": {
-        "rule of the pursuers": lambda k, i: i % k,
-        "the newest": lambda k, i: k,
-    },
+    "5.1": {"two swapped": {**ENDINGS, "A": "cycle", "B": "one side only"}},
+    "5.2": {"rule of the pursuers": lambda k, i: i % k, "the newest": lambda k, i: k},
     "5.3": {
         "the mean": GAINS.value,
         "the other sign": [-GAINS.high, -GAINS.low],
@@ -171,20 +160,14 @@ WRONG: dict[str, dict[str, Any]] = {
         "without a zero": student.of_the_largest,
     },
     "7.2": {"best": 0.8, "below": 0.75, "above": 0.95, "nine": 9},
-    "7.3": {
-        "the wins": lambda wins: wins,
-        "zeros": lambda wins: 0 * wins,
-    },
+    "7.3": {"the wins": lambda wins: wins, "zeros": lambda wins: 0 * wins},
     "8.1": {
         "both teams": (64000, 250),
         "epochs": (1000, 250),
         "the whole curriculum": (32000, 1000),
         "a generation": (32000, 50),
     },
-    "8.2": {
-        "with the own": lambda rates: rates.mean(axis=1),
-        "the own": np.diag,
-    },
+    "8.2": {"with the own": lambda rates: rates.mean(axis=1), "the own": np.diag},
     "8.3": {
         "by the means": lambda one, other: "better" if one.mean() > other.mean() else "worse",
         "unpaired": student.unpaired,
@@ -209,7 +192,7 @@ WRONG: dict[str, dict[str, Any]] = {
         "the left waits": student.left_waits,
         "right of way": student.right_of_way,
     },
-}  # fmt: skip
+}
 
 WRONG |= {
     "10.1": {
@@ -312,12 +295,6 @@ def test_a_wrong_number_of_parameters_is_told(name: str, answer: Any) -> None:
 
 
 def test_replies_do_not_give_numbers_away() -> None:
-    answers = {
-        "2.3": "202 ",
-        "7.2": "0.9 ",
-        "9.2": f"{break_even():.1f}",
-        "9.3": "299",
-        "10.3": "0.83",
-    }
-    for name, answer in answers.items():
+    key = {"2.3": "202 ", "7.2": "0.9 ", "9.2": f"{break_even():.1f}", "9.3": "299", "10.3": "0.83"}
+    for name, answer in key.items():
         assert not any(answer in check(name, wrong).text for wrong in WRONG[name].values())

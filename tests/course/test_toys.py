@@ -5,19 +5,9 @@ import pytest
 
 from course import toys
 from course.synthetic_races import play_episodes
-from course.toys import PAPER, ROCK, SCISSORS
 from matrices import ROCK_PAPER_SCISSORS
 from matrixworld import analysis
 from matrixworld.coevolution.types import TEAMS
-
-
-def test_specialists_cycle_with_period_three():
-    hands = toys.alternate("specialist-specialist", 30, 1)
-    # By hand: paper beats rock, scissors beat paper, rock beats scissors, and so on.
-    assert hands["pursuer"][:4] == [ROCK, PAPER, ROCK, SCISSORS]
-    assert hands["evader"][:4] == [ROCK, SCISSORS, PAPER, ROCK]
-    for team in hands:
-        assert hands[team][4:] == hands[team][1:-3]
 
 
 def test_generalists_do_not_cycle():
@@ -97,12 +87,3 @@ def test_mean_and_variance_of_matches(evaders, episodes, matchups):
     expected = 0.3 * 0.7 * (1 + (evaders - 1) / 5) / evaders / episodes + matchups**2
     assert means.mean() == pytest.approx(0.3, abs=0.03)
     assert means.var() == pytest.approx(expected, rel=0.35)
-
-
-def test_virulence_by_hand():
-    # v = 3/4, x = 0, 1/2, 3/4, 1: 2x/v - x^2/v^2 = 0, 4/3 - 4/9, 2 - 1, 8/3 - 16/9.
-    found = toys.reduced_virulence(np.array([0.0, 2.0, 3.0, 4.0]), 0.75)
-    assert found == pytest.approx([0, 8 / 9, 1, 8 / 9])
-    # v = 1/2: 4x - 4x^2, winning everything gives nothing.
-    assert toys.reduced_virulence(np.arange(3.0), 0.5) == pytest.approx([0, 1, 0])
-    assert toys.reduced_virulence(np.zeros(2), 0.75).tolist() == [0.0, 0.0]

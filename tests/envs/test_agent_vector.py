@@ -15,7 +15,6 @@ from matrixworld.envs.vector import AutoresetMode
 from rows import config_of, random_actions
 
 GYMNASIUM = tuple(map(int, gymnasium.__version__.split(".")[:2]))
-MODES = list(AutoresetMode)
 TEAMS = (None, "pursuer", "evader")
 
 
@@ -27,7 +26,7 @@ def actions_of(env: mw.AgentVectorEnv, steps: int) -> np.ndarray:
     return random_actions(3, env.single_action_space.n, steps, env.num_envs)
 
 
-@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("mode", AutoresetMode)
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("copied", [True, False])
 def test_they_are_the_arrays_of_the_worlds(team: str, mode: AutoresetMode, copied: bool) -> None:

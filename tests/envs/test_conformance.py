@@ -17,14 +17,7 @@ from rows import NAMES, config_of
 
 with warnings.catch_warnings():  # with pygame installed, PettingZoo imports outdated environments
     warnings.simplefilter("ignore", DeprecationWarning)
-    from pettingzoo.test import (
-        api_test,
-        max_cycles_test,
-        parallel_api_test,
-        parallel_seed_test,
-        render_test,
-        seed_test,
-    )
+    import pettingzoo.test as official
 
 pytestmark = [
     # PettingZoo's tests warn of it, but it is right here: an agent that is gone, or alone in the
@@ -52,10 +45,10 @@ def _quiet() -> Any:
 )
 def test_api_and_seeds(name: str, given: dict[str, Any]) -> None:
     config = config_of(name, obstacles=0.1)
-    api_test(mw.aec_env(config, **given), num_cycles=60)
-    parallel_api_test(mw.parallel_env(config, **given), num_cycles=60)
-    seed_test(lambda: mw.aec_env(config, **given), num_cycles=20)
-    parallel_seed_test(lambda: mw.parallel_env(config, **given), num_cycles=20)
+    official.api_test(mw.aec_env(config, **given), num_cycles=60)
+    official.parallel_api_test(mw.parallel_env(config, **given), num_cycles=60)
+    official.seed_test(lambda: mw.aec_env(config, **given), num_cycles=20)
+    official.parallel_seed_test(lambda: mw.parallel_env(config, **given), num_cycles=20)
 
 
 @pytest.mark.parametrize("name", mw.VARIANTS)
@@ -64,14 +57,14 @@ def test_max_cycles(name: str) -> None:
     with warnings.catch_warnings():
         # It steps a parallel environment until max_cycles, whether or not agents are gone.
         warnings.simplefilter("error")
-        max_cycles_test(SimpleNamespace(**made))
+        official.max_cycles_test(SimpleNamespace(**made))
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_rendering(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("time.sleep", lambda seconds: None)  # which "human" does to be seen
     drawn = {"ansi": lambda text: "captured" in text, "human": lambda nothing: nothing is None}
-    render_test(lambda **mode: mw.aec_env(config_of(name), **mode), custom_tests=drawn)
+    official.render_test(lambda **mode: mw.aec_env(config_of(name), **mode), custom_tests=drawn)
 
 
 def test_each_agent_s_action_space_has_its_own_seed() -> None:

@@ -30,7 +30,6 @@ Terminal = pytest.CaptureFixture[str]
 
 @pytest.fixture
 def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Collect the pauses instead of taking them."""
     taken: list[float] = []
     monkeypatch.setattr("time.sleep", taken.append)
     monkeypatch.setattr("time.monotonic", lambda: 5.0)
@@ -220,11 +219,7 @@ def test_a_terminal_is_drawn_in_place(naps: list[float], terminal: Terminal) -> 
     start, *pieces = terminal.readouterr().out.split(term.HOME)
     assert start == term.WRAP_OFF + term.CLEAR
     assert len(pieces) == 3
-    assert (
-        pieces[0]
-        .splitlines()[0]
-        .startswith(render.ansi(shown.scene(), color="256").splitlines()[0])
-    )
+    assert pieces[0].startswith(render.ansi(shown.scene(), color="256").splitlines()[0])
     assert pieces[0] == pieces[1] == pieces[2] + term.WRAP_OFF
     assert pieces[2].endswith(term.WRAP_ON + "\n")
     assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])

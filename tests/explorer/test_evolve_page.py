@@ -29,23 +29,20 @@ def test_evolve_writes_and_names_it(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert Path(PAGE).read_text(encoding="utf-8") == evolve_page()
 
 
-# ---- In a real browser ---------------------------------------------------------------------------
-
 STATE = "document.body.dataset.state"
 NEWEST = "matrixworldEvolve.lanes[0].newestGeneration"
+DRAW_WALLS = "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
 FACTS = "document.querySelector('.facts').textContent"
 
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page as a file."""
     file = tmp_path_factory.mktemp("evolve") / PAGE
     file.write_text(evolve_page(), encoding="utf-8")
     return file
 
 
 def opened(browser: Browser, page: Path, settings: str, size: tuple[int, int]) -> None:
-    """Open the page with settings in its address."""
     browser.resize(*size)
     browser.driver.get("about:blank")  # another address after the # loads no page
     browser.driver.get(page.as_uri() + settings)
@@ -53,9 +50,7 @@ def opened(browser: Browser, page: Path, settings: str, size: tuple[int, int]) -
 
 
 @pytest.mark.slow
-def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
-    browser: Browser, page: Path
-) -> None:
+def test_a_race_evolves_is_changed_and_plays_its_matches(browser: Browser, page: Path) -> None:
     opened(browser, page, SMALL, LAPTOP)
     assert browser.js(STATE) == "waiting"
     browser.wait("matrixworldEvolve.lanes[0].newest.player.step > 2")  # a chase runs already
@@ -78,9 +73,7 @@ def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
     # The mask ends all collisions at once, and walls play the matrix again.
     browser.driver.execute_script("document.querySelector('.controls [type=checkbox]').click()")
     browser.wait(f"/\\D0 collisions/.test({FACTS})")
-    browser.driver.execute_script(
-        "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
-    )
+    browser.driver.execute_script(DRAW_WALLS)
     box = "document.querySelector('.chase canvas').getBoundingClientRect()"
     left, top, width = browser.js(f"(box => [box.left, box.top, box.width])({box})")
     cells = [(left + width * (column + 0.5) / 12, top + width * 2.5 / 12) for column in (3, 4, 5)]
@@ -95,9 +88,7 @@ def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
 @pytest.mark.slow
 def test_a_wall_that_would_cut_off_a_cell_is_refused(browser: Browser, page: Path) -> None:
     opened(browser, page, "#population=8&walls=12.13", LAPTOP)
-    browser.driver.execute_script(
-        "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
-    )
+    browser.driver.execute_script(DRAW_WALLS)
     told = "document.querySelector('.chase > [role=status]').textContent"
     rows = "matrixworldEvolve.lanes[0].settings.world.obstacles"
     browser.wait("matrixworldEvolve.lanes[0].newest.player.step > 0")

@@ -36,9 +36,7 @@ def _at_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("_at_once")
-def test_runs_have_the_same_bytes_with_a_page_that_grows_with_them(
-    job: Path, tmp_path: Path
-) -> None:
+def test_runs_have_the_same_bytes_with_a_page_that_grows(job: Path, tmp_path: Path) -> None:
     root, page = tmp_path / "job", GrowingPage(tmp_path / "job", NAMES)
     page.write()
     assert not root.exists()
@@ -66,9 +64,7 @@ def test_runs_have_the_same_bytes_with_a_page_that_grows_with_them(
             assert (root / name / file).read_bytes() == (job / name / file).read_bytes()
 
 
-def test_the_page_takes_a_small_part_of_the_time(
-    job: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_pages_take_little_time(job: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     now = 0.0
     monkeypatch.setattr(runs_page.time, "monotonic", lambda: now)
     page, written = GrowingPage(job, NAMES), []
@@ -88,9 +84,7 @@ def test_the_page_takes_a_small_part_of_the_time(
 
 
 @pytest.mark.parametrize("name", JOB)
-def test_cells_are_the_first_episodes_of_the_evaluation_however_they_grew(
-    job: Path, name: str
-) -> None:
+def test_cells_are_the_first_episodes_of_the_evaluation(job: Path, name: str) -> None:
     run = open_run(job / name)
     known = None
     for pursuers, evaders in ((1, 1), (2, 1), (2, 3), (3, 3), (9, 9)):
@@ -112,9 +106,7 @@ def first_of(team: Population | str, most: int) -> Population | str:
 
 @pytest.mark.nightly
 @pytest.mark.usefixtures("_at_once")
-def test_a_browser_follows_the_runs_and_ends_with_the_finished_page(
-    browser: Browser, tmp_path: Path
-) -> None:
+def test_a_browser_follows_the_runs_to_the_finished_page(browser: Browser, tmp_path: Path) -> None:
     run = tmp_path / "run"
     create(tiny_race(max_steps=20), run)
     page = GrowingPage(tmp_path, ["run"])

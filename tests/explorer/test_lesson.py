@@ -25,7 +25,6 @@ PAGE = DOCS / "lesson.html"
 
 @pytest.fixture(scope="module")
 def lesson() -> Iterator[ModuleType]:
-    """The program that makes the page."""
     sys.path.insert(0, str(DOCS))
     import lesson_page
 
@@ -73,7 +72,6 @@ def test_letters_of_an_edition_stay_and_any_may_be_right(lesson: ModuleType) -> 
 
 
 def saved(choices: dict[str, str], pupil: str, edition: int = 2) -> str:
-    """Return a file as the lesson saves it."""
     common = {"edition": edition, "pupil": pupil}
     lines = [{"prediction": name, "choice": choice, **common} for name, choice in choices.items()]
     return "".join(json.dumps(line) + "\n" for line in lines)
@@ -166,10 +164,8 @@ def numbers_game(
                 won[side] += game.beats(ones[side], np.tile(past[champion], (n, 1)))
         for side in (0, 1):
             champions[side].append(ones[side][won[side].argmax()])
-            chances = np.cumsum(won[side] if won[side].any() else np.ones(n))
-            parents = [
-                int(np.searchsorted(chances, draw() * chances[-1], "right")) for _ in range(n)
-            ]
+            sums = np.cumsum(won[side] if won[side].any() else np.ones(n))
+            parents = [int(np.searchsorted(sums, draw() * sums[-1], "right")) for _ in range(n)]
             flips = [draw() < settings["mutation"] for _ in range(bits[side].size)]
             bits[side] = bits[side][parents] ^ np.reshape(flips, bits[side].shape)
     return [each.sum(axis=2).tolist() for each in bits]
@@ -199,8 +195,6 @@ def test_the_games_are_those_of_slow_python() -> None:
         won, lost = GAMES[name].beats(a[first], b[second]), GAMES[name].beats(b[second], a[first])
         assert game["score"] == pytest.approx(np.mean((1.0 + won - lost) / 2))
 
-
-# ---- The page ------------------------------------------------------------------------------------
 
 CHOOSE = """(([name, choice]) => {
   const form = document.getElementById(`prediction-${name}`);

@@ -112,9 +112,7 @@ def test_a_page_opens_and_runs_no_script_but_its_own(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("page", MADE)
-def test_paper_is_light_and_has_nothing_to_press(
-    browser: Browser, page: str, tmp_path: Path
-) -> None:
+def test_paper_is_light_with_nothing_to_press(browser: Browser, page: str, tmp_path: Path) -> None:
     write_page(tmp_path / "page.html", MADE[page](tmp_path))
     browser.prefer(prefers_color_scheme="dark")
     browser.open(tmp_path / "page.html", DESKTOP)
@@ -140,15 +138,10 @@ def test_paper_is_light_and_has_nothing_to_press(
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("page", MADE)
-def test_readers_with_disabilities_are_not_hindered(
-    browser: Browser, page: str, tmp_path: Path
-) -> None:
+def test_disabilities_hinder_no_reader(browser: Browser, page: str, tmp_path: Path) -> None:
     """Contrast, labels and landmarks of a page and of its dialogs."""
     write_page(tmp_path / "page.html", MADE[page](tmp_path))
     assert browser.hindrances(tmp_path / "page.html", *OPENED.get(page, [])) == {}
-
-
-# ---- As files ------------------------------------------------------------------------------------
 
 
 def test_built_files_are_of_the_present_sources() -> None:
@@ -165,9 +158,7 @@ def test_built_files_are_of_the_present_sources() -> None:
         assert f"sources {digest.hexdigest()} */" in first_line, file
 
 
-@pytest.mark.parametrize(
-    "file", [*BUILT.iterdir(), *results.BUILT.iterdir()], ids=lambda path: path.name
-)
+@pytest.mark.parametrize("file", [*BUILT.iterdir(), *results.BUILT.iterdir()], ids=lambda p: p.name)
 def test_no_built_file_ends_its_element_or_evaluates_text(file: Path) -> None:
     text = file.read_text(encoding="utf-8").lower()
     for ends in ("</script", "<script", "<!--", "</style", "eval(", "new function", "import.meta"):
@@ -187,11 +178,7 @@ def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
         render_page(page, "title", {"rate": float("nan")}, folder=folder)
 
 
-# ---- In notebooks --------------------------------------------------------------------------------
-
-
 def picture(bundle: dict[str, str]) -> np.ndarray:
-    """Return the pixels of the picture in an output."""
     with Image.open(io.BytesIO(base64.b64decode(bundle["image/png"]))) as image:
         assert image.format == "PNG"
         return np.asarray(image.convert("RGB"))
@@ -212,7 +199,6 @@ def test_a_notebook_shows_the_page_in_a_frame_and_as_a_picture_of_its_scene() ->
 
 
 def test_a_notebook_that_is_kept_shows_the_picture_and_no_frame() -> None:
-    """The formatter of a notebook, and then the script that runs and keeps the notebooks."""
     formatters = pytest.importorskip("IPython.core.formatters")
     drop_frame = runpy.run_path(str(REPOSITORY / "tutorials" / "run.py"))["drop_frame"]
     data, metadata = formatters.DisplayFormatter().format(Playground())

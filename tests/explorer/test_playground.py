@@ -18,7 +18,7 @@ import matrixworld as mw
 from browser import Browser
 from command_line import matrixworld_command
 from matrixworld import Episode, World, WorldConfig, record
-from matrixworld.coevolution import TEAMS, SavedRun, Team, evolve
+from matrixworld.coevolution import TEAMS, SavedRun, Team
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
 from matrixworld.explorer.page import write_page
@@ -32,11 +32,9 @@ from matrixworld.explorer.playground import (
 )
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 from scripts import wait_until
-from tiny_race import tiny_race
 
 DOCS = Path(__file__).parents[2] / "docs"
-
-# ---- Scenes as text ------------------------------------------------------------------------------
+Job = dict[str, SavedRun]
 
 
 def small_world(rules: mw.Rules | str = "SB") -> mw.World:
@@ -131,12 +129,10 @@ location.hash = arguments[0];
 
 SCENE = "rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=240"
 UP, RIGHT, DOWN, LEFT = "\ue013", "\ue014", "\ue015", "\ue012"
-ENTER, BACKSPACE, HOME, DELETE = "\ue007", "\ue003", "\ue011", "\ue017"
+ENTER, BACKSPACE, HOME = "\ue007", "\ue003", "\ue011"
 
 
 class PlaygroundPage:
-    """The page in a browser, without motion, whose pictures take time."""
-
     def __init__(self, browser: Browser, file: Path) -> None:
         self.browser = browser
         browser.prefer(prefers_reduced_motion="reduce")
@@ -144,21 +140,15 @@ class PlaygroundPage:
         browser.open(file)
 
     def load(self, scene: str) -> None:
-        """Show a scene as a click on a link to it does."""
         self.browser.driver.execute_async_script(SHOW, f"#{quote(scene, safe='=&._,x+-')}")
 
     def text(self, selector: str) -> str:
-        """Return the text of an element."""
         return self.browser.js(f"document.querySelector('{selector}').textContent")
 
     def scene(self, *names: str) -> Any:
-        """Return parts of the present scene."""
-        return self.browser.js(
-            f"(scene => [{', '.join(f'scene.{n}' for n in names)}])(playground.scene)"
-        )
+        return self.browser.js(f"(s => [{', '.join(f's.{n}' for n in names)}])(playground.scene)")
 
     def cells(self) -> list[list[int]]:
-        """Return where agents are at present."""
         return self.browser.js(
             "playground.game.scene().pursuers.concat(playground.game.scene().evaders)"
             ".map(({ cell }) => cell)"
@@ -255,19 +245,8 @@ ARROWS = {0: " ", 1: "\ue013", 2: "\ue014", 3: "\ue015", 4: "\ue012"}
 
 
 @pytest.fixture(scope="module")
-def job(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
-    """A race with obstacles, and one in which the teams take turns and move diagonally."""
-    root = tmp_path_factory.mktemp("job")
-    settings = {
-        "race": tiny_race(obstacles=0.15, max_steps=30),
-        "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
-    }
-    return evolve(settings, root, threads=1)
-
-
-@pytest.fixture(scope="module")
-def races(job: list[SavedRun]) -> Path:
-    return explore(*(run.path for run in job)).path
+def races(job: Job) -> Path:
+    return explore(*(run.path for run in job.values())).path
 
 
 @pytest.fixture(scope="module")
@@ -278,7 +257,6 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int = 0) -> None:
-    """Show a match, go to a step, and take an agent over."""
     address = f"#run={run}&pursuers={g}&evaders={h}&step={step}"
     browser.open(page)
     browser.driver.execute_script(f"location.hash = '{address}'")
@@ -287,17 +265,13 @@ def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int 
     browser.wait(f"{IN_EXPLORER} && document.querySelector('.take-over').open")
 
 
-def moves_until_done(
-    browser: Browser, keys: dict[int, str], seed: int, view: str = IN_EXPLORER
-) -> None:
-    """Press random keys until the match has ended for the person."""
+def play_on(browser: Browser, keys: dict[int, str], seed: int, view: str = IN_EXPLORER) -> None:
     rng = np.random.default_rng(seed)
     while browser.js(f"{view}.element.dataset.state") == "playing":
         browser.press(keys[int(rng.choice(list(keys)))])
 
 
 def shown(browser: Browser, view: str = IN_EXPLORER) -> dict[str, Any]:
-    """Return what the page has played."""
     return browser.js(
         f"(({{live, played}}) => ({{seat: played?.seat, moves: played?.moves,"
         " actions: live.actions.map((each) => Array.from(each)),"
@@ -330,26 +304,23 @@ def generation(run: SavedRun, team: Team, number: int) -> Population:
     return Population(population.genomes[number], population.network)
 
 
-# ---- Taken over in the explorer ------------------------------------------------------------------
-
-
 @pytest.mark.nightly
-@pytest.mark.parametrize(("run", "keys"), [(0, ARROWS), (1, LETTERS)])
+@pytest.mark.parametrize(("number", "keys"), [(0, ARROWS), (1, LETTERS)])
 def test_a_match_played_by_keys_is_that_of_the_world(
-    browser: Browser, races: Path, job: list[SavedRun], run: int, keys: dict[int, str]
+    browser: Browser, races: Path, job: Job, number: int, keys: dict[int, str]
 ) -> None:
     """The person's keys are its actions; networks decide as `World.decide` does."""
-    g, h, step = 2, 1, 3
-    take_over(browser, races, run, g, h, step)
-    moves_until_done(browser, keys, run)
+    run, g, h, step = [*job.values()][number], 2, 1, 3
+    take_over(browser, races, number, g, h, step)
+    play_on(browser, keys, number)
     played = shown(browser)
-    world = World(job[run].settings.world)
-    world.reset(evaluation_seed(job[run].settings.seed, g, h))
-    before = job[run].record(g, h).actions[:step, played["seat"]]
+    world = World(run.settings.world)
+    world.reset(evaluation_seed(run.settings.seed, g, h))
+    before = run.record(g, h).actions[:step, played["seat"]]
     assert played["moves"][:step] == before.tolist()
     assert len(played["actions"]) == len(played["moves"]) > step
     policies: dict[Team, TeamPolicy] = {
-        team: generation(job[run], team, number) for team, number in zip(TEAMS, (g, h), strict=True)
+        team: generation(run, team, of_team) for team, of_team in zip(TEAMS, (g, h), strict=True)
     }
     for moment, move in enumerate(played["moves"]):
         alive = world.alive.copy()
@@ -362,20 +333,20 @@ def test_a_match_played_by_keys_is_that_of_the_world(
 
 @pytest.mark.nightly
 def test_files_and_links_hold_the_match(
-    browser: Browser, races: Path, own: Path, job: list[SavedRun], tmp_path: Path
+    browser: Browser, races: Path, own: Path, job: Job, tmp_path: Path
 ) -> None:
     """And the page of its own opens files that it or Python saved, and no others."""
     allow = {"behavior": "allow", "downloadPath": str(tmp_path)}
     browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", allow)
     take_over(browser, races, 1, 0, 2, 2)
-    moves_until_done(browser, LETTERS, 1)
+    play_on(browser, LETTERS, 1)
     played = shown(browser)
     press_button(browser, "Save")
     wait_until(lambda: [*tmp_path.glob("*.npz")], "a file of the match", 10)
     [file] = tmp_path.glob("*.npz")
     episode = Episode.load(file)
     assert (episode.seat, episode.length) == (played["seat"], len(played["moves"]))
-    assert WorldConfig.from_json(episode.config) == job[1].settings.world
+    assert WorldConfig.from_json(episode.config) == job["turns"].settings.world
     press_button(browser, "Link")
     link = browser.js("document.querySelector('.play-ending input').value")
     browser.driver.get("about:blank")
@@ -405,9 +376,6 @@ def press_button(browser: Browser, text: str) -> None:
     browser.driver.find_element("xpath", f"//button[text()='{text}']").click()
 
 
-# ---- On the page itself -------------------------------------------------------------------------
-
-
 @pytest.mark.nightly
 def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> None:
     browser.open(own)
@@ -415,7 +383,7 @@ def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> Non
     for turn in range(3):
         title = browser.js("document.querySelector('.play h2').innerText")
         assert f"Round {turn + 1} of 3" in title
-        moves_until_done(browser, ARROWS, turn, IN_PAGE)
+        play_on(browser, ARROWS, turn, IN_PAGE)
         lasted.append(browser.js(f"{IN_PAGE}.live.length"))
         press_button(browser, "Watch it")  # which counts nothing again
         browser.press("\ue010")
@@ -454,24 +422,22 @@ def test_tabs_and_the_form_show_the_game_that_runs(browser: Browser, own: Path) 
     assert browser.errors() == []
 
 
-def test_a_run_gives_its_generations_to_the_page(job: list[SavedRun]) -> None:
-    opponents = of_run(job[0])
-    assert opponents.world == job[0].settings.world
+def test_a_run_gives_its_generations_to_the_page(job: Job) -> None:
+    opponents = of_run(job["race"])
+    assert opponents.world == job["race"].settings.world
     for team in TEAMS:
         players = opponents.players[team]
         assert [*players] == [f"generation {number}" for number in range(3)]
         last = players["generation 2"]
-        assert np.array_equal(last.genomes, generation(job[0], team, 2).genomes)
+        assert np.array_equal(last.genomes, generation(job["race"], team, 2).genomes)
     assert '"usual":2' in playground_page("", opponents)
 
 
-def test_the_command_writes_the_page(
-    job: list[SavedRun], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_command_writes_it(job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     assert matrixworld_command("playground", "sb", "--no-open").output == "playground.html\n"
     page = (tmp_path / "playground.html").read_text(encoding="utf-8")
     assert page == playground_page("", shipped("SB"))
-    run = job[0].path
+    run = job["race"].path
     matrixworld_command("playground", run, "--no-open")
     assert "generation 2" in (run / "playground.html").read_text(encoding="utf-8")

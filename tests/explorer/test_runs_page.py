@@ -16,14 +16,14 @@ from browser import READY, Browser
 from matrixworld import World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis.judgement import summary
-from matrixworld.coevolution import TEAMS, SavedRun, create, evolve, open_run
+from matrixworld.coevolution import TEAMS, SavedRun, create, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import explorer_page, run_data, runs_data
 from matrixworld.explorer.teams import kept_generations, packed
 from slow import quickly
-from tiny_race import tiny_race, tiny_single
+from tiny_race import tiny_race
 
 Job = dict[str, SavedRun]
 HOME, RIGHT = "\ue011", "\ue014"
@@ -50,20 +50,6 @@ CELL = """(() => {
   return [left + (h + .5) / columns * width, top + (rows - g - .5) / rows * height];
 })()"""
 """Where the cell of a pair is in the window."""
-
-
-@pytest.fixture(scope="module")
-def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
-    """Runs of different worlds: obstacles, diagonal moves and turns, and a single team."""
-    root = tmp_path_factory.mktemp("job")
-    settings = {
-        "race": tiny_race(obstacles=0.15, max_steps=30),
-        "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
-        "single": tiny_single(team="evader", opponent="chaser"),
-    }
-    for name, each in settings.items():
-        evolve(each, root / name, threads=1)
-    return {name: open_run(root / name) for name in settings}
 
 
 @pytest.fixture
@@ -136,10 +122,8 @@ def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
     """Compare what the page shows of a network's answers at the start of a match."""
     page.press(HOME, "a")
     assert page.js("document.querySelector('.inspector h3').textContent") == "pursuer_0"
-    hidden = (
-        "((aside) => aside.scrollHeight - aside.clientHeight)(document.querySelector('.aside'))"
-    )
-    assert page.js(hidden) <= 1
+    over = "((aside) => aside.scrollHeight - aside.clientHeight)(document.querySelector('.aside'))"
+    assert page.js(over) <= 1
     world, population = World(run.settings.world), run.teams["pursuer"]
     world.reset(evaluation_seed(run.settings.seed, g, h))
     logits = population.network.logits(population.genomes[g], world.views()[:1])[0].astype(float)
@@ -265,9 +249,6 @@ def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
     assert data["findings"] is None
     [run], _ = runs_data([("alone", job["single"])])
     assert [run["teams"][team]["script"] for team in TEAMS] == ["chaser", None]
-
-
-# ---- In notebooks and scripts --------------------------------------------------------------------
 
 
 def test_a_notebook_writes_and_shows_the_page(job: Job) -> None:

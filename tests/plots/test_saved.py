@@ -82,7 +82,6 @@ def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
 
 
 def levels(runs: Path, place: str, **baselines: str) -> tuple[dict[str, float], int]:
-    """Return the level lines of the figure of generalization, and the number of intervals."""
     groups = open_groups(runs / place)
     opened = {name: open_runs(runs / path) for name, path in baselines.items()}
     [draw] = figures_of(groups, runs, name="generalization", baselines=opened).values()
@@ -91,7 +90,6 @@ def levels(runs: Path, place: str, **baselines: str) -> tuple[dict[str, float], 
 
 
 def mean_score(race: Path, baseline: Path) -> float:
-    """Return the score of a baseline by the payoff matrix of the tournament."""
     alone, settings = open_run(baseline), open_run(race).settings
     [team] = alone.settings.learning_teams
     sides = {**open_run(race).teams, team: alone.last(team)}
@@ -115,9 +113,6 @@ def test_baselines_are_level_lines_with_intervals_over_seeds(runs):
     evolve(tiny_single(seed=8), "others/seed-8")
     with pytest.raises(ValueError, match="baseline x: expected one run of seed 5, or one in all"):
         levels(runs, "hall", x=str(Path("others").absolute()))
-
-
-# The command
 
 
 def test_one_figure_in_a_format(runs):

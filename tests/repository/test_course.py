@@ -38,11 +38,8 @@ RUN = runpy.run_path(str(TUTORIALS / "run.py"))
 
 
 def printed(cell: dict) -> str:
-    """Return what a cell shows, without its pictures."""
     shown = [output.get("data", {}) | {"": output.get("text", "")} for output in cell["outputs"]]
-    return " ".join(
-        "".join(text) for each in shown for kind, text in each.items() if "/png" not in kind
-    )
+    return " ".join("".join(text) for o in shown for kind, text in o.items() if "/png" not in kind)
 
 
 @each_notebook
@@ -146,9 +143,7 @@ def test_solutions_are_right(path: Path, tmp_path: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("number", CHAPTERS)
-def test_replies_to_predictions(
-    number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_replies_to_choices(number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A choice is written down first; the reply is to the last one, and the file keeps all."""
     monkeypatch.chdir(tmp_path)
     for name, each in exercises(number).items():

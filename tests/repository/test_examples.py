@@ -38,8 +38,6 @@ ELSEWHERE = {
 """Pages whose examples another test runs."""
 PAGES = sorted({ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *ROOT.glob("*/*/README.md")})
 
-# Examples in Python
-
 NUMBER = r"-?\d+\.?\d*"
 RATE = r"0\.\d+ \(0\.\d+ to 0\.\d+\)"
 FENCE = re.compile(
@@ -66,7 +64,6 @@ def examples_of(page: str) -> list[Example]:
 
 
 def is_absent(need: str) -> bool:
-    """Whether a module, or ``module.name``, is not installed."""
     module, _, name = need.partition(".")
     return find_spec(module) is None or not (not name or hasattr(import_module(module), name))
 
@@ -112,13 +109,10 @@ def test_examples_of_other_libraries_say_what_they_need() -> None:
             assert all(need in example.code for need in example.needs), page
 
 
-# Programs for other libraries
-
 PROGRAMS = sorted((ROOT / "docs" / "clients").glob("learn_*.py"))
 
 
 def missing_modules(code: str) -> list[str]:
-    """Return modules that code imports and that are not installed."""
     statements = [*ast.walk(ast.parse(code))]
     names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
     names += [each.module or "" for each in statements if isinstance(each, ast.ImportFrom)]
@@ -220,14 +214,11 @@ OPTIONS = {
 }
 """Options of `evolve` and the settings that they set."""
 NESTED = ("world.rewards.", "world.rules.", "learner.settings.", "schedule.pursuers_meet.settings.")
-OF_SECTIONS = re.compile(
-    r"`((?:policy|learner|schedule|fitness)\.[a-z_]+(?:\.[a-z_]+)*)(?:=[^`]*)?`"
-)
+NAMED = re.compile(r"`((?:policy|learner|schedule|fitness)\.[a-z_]+(?:\.[a-z_]+)*)(?:=[^`]*)?`")
 
 
 @cache
 def paths() -> set[str]:
-    """Return the paths of all settings, as the command line lists them."""
     told = CliRunner().invoke(main, ["evolve", "--help-all"], catch_exceptions=False).output
     told = told.partition("\nsettings:\n")[2]
     return {"learner", "schedule", *re.findall(r"^  ([a-z_]+(?:\.[a-z_]+)*)(?: |$)", told, re.M)}
@@ -239,7 +230,6 @@ def exists(path: str) -> bool:
 
 
 def value_of(text: str) -> Any:
-    """Return the value of a text as --set reads it."""
     try:
         return json.loads(text)
     except ValueError:
@@ -260,7 +250,7 @@ def check_settings(line: str, given: dict[str, Any]) -> None:
 @pytest.mark.parametrize("page", PAGES, ids=page_id)
 def test_settings_that_a_page_names_exist(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
-    named = {path for path in OF_SECTIONS.findall(text) if not path.endswith(".py")}
+    named = {path for path in NAMED.findall(text) if not path.endswith(".py")}
     assert {path for path in named if not exists(path)} == set()
     of_worlds = set(re.findall(r"`world\.([a-z_]+)(?:=[^`]*)?`", text))
     world = {path.partition(".")[2] for path in paths() if path.startswith("world.")}

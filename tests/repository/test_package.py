@@ -216,18 +216,13 @@ def public_objects() -> Iterator[Any]:
         for name in names:
             found = getattr(module, name)
             ours = getattr(found, "__module__", "").startswith("matrixworld")
-            if callable(found) and ours and id(found) not in seen and not is_enum(found):
+            is_enum = hasattr(found, "__members__")  # whose members document themselves
+            if callable(found) and ours and id(found) not in seen and not is_enum:
                 seen.add(id(found))
                 yield pytest.param(found, id=f"{module_name.removeprefix('matrixworld.')}.{name}")
 
 
-def is_enum(found: object) -> bool:
-    """Whether something is an enumeration, whose members document themselves."""
-    return hasattr(found, "__members__")
-
-
 def parameters_of(found: Callable[..., Any]) -> set[str]:
-    """Return the names of the parameters that a caller gives."""
     if inspect.isclass(found) and issubclass(found, Exception):
         return set()
     if getattr(found, "_is_protocol", False):  # nobody calls it
@@ -276,7 +271,6 @@ def includes(file: Path) -> list[tuple[str, str]]:
 
 
 def test_every_folder_is_a_room_of_the_table() -> None:
-    """A new folder below cpp/ needs a row that says what it may include."""
     assert {path.name for path in CPP.iterdir() if path.is_dir()} == set(ALLOWED)
     assert len({each for file in CPP.rglob("*.[ch]pp") for each in includes(file)}) > 20
 

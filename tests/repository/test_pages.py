@@ -18,8 +18,6 @@ from notebooks import NOTEBOOKS
 from pages import DOCS, ROOT, page_id, read
 from tiny_race import tiny_race
 
-# Links
-
 ANCHOR = re.compile(r'<a id="([^"]+)"></a>')
 READMES = [*ROOT.glob("*/README.md"), *ROOT.glob("evolution/*/README.md")]
 READMES += ROOT.glob("tutorials/*/README.md")
@@ -27,7 +25,6 @@ ALL_PAGES = sorted({*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *READMES, *NOTEBOOK
 
 
 def prose(page: Path) -> str:
-    """Return the text of a page or of a notebook, without code."""
     text = page.read_text(encoding="utf-8")
     if page.suffix == ".ipynb":
         cells = [cell for cell in json.loads(text)["cells"] if cell["cell_type"] == "markdown"]
@@ -81,12 +78,7 @@ def test_the_exercises_that_the_teachers_page_names_exist() -> None:
         assert isinstance(exercises(int(chapter))[name], Exercise) is item.isdigit(), name
 
 
-# Answers for a class
-
-
-def test_the_answers_for_a_class_are_what_dice_and_hands_do(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_answers_for_a_class_are_what_dice_and_hands_do(capsys: pytest.CaptureFixture[str]) -> None:
     runpy.run_path(str(DOCS / "class_material" / "simulate.py"), run_name="__main__")
     told = re.findall(r"\d+\.\d|\d+ %", capsys.readouterr().out)
     assert len(told) == 9
@@ -138,7 +130,6 @@ def named(heading: str) -> dict[str, str]:
 def check_arrays(
     file: Path, heading: str, *, parts: bool = False, optional: frozenset[str] = frozenset()
 ) -> None:
-    """Compare names, numbers of axes and dtypes with the table of a section."""
     stated = named(heading)
     with np.load(file) as arrays:
         names = {name for name in arrays.files if not (parts and "." in name)}

@@ -11,6 +11,7 @@ import sys
 from collections.abc import Callable, Iterator
 from dataclasses import is_dataclass
 from enum import Enum
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -52,7 +53,6 @@ SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3, "fov": 3, "max_s
 
 
 def public_classes() -> dict[str, type]:
-    """Return every class that a package exports and that holds more than plain fields."""
     found = pkgutil.walk_packages(mw.__path__, "matrixworld.")
     # Import neither the engine, which is compiled, nor the command, which would run.
     names = [each.name for each in found if not each.name.endswith(("_core", "__main__"))]
@@ -68,16 +68,8 @@ def public_classes() -> dict[str, type]:
     }
 
 
-def same(one: Any, other: Any) -> bool:
-    """Whether two objects have the same type and the same content, bit for bit."""
-    return content(one) == content(other)
-
-
 def content(value: Any) -> bytes:
-    """Return what pickle keeps of an object.
-
-    Without references: whether equal parts are one object says nothing about their content.
-    """
+    """Return what pickle keeps, whether or not equal parts are one object."""
     out = io.BytesIO()
     pickler = pickle.Pickler(out)
     pickler.fast = True
@@ -85,13 +77,10 @@ def content(value: Any) -> bytes:
     return out.getvalue()
 
 
-def examples(directory: Path) -> Iterator[Any]:
-    """Yield objects before and after their use; one that is yielded again has changed."""
-    yield from _of_worlds()
-    yield from _of_runs(directory)
+# Objects before and after their use; one that is yielded again has changed.
 
 
-def _of_worlds() -> Iterator[Any]:
+def of_worlds() -> Iterator[Any]:
     config = mw.WorldConfig("SB", **SMALL, obstacles=0.1)
     network = mw.Network.for_config(config, (4,))
     yield from (config, network)
@@ -118,12 +107,9 @@ def _of_worlds() -> Iterator[Any]:
     yield from (env, env.status, aec.unwrapped)
 
 
-def _of_runs(directory: Path) -> Iterator[Any]:
-    for name, settings in (
-        ("single", tiny_single()),
-        ("joint", tiny_race(schedule="hall-of-fame")),
-        ("race", tiny_race()),
-    ):
+def of_runs(directory: Path) -> Iterator[Any]:
+    joint = tiny_race(schedule="hall-of-fame")
+    for name, settings in (("single", tiny_single()), ("joint", joint), ("race", tiny_race())):
         create(settings, directory / name)
         run = Run(directory / name, threads=1)
         yield from (settings, run)
@@ -139,18 +125,18 @@ def _of_runs(directory: Path) -> Iterator[Any]:
 
 def test_copies_are_equal_here_and_in_a_fresh_process(tmp_path: Path) -> None:
     pickles, changed, classes = [], [], set()
-    for each in examples(tmp_path):
+    for each in chain(of_worlds(), of_runs(tmp_path)):
         # Copied when it is yielded, because its use goes on.
         pickles.append(pickle.dumps(each))
         classes |= {type(part).__name__ for part in (each if isinstance(each, list) else [each])}
-        if not same(each, pickled(each)) or not same(each, copy.deepcopy(each)):
+        if {content(pickled(each)), content(copy.deepcopy(each))} != {content(each)}:
             changed.append(type(each).__name__)
     assert changed == []
     assert public_classes().keys() - classes - NOT_COPIED.keys() == set()
     sent = pickle.dumps(pickles)
     ran = subprocess.run([sys.executable, "-c", ECHO], input=sent, capture_output=True, check=True)
     for here, there in zip(pickles, loaded(ran.stdout), strict=True):
-        assert same(loaded(here), loaded(there)), type(loaded(here))
+        assert content(loaded(here)) == content(loaded(there)), type(loaded(here))
 
 
 def test_a_copied_run_continues_from_the_last_stage(tmp_path: Path) -> None:

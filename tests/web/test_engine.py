@@ -26,7 +26,6 @@ ROOT = Path(__file__).parents[2]
 
 
 def program(file: str) -> SimpleNamespace:
-    """Return the names of a program of this repository."""
     return SimpleNamespace(**runpy.run_path(str(ROOT / file)))
 
 
@@ -63,7 +62,6 @@ def test_arithmetic_of_our_own(driver: str, argument: str, answer: str, tmp_path
 
 
 def game(number: int, config: mw.WorldConfig, expected: SimpleNamespace) -> dict[str, Any]:
-    """Return the episodes of one config as plain values."""
     shape = expected.STEPS, expected.N_WORLDS, config.n_agents
     network = mw.Network.for_config(config, (9, 7))
     return {
@@ -93,7 +91,7 @@ def test_the_built_engine_has_the_fingerprint_of_the_extension() -> None:
     assert run_node("fingerprint.mjs", given) == expected.FILE.read_text(encoding="ascii").strip()
 
 
-BIG_SEED = 2**64 - 3  # no double holds it
+SEED = 2**64 - 3  # no double holds it
 ARRAYS = (
     *("positions", "last_positions", "alive", "captured", "ever_captured", "actions", "rewards"),
     *("involved", "fault", "map"),
@@ -104,7 +102,6 @@ READ = ("positions", "alive", "rewards", "captors", "involved", "fault", "views"
 
 @pytest.fixture(scope="module")
 def run_command() -> Iterator[Commands]:
-    """Carry out a command in one process of the built engine."""
     commands = Commands()
     yield commands
     commands.close()
@@ -115,10 +112,7 @@ def team(config: mw.WorldConfig, hidden: tuple[int, ...], seed: int, **more: Any
     return mw.Population(random_genome(network, seed), network)
 
 
-def asked(
-    config: mw.WorldConfig, pursuers: Policy, evaders: Policy, seed: int, **more: Any
-) -> dict[str, Any]:
-    """Return a command that is about two policies in a world."""
+def asked(config: mw.WorldConfig, pursuers: Policy, evaders: Policy, seed: int, **more: Any) -> Any:
     return {
         "config": config.to_json(),
         "pursuers": policy_json(pursuers),
@@ -127,8 +121,6 @@ def asked(
         **more,
     }
 
-
-# ---- Matches ------------------------------------------------------------------------------------
 
 MATCHES = {
     "one hidden layer": ("O", (32,), {"activation": "relu"}, {}),
@@ -149,12 +141,10 @@ def test_a_match_equals_the_recorded_one(run_command: Commands, name: str) -> No
     row, hidden, more, changes = MATCHES[name]
     config = config_of(row, max_steps=60, **changes)
     pursuers, evaders = team(config, hidden, 1, **more), team(config, hidden, 2, **more)
-    wanted = mw.record(config, pursuers, evaders, seed=BIG_SEED, episode=3)
+    wanted = mw.record(config, pursuers, evaders, seed=SEED, episode=3)
     # Forwards, backwards, and twice the same.
     seek = [wanted.length, 0, wanted.length // 2, wanted.length]
-    got = run_command(
-        do="match", **asked(config, pursuers, evaders, BIG_SEED, episode=3, seek=seek)
-    )
+    got = run_command(do="match", **asked(config, pursuers, evaders, SEED, episode=3, seek=seek))
     assert got["length"] == wanted.length
     for array in ARRAYS:
         expected = getattr(wanted, array)
@@ -175,13 +165,9 @@ def test_every_script_plays_as_in_the_extension(run_command: Commands, script: s
     assert got["positions"] == wanted.positions.ravel().tolist()
 
 
-# ---- Worlds -------------------------------------------------------------------------------------
-
-
 def played_in_python(
     config: mw.WorldConfig, start: dict[str, Any], actions: np.ndarray, turns: bool
 ) -> list[dict[str, Any]]:
-    """Return what a world tells after its start and after each row of actions."""
     world = mw.World(config)
     world.keeps_conflicts = True
     world.reset(**start)
@@ -206,13 +192,13 @@ def test_a_world_plays_as_in_the_extension(run_command: Commands, row: str) -> N
     rewards = mw.Rewards(pursuer_collide=(-1, -2, -3), blame=mw.Blame.INVOLVED, evader_step=0.3)
     config = config_of(row, obstacles=0.1, max_steps=9, rewards=rewards)
     turns = config.rules.interaction is not mw.Interaction.SIMULTANEOUS
-    start = {"seed": BIG_SEED, "episode": 2}
+    start = {"seed": SEED, "episode": 2}
     actions = random_actions(7, config.n_actions, 12, config.n_agents)
     wanted = played_in_python(config, start, actions, turns)
     got = run_command(
         do="play",
         config=config.to_json(),
-        start={"seed": str(BIG_SEED), "episode": 2},
+        start={"seed": str(SEED), "episode": 2},
         actions=actions[: len(wanted) - 1].tolist(),
         turns=turns,
         read=READ,
@@ -249,9 +235,6 @@ def test_a_snapshot_goes_on_in_another_world(run_command: Commands) -> None:
     assert twin[0] != world[0]
 
 
-# ---- Networks -----------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("sampled", "memory"), [(True, "none"), (False, "gru")])
 def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: str) -> None:
     config = config_of("O", obstacles=0.1)
@@ -277,9 +260,8 @@ def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: st
     )
     assert got["chosen"] == chosen.tolist()
     logits = np.array([answer["logits"] for answer in got["answers"]], np.float32)
-    np.testing.assert_array_equal(
-        logits, world._core.logits(policy.network.core, policy.genomes[0])
-    )
+    expected = world._core.logits(policy.network.core, policy.genomes[0])
+    np.testing.assert_array_equal(logits, expected)
     weights = np.exp(logits.astype(float) - logits.max(axis=1, keepdims=True))
     shares = [answer["probabilities"] for answer in got["answers"]]
     np.testing.assert_allclose(shares, weights / weights.sum(axis=1, keepdims=True), rtol=1e-6)
@@ -291,9 +273,6 @@ def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: st
     remembered = np.where(alive[:, None] < config.n_pursuers, kept[:, 0], kept[:, 1])
     assert [answer["memory"] for answer in got["answers"]] == remembered.tolist()
     assert got["view"] == world.views()[alive[0]].ravel().tolist()
-
-
-# ---- Words --------------------------------------------------------------------------------------
 
 
 def test_conflicts_have_the_words_of_python(run_command: Commands) -> None:
@@ -313,8 +292,6 @@ def test_conflicts_have_the_words_of_python(run_command: Commands) -> None:
     assert got == plain_values([conflict_of(row, 3) for row in rows])
 
 
-# ---- Refusals -----------------------------------------------------------------------------------
-
 OPEN = config_of("O").to_json()
 
 
@@ -327,9 +304,7 @@ OPEN = config_of("O").to_json()
         ({"rules": {**OPEN["rules"], "evader": "EXPLODE"}}, "evader: expected one of DISAPPEAR"),
     ],
 )
-def test_settings_are_refused_with_a_reason(
-    run_command: Commands, changes: dict[str, Any], message: str
-) -> None:
+def test_settings_are_refused(run_command: Commands, changes: dict[str, Any], message: str) -> None:
     got = run_command(do="refuse", config={**OPEN, **changes})
     assert got["kind"] == "EngineError"
     assert got["error"].startswith(message)
@@ -352,8 +327,6 @@ def test_a_refused_call_leaves_the_world_as_it_was(
     assert got["same"]
 
 
-# ---- Perfect play --------------------------------------------------------------------------------
-
 SOLVED = {
     "O": mw.WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=6),
     "TO": mw.WorldConfig("TO", rows=3, cols=4, n_pursuers=2, n_evaders=1, max_steps=6),
@@ -371,7 +344,6 @@ SOLVED = {
 @pytest.mark.parametrize("name", SOLVED)
 @pytest.mark.parametrize("payoff", PAYOFFS)
 def test_pages_know_perfect_play(run_command: Commands, name: str, payoff: PayoffName) -> None:
-    """What pages compute is what Python does: of the capture rate bit for bit."""
     config = SOLVED[name]
     solution = solve(config, payoff=payoff)
     rng, world = np.random.default_rng(3), mw.World(config)
@@ -397,8 +369,6 @@ def test_pages_know_perfect_play(run_command: Commands, name: str, payoff: Payof
 @pytest.mark.parametrize(
     ("changes", "why"), [({"n_pursuers": 3, "rows": 6}, "too large"), ({"obstacles": 0.1}, "anew")]
 )
-def test_pages_say_why_they_do_not_solve(
-    run_command: Commands, changes: dict[str, Any], why: str
-) -> None:
+def test_pages_say_why_unsolved(run_command: Commands, changes: dict[str, Any], why: str) -> None:
     config = replace(SOLVED["O"], **changes).to_json()
     assert why in run_command(do="solve", config=config, start={}, actions=[])["why"]

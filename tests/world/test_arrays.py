@@ -11,14 +11,7 @@ import matrixworld as mw
 from matrixworld.world.arrays import BATCH_FIELDS, WORLD_FIELDS, OutputField, Specs
 from rows import config_of, random_actions
 
-LETTERS = {
-    "agents": "A",
-    "evaders": "E",
-    "kinds": "3",
-    "teams": "2",
-    "row_col": "2",
-    "channels": "3",
-}
+SIZES = {"agents": "A", "evaders": "E", "kinds": "3", "teams": "2", "row_col": "2", "channels": "3"}
 ROW = re.compile(r"^(\w+) +\((.*?)\) +(\w+) +\S", re.MULTILINE)
 N_WORLDS = 3
 
@@ -26,22 +19,17 @@ N_WORLDS = 3
 @pytest.mark.parametrize(
     ("specs", "table"), [(mw.array_specs, WORLD_FIELDS), (mw.episode_specs, BATCH_FIELDS)]
 )
-def test_every_field_is_described(
-    specs: Callable[..., Specs], table: dict[str, OutputField]
-) -> None:
-    described = {
-        name: (shape, dtype) for name, shape, dtype in ROW.findall(inspect.getdoc(specs) or "")
-    }
+def test_fields_are_described(specs: Callable[..., Specs], table: dict[str, OutputField]) -> None:
+    described = {name: rest for name, *rest in ROW.findall(inspect.getdoc(specs) or "")}
     assert list(described) == list(table)
     for name, (shape, dtype) in described.items():
-        axes = tuple(LETTERS.get(axis, axis) for axis in table[name].axes)
+        axes = tuple(SIZES.get(axis, axis) for axis in table[name].axes)
         assert tuple(re.findall(r"\w+", shape)) == axes
         assert dtype == table[name].dtype
 
 
 @pytest.mark.parametrize("views", [np.uint8, np.float32])
 def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
-    """Whatever is in memory before, each array ends up the same, and its surroundings unchanged."""
     config = config_of("SB", obstacles=0.1, max_steps=3)
     specs = mw.array_specs(config) | mw.episode_specs(config)
     written = []

@@ -19,15 +19,13 @@ def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
 class SingleWorld:
     """Reference for one world of a batch, in Python, without the statistics of episodes.
 
-    Those are compared with rollouts in tests/envs/test_vector_opponents.py.
+    Those are compared with rollouts in tests/envs/test_vector.py.
     """
 
-    def __init__(
-        self, config: mw.WorldConfig, seed: int, episode: int, autoreset: mw.Autoreset
-    ) -> None:
+    def __init__(self, config: mw.WorldConfig, seed: int, episode: int, mode: mw.Autoreset) -> None:
         self.world = mw.World(config)
         self.world.reset(seed, episode=episode)
-        self.autoreset = autoreset
+        self.autoreset = mode
         self.arrays: dict[str, Any] = {
             name: np.zeros(mw.episode_specs(config)[name][0])
             for name in ("acted", "ended", "final_views")
@@ -66,14 +64,12 @@ class SingleWorld:
 def test_each_world_is_a_single_world(name: str, autoreset: mw.Autoreset) -> None:
     # 24 steps are two episodes and a part.
     config = config_of(name, obstacles=0.15, max_steps=9)
-    n_worlds = 5
-    batch = mw.Batch(
-        n_worlds, config, threads=2, autoreset=autoreset, buffers=all_buffers(config, n_worlds)
-    )
+    n = 5
+    batch = mw.Batch(n, config, threads=2, autoreset=autoreset, buffers=all_buffers(config, n))
     seeds = [3, 3, 2**63 + 1, 0, 17]  # equal ones, and one beyond signed integers
     batch.reset(seeds, episode=2)
     worlds = [SingleWorld(config, seed, 2, autoreset) for seed in seeds]
-    actions = random_actions(1, config.n_actions, 24, n_worlds, config.n_agents)
+    actions = random_actions(1, config.n_actions, 24, n, config.n_agents)
     for row in [*actions, None]:
         for what in worlds[0].arrays:
             expected = np.array([world.arrays[what] for world in worlds])
@@ -107,13 +103,11 @@ def test_a_mask_selects_the_worlds_to_reset() -> None:
 @pytest.mark.parametrize("name", ["O", "SD", "TO"])
 def test_threads_change_nothing(name: str) -> None:
     config = config_of(name, obstacles=0.1, diagonal=True)
-    n_worlds, mode = 70, mw.Autoreset.SAME_STEP  # no multiple of 3 threads
-    actions = random_actions(2, config.n_actions, 25, n_worlds, config.n_agents)
+    n, mode = 70, mw.Autoreset.SAME_STEP  # no multiple of 3 threads
+    actions = random_actions(2, config.n_actions, 25, n, config.n_agents)
     played = []
     for threads in (1, 2, 3, None):
-        batch = mw.Batch(
-            n_worlds, config, threads=threads, autoreset=mode, buffers=all_buffers(config, n_worlds)
-        )
+        batch = mw.Batch(n, config, threads=threads, autoreset=mode, buffers=all_buffers(config, n))
         batch.reset(5)
         for row in actions:
             batch.step(row)

@@ -21,7 +21,6 @@ GOLDEN = Path(__file__).parent / "golden_memory.txt"
 
 
 def decide(world: mw.World, team: mw.Population) -> np.ndarray:
-    """Return the actions of all agents."""
     actions = np.zeros(world.config.n_agents, np.int64)
     for agents in (range(world.config.n_pursuers), range(world.config.n_pursuers, len(actions))):
         world.decide(team, agents, actions)
@@ -87,7 +86,6 @@ def test_memory_belongs_to_the_agents_of_a_world() -> None:
 
 
 def golden() -> str:
-    """Return an episode: actions, and an agent's state as hexadecimal floats."""
     config = config_of("O", max_steps=8)
     network = mw.Network.for_config(config, (3,), memory="gru")
     team = mw.Population(random_genome(network, 2, 0.9), network)
@@ -104,7 +102,6 @@ def golden() -> str:
 
 
 def test_golden_playthroughs() -> None:
-    """Every bit of the states, on every machine."""
     assert golden() == GOLDEN.read_text(encoding="utf-8")
 
 

@@ -92,7 +92,6 @@ def test_initial_genomes() -> None:
 
 
 def sealed(steps: int, *, diagonal: bool = False) -> mw.WorldConfig:
-    """Every agent is walled in: it stays where it is and sees the same at every step."""
     cells = ["##########", "#.##.#.###", "##########", "#.###.####", "##########"]
     return mw.WorldConfig(
         "SB", obstacles=cells, n_pursuers=4, n_evaders=1, fov=5, diagonal=diagonal, max_steps=steps
@@ -133,13 +132,9 @@ def test_extreme_and_equal_outputs(outputs: list[float], sampled: bool, taken: s
 
 
 def hash_with_kernels(level: str) -> list[str]:
-    """Return the level that was used, and the hash."""
-    environment = os.environ | {
-        "PYTHONPATH": os.pathsep.join(sys.path),
-        "MATRIXWORLD_KERNELS": level,
-    }
+    env = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "MATRIXWORLD_KERNELS": level}
     command = [sys.executable, network_hash.__file__]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    done = subprocess.run(command, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout.split()
 

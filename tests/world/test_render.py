@@ -30,7 +30,6 @@ def scene(**changes: object) -> Scene:
 
 
 def of(positions: object, n_pursuers: int, grid: tuple[int, int], **changes: object) -> Scene:
-    """Living and free agents on an empty grid."""
     cells = np.array(positions)
     free = {
         "positions": cells,
@@ -48,7 +47,6 @@ def pixel(picture: NDArray[np.uint8], drawn: Scene, row: float, col: float) -> t
 
 
 def count(picture: NDArray[np.uint8], colour: str) -> int:
-    """Return how many pixels below the title have exactly this colour."""
     below = picture[Layout.header :]
     return int((below == np.array(ImageColor.getrgb(colour))).all(axis=2).sum())
 
