@@ -352,8 +352,15 @@ def score(
     checks.check_threads(threads)
     world = run.settings.world if steps is None else replace(run.settings.world, max_steps=steps)
     sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
-    play: Any = {"threads": threads, "report": report, "executor": executor}
-    return _scores(world, sides, episodes=episodes, seed=seed, **play)
+    return _scores(
+        world,
+        sides,
+        episodes=episodes,
+        seed=seed,
+        threads=threads,
+        report=report,
+        executor=executor,
+    )
 
 
 def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> _Side:
