@@ -174,8 +174,8 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
     payoff = run.payoff()
     first, last = (run.path / name for name in ("config.json", "summary.json"))
     return {
-        "captures": payoff.capture_rates[-1, -1].astype(np.float32),
-        "lengths": payoff.lengths[-1, -1].astype(np.int32),
+        "captures": payoff.scores[-1, -1].astype(np.float32),
+        "lengths": payoff.extras["lengths"][-1, -1].astype(np.int32),
         "agent_steps": run.summary()["training_agent_steps"],
         "seconds": last.stat().st_mtime - first.stat().st_mtime,
     }

@@ -41,7 +41,7 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
 
 def measured(runs: Runs, quick: bool) -> Numbers:
     """Return the capture rates (n, n, episodes) of each race."""
-    return by_seed(runs, lambda run: {"captured": run.payoff().capture_rates.astype(np.float32)})
+    return by_seed(runs, lambda run: {"captured": run.payoff().scores.astype(np.float32)})
 
 
 def table(numbers: Numbers) -> str:

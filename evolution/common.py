@@ -24,8 +24,7 @@ from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create, finish, tournament
-from matrixworld.coevolution.fitness import Table
-from matrixworld.coevolution.settings import OVERLAP_PENALTY
+from matrixworld.coevolution.pursuit import OVERLAP_PENALTY, Pursuit
 from matrixworld.solve import Solution, best_response, solve
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
@@ -93,10 +92,11 @@ def play(settings: RaceSettings, directory: Path, *, threads: int | None = None)
 class PenaltyOfRaces(Run):
     """A run in which evaders that share cells lose as much as in races, if they learn alone."""
 
-    def fitness(self, team: Team, scores: mw.EpisodeStatistics, table: Table) -> NDArray[Any]:
-        """Return the fitness (n,) of the candidates."""
-        penalty = min(self.settings.overlap_penalty, OVERLAP_PENALTY)
-        return self.settings.fitness.fitness(scores, team, table, penalty)
+    def __init__(self, directory: str | Path, **options: Any) -> None:
+        super().__init__(directory, **options)
+        game = self.settings.training_game
+        assert isinstance(game, Pursuit)
+        self.game = replace(game, penalty=min(game.penalty, OVERLAP_PENALTY))
 
 
 def play_with_penalty_of_races(

@@ -144,7 +144,7 @@ def measured(runs: common.Runs, quick: bool) -> dict[str, Any]:
 
 def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return numbers of a race for every fifth generation, and the steps of agents so far."""
-    matrix, log = run.payoff().capture_rate, run.log()
+    matrix, log = run.payoff().matrix, run.log()
     short = shortfalls(run)
     generations = range(EVERY if len(matrix) > EVERY else 1, len(matrix), EVERY)
     matches = [int(log["matches"][log["generation"] == k].max()) for k in generations]

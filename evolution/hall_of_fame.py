@@ -57,7 +57,7 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
 
 def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return the numbers of `MEASURES` of one finished race."""
-    matrix, scores = run.payoff().capture_rate, score(run)
+    matrix, scores = run.payoff().matrix, score(run)
     return {
         **{
             name: analysis.MEASURES[name].of(matrix, WHOLE.get(name)).value

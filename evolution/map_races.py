@@ -121,7 +121,7 @@ def ranks(run: SavedRun, quick: bool) -> dict[str, float]:
     values, best = np.full(len(maps), np.nan), np.full((len(maps), 2), -np.inf)
     exact, found = {}, {}
     for team in MAP_TEAMS:  # both as the last: the sum
-        trial = Trial(maps, settings.training_world, champions, team, play_on, values, best)
+        trial = Trial(maps, settings.training_game.world, champions, team, play_on, values, best)
         exact[team] = sum(exact.values()) if team == BOTH else MAP_FITNESS["regret"].of(trial)
         for name, fitness in MAP_FITNESS.items():
             if name not in ("regret", NONE):

@@ -152,7 +152,7 @@ def captured(runs: Runs, quick: bool) -> Numbers:
     numbers = {}
     for name in (*RACES, FEW_EPOCHS):
         if name in runs:
-            rates = np.stack([run.payoff().capture_rates for run in runs[name]])
+            rates = np.stack([run.payoff().scores for run in runs[name]])
             captured = np.rint(rates * runs[name][0].settings.world.n_evaders)
             numbers[f"captured {name}"] = captured.astype(np.uint8)
     return numbers
@@ -162,7 +162,7 @@ def _phases(runs: Runs, quick: bool) -> Numbers:
     """Return ``phases RACE`` (seeds, generations, 2): capture rates after both team phases."""
     return {
         f"phases {race}": np.array(
-            [team_phase_rates(run.payoff().capture_rate) for run in runs[name]], np.float32
+            [team_phase_rates(run.payoff().matrix) for run in runs[name]], np.float32
         )
         for race, name in LONG.items()
     }

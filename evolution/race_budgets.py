@@ -108,7 +108,7 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     """Return scores, matches and what is found of each kind, and the numbers of long races."""
     numbers = by_seed(runs, scores_of) | ({} if quick else kept())
     for kind, each in runs.items():
-        every = np.stack([run.payoff().capture_rates for run in each])
+        every = np.stack([run.payoff().scores for run in each])
         numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + every[0].size
         numbers |= {f"{name} in {kind}": found for name, found in found_in(every).items()}
     return numbers

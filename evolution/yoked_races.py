@@ -178,7 +178,7 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     for kind, each in runs.items():
         world = kind.split(",")[0]
         races = runs[kind.removesuffix(YOKED).removesuffix(RACE) + RACE]
-        rates = np.stack([run.payoff().capture_rates for run in each])
+        rates = np.stack([run.payoff().scores for run in each])
         judged = analysis.judge(rates, per_episode=True).windows["whole"]
         numbers[f"judgement of {kind}"] = [[name, each.verdict] for name, each in judged.items()]
         for name in SHARES:
@@ -209,7 +209,7 @@ def gain_against_met(team: Team, run: SavedRun, met: SavedRun) -> float:
     settings, teams = run.settings, {team: run.teams[team], other(team): met.teams[other(team)]}
     sides, episodes = (teams["pursuer"], teams["evader"]), settings.evaluation_episodes
     payoff = tournament(settings.world, *sides, seed=settings.seed, episodes=episodes)
-    return gain(payoff.capture_rates, team)
+    return gain(payoff.scores, team)
 
 
 def late(run: SavedRun, team: Team) -> slice:

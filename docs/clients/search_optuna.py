@@ -34,7 +34,7 @@ def objective(trial):
             raise optuna.TrialPruned
 
     run = coevolution.evolve(settings, f"trials/{trial.number}", threads=1, on_epoch=prune)
-    return run.payoff().capture_rate.mean()  # on episodes that training has not seen
+    return run.payoff().matrix.mean()  # on episodes that training has not seen
 
 
 sampler, pruner = optuna.samplers.TPESampler(seed=0), optuna.pruners.MedianPruner(3, 50)

@@ -145,12 +145,12 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
     payoff = run.payoff()
     pursuers, evaders = (guaranteed(run, team) for team in TEAMS)
     held_out = score(run, generation=None, episodes=HELD_OUT_EPISODES)
-    each = [measures_of(payoff.capture_rate, team) for team in TEAMS]
+    each = [measures_of(payoff.matrix, team) for team in TEAMS]
     return {
         "truth": [pursuers.tolist(), (1 - evaders).tolist()],
         **{name: [of_team[name].tolist() for of_team in each] for name in each[0]},
         "held_out": [held_out[team].rates.mean(axis=(1, 2)).tolist() for team in TEAMS],
-        "verdicts": verdicts(payoff.capture_rates),
+        "verdicts": verdicts(payoff.scores),
         "value": solved(run.settings.world).value,
     }
 
@@ -214,7 +214,7 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
         )
         groups = [of_kind[k : k + GROUP] for k in range(0, len(of_kind), GROUP)]
         numbers[f"{kind} / of groups"] = [
-            verdicts(np.stack([run.payoff().capture_rates for run in group])) for group in groups
+            verdicts(np.stack([run.payoff().scores for run in group])) for group in groups
         ]
     return {
         name: each if np.asarray(each).dtype.kind in "UTi" else np.round(each, 4)

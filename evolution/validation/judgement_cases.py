@@ -150,7 +150,7 @@ def real_case(kind: str, seed: int) -> Case:
     """Return a small real race, with its episodes."""
     settings = NO_LEARNING if kind == FROZEN else REAL
     with TemporaryDirectory() as place:
-        scores = evolve(replace(settings, seed=seed), Path(place) / "race").payoff().capture_rates
+        scores = evolve(replace(settings, seed=seed), Path(place) / "race").payoff().scores
     still = np.zeros(len(scores))
     if kind == FROZEN:
         # All generations are the same, so one rate holds for all pairs.

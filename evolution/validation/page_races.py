@@ -72,7 +72,7 @@ def of_python(race: RaceSettings) -> list[float]:
     """Play a race in Python and return its `SCORES`."""
     with tempfile.TemporaryDirectory() as folder:
         run = evolve(race, Path(folder) / "race", threads=1)
-        capture = float(run.payoff().capture_rate.mean())
+        capture = float(run.payoff().matrix.mean())
         return [capture, *(against_scripts(run, team) for team in TEAMS)]
 
 

@@ -12,9 +12,9 @@ import pytest
 import matrixworld as mw
 from matrixworld import coevolution, solve
 from matrixworld.coevolution.sections import Section
+from matrixworld.coevolution.seeding import match_seed
 from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
-from matrixworld.play.rollout import match_seed
 from matrixworld.world import render
 from rows import random_genome, random_walks
 from tiny_race import tiny_race, tiny_single

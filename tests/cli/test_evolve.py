@@ -5,7 +5,6 @@ import os
 import signal
 import subprocess
 import sys
-from functools import partial
 from pathlib import Path
 
 import click
@@ -16,13 +15,13 @@ from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, w
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import default_directory, evolve_command, job_of, shown
 from matrixworld.cli.setting_options import settings_of
-from matrixworld.coevolution import RaceSettings, create, evolve, finish, open_run
+from matrixworld.coevolution import RaceSettings, Run, create, evolve, open_run
 from matrixworld.coevolution import jobs as jobs_module
 from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.sections import values_of
 from matrixworld.coevolution.storage import find_runs
 from scripts import group_lives, wait_until
-from tiny_race import StopAt, results, tiny_race, tiny_single
+from tiny_race import StopAt, playing, results, tiny_race, tiny_single
 
 
 def test_the_help_of_all_settings_has_every_one_with_its_default():
@@ -184,7 +183,11 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeyp
     play = StopAt(7)  # in the middle of an epoch
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
     with monkeypatch.context() as patch:
-        patch.setattr(jobs_module, "finish", partial(finish, play=play))
+
+        def stopped(path, *, threads, **told):
+            return playing(Run(path, threads=threads), play).run(**told)
+
+        patch.setattr(jobs_module, "finish", stopped)
         result = evolved("--out", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = evolved("--resume", "out")

@@ -104,7 +104,7 @@ def test_files_of_means_need_their_number_of_episodes():
     assert "2 runs, 31 pursuer" in told
     twice = np.array([means_of("race")] * 2)
     assert found == {"race.npz, again.npz": judge(twice, episodes=30).to_json()}
-    np.savez("small.npz", capture_rates=np.random.default_rng(0).random((4, 4, 2)))
+    np.savez("small.npz", scores=np.random.default_rng(0).random((4, 4, 2)))
     small, _ = judged("small.npz")
     assert "It takes at least 4 episodes of each cell" in run_together(small)
     assert "It takes at least 6 generations of each team to judge a race" in run_together(small)

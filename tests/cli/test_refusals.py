@@ -16,7 +16,7 @@ from matrixworld.coevolution import Run, create, evolve, open_run
 from matrixworld.coevolution.settings import MOST_SEED
 from matrixworld.play import save_genome
 from rows import random_walks
-from tiny_race import StopAt, tiny_race, tiny_single
+from tiny_race import StopAt, playing, tiny_race, tiny_single
 
 # fmt: off
 JUDGE = [
@@ -131,14 +131,14 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         create(settings, root / name)
     evolve(tiny_single(), root / "alone", threads=1)
     with pytest.raises(KeyboardInterrupt):
-        Run(root / "stopped", threads=1, play=StopAt(2)).run()
+        playing(Run(root / "stopped", threads=1), StopAt(2)).run()
     (root / "scheduler.json").write_text('{"address": 3}')
     (root / "q.toml").write_text('seed = 3\n[learner]\nkind = "ga"\n[world]\nrules = "Q"\n')
     (root / "bad.csv").write_text("0.5,2\n0.5,0.5\n")
     for name, size in (("small", 12), ("large", 14)):
         np.savez(root / f"{name}.npz", payoff=circular(size))
     np.savez(root / "one.npz", payoff=np.full((1, 3), 0.5))
-    np.savez(root / "scores.npz", capture_rates=np.full((13, 13, 5), 0.5))
+    np.savez(root / "scores.npz", scores=np.full((13, 13, 5), 0.5))
     random_walks().save(root / "walks.npz")
     save_genome(root / "pursuer.npz", "pursuer", open_run(race).policy("pursuer"))
     return root

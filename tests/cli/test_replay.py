@@ -30,8 +30,8 @@ def test_an_episode_of_the_payoff_is_played_again(race):
     match = ["--pursuer", 2, "--evader", -3, "--episode", 1]
     said = replayed(race.parent, *match, "--out", "match.gif", "--out", "match.npz")
     payoff, episode = open_run(race).payoff(), Episode.load("match.npz")
-    assert episode.length == payoff.lengths[2, 0, 1]
-    assert episode.capture_rate == pytest.approx(payoff.capture_rates[2, 0, 1])
+    assert episode.length == payoff.extras["lengths"][2, 0, 1]
+    assert episode.capture_rate == pytest.approx(payoff.scores[2, 0, 1])
     assert Path("match.gif").read_bytes().startswith(GIF)
     caught = int(episode.counted[-1].sum())
     told = f"{caught} of 3 evaders captured, {episode.length} steps"
@@ -109,4 +109,4 @@ def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     assert "\njob/b\n" in said
     said = played(run, "job/b", "--episodes", 2, "--out", "cross.npz")
     assert "condition" not in said
-    assert np.load("cross.npz")["capture_rates"].shape == (3, 1, 2)
+    assert np.load("cross.npz")["scores"].shape == (3, 1, 2)

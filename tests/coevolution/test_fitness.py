@@ -1,7 +1,6 @@
 """Fitness from statistics, competitive sharing, limits; seeds of matches."""
 
 import itertools
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,24 +9,20 @@ from hypothesis import strategies as st
 
 import matrixworld as mw
 from matrixworld.coevolution import FitnessSettings, competitive_sharing
-from matrixworld.coevolution.fitness import (
-    collisions,
-    feasible_first,
-    match_fitness,
-    mean_over_opponents,
-    shared_fitness,
-)
+from matrixworld.coevolution.fitness import feasible_first, mean_over_opponents, shared_fitness
+from matrixworld.coevolution.game import Scores
+from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.seeding import Phase, evaluation_seed, training_seeds
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import begun, tiny_single
 
-SCORES = SimpleNamespace(
-    captured_fraction=np.array([[0.2, 0.4], [1.0, 0.0]], dtype=np.float32),
-    capture_rate=np.array([[0.5, 0.5], [1.0, 0.0]], dtype=np.float32),
-    evader_overlap=np.array([[0.1, 0.3], [0.0, 0.0]], dtype=np.float32),
-    pursuer_return=np.array([[10.0, 20.0], [0.0, 0.0]]),
-    evader_return=np.array([[-10.0, -30.0], [0.0, 2.0]]),
-)
+STATISTICS = {
+    "captured_fraction": np.array([[0.2, 0.4], [1.0, 0.0]], dtype=np.float32),
+    "capture_rate": np.array([[0.5, 0.5], [1.0, 0.0]], dtype=np.float32),
+    "evader_overlap": np.array([[0.1, 0.3], [0.0, 0.0]], dtype=np.float32),
+    "pursuer_return": np.array([[10.0, 20.0], [0.0, 0.0]]),
+    "evader_return": np.array([[-10.0, -30.0], [0.0, 2.0]]),
+}
 """Two matches of two worlds each."""
 
 
@@ -43,7 +38,9 @@ SCORES = SimpleNamespace(
     ],
 )
 def test_fitness(measure, team, expected):
-    assert match_fitness(SCORES, team, measure, 0.5) == pytest.approx(expected)
+    scores = Scores(STATISTICS["capture_rate"], STATISTICS)
+    values = Pursuit(penalty=0.5).values(scores, team, measure)
+    assert values.mean(axis=1) == pytest.approx(expected)
 
 
 def test_sharing_by_hand():
@@ -81,7 +78,8 @@ def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
     config = mw.WorldConfig("S", rows=6, cols=6, n_pursuers=4, n_evaders=3, max_steps=20)
     scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
     for t, team in enumerate(TEAMS):
-        for match, found in enumerate(collisions(scores, team)):
+        costs = Pursuit(world=config).costs(Scores(scores.capture_rate, vars(scores)), team)
+        for match, found in enumerate(costs):
             monitor = mw.SafetyMonitor()
             fields = (scores.collisions, scores.faults, scores.agent_steps, scores.capture_rate)
             monitor.add(*(each[match] for each in fields))
@@ -91,15 +89,18 @@ def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
 def test_a_limit_decides_the_fitness_of_a_run(tmp_path) -> None:
     settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
     genomes = np.stack(
-        [settings.network.initial(np.random.default_rng(k), head=2.0) for k in range(8)]
+        [
+            settings.evaluation_game.network.initial(np.random.default_rng(k), head=2.0)
+            for k in range(8)
+        ]
     )
     run = begun(settings, tmp_path / "run", threads=1)
     seeds = np.zeros((8, 1), np.uint64)
     scores = run.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)
-    rates = collisions(scores, "pursuer")
+    rates = run.game.costs(scores, "pursuer")
     limit = float(np.sort(rates)[3:5].mean())  # between the fourth and the fifth of eight
     plain, limited = (
-        each.fitness(scores, "pursuer", lambda values: values[:, None], 0.0)
+        each.fitness(run.game, scores, "pursuer", lambda values: values[:, None])
         for each in (settings.fitness, FitnessSettings(cost_limit=limit))
     )
     assert (rates <= limit).sum() == 4

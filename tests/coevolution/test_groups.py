@@ -56,7 +56,7 @@ def test_a_job_has_a_group_for_each_schedule_and_knows_what_is_missing(made):
 def test_a_group_is_judged_and_scored_as_its_runs_together(made):
     group = open_groups(made / FIRST)[0]
     runs = open_runs(made / FIRST)
-    rates = np.stack([run.payoff().capture_rates for run in runs])
+    rates = np.stack([run.payoff().scores for run in runs])
     assert group.judgement.to_json() == judge(rates, per_episode=True).to_json()
     assert [each.judgement.runs for each in group.singles] == [1, 1, 1]
     scores = [score(run, threads=1)["evader"] for run in runs]

@@ -8,7 +8,7 @@ import pytest
 from matrixworld import Matches, Population, rollout
 from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution import SCHEDULES, TEAMS, Run, available, open_run
-from matrixworld.coevolution.fitness import match_fitness
+from matrixworld.coevolution.game import Scores
 from matrixworld.coevolution.race import pairings, table_of_individuals
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.storage import last_generation
@@ -121,14 +121,18 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
     )
     played(settings, tmp_path / "run")
     run = Run(tmp_path / "run")
-    pursuers, evaders = (Population(run.genomes(team), settings.network) for team in TEAMS)
+    pursuers, evaders = (
+        Population(run.genomes(team), settings.evaluation_game.network) for team in TEAMS
+    )
     for team, shape in (("pursuer", (3, 3)), ("evader", (3, 4))):
         state = run.states[f"{team}.opponents"]
         expected = np.zeros(shape)
         for own, opponent in np.ndindex(shape):
             g, h = (own, opponent) if team == "pursuer" else (opponent, own)
             seeds = training_seeds(settings.seed, g, h, Phase.ARCHIVE, 0, 2)
-            scores = rollout(settings.training_world, pursuers, evaders, Matches.of(g, h, seeds))
+            scores = rollout(
+                settings.training_game.world, pursuers, evaders, Matches.of(g, h, seeds)
+            )
             caught = float(scores.capture_rate.mean(dtype=float))
             expected[own, opponent] = caught if team == "pursuer" else 1 - caught
         np.testing.assert_allclose(state["payoffs"], expected, atol=1e-7)
@@ -167,16 +171,17 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
         key = (settings.seed, generation, generation, Phase.RETEST, TEAMS.index(team))
         seeds = training_seeds(*key, len(met) * episodes).reshape(len(met), episodes)
         for genome in genomes:
-            own, values = Population(genome[np.newaxis], settings.network), []
+            own, values = Population(genome[np.newaxis], settings.evaluation_game.network), []
             for opponent, e in np.ndindex(seeds.shape):
                 rival = 0 if isinstance(opponents, str) else met[opponent]
                 sides, pair = (own, opponents), (0, rival)
                 if team == "evader":
                     sides, pair = sides[::-1], pair[::-1]
                 match = Matches.of(*pair, seeds[opponent, e])
-                scores = rollout(settings.training_world, *sides, match)
-                penalty = settings.overlap_penalty
-                values.append(match_fitness(scores, team, settings.fitness.measure, penalty)[0])
+                scores = rollout(settings.training_game.world, *sides, match)
+                game, measure = settings.training_game, settings.fitness.measure
+                found = Scores(scores.capture_rate, vars(scores))
+                values.append(game.values(found, team, measure).mean())
             means.append(np.mean(values))
         number.append(int(np.argmax(means)))
         assert np.array_equal(chosen, genomes[number[-1]])
@@ -240,15 +245,15 @@ def test_matches_as_a_table_of_individuals():
 def test_against_scripts(team, against, tmp_path):
     saved = played(tiny_single(team=team, opponent=against), tmp_path / "run")
     payoff, archive, log, summary = saved.payoff(), saved.archive(), saved.log(), saved.summary()
-    assert payoff.capture_rates.shape == (1, 1, 3)
+    assert payoff.scores.shape == (1, 1, 3)
     assert (len(archive[team]), len(archive[other(team)])) == (4, 0)
     assert set(log["team"]) == {team}
     assert log["epoch"].tolist() == [0, 1, 2, 3, 4]
     assert saved.teams[other(team)] == against
-    assert saved.record(episode=2).length == payoff.lengths[0, 0, 2]
-    assert summary["length"] == payoff.lengths.mean()
+    assert saved.record(episode=2).length == payoff.extras["lengths"][0, 0, 2]
+    assert summary["length"] == payoff.extras["lengths"].mean()
     assert summary["length_high"] is None or summary["length_high"] <= 12
-    assert summary["capture_rate_std"] == pytest.approx(payoff.capture_rates.std())
+    assert summary["capture_rate_std"] == pytest.approx(payoff.scores.std())
 
 
 def test_the_interval_ends_at_possible_values_and_needs_different_episodes(tmp_path):
@@ -259,11 +264,11 @@ def test_the_interval_ends_at_possible_values_and_needs_different_episodes(tmp_p
         (np.arange(20).reshape(shape) == 0, (0.0, 0.05 + 2.0930 * 0.05)),
         (np.arange(20).reshape(shape) > 0, (0.95 - 2.0930 * 0.05, 1.0)),
     ):
-        summary = run.summary(replace(payoff, capture_rates=rates.astype(np.float32)))
+        summary = run.summary(replace(payoff, scores=rates.astype(np.float32)))
         got = summary["capture_rate_low"], summary["capture_rate_high"]
         assert got == pytest.approx(ends, rel=1e-4)
     for rates in (np.ones(shape), np.ones((1, 1, 1))):
-        summary = run.summary(replace(payoff, capture_rates=rates.astype(np.float32)))
+        summary = run.summary(replace(payoff, scores=rates.astype(np.float32)))
         assert (summary["capture_rate_low"], summary["capture_rate_high"]) == (None, None)
 
 
@@ -286,17 +291,17 @@ def test_against_a_run(team, other_run, tmp_path):
     assert results(tmp_path / "run") == results(tmp_path / "straight")
     assert np.array_equal(saved.teams[other(team)].genomes, rivals.genomes[-1:])
     assert saved.teams[other(team)].network == rivals.network
-    assert saved.teams[team].network == settings.network
-    lengths = saved.payoff().lengths
+    assert saved.teams[team].network == settings.evaluation_game.network
+    lengths = saved.payoff().extras["lengths"]
     assert [saved.record(episode=number).length for number in range(3)] == list(lengths.flat)
 
 
 def test_several_opponents_take_turns(tmp_path):
     settings = tiny_single(team="evader")
-    opponents = Population(settings.task("pursuer").genomes(2), settings.network)
+    opponents = Population(settings.task("pursuer").genomes(2), settings.evaluation_game.network)
     saved = begun(settings, tmp_path / "run", opponents=opponents).run()
     assert saved.log()["opponent"].tolist() == [0, 1, 0, 1, 0]
-    assert saved.payoff().capture_rates.shape == (2, 1, 3)
+    assert saved.payoff().scores.shape == (2, 1, 3)
     assert open_run(tmp_path / "run").settings.schedule.opponent == "given as genomes"
 
 
@@ -324,7 +329,7 @@ def test_bad_opponents_and_starts_are_refused(other_run, tmp_path):
     others = Population(np.zeros((1, wide.genome_size), dtype=np.float32), wide)
     with pytest.raises(ValueError, match="^opponents: "):
         begun(settings, run, opponents=others)
-    size = settings.network.genome_size
+    size = settings.evaluation_game.network.genome_size
     for start in (np.zeros(size - 1), np.full(size, np.nan)):
         with pytest.raises(ValueError, match="^start: "):
             begun(settings, run, start=start)

@@ -8,15 +8,7 @@ import pytest
 
 from matrixworld import Matches, Population, rollout
 from matrixworld._util.files import load_arrays
-from matrixworld.coevolution import (
-    TEAMS,
-    DisengagementWarning,
-    InTurns,
-    Run,
-    StopRun,
-    finish,
-    open_run,
-)
+from matrixworld.coevolution import TEAMS, DisengagementWarning, InTurns, Run, StopRun, open_run
 from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.run import total_matches
 from matrixworld.coevolution.sections import hints_of, sections_in
@@ -28,6 +20,7 @@ from tiny_race import (
     check_resumes,
     hall_of_fame,
     played,
+    playing,
     results,
     straight,
     tiny_race,
@@ -88,7 +81,7 @@ def test_a_stopped_run_ends_as_if_never_stopped(name: str, call: int, tmp_path: 
 def test_matches_are_counted_predicted_and_logged(name: str, tmp_path: Path) -> None:
     settings, listening = RUNS[name][0], Listening()
     run = played(settings, tmp_path / "run", play=listening)
-    evaluated = run.payoff().lengths.size
+    evaluated = run.payoff().extras["lengths"].size
     games = sum(scores.length.size for *_, scores in listening.calls)
     training, summary, log = games - evaluated, run.summary(), run.log()
     assert (summary["training_matches"], summary["evaluation_matches"]) == (training, evaluated)
@@ -115,23 +108,23 @@ def test_log_has_a_row_per_epoch_and_counts_matches(race: Path) -> None:
 
 def test_log_of_a_hall_of_fame_has_a_row_per_epoch_and_team(tmp_path: Path) -> None:
     run = played(hall_of_fame(), tmp_path / "run")
-    assert run.payoff().capture_rate.shape == (4, 4)
+    assert run.payoff().matrix.shape == (4, 4)
     assert run.log()["team"].tolist() == ["pursuer", "evader"] * 6
     assert run.log()["generation"].tolist() == [1] * 4 + [2] * 4 + [3] * 4
 
 
 def test_every_cell_can_be_replayed_alone(race: Path) -> None:
-    run = finish(race, play=StopAt(0))  # of a finished run nothing is played
+    run = playing(Run(race), StopAt(0)).run()  # of a finished run nothing is played
     settings, payoff = run.settings, run.payoff()
-    assert payoff.capture_rates.shape == (3, 3, 3)
-    teams = [Population(run.archive()[team], settings.network) for team in TEAMS]
+    assert payoff.scores.shape == (3, 3, 3)
+    teams = [Population(run.archive()[team], settings.evaluation_game.network) for team in TEAMS]
     for g, h in [(0, 2), (2, 0), (1, 1)]:
         seed = evaluation_seed(settings.seed, g, h)
         scores = rollout(settings.world, *teams, Matches.of(g, h, seed), episodes=3)
-        assert np.array_equal(scores.capture_rate[0], payoff.capture_rates[g, h])
-        assert np.array_equal(scores.length[0], payoff.lengths[g, h])
-        assert np.array_equal(scores.faults[0].mean(axis=0), payoff.faults[g, h])
-        assert run.record(g, h, episode=1).length == payoff.lengths[g, h, 1]
+        assert np.array_equal(scores.capture_rate[0], payoff.scores[g, h])
+        assert np.array_equal(scores.length[0], payoff.extras["lengths"][g, h])
+        assert np.array_equal(scores.faults[0].mean(axis=0), payoff.extras["faults"][g, h])
+        assert run.record(g, h, episode=1).length == payoff.extras["lengths"][g, h, 1]
     assert np.array_equal(run.record(-1, -3).positions, run.record(2, 0).positions)
     with pytest.raises(IndexError):
         run.record(0, 3)
@@ -139,8 +132,8 @@ def test_every_cell_can_be_replayed_alone(race: Path) -> None:
 
 def test_the_files_hold_means_and_deviations(race: Path) -> None:
     arrays, payoff = load_arrays(race / "payoff.npz"), open_run(race).payoff()
-    assert np.allclose(arrays["capture_rate"], payoff.capture_rates.mean(axis=2))
-    assert np.allclose(arrays["capture_rate_std"], payoff.capture_rates.std(axis=2), atol=1e-6)
+    assert np.allclose(arrays["mean"], payoff.scores.mean(axis=2))
+    assert np.allclose(arrays["std"], payoff.scores.std(axis=2), atol=1e-6)
     assert (arrays["collisions"] >= arrays["faults"]).all()
 
 

@@ -82,20 +82,22 @@ def test_what_follows_from_the_settings():
     settings, alone = RaceSettings(), RaceSettings(schedule=Against(team="evader"))
     assert settings.schedule.name == "generalist-generalist"
     assert settings.schedule.total_epochs("evader") == 30 * 58
-    assert settings.training_world.max_steps == 200
-    assert settings.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5  # 363 = 3 x 11 x 11
+    assert settings.training_game.world.max_steps == 200
+    assert (
+        settings.evaluation_game.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5
+    )  # 363 = 3 x 11 x 11
     assert (settings.is_race, alone.is_race) == (True, False)
     assert alone.learning_teams == ("evader",)
 
 
 def test_overlap_is_penalised_where_teammates_may_share_a_cell():
-    assert RaceSettings().overlap_penalty == 0.2
-    assert RaceSettings(schedule=Against(team="evader")).overlap_penalty == 0.5
-    assert settings_of(rules="SB").overlap_penalty == 0.0  # two cannot share a cell there
+    assert RaceSettings().training_game.penalty == 0.2
+    assert RaceSettings(schedule=Against(team="evader")).training_game.penalty == 0.5
+    assert settings_of(rules="SB").training_game.penalty == 0.0  # two cannot share a cell there
     # The rewards have penalties of their own.
-    assert settings_of(measure="rewards").overlap_penalty == 0.0
+    assert settings_of(measure="rewards").training_game.penalty == 0.0
     started = RaceSettings(schedule=Against(team="evader", start="a-run"))
-    assert started.overlap_penalty == 0.2
+    assert started.training_game.penalty == 0.2
 
 
 def test_a_text_stands_for_a_section():

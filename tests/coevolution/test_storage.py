@@ -22,7 +22,7 @@ from matrixworld.coevolution import (
     finish,
     open_run,
 )
-from matrixworld.coevolution.storage import COLUMNS, FORMAT, RunWriter
+from matrixworld.coevolution.storage import FORMAT, RunWriter
 from scripts import wait_until
 from tiny_race import StopAt, begun, directory_in_memory, played, results, tiny_race, tiny_single
 
@@ -42,7 +42,7 @@ def archive(generations):
 def save(files_of_run, stage):
     """Save a stage with one generation and one row of the log."""
     values = {int: stage - 1, float: stage / 3, str: "evader"}
-    rows = [{name: values[kind] for name, kind in COLUMNS.items()}]
+    rows = [{name: values[kind] for name, kind in files_of_run.columns.items()}]
     files_of_run.save(stage, archive(1 + stage), rows, {"matches": stage}, state(stage))
 
 
@@ -129,7 +129,7 @@ def test_the_copies_at_the_end_hold_what_the_stages_hold(life):
         else:
             assert not (finished / f"{team}s.npy").exists()
     header, *rows = (finished / "log.csv").read_text().splitlines()
-    assert header == ",".join(COLUMNS)
+    assert header == ",".join(open_run(finished).columns)
     assert len(rows) == len(seen(finished)[1]["epoch"])
 
 
@@ -291,8 +291,8 @@ def test_runs_and_their_results_are_shown_in_a_notebook_and_drawn_as_they_are(ra
     assert saved.title in shown
     assert "<td>generations of the pursuers</td><td>" in shown
     payoff = saved.payoff()
-    assert f"{payoff.capture_rate[-1, -1]:.2f}" in shown
-    for one, other in zip(generalization(payoff), generalization(payoff.capture_rate), strict=True):
+    assert f"{payoff.matrix[-1, -1]:.2f}" in shown
+    for one, other in zip(generalization(payoff), generalization(payoff.matrix), strict=True):
         np.testing.assert_array_equal(one, other)
     with pytest.raises(TypeError, match=r"got a function; did you mean payoff\(\)"):
         generalization(saved.payoff)

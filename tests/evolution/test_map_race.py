@@ -13,7 +13,7 @@ from maps.archive import MAP_FITNESS
 from maps.race import MapRace, MapSettings
 from matrixworld.coevolution import TEAMS
 from matrixworld.solve import States, best_response
-from tiny_race import Listening, results, stop_and_continue, tiny_race
+from tiny_race import Listening, playing, results, stop_and_continue, tiny_race
 
 RACE = tiny_race(
     rules="TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, fov=7, max_steps=6, train_steps=6,
@@ -38,9 +38,10 @@ class Watched(MapRace):
 
 def played(settings: MapSettings, directory: Any) -> tuple[list[Any], list[Any], MapRace]:
     """Return the arguments and scores of all matches, the maps of each generation, and the race."""
-    race = Watched(settings, directory, play=Listening())
+    listening = Listening()
+    race = playing(Watched(settings, directory), listening)
     race.run()
-    return race.rollout.calls, race.archives, race
+    return listening.calls, race.archives, race
 
 
 @pytest.mark.parametrize("fitness", MAP_FITNESS)
@@ -102,9 +103,12 @@ def test_the_best_of_old_and_new_maps_are_kept(tmp_path, fitness):
 
 def test_regret_is_how_far_both_champions_fall_short(tmp_path):
     _, archives, race = played(settings_of("regret"), tmp_path / "run")
-    pair = [mw.Population(race.archive[team][-1][None], race.settings.network) for team in TEAMS]
+    pair = [
+        mw.Population(race.archive[team][-1][None], race.settings.evaluation_game.network)
+        for team in TEAMS
+    ]
     for walls, score in zip(archives[-1]["maps"], archives[-1]["scores"], strict=True):
-        states = States(replace(RACE.training_world, obstacles=walls))
+        states = States(replace(RACE.training_game.world, obstacles=walls))
         low, high = (best_response(states, *each).value for each in zip(pair, TEAMS, strict=True))
         assert score == pytest.approx(high - low)
 

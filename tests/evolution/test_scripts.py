@@ -69,7 +69,7 @@ def later(runs: common.Runs, quick: bool) -> dict[str, list[RaceSettings]]:
 
 def measure(runs: common.Runs, quick: bool) -> dict[str, object]:
     def of_run(run: SavedRun) -> dict[str, object]:
-        return {"seed": run.settings.seed, "rates": run.payoff().capture_rate}
+        return {"seed": run.settings.seed, "rates": run.payoff().matrix}
 
     return {**common.by_seed(runs, of_run), "count": len(runs)}
 

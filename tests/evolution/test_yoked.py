@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from matrixworld.coevolution import TEAMS, SavedRun, available
-from tiny_race import Listening, alternating, played, results, stop_and_continue, tiny_race
+from tiny_race import Listening, alternating, played, playing, results, stop_and_continue, tiny_race
 from yoked_races import YokedRace
 
 SEED = tiny_race().seed
@@ -30,7 +30,7 @@ def yoked_to(run: SavedRun, directory: Path, *, seed: int = SEED + 1, **options:
 
 def test_teams_meet_the_generations_of_the_other_race(real: SavedRun, tmp_path: Path) -> None:
     listening, schedule = Listening(), real.settings.schedule
-    archive = yoked_to(real, tmp_path / "run", play=listening).run().archive()
+    archive = playing(yoked_to(real, tmp_path / "run"), listening).run().archive()
     calls = iter(listening.calls)
     for stage in range(schedule.n_stages):
         team, other = TEAMS[stage % 2], 1 - stage % 2

@@ -90,8 +90,8 @@ def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None
     page.wait(f"{PLAYED} === '0 2 1 0 ' && document.querySelector('.check').dataset.equal")
     payoff = job["race"].payoff()
     assert page.js("document.querySelector('.check').title") == (
-        f"Played here: capture rate {payoff.capture_rates[2, 1, 0]:.3f} in "
-        f"{payoff.lengths[2, 1, 0]} steps. The cell says {payoff.capture_rate[2, 1]:.3f}."
+        f"Played here: capture rate {payoff.scores[2, 1, 0]:.3f} in "
+        f"{payoff.extras['lengths'][2, 1, 0]} steps. The cell says {payoff.matrix[2, 1]:.3f}."
     )
     _check_answers(page, job["race"], 2, 1)
     # An address leads to a match and its step, also when it is loaded again; a bad one nowhere.
@@ -201,10 +201,10 @@ def as_read(run: SavedRun) -> dict[str, Any]:
 def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> None:
     data, payoff, settings = as_read(race), race.payoff(), race.settings
     assert data["payoff"]["first"] == [0, 0]
-    assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
+    assert data["payoff"]["capture_rate"] == payoff.matrix.tolist()
     rates = np.array(data["payoff"]["capture_rates"], np.float32)
-    np.testing.assert_array_equal(rates, payoff.capture_rates)
-    np.testing.assert_array_equal(data["payoff"]["lengths"], payoff.lengths)
+    np.testing.assert_array_equal(rates, payoff.scores)
+    np.testing.assert_array_equal(data["payoff"]["lengths"], payoff.extras["lengths"])
     assert [[int(seed) for seed in row] for row in data["seeds"]] == [
         [evaluation_seed(settings.seed, g, h) for h in range(3)] for g in range(3)
     ]
@@ -215,7 +215,7 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> 
 
 
 def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
-    found, rates = as_read(race)["findings"], race.payoff().capture_rates
+    found, rates = as_read(race)["findings"], race.payoff().scores
     judgement = analysis.judge(rates, per_episode=True)
     assert [found["sentence"], found["headline"], *found["numbers"]] == summary(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
@@ -245,7 +245,7 @@ def test_genomes_are_exact(race: SavedRun) -> None:
 def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
     data, payoff = as_read(job["single"]), job["single"].payoff()
     assert (data["payoff"]["shape"], data["payoff"]["first"]) == ([1, 4], [0, 3])
-    assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
+    assert data["payoff"]["capture_rate"] == payoff.matrix.tolist()
     assert data["findings"] is None
     [run], _ = runs_data([("alone", job["single"])])
     assert [run["teams"][team]["script"] for team in TEAMS] == ["chaser", None]

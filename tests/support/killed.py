@@ -18,11 +18,10 @@ from typing import Any
 from unittest import mock
 
 from matrixworld._util import files
-from matrixworld.coevolution import create, finish
 from matrixworld.coevolution.jobs import create_job, job_of
 from matrixworld.coevolution.storage import RunWriter
 from matrixworld.play.rollout import rollout
-from tiny_race import tiny_race, tiny_single
+from tiny_race import played, tiny_race, tiny_single
 
 CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(["killed"])
@@ -46,8 +45,7 @@ JOB = job_of([RUNS["single"], RUNS["race"]])
 
 def play_run(kind: str, directory: Path, play: Any = rollout) -> None:
     """Make the run, unless it is there, and play it to its end."""
-    create(SETTINGS[kind], directory)
-    finish(directory, threads=1, play=play)
+    played(SETTINGS[kind], directory, play=play)
 
 
 @cache

@@ -5,7 +5,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ import pytest
 
 from matrixworld.coevolution import PolicySettings, RaceSettings, Run, SavedRun, create, finish
 from matrixworld.coevolution.sections import hints_of, sections_in
-from matrixworld.play.rollout import rollout
+from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
 
 TINY: dict[str, Any] = {
@@ -97,17 +97,31 @@ def begun(
     *,
     opponents: Any = None,
     start: Any = None,
+    play: Any = rollout,
     **options: Any,
 ) -> Run:
     """Make a run, or take the one that is there; return it before it goes on."""
     create(settings, directory, opponents=opponents, start=start)
-    return Run(directory, **options)
+    return playing(Run(directory, **options), play)
 
 
-def played(settings: RaceSettings, directory: Path, **options: Any) -> SavedRun:
+def playing(run: Run, play: Any) -> Run:
+    """Let a function with the arguments of `rollout` play all matches of a run."""
+    run.game = replace(run.game, play=play)
+    evaluation = replace(run.settings.evaluation_game, play=play)
+    vars(run.settings)["evaluation_game"] = evaluation
+    return run
+
+
+def played(
+    settings: RaceSettings, directory: Path, play: Any = rollout, **options: Any
+) -> SavedRun:
     """Make a run and play it to its end, or to that of the one that is there."""
     create(settings, directory)
-    return finish(directory, **{"threads": 1, **options})
+    if play is rollout:
+        return finish(directory, **{"threads": 1, **options})
+    threads = options.pop("threads", 1)
+    return playing(Run(directory, threads=threads), play).run(**options)
 
 
 def results(directory: Path) -> dict[str, bytes]:
@@ -133,7 +147,7 @@ class Listening:
 
     def __call__(self, config: Any, pursuers: Any, evaders: Any, matches: Any, **more: Any) -> Any:
         scores = rollout(config, pursuers, evaders, matches, **more)
-        self.calls.append((config, pursuers, evaders, matches, scores))
+        self.calls.append((config, pursuers, evaders, Matches.of(*matches), scores))
         return scores
 
 
@@ -164,12 +178,11 @@ def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
 
 def stop_and_continue(make: Callable[..., Run], call: int, directory: Path) -> None:
     """Stop a run at a call of `rollout`, and continue it."""
-    run = make(directory, threads=1, play=StopAt(call))
+    run = playing(make(directory, threads=1), StopAt(call))
     with pytest.raises(KeyboardInterrupt):
         run.run()
     # Both ways to continue: by the same object, and by a new one.
     if call % 2:
-        run.rollout = rollout  # not `StopAt`, which would stop it again
-        run.run()
+        playing(run, rollout).run()  # not `StopAt`, which would stop it again
     else:
         make(directory, threads=1).run()

@@ -100,8 +100,8 @@ def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
     payoff = run.payoff()
     for cell in told["cells"]:
         place = cell["pursuer"], cell["evader"]
-        assert cell["capture_rates"] == payoff.capture_rates[place].tolist()
-        assert cell["lengths"] == payoff.lengths[place].tolist()
+        assert cell["capture_rates"] == payoff.scores[place].tolist()
+        assert cell["lengths"] == payoff.extras["lengths"][place].tolist()
         assert np.reshape(cell["means"]["faults"], (2, 3)).tolist() == payoff.faults[place].tolist()
     log = run.log()
     for name in ("opponent", "matches", "steps"):
@@ -150,8 +150,8 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
     )
     for name, found in again.arrays().items():
         np.testing.assert_array_equal(getattr(payoff, name), found)
-    assert run.record(1, 3, episode=2).length == payoff.lengths[1, 3, 2]
-    matrix = payoff.capture_rate
+    assert run.record(1, 3, episode=2).length == payoff.extras["lengths"][1, 3, 2]
+    matrix = payoff.matrix
     expected = [
         [side[-1].mean(), late_forgetting(side, slice(0, len(side)))]
         for side in (matrix, 1.0 - matrix.T)
@@ -159,7 +159,7 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
     np.testing.assert_allclose(told["measures"], expected, atol=1e-12)
     for team in TEAMS:
         assert np.mean(told["scores"][team]) == pytest.approx(against_scripts(run, team))
-    assert judge(payoff.capture_rates, per_episode=True).runs == 1
+    assert judge(payoff.scores, per_episode=True).runs == 1
     assert "pursuer" in explorer_page([run])
     assert len(run.log()["epoch"]) == len(told["rows"])
     with pytest.raises(DamagedFileError):  # Python does not continue it

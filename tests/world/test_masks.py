@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.play.experience import experience
 from matrixworld.world.arrays import new_arrays
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import (
@@ -268,7 +268,7 @@ def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
     settings = tiny_race(mask="obstacles", learner=learner)
     run = played(settings, tmp_path)
     for team in TEAMS:
-        weights, genomes = settings.mask_weights(team), run.teams[team].genomes
+        weights, genomes = settings.evaluation_game.mask(team), run.teams[team].genomes
         assert weights is not None
         np.testing.assert_array_equal(weights.write(genomes), genomes)
         learned = (genomes[0] != genomes[-1])[~weights.fixed]

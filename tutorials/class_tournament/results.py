@@ -17,7 +17,8 @@ from class_tournament.submissions import Entry, Refusal
 from matrixworld._util.readable import Parts, Readable, Table, plain_values
 from matrixworld.analysis import Estimate
 from matrixworld.analysis.intervals import UNIT, difference_over_episodes, linear_over_episodes
-from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
+from matrixworld.coevolution.evaluation.scores import SCORE
+from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.explorer.page import render_page
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig

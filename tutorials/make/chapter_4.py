@@ -56,7 +56,7 @@ def settings(seed: int) -> RaceSettings:
 def captured(run: SavedRun) -> np.ndarray:
     """Return the evaders captured in all episodes of each pair, (generations, generations)."""
     payoff = run.payoff()
-    return np.rint(payoff.capture_rates.sum(axis=2) * run.settings.world.n_evaders).astype(np.uint8)
+    return np.rint(payoff.scores.sum(axis=2) * run.settings.world.n_evaders).astype(np.uint8)
 
 
 def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:

@@ -54,7 +54,7 @@ def played(directory: Path, threads: int | None) -> dict[str, list[np.ndarray]]:
         runs = evolve(settings, directory, threads=threads, report=bars)
     rates: dict[str, list[np.ndarray]] = {name: [] for name in SCHEDULES}
     for run in runs:
-        rates[run.settings.schedule.name].append(run.payoff().capture_rates)
+        rates[run.settings.schedule.name].append(run.payoff().scores)
     return rates
 
 

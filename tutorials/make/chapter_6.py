@@ -72,7 +72,7 @@ def races(directory: Path, threads: int | None) -> list[SavedRun]:
 def numbers_of(runs: list[SavedRun]) -> dict[str, np.ndarray]:
     """Return the arrays of ``cures.npz``."""
     shape = (len(SAMPLERS), len(SEEDS))
-    rates = np.stack([run.payoff().capture_rates for run in runs])
+    rates = np.stack([run.payoff().scores for run in runs])
     matches = np.array([run.log()["matches"][-1] for run in runs])
     return {
         "samplers": np.array(SAMPLERS),

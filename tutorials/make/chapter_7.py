@@ -88,7 +88,7 @@ def spread(run: SavedRun) -> np.ndarray:
 
 def captures(run: SavedRun) -> np.ndarray:
     """Return the evaders captured in each episode, uint8 of shape (n, n, episodes)."""
-    rates = run.payoff().capture_rates[..., :EPISODES]
+    rates = run.payoff().scores[..., :EPISODES]
     return np.rint(rates * EVEN.world.n_evaders).astype(np.uint8)
 
 

@@ -75,7 +75,7 @@ def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
         settings = alone(team).changed(
             {"seed": STAGES * seed + stage, "schedule.opponent": opponent, "schedule.start": start}
         )
-        run = finish(settings, directory, RACE.overlap_penalty)
+        run = finish(settings, directory, RACE.training_game.penalty)
         archive = run.teams[team].genomes
         genomes += [archive[-1]] if genomes else [archive[0], archive[-1]]
         before = directory
@@ -84,7 +84,7 @@ def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
 
 def tested(team: Team, genomes: np.ndarray, opponent: TeamPolicy, episodes: int) -> np.ndarray:
     """Return the evaders that each genome (n, genes) captures, or saves, per 1000: uint16 (n,)."""
-    own, index = mw.Population(genomes, RACE.network), np.arange(len(genomes))
+    own, index = mw.Population(genomes, RACE.evaluation_game.network), np.arange(len(genomes))
     world = RACE.world
     if team == "pursuer":
         scores = mw.rollout(
@@ -101,7 +101,7 @@ def tested(team: Team, genomes: np.ndarray, opponent: TeamPolicy, episodes: int)
 
 def main(runs: Path) -> None:
     races: list[SavedRun] = [
-        finish(replace(RACE, seed=seed), runs / "races" / str(seed), RACE.overlap_penalty)
+        finish(replace(RACE, seed=seed), runs / "races" / str(seed), RACE.training_game.penalty)
         for seed in tqdm(SEEDS, desc="races")
     ]
     arrays: dict[str, np.ndarray] = {}
@@ -122,7 +122,7 @@ def main(runs: Path) -> None:
 
 def climbed(genomes: np.ndarray) -> np.ndarray:
     """Return the scores (seeds, stages + 1, scripts) of pursuers after each stage."""
-    flat = genomes.reshape(-1, RACE.network.genome_size)
+    flat = genomes.reshape(-1, RACE.evaluation_game.network.genome_size)
     scores = [tested("pursuer", flat, script, EPISODES) for script in LADDERS["pursuer"]]
     return np.stack(scores, axis=-1).reshape(len(SEEDS), STAGES + 1, STAGES)
 

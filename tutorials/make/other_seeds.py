@@ -104,7 +104,7 @@ def red_queen(seed: int) -> Effects:
     """Changes of specialists in the world of notebook 4."""
     run = finish(chapter_4.settings(seed), RUNS / "chapter_4" / str(seed))
     pursuers, evaders = (each[[0, 2, 8]] for each in chapter_4.scores(run, np.arange(0, 25, 3)))
-    diagonal = np.diag(run.payoff().capture_rate)[[0, 6, 24]]
+    diagonal = np.diag(run.payoff().matrix)[[0, 6, 24]]
     return {
         "diagonal at first": diagonal[1] - diagonal[0],
         "diagonal later": diagonal[2] - diagonal[1],
@@ -193,7 +193,7 @@ def cure(name: str, seed: int) -> SavedRun:
 def cures(seed: int) -> Effects:
     """Cures minus specialists. Evaders meet the last pursuers of the other two kinds, all seeds."""
     of = analysis.MEASURES["transitive_share"].of
-    share = {name: of(cure(name, seed).payoff().capture_rate).value for name in chapter_6.SAMPLERS}
+    share = {name: of(cure(name, seed).payoff().matrix).value for name in chapter_6.SAMPLERS}
     escape = {}
     for name in chapter_6.SAMPLERS:
         rivals = [
@@ -212,7 +212,7 @@ def cures(seed: int) -> Effects:
             episodes=chapter_6.CROSS_EPISODES,
             threads=1,
         )
-        escape[name] = 1 - payoff.capture_rate.mean()
+        escape[name] = 1 - payoff.matrix.mean()
     return {
         "transitive share of round-robin": share["round-robin"] - share["latest"],
         "transitive share of uniform": share["uniform"] - share["latest"],
@@ -231,8 +231,8 @@ def halls(seed: int) -> Effects:
     forgetting, found = analysis.MEASURES["pursuer_forgetting"], []
     for name, settings in kinds(quick=False).items():
         folder = RUNS / "hall_of_fame" / slug(name) / str(seed)
-        run = finish(replace(settings, seed=seed), folder, settings.overlap_penalty)
-        found.append(forgetting.of(run.payoff().capture_rate, "whole").value)
+        run = finish(replace(settings, seed=seed), folder, settings.training_game.penalty)
+        found.append(forgetting.of(run.payoff().matrix, "whole").value)
     without, with_halls = found
     return {"pursuers forget": with_halls - without}
 
@@ -279,7 +279,9 @@ def schools(seed: int) -> Effects:
     """Return differences between schools. Races of all other seeds are the co-evolved examiners."""
     runs, race = RUNS / "chapter_8", chapter_8.RACE
     races = {
-        each: finish(replace(race, seed=each), runs / "races" / str(each), race.overlap_penalty)
+        each: finish(
+            replace(race, seed=each), runs / "races" / str(each), race.training_game.penalty
+        )
         for each in SOURCES["schools"].others
     }
     own, effects = races.pop(seed), {}

@@ -34,9 +34,9 @@ GENERATIONS_TO_JUDGE = 6
 EPISODES_TO_JUDGE = 4
 """Fewest episodes of each cell that show their noise: two in each half."""
 
-PER_EPISODE = "capture_rates"
+PER_EPISODE = "scores"
 """Name of the array of an .npz file that holds all episodes, as in run directories."""
-MEANS = ("capture_rate", "payoff", "payoffs")
+MEANS = ("mean", "capture_rate", "payoff", "payoffs")
 """Names of arrays that hold payoff matrices; the first one in a file is taken."""
 
 
@@ -226,7 +226,7 @@ Source: TypeAlias = (
 
 
 def read_payoffs(
-    source: Source, *, per_episode: bool = False, episodes: int | None = None
+    source: Source, *, per_episode: bool = False, episodes: int | None = None, exact: bool = False
 ) -> Payoffs:
     """Read payoffs from an array, a file or several files.
 
@@ -240,6 +240,9 @@ def read_payoffs(
         (n, m, episodes) or (runs, n, m, episodes).
     episodes : int, optional
         Number of episodes behind each cell, at least 1, for payoffs that hold means only.
+    exact : bool, optional
+        Whether more episodes would have the same scores, as in a deterministic game: then one of
+        each cell shows that there is no noise. The default is False.
 
     Notes
     -----
@@ -250,7 +253,7 @@ def read_payoffs(
     ``episode`` if there are several; every combination of these numbers has one line. Other
     columns, empty lines and lines that begin with ``#`` are ignored. Cells are separated by commas,
     semicolons or tabs; beside the latter two a comma is a decimal comma. Per cent are read, too. Of
-    several arrays in an .npz file ``capture_rates`` is taken, which holds episodes, or else
+    several arrays in an .npz file ``scores`` is taken, which holds episodes, or else ``mean``,
     ``capture_rate``, ``payoff`` or ``payoffs``.
     """
     check_bool("per_episode", per_episode)
@@ -264,6 +267,10 @@ def read_payoffs(
         payoffs = _stacked([Path(path) for path in source], per_episode)
     else:
         payoffs = _payoffs(source, per_episode)
+    if exact:
+        # What any number of episodes would be.
+        scores = np.repeat(payoffs.matrices[..., np.newaxis], EPISODES_TO_JUDGE, axis=3)
+        return Payoffs(payoffs.matrices, scores, EPISODES_TO_JUDGE)
     if episodes is None:
         return payoffs
     number = check_integer("episodes", episodes, 1)

@@ -305,11 +305,11 @@ def tournament_command(
             play: Any = {"episodes": episodes, "threads": threads, "executor": executor}
             payoff = tournament(world, *teams, seed=seed, on_row=on_row, **play)
         # Generations of two runs have no common order in time, and are not judged.
-        judgement = None if rival else analysis.judge(payoff.capture_rates, per_episode=True)
+        judgement = None if rival else analysis.judge(payoff.scores, per_episode=True)
         shown = analysis.headline(judgement) if judgement else f"against evaders of {theirs.title}"
         title = f"{'pursuers of ' if rival else ''}{ours.title}\n{shown}"
         save_arrays(target, payoff.arrays())
-        plots.save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), figure)
+        plots.save_figure(plots.payoff_heatmap(payoff.matrix, title=title), figure)
         console.print_head(str(ours.path))
         console.say(payoff)
         if judgement:

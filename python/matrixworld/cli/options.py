@@ -19,7 +19,7 @@ from matrixworld._util import checks, files
 from matrixworld.cli import cluster, console
 from matrixworld.coevolution import groups, storage
 from matrixworld.coevolution.learners.learner import DivergedError
-from matrixworld.coevolution.sections import WORLD_HELP
+from matrixworld.coevolution.pursuit import WORLD_HELP
 from matrixworld.coevolution.settings import MOST_SEED
 from matrixworld.version import MissingExtraError
 from matrixworld.world.rules import VARIANTS

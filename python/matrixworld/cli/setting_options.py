@@ -20,8 +20,9 @@ import click
 from matrixworld._util import files
 from matrixworld.cli import console, options
 from matrixworld.coevolution import ActorCritic, OtherVersionError, RaceSettings
+from matrixworld.coevolution.pursuit import WORLD_HELP
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce
-from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, sections_in
+from matrixworld.coevolution.sections import Section, hints_of, sections_in
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 

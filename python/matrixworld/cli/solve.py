@@ -15,8 +15,9 @@ from matrixworld.cli import console, options
 from matrixworld.cli.console import print_head, print_wrapped, say
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Team
+from matrixworld.coevolution.evaluation.scores import SCORE
 from matrixworld.coevolution.groups import RunGroup
-from matrixworld.coevolution.types import SCORE, other
+from matrixworld.coevolution.types import other
 from matrixworld.solve import States, best_response, expected_payoff, solve
 from matrixworld.world.config import WorldConfig
 

@@ -25,16 +25,18 @@ from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
+from matrixworld.coevolution.game import Game, check_game
 from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
 from matrixworld.coevolution.learners import ActorCritic, CmaEs, EvolutionStrategy, GeneticAlgorithm
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
 from matrixworld.coevolution.own_code import check_learner, check_sampler
 from matrixworld.coevolution.progress import Progress, ProgressBar, StopRun
+from matrixworld.coevolution.pursuit import PolicySettings, Pursuit
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns, available
 from matrixworld.coevolution.run import DisengagementWarning, Run, create, finish
 from matrixworld.coevolution.sections import PluginError
-from matrixworld.coevolution.settings import PolicySettings, RaceSettings
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import OtherVersionError, SavedRun, open_run, open_runs
 from matrixworld.coevolution.types import TEAMS, Payoff, Team
 
@@ -50,6 +52,7 @@ __all__ = [
     "EvolutionStrategy",
     "FailedRunsError",
     "FitnessSettings",
+    "Game",
     "GeneticAlgorithm",
     "InTurns",
     "Learner",
@@ -60,6 +63,7 @@ __all__ = [
     "PolicySettings",
     "Progress",
     "ProgressBar",
+    "Pursuit",
     "RaceSettings",
     "Results",
     "Run",
@@ -69,6 +73,7 @@ __all__ = [
     "Task",
     "Team",
     "available",
+    "check_game",
     "check_learner",
     "check_sampler",
     "competitive_sharing",

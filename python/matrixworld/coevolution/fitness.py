@@ -1,6 +1,6 @@
-"""From episode statistics to the fitness of candidates.
+"""From scores to the fitness of candidates.
 
-A measure of `FITNESS` gives a value for each match. With several opponents a candidate has several
+A measure of the game gives a value for each match. With several opponents a candidate has several
 values, which become one fitness: their mean, or competitive fitness sharing.
 """
 
@@ -13,18 +13,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats
+from matrixworld.coevolution.game import Game, Scores
+from matrixworld.coevolution.pursuit import FITNESS
 from matrixworld.coevolution.sections import Section, documented, setting
-from matrixworld.coevolution.types import TEAMS, FloatArray, Team
-from matrixworld.play.rollout import EpisodeStatistics
+from matrixworld.coevolution.types import FloatArray, Team
 
 Table = Callable[[FloatArray], FloatArray]
 """Arranges one value of each match (M,) as a table (n, m) of individuals against opponents, with
 NaN for pairs that did not play."""
-
-FITNESS = ("captured-fraction", "capture-rate", "rewards")
-"""Measures: of the captured evaders the share averaged over the steps, in which fast captures count
-more, or the share at the end, both in [0, 1] (of the evaders 1 minus those of the pursuers); and
-the rewards summed over the team and the steps (not zero-sum)."""
 
 SHARING = ("none", "competitive")
 """How the values of a candidate against several opponents become its fitness."""
@@ -50,54 +46,18 @@ class FitnessSettings(Section):
         if self.sharing != "none" and self.measure == "rewards":
             raise ValueError("sharing: expected a measure from 0 to 1, got 'rewards'")
 
-    def fitness(
-        self, scores: EpisodeStatistics, team: Team, table: Table, overlap_penalty: float
-    ) -> FloatArray:
+    def fitness(self, game: Game, scores: Scores, team: Team, table: Table) -> FloatArray:
         """Return the fitness (n,) of a team's individuals from their matches (M,)."""
-        values = table(match_fitness(scores, team, self.measure, overlap_penalty))
+        values = table(game.values(scores, team, self.measure).mean(axis=1))
         found = mean_over_opponents(values)
         if self.sharing != "none":
             # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
-            payoff = table(match_fitness(scores, team, self.measure, 0.0))
+            payoff = table(game.values(scores, team, self.measure, raw=True).mean(axis=1))
             found = shared_fitness(payoff) - mean_over_opponents(payoff - values)
         if self.cost_limit is None:
             return found
-        excess = mean_over_opponents(table(collisions(scores, team))) - self.cost_limit
+        excess = mean_over_opponents(table(game.costs(scores, team))) - self.cost_limit
         return feasible_first(found, excess)
-
-
-def measured(scores: EpisodeStatistics, team: Team, measure: str) -> FloatArray:
-    """Return a measure of `FITNESS` for a team, (M, worlds) float64."""
-    if measure == "rewards":
-        returns = scores.pursuer_return if team == "pursuer" else scores.evader_return
-        return np.asarray(returns, dtype=np.float64)
-    captured = np.asarray(getattr(scores, measure.replace("-", "_")), dtype=np.float64)
-    return captured if team == "pursuer" else 1.0 - captured
-
-
-def match_fitness(
-    scores: EpisodeStatistics, team: Team, measure: str, overlap_penalty: float
-) -> FloatArray:
-    """Return the fitness (M,) of a team in M matches, the mean over the worlds of each.
-
-    The penalty on evaders that share cells is multiplied by their overlap in [0, 1]. Without it,
-    where teammates may share a cell, all evaders gather in one corner. Then pursuers find either no
-    evader or all of them at once, and evaders learn little from it.
-    """
-    values = measured(scores, team, measure)
-    if team == "evader":
-        values = values - overlap_penalty * np.asarray(scores.evader_overlap, dtype=np.float64)
-    means: FloatArray = values.mean(axis=1)
-    return means
-
-
-def collisions(scores: EpisodeStatistics, team: Team) -> FloatArray:
-    """Return the collisions (M,) at fault of `team` in each match, per 1000 agent-steps."""
-    t = TEAMS.index(team)
-    # (M, worlds, teams, kinds); a rate over all worlds of a match, as `SafetyMonitor` counts it.
-    faults = np.asarray(scores.faults)[:, :, t].sum(axis=(1, 2))
-    steps = np.asarray(scores.agent_steps)[:, :, t].sum(axis=1)
-    return np.asarray(1000.0 * faults / np.maximum(steps, 1), dtype=np.float64)
 
 
 def feasible_first(fitness: ArrayLike, violation: ArrayLike) -> FloatArray:
@@ -114,11 +74,6 @@ def feasible_first(fitness: ArrayLike, violation: ArrayLike) -> FloatArray:
     within = beyond <= 0.0
     worst = values[within].min() if within.any() else 0.0
     return np.where(within, values, worst - beyond)
-
-
-def win_rates(scores: EpisodeStatistics, team: Team) -> FloatArray:
-    """Return the payoff (M,) to `team`, in [0, 1], averaged over the worlds of each match."""
-    return np.asarray(measured(scores, team, "capture-rate").mean(axis=1))
 
 
 def mean_over_opponents(values: FloatArray) -> FloatArray:

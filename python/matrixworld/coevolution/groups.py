@@ -69,8 +69,9 @@ class RunGroup:
     @cached_property
     def payoffs(self) -> Payoffs:
         """Payoffs of all runs."""
-        rates = np.stack([run.payoff().capture_rates for run in self.runs])
-        return analysis.read_payoffs(rates, per_episode=True)
+        payoffs = [run.payoff() for run in self.runs]
+        scores = np.stack([payoff.scores for payoff in payoffs])
+        return analysis.read_payoffs(scores, per_episode=True, exact=payoffs[0].exact)
 
     @cached_property
     def judgement(self) -> Judgement:

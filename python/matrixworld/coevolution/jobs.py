@@ -27,12 +27,12 @@ from typing import Any
 from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
 from matrixworld._util.files import DamagedFileError, sentence_of
 from matrixworld._util.imports import HAS_PROCESSES
-from matrixworld.coevolution import progress, run, storage
+from matrixworld.coevolution import progress, run, storage, types
 from matrixworld.coevolution.learners.learner import table_length
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
+from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit
 from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.world.policy import SCRIPTS
 
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
 """Names of runs: relative paths of one or two parts that every system accepts."""
@@ -241,7 +241,8 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
 
 def run_memory(settings: RaceSettings) -> dict[str, int]:
     """Return the bytes of a run's largest arrays, by what they hold."""
-    schedule, genes = settings.schedule, settings.network.genome_size
+    schedule, game = settings.schedule, settings.evaluation_game
+    genes = max(map(game.genome_size, types.TEAMS))
     learners = [settings.learner_of(team) for team in settings.learning_teams]
     population, teams = max(each.population for each in learners), len(learners)
     episodes = population * schedule.opponents_met * settings.match_episodes * teams
@@ -255,9 +256,10 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
         "payoff": 90 * pairs * settings.evaluation_episodes,  # what a tournament keeps
     }
     if any("fitness" in each.ignores for each in learners):  # views, for actor and critic
-        agents = max(settings.world.n_pursuers, settings.world.n_evaders)
+        assert isinstance(game, Pursuit)  # as these learners need
+        agents = max(game.world.n_pursuers, game.world.n_evaders)
         steps = episodes * settings.train_steps * agents
-        needed["views"] = 4 * steps * settings.network.sizes[0]
+        needed["views"] = 4 * steps * game.network.sizes[0]
     return needed
 
 
@@ -294,7 +296,8 @@ def play_job(
     watch = _Watch(job, root, report, on_epoch)
     # If the job is stopped, its groups have about equally many seeds.
     left = sorted((n for n in job if n not in watch.ended), key=lambda n: job[n].seed)
-    if executor is None and (len(left) == 1 or not HAS_PROCESSES):
+    here = any(each.game and each.game.is_here_alone for each in job.values())
+    if executor is None and (len(left) == 1 or here or not HAS_PROCESSES):
         for name in left:
             _play_here(watch, name, threads)
     elif left:

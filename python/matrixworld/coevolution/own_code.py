@@ -13,15 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer
+from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
 from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.sections import PluginError
-from matrixworld.coevolution.types import State
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network
+from matrixworld.coevolution.types import TEAMS, State
 
-EPOCHS = 6
-"""Epochs of a check."""
+EPOCHS, GENES = 6, 140
+"""Epochs of a check, and length of its genomes."""
 Step = Callable[[State, int], tuple[list[NDArray[Any]], State]]
 """Plays one epoch from a state; returns what was decided, and the next state."""
 
@@ -49,8 +48,9 @@ def check_learner(learner: Learner) -> None:
     >>> coevolution.check_learner(coevolution.EvolutionStrategy(sigma=0.2, population=8))
     """
     check_instance("learner", learner, Learner)
-    world = WorldConfig("O", rows=4, cols=4, n_pursuers=1, n_evaders=1, fov=3)
-    network = Network.for_config(world, ())
+    # Genomes far apart, so that mutants of any usual size are better now and then: a learner shows
+    # what it does only where it moves.
+    game = Game(lambda a, b, rng: np.full(len(a), 0.5), GENES)
     # What is None a run fills in.
     usual = {
         name: item.metadata["default"]
@@ -60,10 +60,8 @@ def check_learner(learner: Learner) -> None:
     population = getattr(learner, "population", None) or 8
     learner = replace(learner, **{**usual, "population": population})
     n = learner.population
-    # Genomes far apart, so that mutants of any usual size are better now and then: a learner shows
-    # what it does only where it moves.
-    untrained = partial(network.initial, head=1.0)
-    task = Task(0, 0, EPOCHS, untrained, None, world, network)
+    untrained = partial(game.untrained, TEAMS[0])
+    task = Task(0, 0, EPOCHS, untrained, None, game)
     target = untrained(np.random.default_rng(1))
     groups = np.array(learner.seed_groups)
     numbers, sizes = np.unique(groups, return_counts=True)
@@ -77,12 +75,12 @@ def check_learner(learner: Learner) -> None:
 
     def step(state: State, epoch: int) -> tuple[list[NDArray[Any]], State]:
         candidates, asked = learner.ask(state, np.random.default_rng([0, epoch]))
-        _expect_genomes("ask", candidates, (n, network.genome_size))
+        _expect_genomes("ask", candidates, (n, GENES))
         # Equal values are usual at the start of a race, and a learner may then take another path.
         distance = ((candidates - target) ** 2).mean(axis=1, dtype=np.float64)
         after = learner.tell(asked, Results(np.zeros(n) if epoch % 3 == 1 else -distance))
         genome = learner.genome(after)
-        _expect_genomes("genome", genome, (network.genome_size,))
+        _expect_genomes("genome", genome, (GENES,))
         return [candidates, genome], after
 
     _check_steps(lambda: learner.start(task), step)

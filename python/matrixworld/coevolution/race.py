@@ -35,7 +35,6 @@ import numpy as np
 from matrixworld._util.checks import check_choice, check_integer
 from matrixworld.analysis.intervals import does_not_vary, t_ends
 from matrixworld.coevolution import types
-from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents import (
     AnyOpponents,
     NashOpponents,
@@ -44,11 +43,10 @@ from matrixworld.coevolution.opponents import (
     RoundRobin,
     Uniform,
 )
+from matrixworld.coevolution.pursuit import SCRIPTS
 from matrixworld.coevolution.sections import Section, by_race, documented, kinds_in, setting
 from matrixworld.coevolution.seeding import Phase, Purpose, learning_phase, training_seeds
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Payoff, Team, other
-from matrixworld.play.rollout import Matches
-from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.run import Run
@@ -115,7 +113,7 @@ class Race(Section):
     def learn(self, run: Run, stage: int) -> None:
         """Run one stage: improve learners, extend the archive, log each epoch."""
 
-    def finalists(self, run: Run) -> dict[Team, tuple[TeamPolicy, int]]:
+    def finalists(self, run: Run) -> dict[Team, tuple[Any, int]]:
         """Return who plays the evaluation for each team, and the generation of the first."""
         return {team: (run.population(team, run.genomes(team)), 0) for team in TEAMS}
 
@@ -270,7 +268,8 @@ class InTurns(OfGenerations):
         # Pursuers in even stages, evaders in odd ones; generation 0 is untrained.
         generation, team = 1 + stage // 2, TEAMS[stage % 2]
         run.update_sampler(team, generation, available(team, generation))
-        epochs, activity = range(self.epochs(team)), f"generation {generation}: {team}s"
+        epochs = range(self.epochs(team))
+        activity = f"generation {generation}: {run.name_of(team)}"
         genome = improve(run, team, generation, self.opponents, epochs, activity)
         run.archive_genome(team, genome)
 
@@ -316,7 +315,7 @@ def improve(
         seeds = match_seeds(run, team, generation, epoch, met)
         scores = run.play_candidates(team, candidates, opponents, met, seeds)
         # Win rates, not fitness: samplers expect numbers in [0, 1].
-        run.tell_sampler(team, met, table(win_rates(scores, team)))
+        run.tell_sampler(team, met, table(scores.of(team).mean(axis=1)))
         opponent = int(met[0]) if len(met) == 1 else types.SEVERAL
         fitness = run.log_fitness(team, scores, table, generation, epoch, opponent)
         run.report(activity)
@@ -422,7 +421,7 @@ class AtOnce(OfGenerations):
 
     def _play(
         self, run: Run, generation: int, epoch: int, populations: Mapping[Team, Genomes]
-    ) -> dict[Team, tuple[FloatArray, Population, Indices]]:
+    ) -> dict[Team, tuple[FloatArray, Any, Indices]]:
         """Play the matches of an epoch, and let both teams learn from them.
 
         Returns for each team the fitness (n,), all possible opponents, and those that its fittest
@@ -442,9 +441,9 @@ class AtOnce(OfGenerations):
         }
         key = (run.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch)
         seeds = training_seeds(*key, int(pairs.group.max()) + 1)[pairs.group]
-        matches = Matches.of(pairs.pursuer, pairs.evader, seeds)
+        matches = pairs.pursuer, pairs.evader, seeds
         scores = run.play(everyone["pursuer"], everyone["evader"], matches)
-        found: dict[Team, tuple[FloatArray, Population, Indices]] = {}
+        found: dict[Team, tuple[FloatArray, Any, Indices]] = {}
         for team in TEAMS:
             own, opponents = getattr(pairs, team), getattr(pairs, other(team))
             rivals = everyone[other(team)]
@@ -452,7 +451,7 @@ class AtOnce(OfGenerations):
             fitness = run.log_fitness(team, scores, table, generation, epoch, types.SEVERAL)
             if len(sampled[team]):
                 # Columns from n on are the hall of fame.
-                won = table(win_rates(scores, team))[:, n:]
+                won = table(scores.of(team).mean(axis=1))[:, n:]
                 run.tell_sampler(team, sampled[team], won)
             found[team] = fitness, rivals, opponents[own == np.argmax(fitness)]
             living = own < n
@@ -615,24 +614,26 @@ class Against(Race):
         """Let the team learn until the next entry of the archive."""
         first = stage * self.archive_every
         epochs = range(first, min(first + self.archive_every, self.epochs))
-        activity = f"{self.team}s against {self.opponent}"
+        activity = f"{run.name_of(self.team)} against {self.opponent}"
         genome = improve(run, self.team, 1 + stage, 1, epochs, activity)
         run.archive_genome(self.team, genome)
 
-    def finalists(self, run: Run) -> dict[Team, tuple[TeamPolicy, int]]:
+    def finalists(self, run: Run) -> dict[Team, tuple[Any, int]]:
         """Return the last genome, and all opponents."""
         last = run.population(self.team, run.archive[self.team][-1][np.newaxis])
         rivals = run.opponents(self.team)
         return {self.team: (last, self.n_stages), other(self.team): (rivals, 0)}
 
     def summary(self, run: Run, payoff: Payoff) -> dict[str, Any]:
-        """Return the mean capture rate and length with intervals over the episodes.
+        """Return the mean score and, of pursuit, length with intervals over the episodes.
 
         An interval is Student's t, cut at 0 and at the largest possible number; its ends are None
         if the episodes do not differ.
         """
-        longest = run.settings.world.max_steps
-        rows = ("capture_rate", payoff.capture_rates, 1.0), ("length", payoff.lengths, longest)
+        score, *_ = run.game.columns
+        rows = [(score, payoff.scores, 1.0)]
+        if "lengths" in payoff.extras:
+            rows.append(("length", payoff.extras["lengths"], run.settings.world.max_steps))
         found: dict[str, Any] = {}
         for name, episodes, most in rows:
             values = np.asarray(episodes, dtype=np.float64).ravel()

@@ -23,19 +23,25 @@ from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution import storage, types
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.fitness import Table
+from matrixworld.coevolution.game import Game, Scores
 from matrixworld.coevolution.learners.learner import Learner, Results
-from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.progress import LOG, OnEpoch, Progress, Report, silent
+from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit
 from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.sections import PluginError, different_settings
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Seeds, Team, other
-from matrixworld.play.network_policy import check_fits
-from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
+from matrixworld.coevolution.types import (
+    TEAMS,
+    FloatArray,
+    Genomes,
+    Indices,
+    Matches,
+    Seeds,
+    Team,
+    other,
+)
 
 GIVEN = "given as genomes"
 """Value of the settings `opponent` and `start` if these were given as arrays."""
@@ -52,7 +58,7 @@ def create(
     settings: RaceSettings,
     directory: str | Path,
     *,
-    opponents: Population | None = None,
+    opponents: Any = None,
     start: ArrayLike | None = None,
 ) -> storage.SavedRun:
     """Make the directory of a run, as of its stage 0: nothing is played yet.
@@ -93,11 +99,10 @@ def create(
     config: dict[str, Any] = {}
     if isinstance(schedule, Against):
         rivals, begin = check_sources(settings, opponents, start)
-        if isinstance(rivals, Population):
+        if not isinstance(rivals, str):
             archive[other(schedule.team)] = rivals.genomes
-            network = rivals.network
-            shape = {"activation": network.activation, "memory": network.memory}
-            config["opponent_network"] = {"hidden": list(network.hidden), **shape}
+            if shape := settings.evaluation_game.shape_of(rivals):
+                config["opponent_network"] = shape
         # config.json must not name opponents that were not used.
         settings = settings.changed({f"schedule.{name}": GIVEN for name in given})
     states: dict[str, types.State] = {}
@@ -112,31 +117,39 @@ def create(
 
 
 def check_sources(
-    settings: RaceSettings, opponents: Population | None = None, start: ArrayLike | None = None
-) -> tuple[TeamPolicy, types.Genome | None]:
+    settings: RaceSettings, opponents: Any = None, start: ArrayLike | None = None
+) -> tuple[Any, types.Genome | None]:
     """Return the opponents and the genome to start from, those given or those of the settings.
 
     FileNotFoundError or ValueError if a run holds none, or if they do not fit the settings.
     """
-    schedule, network = settings.schedule, settings.network
+    schedule, game = settings.schedule, settings.evaluation_game
     assert isinstance(schedule, Against)
     policy: Any = opponents
-    if opponents is None and schedule.opponent in SCRIPTS:
+    if opponents is None and schedule.opponent in SCRIPTS and isinstance(game, Pursuit):
         policy = schedule.opponent
-    else:
-        policy = opponents or storage.last_generation(schedule.opponent, other(schedule.team))
-        check_fits("opponents", policy.network, settings.world)
+    elif opponents is None:
+        policy = _last(settings, schedule.opponent, other(schedule.team))
+    game.check_opponents(policy)
     if start is None and schedule.start is not None:
-        population = storage.last_generation(schedule.start, schedule.team)
-        if population.network != network:
-            raise ValueError(f"start: expected a genome of {network}, got {population.network}")
+        population = _last(settings, schedule.start, schedule.team)
+        game.check_start(population)
         start = population.genomes[0]
     if start is None:
         return policy, None
-    genome, size = check_floats("start", start, np.float32), network.genome_size
+    genome, size = check_floats("start", start, np.float32), game.genome_size(schedule.team)
     if genome.shape != (size,) or not np.isfinite(genome).all():
         raise ValueError(f"start: expected {size} finite genes, got shape {genome.shape}")
     return policy, genome
+
+
+def _last(settings: RaceSettings, directory: str, team: Team) -> Any:
+    """Return the last genome of a team in a run of the same game; ValueError for another one."""
+    found, expected = storage.open_run(directory).settings.game, settings.game
+    if (found and found.code) != (expected and expected.code):
+        names = (each.code if each else "pursuit" for each in (expected, found))
+        raise ValueError(f"{directory}: expected a run of {', got one of '.join(names)}")
+    return storage.last_generation(directory, team)
 
 
 def check_same(run: storage.SavedRun, expected: RaceSettings) -> None:
@@ -165,24 +178,27 @@ class Run:
         The directory that `create` has made.
     threads : int, optional
         Threads that play matches. By default one per usable core. Results do not depend on it.
-    play : callable, optional
-        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
 
     Attributes
     ----------
+    game : Game
+        The game in which teams learn.
     archive : dict of str to list of ndarray of float32, shape (genes,)
         Genomes of generations 0, 1, ... of each team.
     states : dict of str to dict of str to ndarray
         States of the learners by team, and of their samplers as ``<team>.opponents``.
     stage : int
         Number of finished stages.
-    matches, steps, agent_steps : int
-        Training episodes, world steps and steps of living agents so far.
+    counts : dict of str to int
+        Training episodes so far, ``matches``; of pursuit also ``steps`` of worlds, and
+        ``agent_steps`` of living agents.
 
     Raises
     ------
     FileNotFoundError
         If the directory holds no run.
+    ValueError
+        If its game cannot be imported, is another one, or has changed.
     DamagedFileError
         If no stage is intact that has a checkpoint.
     OtherVersionError
@@ -191,14 +207,13 @@ class Run:
         If another process runs it.
     """
 
-    def __init__(
-        self, directory: str | Path, *, threads: int | None = None, play: Rollout = rollout
-    ) -> None:
+    def __init__(self, directory: str | Path, *, threads: int | None = None) -> None:
         check_threads(threads)
         self.files: storage.RunWriter = storage.RunWriter(directory)
         self.settings: RaceSettings = self.files.settings
+        if self.settings.game and (changed := self.settings.game.changed()):
+            raise ValueError(f"{directory}: {changed}; --force goes on with it")
         self.threads: int | None = threads
-        self.rollout: Rollout = play
         teams = self.settings.learning_teams
         self.learners: dict[Team, Learner] = {
             team: self.settings.learner_of(team) for team in teams
@@ -206,7 +221,7 @@ class Run:
         self.samplers: dict[Team, Opponents] = {
             team: self.settings.schedule.sampler(team) for team in teams
         }
-        self.world: WorldConfig = self.settings.training_world
+        self.game: Game = self.settings.training_game
         self.rows: list[storage.Row] = []
         self.results: dict[str, NDArray[Any]] = {}
         """Other arrays of this stage, which a subclass may add to its file."""
@@ -234,7 +249,10 @@ class Run:
             # another process may have continued the run.
             self._restore()
             LOG.info("%s: goes on from stage %d of %d", path, self.stage, schedule.n_stages)
-            self._before, self._total = self.matches, total_matches(self.settings, self._pairs())
+            self._before, self._total = (
+                self.counts["matches"],
+                total_matches(self.settings, self._pairs()),
+            )
             while self.stage < schedule.n_stages:
                 try:
                     self.learn(self.stage)
@@ -264,24 +282,23 @@ class Run:
         finalists = self.settings.schedule.finalists(self)
         (pursuers, g), (evaders, h) = (finalists[team] for team in TEAMS)
         return tournament(
-            self.settings.world,
+            self.settings.evaluation_game,
             pursuers,
             evaders,
             seed=self.settings.seed,
             episodes=self.settings.evaluation_episodes,
             threads=self.threads,
-            play=self.rollout,
-            first=(g, h),
+            generations=(g, h),
             on_row=lambda played: self.report("tournament", played),
         )
 
     def summary(self, payoff: types.Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
-        counters = {f"training_{name}": getattr(self, name) for name in storage.COUNTERS}
+        counters = {f"training_{name}": count for name, count in self.counts.items()}
         return {
             "stages": self.stage,
             **counters,
-            "evaluation_matches": int(payoff.lengths.size),
+            "evaluation_matches": payoff.scores.size,
             **self.settings.schedule.summary(self, payoff),
         }
 
@@ -290,11 +307,11 @@ class Run:
     def _end_stage(self) -> None:
         """Count and save a finished stage; warn once of each disengagement."""
         # In the second half of the epochs the team has mostly adapted to its opponents.
-        rates = [row["capture_rate"] for row in self.rows[len(self.rows) // 2 :]]
-        self.stage_capture_rates.append(float(np.mean(rates)))
+        score, *_ = self.game.columns
+        rates = [row[score] for row in self.rows[len(self.rows) // 2 :]]
+        self.stage_scores.append(float(np.mean(rates)))
         self.stage += 1
-        counters = {name: getattr(self, name) for name in storage.COUNTERS}
-        counters["capture_rate"] = self.stage_capture_rates[-1]
+        counters = {**self.counts, "score": self.stage_scores[-1]}
         self.files.save(self.stage, self.archive, self.rows, counters, self.states, self.results)
         LOG.info(
             "%s: saved stage %d of %d",
@@ -313,7 +330,7 @@ class Run:
             return ()
         stages = self.settings.schedule.stages_per_generation
         finished = self.stage // stages
-        rates = np.array(self.stage_capture_rates[: finished * stages]).reshape(finished, stages)
+        rates = np.array(self.stage_scores[: finished * stages]).reshape(finished, stages)
         # If a stage is a generation, both phases have its rate.
         return disengagements(np.broadcast_to(rates, (finished, 2)))
 
@@ -321,13 +338,13 @@ class Run:
         restored = self.files.restore()
         _, *stages = restored.stages  # stage 0 is before training
         self.stage: int = len(stages)
-        self.stage_capture_rates: list[float] = [float(each["capture_rate"]) for each in stages]
-        counted = restored.stages[-1]
-        self.matches, self.steps, self.agent_steps = (
-            int(counted[name]) for name in storage.COUNTERS
-        )
+        self.stage_scores: list[float] = [float(each["score"]) for each in stages]
+        last = restored.stages[-1]
+        self.counts: dict[str, int] = {
+            name: int(last[name]) for name in ("matches", *self.game.counters)
+        }
         self.archive: dict[Team, list[types.Genome]] = {
-            team: [*genomes] for team, genomes in restored.archive.items()
+            team: [*genomes] for team, genomes in zip(TEAMS, restored.archive.values(), strict=True)
         }
         self.states: dict[str, types.State] = restored.states
         self.rows, self.results = [], {}
@@ -336,23 +353,27 @@ class Run:
 
     def genomes(self, team: Team) -> Genomes:
         """Return a team's archive as one array (generations, genes) float32."""
-        archive, size = self.archive[team], self.settings.network.genome_size
+        archive, size = self.archive[team], self.game.genome_size(team)
         return np.stack(archive) if archive else np.empty((0, size), np.float32)
 
-    def population(self, team: Team, genomes: Genomes) -> Population:
-        """Return genomes (n, genes) of a team as a population; DivergedError for infinite ones."""
+    def name_of(self, team: Team) -> str:
+        """Return what the game calls a team."""
+        return self.settings.teams[TEAMS.index(team)]
+
+    def population(self, team: Team, genomes: Genomes) -> Any:
+        """Return genomes (n, genes) of a team as what plays; DivergedError for infinite ones."""
         try:
-            return Population(genomes, self.settings.network)
+            return self.game.population(team, genomes)
         except ValueError as error:
             if np.isfinite(genomes).all():  # of another shape, by a learner of the user's own
                 raise
             raise self.learners[team].diverged(self.settings.learner_path(team)) from error
 
-    def opponents(self, team: Team) -> TeamPolicy:
+    def opponents(self, team: Team) -> Any:
         """Return whom a team can meet now: all generations of the other team, or its script."""
         return self.files.as_policy(other(team), self.genomes(other(team)))
 
-    def size(self, opponents: TeamPolicy) -> int:
+    def size(self, opponents: Any) -> int:
         """Return how many opponents there are."""
         return team_size(opponents)
 
@@ -370,7 +391,7 @@ class Run:
         return candidates
 
     def tell(
-        self, team: Team, fitness: FloatArray, opponents: TeamPolicy, met: Indices, seeds: Seeds
+        self, team: Team, fitness: FloatArray, opponents: Any, met: Indices, seeds: Seeds
     ) -> None:
         """Let a team learn from the fitness (n,) of its candidates.
 
@@ -379,8 +400,8 @@ class Run:
 
         def again(*, states: bool = False) -> Any:
             genome = self.learners[team].genome(self.states[team])
-            return experience(
-                self.world, team, self.population(team, genome[np.newaxis]), opponents, met, seeds,
+            return self.game.experience(
+                team, self.population(team, genome[np.newaxis]), opponents, met, seeds,
                 worlds=self.settings.match_episodes, states=states, threads=self.threads,
             )  # fmt: skip
 
@@ -410,27 +431,22 @@ class Run:
 
     def report(self, activity: str, evaluated: int = 0) -> None:
         """Report the progress: the current activity, and evaluation episodes played so far."""
-        done = self.settings.counted(self.matches, evaluated)
+        done = self.settings.counted(self.counts["matches"], evaluated)
         self._report(Progress(activity, done, self._total, self._before))
 
     # Matches:
 
-    def play(
-        self, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches
-    ) -> EpisodeStatistics:
-        """Play and count M matches; the arrays of the result have shape (M, episodes)."""
+    def play(self, pursuers: Any, evaders: Any, matches: Matches) -> Scores:
+        """Play and count M matches; the arrays of the result have shape (M, episodes, ...)."""
         episodes, threads = self.settings.match_episodes, self.threads
-        scores = self.rollout(
-            self.world, pursuers, evaders, matches, episodes=episodes, threads=threads
-        )
-        self.matches += int(scores.length.size)
-        self.steps += int(scores.length.sum())
-        self.agent_steps += int(scores.agent_steps.sum())
+        scores = self.game.scores(pursuers, evaders, matches, episodes=episodes, threads=threads)
+        for name, count in {"matches": scores.scores.size, **self.game.counted(scores)}.items():
+            self.counts[name] += count
         return scores
 
     def play_candidates(
-        self, team: Team, candidates: Genomes, opponents: TeamPolicy, met: Indices, seeds: Seeds
-    ) -> EpisodeStatistics:
+        self, team: Team, candidates: Genomes, opponents: Any, met: Indices, seeds: Seeds
+    ) -> Scores:
         """Play each candidate (n, genes) of a team against the opponents of some indices (c,).
 
         Returns the statistics of n * c matches in the order of ``seeds.ravel()``, seeds (n, c): the
@@ -441,42 +457,29 @@ class Run:
         own = np.repeat(np.arange(n, dtype=np.int32), c)
         learning = self.population(team, candidates)
         if team == "pursuer":
-            return self.play(learning, opponents, Matches(own, rivals.ravel(), seeds.ravel()))
-        return self.play(opponents, learning, Matches(rivals.ravel(), own, seeds.ravel()))
+            return self.play(learning, opponents, (own, rivals.ravel(), seeds.ravel()))
+        return self.play(opponents, learning, (rivals.ravel(), own, seeds.ravel()))
 
-    def fitness(self, team: Team, scores: EpisodeStatistics, table: Table) -> FloatArray:
+    def fitness(self, team: Team, scores: Scores, table: Table) -> FloatArray:
         """Return the fitness (n,) of a team's individuals, as the settings define it."""
-        penalty = self.settings.overlap_penalty
-        return self.settings.fitness.fitness(scores, team, table, penalty)
+        return self.settings.fitness.fitness(self.game, scores, team, table)
 
     def log_fitness(
-        self,
-        team: Team,
-        scores: EpisodeStatistics,
-        table: Table,
-        generation: int,
-        epoch: int,
-        opponent: int,
+        self, team: Team, scores: Scores, table: Table, generation: int, epoch: int, opponent: int
     ) -> FloatArray:
         """Return the fitness (n,) of a team's individuals, and log the epoch (see `COLUMNS`)."""
         fitness = self.fitness(team, scores, table)
-        # (M, worlds, teams, kinds of collision) -> (teams,)
-        faults = scores.faults.sum(axis=3).mean(axis=(0, 1))
         row: storage.Row = {
             "stage": self.stage + 1,
             "generation": generation,
-            "team": team,
+            "team": self.game.keys[TEAMS.index(team)],
             "epoch": epoch,
             "opponent": opponent,
             "fitness_mean": float(fitness.mean()),
             "fitness_std": float(fitness.std()),
             "fitness_best": float(fitness.max()),
-            "capture_rate": float(scores.capture_rate.mean(dtype=np.float64)),
-            "length": float(scores.length.mean()),
-            "pursuer_faults": float(faults[0]),
-            "evader_faults": float(faults[1]),
-            "matches": self.matches,
-            "steps": self.steps,
+            **self.game.row(scores),
+            **self._logged_counts(),
         }
         self.rows.append(row)
         if self._on_epoch is not None:
@@ -490,7 +493,7 @@ class Run:
         generation: int,
         candidates: Genomes,
         fitness: FloatArray,
-        opponents: TeamPolicy,
+        opponents: Any,
         met: Indices,
     ) -> types.Genome:
         """Return the genome that enters the archive, from the last epoch of a generation.
@@ -521,7 +524,11 @@ class Run:
         last = self.rows[-1]["matches"]
         for row in self.rows:
             if row["matches"] == last:
-                row |= {"matches": self.matches, "steps": self.steps}
+                row |= self._logged_counts()
+
+    def _logged_counts(self) -> dict[str, int]:
+        """Return what the log has of the counts."""
+        return {name: n for name, n in self.counts.items() if name in self.files.columns}
 
     def _payoff(self, team: Team, own: Indices, rivals: Indices, *, episodes: int) -> FloatArray:
         """Play generations (n,) of a team against opponents (m,), and return the payoffs (n, m)."""
@@ -534,8 +541,8 @@ class Run:
         ]
         pursuers, evaders = (self.population(each, self.genomes(each)) for each in TEAMS)
         g, h = np.repeat(pairs, episodes, axis=0).T
-        scores = self.play(pursuers, evaders, Matches.of(g, h, np.concatenate(seeds)))
-        rates = scores.capture_rate.mean(axis=1, dtype=np.float64)
+        scores = self.play(pursuers, evaders, (g, h, np.concatenate(seeds)))
+        rates = scores.scores.mean(axis=1, dtype=np.float64)
         shape = len(met["pursuer"]), len(met["evader"]), episodes
         captured = np.asarray(rates.reshape(shape).mean(axis=2))
         return captured if team == "pursuer" else 1.0 - captured.T
@@ -558,7 +565,6 @@ def finish(
     directory: str | Path,
     *,
     threads: int | None = None,
-    play: Rollout = rollout,
     report: Report = silent,
     on_epoch: OnEpoch | None = None,
 ) -> storage.SavedRun:
@@ -571,9 +577,9 @@ def finish(
     ----------
     directory : str or Path
         The directory of the run.
-    threads, play : optional
+    threads : int, optional
         As for `Run`.
     report, on_epoch : callable, optional
         As for `Run.run`.
     """
-    return Run(directory, threads=threads, play=play).run(report, on_epoch)
+    return Run(directory, threads=threads).run(report, on_epoch)

@@ -21,29 +21,27 @@ from importlib import import_module
 from inspect import cleandoc
 from operator import attrgetter
 from types import NoneType
-from typing import Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
+from typing import Any, ClassVar, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 
 from matrixworld._util import checks
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.rules import REWARDS, VARIANTS, Rewards, Rules
 
 AnySection = TypeVar("AnySection", bound="Section")
 
-WORLD_HELP = {
-    "rules": "game variant, a name such as O, or its rules one by one",
-    "rows": "rows of the grid; default: those of the obstacle map, or 40, in solve 6",
-    "cols": "columns of the grid; default: those of the obstacle map, or 40, in solve 6",
-    "n_pursuers": "number of pursuers; default: depends on rules and command",
-    "n_evaders": "number of evaders; default: depends on rules and command",
-    "fov": "side of an agent's square field of view, in cells; odd",
-    "diagonal": "allow diagonal moves (9 actions instead of 5)",
-    "max_steps": "maximum steps of an evaluation episode",
-    "obstacles": "obstacles: a density in [0, 1), rows of text, or a MovingAI .map file",
-    "rewards": f"rewards: {' or '.join(REWARDS)}, or one by one",
-}
-"""What the fields of a `WorldConfig` mean in the settings of a run."""
+
+class Plain(NamedTuple):
+    """How a field holds a class that is no section: made from a mapping, and its help by field.
+
+    It has a method ``to_json``.
+    """
+
+    read: Callable[[Mapping[str, Any]], Any]
+    help: Mapping[str, str]
+
+
+PLAIN: dict[type, Plain] = {}
+"""Classes of fields that are no sections, such as worlds."""
 
 
 def setting(
@@ -133,11 +131,17 @@ class OwnCode(Section):
     """
 
     kind: ClassVar[str] = "own"
-    base: ClassVar[type[Section]]
-    """What the section has to be derived from."""
+    base: ClassVar[type]
+    """What it has to be derived from."""
 
     code: str = setting("", "module:object")
     settings: Mapping[str, Any] = setting({}, "its settings: numbers, text, true or false")
+
+    @classmethod
+    def named(cls, own: Any) -> dict[str, Any]:
+        """Return the kind and the fields that stand for an object of your own."""
+        settings = {n: v for n, v in values_of(own).items() if v is not None}
+        return {"kind": name_of(type(own)), "settings": settings}
 
     def check(self) -> None:
         """Raise ValueError unless a name is given."""
@@ -150,7 +154,7 @@ class OwnCode(Section):
         ValueError if there is no such class, or it refuses its settings; PluginError if its module
         or the class itself fails.
         """
-        cls = _imported(self.code)
+        cls = imported(self.code)
         # Before it is called: the files of a stranger's run must not name any function at all.
         if not (isinstance(cls, type) and issubclass(cls, self.base)):
             expected = f"a class derived from {self.base.__name__}"
@@ -158,7 +162,7 @@ class OwnCode(Section):
         try:
             return cls(**self.settings)
         except TypeError as error:
-            known = [item.name for item in fields(cls)]
+            known = [item.name for item in fields(cls)]  # type: ignore[arg-type]  # a section
             raise ValueError(
                 f"{self.code}: expected its settings ({', '.join(known)}), got "
                 f"{dict(self.settings)} ({error})"
@@ -169,7 +173,7 @@ class OwnCode(Section):
             raise PluginError(f"{self.code}: {type(error).__name__}: {error}") from error
 
 
-def _imported(code: str) -> Any:
+def imported(code: str) -> Any:
     """Return the object of a name; ValueError if there is none, PluginError if its module fails."""
     module, _, attribute = code.partition(":")
     # An installed command looks for modules where it lies itself, not where the user is.
@@ -259,10 +263,14 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
         return None
     if sections_in(hint):
         return _section(item, hint, None, value)
-    if hint is WorldConfig:
-        found = _world(name, value) if isinstance(value, Mapping) else value
-        checks.check_instance(name, found, WorldConfig)
-        return found
+    if hint in PLAIN:
+        if isinstance(value, Mapping):
+            with inside(name):
+                value = PLAIN[hint].read(value)
+        checks.check_instance(name, value, hint)
+        return value
+    if get_origin(hint) is tuple and str in get_args(hint):
+        return checks.check_sequence(name, value, "text")
     if get_origin(hint) is tuple:
         if isinstance(value, int) and not isinstance(value, bool):
             value = (value,)  # a single layer
@@ -296,9 +304,9 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     known = sections_in(hint)
     if isinstance(given, Section) and isinstance(given, tuple(known.values())):
         return given
-    if "own" in known and isinstance(given, known["own"].base):  # type: ignore[attr-defined]
-        own = {n: v for n, v in values_of(given).items() if v is not None}
-        given = {"kind": name_of(type(given)), "settings": own}
+    own: Any = known.get("own")
+    if own is not None and isinstance(given, own.base):
+        given = own.named(given)
     if isinstance(given, str | type):
         given = {"kind": given}
     if not isinstance(given, Mapping):
@@ -359,7 +367,7 @@ def merged(
 
 def _joined(before: Any, change: Any) -> Any:
     """Return a value, or of mappings both together; one with a kind stands for itself."""
-    if isinstance(before, WorldConfig):
+    if type(before) in PLAIN:
         before = before.to_json()
     if not isinstance(before, Mapping) or not isinstance(change, Mapping) or "kind" in change:
         return change
@@ -371,28 +379,6 @@ def check_names(given: Iterable[str], known: Collection[str]) -> None:
     for name in given:
         if name not in known:
             raise ValueError(f"{name}: expected one of the settings {', '.join(known)}")
-
-
-def _world(name: str, plain: Mapping[str, Any]) -> WorldConfig:
-    """Return the world of some fields; rules and rewards may be names, or both given one by one."""
-    values = dict(plain)
-    rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
-    with inside(name):
-        check_names(plain, WORLD_HELP)
-        for row, kinds, usual in rows:
-            given = plain.get(row)
-            if given is None or isinstance(given, Rules | Rewards):
-                continue
-            parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
-            kind = parts.pop("kind", usual)
-            checks.check_choice(row, kind, kinds)
-            # Those that are not given are as in the row of that kind.
-            base = WorldConfig(**{row: kinds[kind]}).to_json()
-            with inside(row):
-                check_names(parts, base[row])
-                changed = WorldConfig.from_json({**base, row: {**base[row], **parts}})
-            values[row] = getattr(changed, row)
-        return WorldConfig(**values)
 
 
 def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -427,9 +413,9 @@ def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
             if value.kind:
                 yield here, value.kind, text
             yield from leaves(value, f"{here}.")
-        elif isinstance(value, WorldConfig):
+        elif type(value) in PLAIN:
             for name, each in value.to_json().items():
-                yield f"{here}.{name}", each, WORLD_HELP[name]
+                yield f"{here}.{name}", each, PLAIN[type(value)].help[name]
         else:
             yield here, list(value) if isinstance(value, tuple) else value, text
 

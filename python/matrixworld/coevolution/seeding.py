@@ -30,8 +30,8 @@ from enum import IntEnum
 
 import numpy as np
 
+from matrixworld._util import checks
 from matrixworld.coevolution.types import Seeds, Team
-from matrixworld.play.rollout import match_seed
 
 
 class Purpose(IntEnum):
@@ -64,6 +64,19 @@ def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generat
     # A spawn key keeps these generators apart from match seeds, which have plain keys.
     sequence = np.random.SeedSequence(seed, spawn_key=(int(purpose), *key))
     return np.random.Generator(np.random.SFC64(sequence))
+
+
+def match_seed(run_seed: int, *key: int) -> int:
+    """Return the seed of a match, 64 bits, from the run's seed and numbers that tell it apart.
+
+    The same on every machine and version. ValueError below 0, TypeError if one is no integer.
+    """
+    # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
+    entropy = [
+        checks.check_integer("match seed", part, 0, checks.SEED_MAX) for part in (run_seed, *key)
+    ]
+    words = np.random.SeedSequence(entropy).generate_state(1, np.uint64)
+    return int(words[0])
 
 
 def evaluation_seed(run_seed: int, pursuer_generation: int, evader_generation: int) -> int:

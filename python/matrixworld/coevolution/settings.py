@@ -12,50 +12,31 @@ from typing import Any
 
 from matrixworld.coevolution import sections
 from matrixworld.coevolution.fitness import FitnessSettings
+from matrixworld.coevolution.game import Game, OwnGame
 from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.learner import Learner, Task
+from matrixworld.coevolution.pursuit import (
+    PolicySettings,
+    Pursuit,
+    Rewards,
+    WorldConfig,
+    check_mask,
+    check_script,
+    overlap_penalty,
+    variant_name,
+)
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import Section, by_race, setting
 from matrixworld.coevolution.types import TEAMS, Genome, Team
-from matrixworld.world import masks
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import GATES, Network
-from matrixworld.world.rules import Outcome, Rewards, variant_name
 
-OVERLAP_PENALTY, OVERLAP_PENALTY_ALONE = 0.2, 0.5
-"""Penalties of evaders that share a cell: in general, and of evaders that learn alone and from
-untrained genomes. Without one, evaders that may share a cell gather in one corner."""
 MOST_SEED = 2**63 - 1
 """Largest seed: the largest integer of 64 bits with a sign."""
 RETESTED = 3
 """Genomes that are played again at the end of a generation: the learner's own, and the fittest two
 candidates."""
-
-
-@sections.documented
-@dataclass(frozen=True)
-class PolicySettings(Section):
-    """Settings of the policy networks: both teams have one of the same shape."""
-
-    hidden: tuple[int, ...] = by_race((32,), "sizes of the hidden layers")
-    activation: str = setting(
-        "relu", "activation of the hidden layers: relu or tanh", choices=("relu", "tanh")
-    )
-    memory: str = setting(
-        "none",
-        "recurrent layer after the first hidden layer: gru (gated recurrent units) or none",
-        choices=tuple(GATES),
-    )
-    initial_weight: float = by_race(0.05, "standard deviation of untrained hidden weights")
-    initial_head: float = by_race(0.1, "standard deviation of untrained output weights")
-    mask: str = setting(
-        "none",
-        "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
-        "world.fov of 3), right-of-way (all that could put it at fault; needs a world.fov of 5 and "
-        "rules under which pursuers that learn can capture so), or none; not with every learner",
-        choices=masks.MASKS,
-    )
+OF_PURSUIT = ("world", "policy", "train_steps")
+"""Settings that a game of your own has not."""
 
 
 @sections.documented
@@ -68,8 +49,11 @@ class RaceSettings(Section):
     and the schedule. ValueError or TypeError on a bad field.
     """
 
-    world: WorldConfig = setting(WorldConfig(), "the world; its max_steps are those of evaluation")
-    policy: PolicySettings = setting(PolicySettings(), "the policy networks")
+    game: OwnGame | None = setting(
+        None, "a game of your own, as module:object; default: pursuit and evasion in the world"
+    )
+    world: WorldConfig = by_race(WorldConfig(), "the world; its max_steps are those of evaluation")
+    policy: PolicySettings = by_race(PolicySettings(), "the policy networks")
     learner: BuiltInLearner | OwnLearner = setting(
         EvolutionStrategy(),
         f"how teams learn: {', '.join(sections.kinds_in(BuiltInLearner))} or module:object",
@@ -94,16 +78,24 @@ class RaceSettings(Section):
 
     def check(self) -> None:
         """Fill in defaults, and raise ValueError unless all sections fit together."""
+        if self.game is not None:
+            self._check_own_game()
         # First the schedule: the steps of a learner may follow from its epochs.
         for name in ("schedule", *(item.name for item in fields(self) if item.name != "schedule")):
             value = getattr(self, name)
             if isinstance(value, Section):
                 value = self._filled(name, value)
-            elif value is None:
+            elif value is None and not (self.game and name in OF_PURSUIT):
                 item = next(item for item in fields(self) if item.name == name)
                 value = self._defaults().get(name, item.metadata["default"])
+                if isinstance(value, Section):
+                    value = self._filled(name, value)
             object.__setattr__(self, name, value)
-        self._check_mask()
+        if self.game is None:
+            masked = "pursuer" in self.learning_teams
+            if isinstance(self.schedule, Against):
+                check_script("schedule.opponent", self.schedule.opponent, self.world)
+            check_mask(self.policy.mask, self.world, masked)
         self._check_idle()
         if self.evader_learner and not isinstance(self.schedule, InTurns):
             why = "one team learns" if isinstance(self.schedule, Against) else "both learn at once"
@@ -118,16 +110,19 @@ class RaceSettings(Section):
 
     def _check_fits(self, path: str, learner: Learner) -> None:
         """Raise ValueError if a learner cannot learn here, or would change what a mask fixes."""
-        if self.policy.mask != "none" and "policy.mask" in learner.ignores:
+        if self.game is None and self.policy.mask != "none" and "policy.mask" in learner.ignores:
             raise ValueError(
                 f"policy.mask: expected 'none', got {self.policy.mask!r}; it has no effect with "
                 f"{learner.kind or type(learner).__name__}"
             )
-        learner.check_fits(path, self.world, self.network)
+        learner.check_fits(path, self.evaluation_game)
 
     def _defaults(self, learner: Section | None = None) -> dict[str, Any]:
         """Return the defaults that the kind of race and a learner state, by default `learner`."""
-        return {**self.schedule.defaults, **getattr(learner or self.learner, "defaults", {})}
+        once = {"evaluation_episodes": 1} if self.game and self.game.deterministic else {}
+        return {
+            **self.schedule.defaults, **getattr(learner or self.learner, "defaults", {}), **once
+        }  # fmt: skip
 
     def _filled(self, name: str, section: sections.AnySection) -> sections.AnySection:
         """Return a section with its defaults; ValueError if these do not fit the rest of it."""
@@ -142,18 +137,19 @@ class RaceSettings(Section):
         with sections.inside(name):
             return replace(section, **empty)
 
-    def _check_mask(self) -> None:
-        mask, rules = self.policy.mask, self.world.rules
-        if isinstance(self.schedule, Against):
-            masks.check_script("schedule.opponent", self.schedule.opponent, self.world)
-        masks.check_mask("policy.mask", mask, self.world)
-        masked = mask == "right-of-way" and "pursuer" in self.learning_teams
-        if masked and rules.captures and not masks.leaves_captures(self.world):
-            raise ValueError(
-                f"policy.mask: expected none or obstacles for pursuers whose captures are "
-                f"collisions at fault (capture {rules.capture.name}, evader {rules.evader.name}, "
-                f"pursuer {rules.pursuer.name}), got {mask!r}"
-            )
+    def _check_own_game(self) -> None:
+        """Raise ValueError for settings that a game of your own has not."""
+        assert self.game is not None
+        given = [name for name in OF_PURSUIT if getattr(self, name) is not None]
+        if self.fitness.measure != FitnessSettings().measure:
+            given.append("fitness.measure")
+        if self.fitness.cost_limit is not None:
+            given.append("fitness.cost_limit")
+        once = ("match_episodes", "evaluation_episodes") if self.game.deterministic else ()
+        given += [name for name in once if getattr(self, name) not in (None, 1)]
+        if given:
+            why = "that is deterministic" if given[0] in once else "of your own"
+            raise ValueError(f"{given[0]}: expected no value in a game {why} ({self.game.code})")
 
     def _check_idle(self) -> None:
         """Raise ValueError for a value without effect where another section is the reason."""
@@ -163,13 +159,19 @@ class RaceSettings(Section):
         shallow = ("activation", "memory", "initial_weight")
         alone = self.schedule.opponents_met < 2
         rows: list[tuple[str, tuple[str, ...], bool, str]] = [
-            ("policy", shallow, not self.policy.hidden, "without hidden layers"),
-            ("policy", ("initial_weight", "initial_head"), started, "with a genome to start from"),
-            ("fitness", ("sharing",), alone, "with one opponent an epoch"),
+            ("fitness", ("sharing",), alone, "with one opponent an epoch")
         ]
+        if self.game is None:
+            scales = ("initial_weight", "initial_head")
+            rows += [
+                ("policy", shallow, not self.policy.hidden, "without hidden layers"),
+                ("policy", scales, started, "with a genome to start from"),
+            ]
         kinds = " and ".join(dict.fromkeys(each.kind for each in learners))
         for path in sorted(ignored):
             section, _, name = path.partition(".")
+            if getattr(self, section) is None:
+                continue
             names = (name,) if name else tuple(vars(getattr(self, section)))
             rows.append((section, names, True, f"with {kinds}"))
         for section, names, idle, why in rows:
@@ -185,7 +187,7 @@ class RaceSettings(Section):
                         f"effect {why}"
                     )
         rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
-        if not rewarded and self.world.rewards != Rewards():
+        if self.game is None and not rewarded and self.world.rewards != Rewards():
             raise ValueError(
                 f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
                 f"have an effect only with the fitness rewards or the learner actor-critic"
@@ -205,7 +207,9 @@ class RaceSettings(Section):
 
     @property
     def variant(self) -> str:
-        """Name of the variant whose rules these are, or "own-rules"."""
+        """Name of the variant whose rules these are, or "own-rules", or the name of the game."""
+        if self.game is not None:
+            return self.game.code.partition(":")[2]
         return variant_name(self.world.rules) or "own-rules"
 
     @property
@@ -247,46 +251,49 @@ class RaceSettings(Section):
         learning = max(self.learner_of(team).learning_time for team in self.learning_teams)
         return trained + round(evaluated / learning)
 
-    @property
-    def training_world(self) -> WorldConfig:
-        """The world, with episodes of `train_steps`."""
-        return replace(self.world, max_steps=self.train_steps)
+    @cached_property
+    def evaluation_game(self) -> Game:
+        """The game that is raced, as it is evaluated; imports a game of your own."""
+        if self.game is not None:
+            return self.game.load()
+        return Pursuit(world=self.world, policy=self.policy)
 
-    @property
-    def network(self) -> Network:
-        """The policy network of a learning team, with its mask."""
-        policy = self.policy
-        shape = {"activation": policy.activation, "memory": policy.memory}
-        network = Network.for_config(self.world, policy.hidden, **shape)
-        return network if policy.mask == "none" else masks.masked_network(network)
-
-    @property
-    def overlap_penalty(self) -> float:
-        """The penalty of evaders that share a cell; 0 where teammates may not."""
-        if self.world.rules.teammate is not Outcome.REACH or self.fitness.measure == "rewards":
-            return 0.0
+    @cached_property
+    def training_game(self) -> Game:
+        """The game in which teams learn: of pursuit with episodes of `train_steps`."""
+        if self.game is not None:
+            return self.evaluation_game
         alone = isinstance(self.schedule, Against) and self.schedule.start is None
-        return OVERLAP_PENALTY_ALONE if alone else OVERLAP_PENALTY
+        penalty = overlap_penalty(self.world, self.fitness.measure, alone)
+        world = replace(self.world, max_steps=self.train_steps)
+        return Pursuit(world=world, policy=self.policy, penalty=penalty)
 
-    def mask_weights(self, team: Team) -> masks.FixedWeights | None:
-        """Return the weights of the mask of a team's network, None without a mask."""
-        if self.policy.mask == "none":
-            return None
-        cells = masks.forbidding_cells(self.world, self.policy.mask, team)
-        return masks.mask_weights(self.network, cells)
+    @property
+    def teams(self) -> tuple[str, str]:
+        """What the teams are called."""
+        first, second = Game.teams if self.game is None else self.game.teams
+        return first, second
+
+    @property
+    def keys(self) -> tuple[str, str]:
+        """Names of the teams in logs and mappings."""
+        return TEAMS if self.game is None else self.teams
+
+    @property
+    def kind_of_game(self) -> type[Game]:
+        """What logs and payoffs of the game hold, without an import."""
+        return Pursuit if self.game is None else Game
 
     def task(self, team: Team, begin: Genome | None = None) -> Task:
         """Return what the learner of a team starts from: untrained genomes, or `begin`."""
-        scales: Any = {"weight": self.policy.initial_weight, "head": self.policy.initial_head}
+        game = self.evaluation_game
         return Task(
             seed=self.seed,
             team=TEAMS.index(team),
             epochs=self.schedule.total_epochs(team),
-            untrained=partial(self.learner_of(team).untrained, self.network, **scales),
+            untrained=partial(self.learner_of(team).untrained, game, team),
             begin=begin,
-            world=self.world,
-            network=self.network,
-            mask=self.mask_weights(team),
+            game=game,
         )
 
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:

@@ -32,6 +32,7 @@ import re
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path, PurePath
 from tempfile import TemporaryDirectory
@@ -43,17 +44,16 @@ from numpy.typing import NDArray
 from matrixworld._util import files
 from matrixworld._util.checks import check_choice
 from matrixworld._util.readable import html_of
+from matrixworld.coevolution.game import Game
+from matrixworld.coevolution.pursuit import NetworkPolicy, Pursuit
 from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, State, Team
 from matrixworld.episodes.episode import Episode
-from matrixworld.episodes.record import record
-from matrixworld.play import NetworkPolicy
 from matrixworld.version import __version__
-from matrixworld.world.policy import Network, Population, Script, TeamPolicy
 
-FORMAT = 10
+FORMAT = 11
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
@@ -74,27 +74,20 @@ COLUMNS: dict[str, type] = {
     "fitness_mean": float,
     "fitness_std": float,
     "fitness_best": float,
-    "capture_rate": float,
-    "length": float,
-    "pursuer_faults": float,
-    "evader_faults": float,
-    "matches": int,
-    "steps": int,
 }
-"""Columns of the log, one row per epoch, and their types.
+"""Columns of the log, one row per epoch, and their types, before those of the game
+(`Game.columns`).
 
 `stage` counts the stages of the run from 1; `opponent` is the opponent's generation (-1: several
-opponents); `fitness_*` are over the candidates of the epoch; `capture_rate`, `length` and
-`*_faults` (agent-steps at fault in a collision) are means over its episodes; `matches` and `steps`
-are the training episodes and world steps played so far in the run. Matches after the last epoch of
-a generation, which choose its champion, count in the row of that epoch.
+opponents); `fitness_*` are over the candidates of the epoch; `capture_rate` or `score`, `length`
+and `*_faults` (agent-steps at fault in a collision) are means over its episodes; `matches` and
+`steps` are the training episodes and world steps played so far in the run. Matches after the last
+epoch of a generation, which choose its champion, count in the row of that epoch.
 """
 Row = dict[str, Any]
-Archive = dict[Team, Genomes]
-Counters = dict[str, float]
+Archive = dict[str, Genomes]
+Counters = Mapping[str, float]
 """What a run has counted until the end of a stage, by name."""
-COUNTERS = ("matches", "steps", "agent_steps")
-"""Episodes, world steps, and steps of living agents: what a run counts."""
 
 
 class OtherVersionError(ValueError):
@@ -118,34 +111,41 @@ class SavedRun:
         The content of config.json.
     settings : RaceSettings
         Settings of the run.
-    teams : mapping of str to Population or str
+    teams : mapping of str to population or str
         For each team its archive as a population, one genome per generation, or the name of a
-        script.
+        script. The keys are ``pursuer`` and ``evader``, or the names that a game of your own has.
     """
 
     def __init__(self, path: str | Path) -> None:
         self.path: Path = Path(path)
 
-    def _size(self, team: Team) -> str:
-        each = self.teams[team]
-        return each if isinstance(each, str) else str(len(each.genomes))
+    def _sizes(self) -> dict[str, str]:
+        """Return the size of each team's archive by the team's name, or its script."""
+        archive = zip(self.settings.teams, self.archive().values(), strict=True)
+        return {name: str(len(each)) if len(each) else self._script for name, each in archive}
+
+    @property
+    def _script(self) -> str:
+        return cast(Against, self.settings.schedule).opponent
 
     def __repr__(self) -> str:
         """Return directory, kind and seed of the run, and the size of each team's archive."""
-        sizes = ", ".join(f"{team}s: {self._size(team)}" for team in self.teams)
+        sizes = ", ".join(f"{name}: {size}" for name, size in self._sizes().items())
         kind, seed = self.settings.schedule.name, self.settings.seed
         return f"{type(self).__name__}({str(self.path)!r}, {kind}, seed {seed}, {sizes})"
 
     def _repr_html_(self) -> str:
         world, state = self.settings.world, "finished" if self.finished else "not finished"
+        cells = f", {world.rows} x {world.cols} cells" if world else ""
         rows = [
             ("run", f"{self.title}, {state}"),
-            ("world", f"{self.settings.variant}, {world.rows} x {world.cols} cells"),
-            *((f"generations of the {team}s", self._size(team)) for team in self.teams),
+            ("game", f"{self.settings.variant}{cells}"),
+            *((f"generations of the {name}", size) for name, size in self._sizes().items()),
         ]
         if self.finished:
-            rate = self.payoff().capture_rate[-1, -1]
-            rows.append(("capture rate of the last generations", f"{rate:.2f}"))
+            payoff = self.payoff()
+            rate = f"{payoff.matrix[-1, -1]:.2f}"
+            rows.append((f"{payoff.words} of the last generations", rate))
         return html_of([("", str(self.path)), *rows])
 
     @cached_property
@@ -204,23 +204,43 @@ class SavedRun:
 
         Raises DamagedFileError if the file of a stage is damaged or missing.
         """
-        return _archive_of(self._stages())
+        archive = _archive_of(self._stages())
+        return dict(zip(self.settings.keys, archive.values(), strict=True))
+
+    @property
+    def columns(self) -> dict[str, type]:
+        """Columns of the log, and their types."""
+        return {**COLUMNS, **self.settings.kind_of_game.columns}
 
     def log(self) -> dict[str, NDArray[Any]]:
-        """Return the columns of the log (see `COLUMNS`) as arrays; errors as `archive`."""
-        rows = _rows_of(self._stages())
+        """Return the columns of the log (see `columns`) as arrays; errors as `archive`."""
+        rows = self._rows_of(self._stages())
         return {
             name: np.array([row[name] for row in rows], dtype=kind)
-            for name, kind in COLUMNS.items()
+            for name, kind in self.columns.items()
         }
 
     def rows(self, after: int) -> list[Row]:
         """Return the rows of the log of all finished stages after one; errors as `archive`."""
-        return _rows_of([self._stage(number) for number in range(after + 1, self.newest() + 1)])
+        return self._rows_of(
+            [self._stage(number) for number in range(after + 1, self.newest() + 1)]
+        )
+
+    def _log_of(self, stages: Sequence[files.Arrays]) -> str:
+        lines = "".join(stage["log"].item().decode() for stage in stages)
+        return f"{','.join(self.columns)}\n{lines}"
+
+    def _rows_of(self, stages: Sequence[files.Arrays]) -> list[Row]:
+        rows = csv.DictReader(io.StringIO(self._log_of(stages), newline=""))
+        return [{name: kind(row[name]) for name, kind in self.columns.items()} for row in rows]
 
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
-        return Payoff.from_arrays(self._load(PAYOFF))
+        arrays = self._load(PAYOFF)
+        kind, settings = self.settings.kind_of_game, self.settings
+        extras = {name: arrays[name] for name in kind.payoff_extras()}
+        exact = settings.game is not None and settings.game.deterministic
+        return Payoff(arrays["scores"], extras, settings.teams, exact, kind.score_words[0])
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
@@ -256,28 +276,59 @@ class SavedRun:
 
     # Teams that can play:
 
-    @cached_property
-    def teams(self) -> Mapping[Team, TeamPolicy]:
-        """For each team its archive as a population, or the name of a script."""
-        return {team: self.as_policy(team, each) for team, each in self.archive().items()}
+    @property
+    def game(self) -> Game:
+        """The game that is raced; a game of your own is imported.
 
-    def as_policy(self, team: Team, genomes: Genomes) -> TeamPolicy:
+        ValueError or PluginError if that is not possible, or if it is another game. If only its
+        source has changed, a warning says so.
+        """
+        if self.settings.game and (changed := self.settings.game.changed()):
+            warnings.warn(f"{self.path}: {changed}", stacklevel=2)
+        return self.settings.evaluation_game
+
+    @property
+    def pursuit(self) -> Pursuit:
+        """The game, if it is pursuit and evasion; ValueError for another one."""
+        if self.settings.game:
+            raise ValueError(
+                f"{self.path}: expected a run of pursuers and evaders, got one of the game "
+                f"{self.settings.game.code}"
+            )
+        return cast(Pursuit, self.game)
+
+    @cached_property
+    def teams(self) -> Mapping[str, Any]:
+        """For each team its archive as a population, or the name of a script."""
+        _ = self.game  # a game of your own that has changed is told now
+        archive = self.archive()
+        parts = zip(TEAMS, archive.items(), strict=True)
+        return {key: self.as_policy(team, genomes) for team, (key, genomes) in parts}
+
+    def as_policy(self, team: Team, genomes: Genomes) -> Any:
         """Return genomes of a team as a population; without any, the script that plays for it."""
         settings = self.settings
         if not len(genomes):
-            return cast(Script, cast(Against, settings.schedule).opponent)
+            return self._script
         if team in settings.learning_teams:
-            return Population(genomes, settings.network)
+            return settings.evaluation_game.population(team, genomes)
         # Opponents of a single team may come from a run with other hidden layers.
-        network = Network.for_config(settings.world, **self.config["opponent_network"])
-        return Population(genomes, network)
+        shape = self.config.get("opponent_network", {})
+        return settings.evaluation_game.opponents(team, genomes, shape)
 
-    def last(self, team: Team) -> TeamPolicy:
+    def key_of(self, team: str) -> str:
+        """Return the key of a team in `teams`, of its key or name; ValueError for another one."""
+        keys = dict(zip(self.settings.teams, self.settings.keys, strict=True))
+        if team not in keys.values():
+            check_choice("team", team, keys)
+        return keys.get(team, team)
+
+    def last(self, team: str) -> Any:
         """Return the last generation of a team, as a population of one genome, or its script."""
-        each = self.teams[team]
-        return each if isinstance(each, str) else Population(each.genomes[-1:], each.network)
+        each = self.teams[self.key_of(team)]
+        return each if isinstance(each, str) else replace(each, genomes=each.genomes[-1:])
 
-    def generation_at(self, team: Team, matches: int) -> int:
+    def generation_at(self, team: str, matches: int) -> int:
         """Return the newest generation of `team` after a number of training matches.
 
         The matches are those of both teams, and those that archives play to compare candidates.
@@ -285,7 +336,7 @@ class SavedRun:
         equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
         """
         log = self.log()
-        own = log["team"] == team
+        own = log["team"] == self.key_of(team)
         generations, played = log["generation"][own], log["matches"][own]
         newest = int(generations.max(initial=0))
         ends = np.array([played[generations == g].max() for g in range(1, newest + 1)])
@@ -302,10 +353,10 @@ class SavedRun:
         episode : int, optional
             Number of the episode of this pair.
         """
+        pursuit = self.pursuit
         g, h = self.generation("pursuer", pursuer), self.generation("evader", evader)
-        world, seed = self.settings.world, evaluation_seed(self.settings.seed, g, h)
-        teams = self.teams["pursuer"], self.teams["evader"]
-        return record(world, *teams, seed=seed, pursuer=g, evader=h, episode=episode)
+        seed = evaluation_seed(self.settings.seed, g, h)
+        return pursuit.record(*self.teams.values(), seed=seed, pursuer=g, evader=h, episode=episode)
 
     def policy(
         self,
@@ -334,6 +385,7 @@ class SavedRun:
         IndexError, ValueError
             If there is no such generation or team, or a script plays for the team.
         """
+        _ = self.pursuit
         check_choice("team", team, TEAMS)
         policy = self.teams[team]
         if isinstance(policy, str):
@@ -341,15 +393,12 @@ class SavedRun:
         genome = policy.genomes[self.generation(team, generation, "generation")]
         return NetworkPolicy(policy.network, genome, sampled=sampled, seed=seed)
 
-    def generation(self, team: Team, index: int, name: str = "") -> int:
+    def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.
 
         IndexError, which begins with `name` or the team, if there is no such generation.
         """
-        policy = self.teams[team]
-        if isinstance(policy, str):
-            return 0
-        count = len(policy.genomes)
+        count = len(self.archive()[self.key_of(team)]) or 1  # a script has one
         if not -count <= index < count:
             expected = f"a generation from 0 to {count - 1}"
             raise IndexError(f"{name or team}: expected {expected}, got {index}")
@@ -374,13 +423,15 @@ def open_run(directory: str | Path) -> SavedRun:
         If the run is of another version of the package.
     """
     run = SavedRun(directory)
-    _ = run.settings, run.teams  # read now: damage and other versions are told here
+    # Read now: damage and other versions are told here. A game of your own is not imported yet.
+    _ = run.archive() if run.settings.game else run.teams
     return run
 
 
-def last_generation(directory: str | Path, team: Team) -> Population:
+def last_generation(directory: str | Path, team: Team) -> Any:
     """Return the last genome of a team in a run directory; ValueError if there is none."""
-    last = open_run(directory).last(team)
+    run = open_run(directory)
+    last = run.last(run.settings.keys[TEAMS.index(team)])
     if isinstance(last, str):
         raise ValueError(f"{directory}: expected a run with genomes of {team}s, got none")
     return last
@@ -463,7 +514,8 @@ class RunWriter(SavedRun):
         head = {"format": FORMAT, "matrixworld": __version__}
         self.config = {**head, "settings": dict(settings), **more}
         files.save_json(self.path / CONFIG, self.config)
-        self.save(0, archive, [], dict.fromkeys(COUNTERS, 0), states)
+        counters = ("matches", *self.settings.kind_of_game.counters)
+        self.save(0, archive, [], dict.fromkeys(counters, 0), states)
 
     def save(
         self,
@@ -482,7 +534,7 @@ class RunWriter(SavedRun):
         """
         new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
         genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
-        log = _as_csv(rows).encode()
+        log = self._as_csv(rows).encode()
         flat = {f"{p}.{name}": value for p, each in states.items() for name, value in each.items()}
         self._save(_name("checkpoint", stage), flat)
         self._save(_name("stage", stage), {**genomes, "log": log, **counters, **(more or {})})
@@ -540,13 +592,23 @@ class RunWriter(SavedRun):
         """Write log and genomes for other programs, payoff.npz, and summary.json as the last."""
         stages = self._stages()
         with files.replacing(self.path / LOG) as file:
-            file.write(_log_of(stages).encode())
-        for team, genomes in _archive_of(stages).items():
+            file.write(self._log_of(stages).encode())
+        archive = zip(self.settings.teams, _archive_of(stages).values(), strict=True)
+        for name, genomes in archive:
             if len(genomes):  # those of a team that a script plays are none
-                with files.replacing(self.path / f"{team}s.npy") as file:
+                with files.replacing(self.path / f"{name}.npy") as file:
                     np.save(file, genomes)
         self._save(PAYOFF, payoff)
         files.save_json(self.path / SUMMARY, summary)
+
+    def _as_csv(self, rows: Sequence[Row]) -> str:
+        text = io.StringIO()
+        # The same line ends on all systems, so that files are the same, too.
+        writer = csv.DictWriter(text, self.columns, lineterminator="\n")
+        for row in rows:
+            # Nine digits identify every float32.
+            writer.writerow({k: f"{v:.9g}" if isinstance(v, float) else v for k, v in row.items()})
+        return text.getvalue()
 
     def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
         files.save_arrays(self.path / name, arrays)
@@ -598,22 +660,3 @@ def _archive_of(stages: Sequence[files.Arrays]) -> Archive:
         return np.concatenate(added) if added else np.empty((0, 0), np.float32)
 
     return {team: genomes(f"{team}s") for team in TEAMS}
-
-
-def _log_of(stages: Sequence[files.Arrays]) -> str:
-    return ",".join(COLUMNS) + "\n" + "".join(stage["log"].item().decode() for stage in stages)
-
-
-def _rows_of(stages: Sequence[files.Arrays]) -> list[Row]:
-    rows = csv.DictReader(io.StringIO(_log_of(stages), newline=""))
-    return [{name: kind(row[name]) for name, kind in COLUMNS.items()} for row in rows]
-
-
-def _as_csv(rows: Sequence[Row]) -> str:
-    text = io.StringIO()
-    # The same line ends on all systems, so that files are the same, too.
-    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
-    for row in rows:
-        # Nine digits identify every float32.
-        writer.writerow({k: f"{v:.9g}" if isinstance(v, float) else v for k, v in row.items()})
-    return text.getvalue()

@@ -1,17 +1,22 @@
-"""Types that the modules of co-evolution share: teams, genomes, arrays by dtype, and payoffs."""
+"""Types that the modules of co-evolution share: teams, genomes, arrays by dtype, and payoffs.
+
+Whatever a game calls its teams, its first team is the pursuers here, and the second the evaders.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
-from typing import Any
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from matrixworld._util.readable import Parts, Readable, matrix_table
-from matrixworld.world.policy import TEAMS as TEAMS
-from matrixworld.world.policy import Team as Team
+
+Team: TypeAlias = Literal["pursuer", "evader"]
+TEAMS: tuple[Team, Team] = get_args(Team)
+"""The first and the second team of a game."""
 
 
 def other(team: Team) -> Team:
@@ -19,11 +24,8 @@ def other(team: Team) -> Team:
     return "evader" if team == "pursuer" else "pursuer"
 
 
-SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
-"""What the score of a team is called."""
-
 Genome = NDArray[np.float32]
-"""Weights of one policy network, shape (genes,)."""
+"""What a member of a team is, such as the weights of its policy network, shape (genes,)."""
 Genomes = NDArray[np.float32]
 """One genome a row, shape (n, genes)."""
 Seeds = NDArray[np.uint64]
@@ -40,74 +42,57 @@ Indices = NDArray[np.intp]
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 IntArray = NDArray[np.int64]
+Matches: TypeAlias = tuple[NDArray[Any], NDArray[Any], Seeds]
+"""M matches: numbers of both players (M,) in their populations, and seeds (M,)."""
 
 
 @dataclass(frozen=True, repr=False)
 class Payoff(Readable):
-    """Results of G pursuers against H evaders, in n episodes a pair.
+    """Results of G members of the first team against H of the second, in n episodes a pair.
 
-    Row g is pursuer g, column h evader h. In arrays by team, pursuers come first; in arrays by kind
-    of collision, the order is obstacle, teammate, adversary.
+    Row g is member g of the first team, column h member h of the second.
 
     Parameters
     ----------
-    capture_rates : ndarray of float32, shape (G, H, n)
-        Share of evaders captured in each episode.
-    lengths : ndarray of int32, shape (G, H, n)
-        Steps of each episode.
-    collisions, faults : ndarray of float64, shape (G, H, 2, 3)
-        Mean agent-steps an episode in which an agent was involved, or at fault, in a collision; by
-        team and kind.
-    agent_steps : ndarray of float64, shape (G, H, 2)
-        Mean steps an episode by agents that were alive, by team.
-    pursuer_survivors, evader_survivors : ndarray of float64, shape (G, H)
-        Mean number of agents alive at the end.
+    scores : ndarray of float32, shape (G, H, n)
+        Scores of the first team in each episode, in [0, 1]. The other team has 1 - score.
+    extras : mapping of str to ndarray, optional
+        What else the game tells, each (G, H, ...). Of pursuit: ``lengths`` (G, H, n), the steps of
+        each episode, int32; and means over the episodes, float64: ``collisions`` and ``faults``
+        (G, H, 2, 3), agent-steps in which an agent was involved, or at fault, in a collision, by
+        team and kind (obstacle, teammate, adversary); ``agent_steps`` (G, H, 2), steps of living
+        agents; ``pursuer_survivors`` and ``evader_survivors``, agents alive at the end.
+    teams : tuple of str, optional
+        Names of the teams.
+    exact : bool, optional
+        Whether more episodes would have the same scores. The default is False.
+    words : str, optional
+        What a score is called.
     """
 
-    capture_rates: NDArray[np.float32]
-    lengths: NDArray[np.int32]
-    collisions: FloatArray
-    faults: FloatArray
-    agent_steps: FloatArray
-    pursuer_survivors: FloatArray
-    evader_survivors: FloatArray
+    scores: NDArray[np.float32]
+    extras: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    teams: tuple[str, str] = ("pursuers", "evaders")
+    exact: bool = False
+    words: str = "capture rate"
 
     def _parts(self) -> Parts:
-        episodes = self.capture_rates.shape[2]
-        head = f"Capture rates of pursuers (rows) against evaders, {episodes} episodes a pair:"
-        return [head, matrix_table(self.capture_rate)]
+        episodes, (first, second) = self.scores.shape[2], self.teams
+        played = f"{episodes} episode{'s' * (episodes > 1)} a pair"
+        head = f"{self.words.capitalize()}s of {first} (rows) against {second}, {played}:"
+        return [head, matrix_table(self.matrix)]
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         """Return the payoff matrix, so that figures and measures take the results as they are."""
-        return np.array(self.capture_rate, dtype)
+        return np.array(self.matrix, dtype)
 
     @property
-    def capture_rate(self) -> FloatArray:
-        """Payoff matrix (G, H): mean capture rate. The evaders' payoff is one minus it."""
+    def matrix(self) -> FloatArray:
+        """Payoff matrix (G, H): mean scores of the first team."""
         # In float64: the sum of many float32 rates would round.
-        return np.asarray(self.capture_rates.mean(axis=2, dtype=np.float64))
-
-    @property
-    def capture_rate_std(self) -> FloatArray:
-        """Standard deviation (G, H) of the capture rate over episodes."""
-        return np.asarray(self.capture_rates.std(axis=2, dtype=np.float64))
-
-    @property
-    def length(self) -> FloatArray:
-        """Mean steps (G, H) of an episode."""
-        return np.asarray(self.lengths.mean(axis=2))
-
-    @property
-    def length_std(self) -> FloatArray:
-        """Standard deviation (G, H) of the steps over episodes."""
-        return np.asarray(self.lengths.std(axis=2))
+        return np.asarray(self.scores.mean(axis=2, dtype=np.float64))
 
     def arrays(self) -> dict[str, NDArray[Any]]:
-        """Return fields, means and standard deviations by name, as payoff.npz holds them."""
-        derived = ("capture_rate", "capture_rate_std", "length", "length_std")
-        return {name: getattr(self, name) for name in (*(f.name for f in fields(self)), *derived)}
-
-    @classmethod
-    def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Payoff:
-        """Return the payoff whose `arrays()` are given."""
-        return cls(**{item.name: arrays[item.name] for item in fields(cls)})
+        """Return scores, their means and standard deviations, and extras, as payoff.npz does."""
+        spread = np.asarray(self.scores.std(axis=2, dtype=np.float64))
+        return {"scores": self.scores, "mean": self.matrix, "std": spread, **self.extras}

@@ -234,4 +234,5 @@ def _named(name: str, team: Team, given: str | Path, config: WorldConfig) -> Pop
     if not str(given) or not Path(given).is_dir():  # an empty path is the current directory
         names = ", ".join([*SCRIPTS, SOLVED, *evolved])
         raise ValueError(f"{name}: expected one of {names}, or a run directory, got {str(given)!r}")
-    return last_generation(given, team)
+    population: Population = last_generation(given, team)
+    return population

@@ -18,7 +18,7 @@ import json
 import os
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -230,18 +230,18 @@ def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
     ``first`` are the generations of the first cell that was played: the results of a single team
     are of its last generation.
     """
-    first = [count - played for count, played in zip(shape, payoff.capture_rate.shape, strict=True)]
+    first = [count - played for count, played in zip(shape, payoff.matrix.shape, strict=True)]
     return {
         "first": first,
         "shape": list(shape),
-        "episodes": payoff.capture_rates.shape[2],
-        "capture_rate": payoff.capture_rate.tolist(),
+        "episodes": payoff.scores.shape[2],
+        "capture_rate": payoff.matrix.tolist(),
         # Nine digits identify every float32.
         "capture_rates": [
             [[float(f"{rate:.9g}") for rate in cell] for cell in row]
-            for row in payoff.capture_rates.tolist()
+            for row in payoff.scores.tolist()
         ],
-        "lengths": payoff.lengths.tolist(),
+        "lengths": payoff.extras["lengths"].tolist(),
     }
 
 
@@ -303,9 +303,9 @@ BOARDS = 12
 
 def findings(payoff: Payoff) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
-    matrix = payoff.capture_rate
+    matrix = payoff.matrix
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
-    scores = analysis.read_payoffs(payoff.capture_rates, per_episode=True)
+    scores = analysis.read_payoffs(payoff.scores, per_episode=True)
     judgement = analysis.judge(scores)
     return {
         "sentence": analysis.sentence(judgement),
@@ -321,13 +321,13 @@ def findings(payoff: Payoff) -> dict[str, Any]:
 
 def so_far_found(payoff: Payoff) -> dict[str, Any]:
     """Return what is shown of a race that goes on: curves, and no judgement."""
-    headline = f"generation {min(payoff.capture_rate.shape) - 1} so far"
+    headline = f"generation {min(payoff.matrix.shape) - 1} so far"
     return {"headline": headline, "table": [], **curves(payoff)}
 
 
 def curves(payoff: Payoff) -> dict[str, Any]:
     """Return what is drawn of a race and claims nothing."""
-    matrix = payoff.capture_rate
+    matrix = payoff.matrix
     ratings = analysis.elo(matrix)
     return {
         "generalization": _with_bands(
@@ -357,8 +357,8 @@ def _with_bands(
         team: {"mean": plain_values(getattr(means, team) * unit), "low": None, "high": None}
         for team in ("pursuers", "evaders")
     }
-    if payoff.capture_rates.shape[2] >= 2:
-        for curve, band in zip(curves.values(), over_episodes(payoff.capture_rates), strict=True):
+    if payoff.scores.shape[2] >= 2:
+        for curve, band in zip(curves.values(), over_episodes(payoff.scores), strict=True):
             mean, low, high = (np.ravel(ends) for ends in (band.mean, band.low, band.high))
             # Where a band has no interval, it is as thin as the line.
             curve["low"] = plain_values(np.fmin(low, mean))
@@ -368,7 +368,7 @@ def _with_bands(
 
 def too_few_episodes(payoff: Payoff) -> str:
     """Return what a small number of episodes means for the judgement; empty if they are enough."""
-    episodes = payoff.capture_rates.shape[2]
+    episodes = payoff.scores.shape[2]
     if episodes >= EPISODES_TO_JUDGE:
         return ""
     return (
@@ -439,19 +439,21 @@ def extended(run: SavedRun, known: Payoff | None) -> Payoff:
     play = partial(tournament, settings.world, seed=settings.seed, episodes=episodes, threads=1)
     if known is None:
         return play(pursuers, evaders)
-    g, h = known.capture_rate.shape
+    g, h = known.matrix.shape
     if h < team_size(evaders):
-        known = _joined(known, play(_part(pursuers, 0, g), _part(evaders, h), first=(0, h)), 1)
+        known = _joined(
+            known, play(_part(pursuers, 0, g), _part(evaders, h), generations=(0, h)), 1
+        )
     if g < team_size(pursuers):
-        known = _joined(known, play(_part(pursuers, g), evaders, first=(g, 0)), 0)
+        known = _joined(known, play(_part(pursuers, g), evaders, generations=(g, 0)), 0)
     return known
 
 
 def _joined(known: Payoff, new: Payoff, axis: int) -> Payoff:
     old, more = known.arrays(), new.arrays()
-    return Payoff.from_arrays(
-        {name: np.concatenate([old[name], more[name]], axis=axis) for name in old}
-    )
+    joined = {name: np.concatenate([old[name], more[name]], axis=axis) for name in old}
+    extras = {name: joined[name] for name in known.extras}
+    return replace(known, scores=joined["scores"], extras=extras)
 
 
 def _part(team: TeamPolicy, first: int, last: int | None = None) -> TeamPolicy:

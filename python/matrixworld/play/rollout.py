@@ -156,16 +156,3 @@ def rollout(
         n_threads=n_threads,
     )
     return EpisodeStatistics(**arrays)
-
-
-def match_seed(run_seed: int, *key: int) -> int:
-    """Return the seed of a match, 64 bits, from the run's seed and numbers that tell it apart.
-
-    The same on every machine and version. ValueError below 0, TypeError if one is no integer.
-    """
-    # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
-    entropy = [
-        checks.check_integer("match seed", part, 0, checks.SEED_MAX) for part in (run_seed, *key)
-    ]
-    words = np.random.SeedSequence(entropy).generate_state(1, np.uint64)
-    return int(words[0])

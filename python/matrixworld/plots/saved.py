@@ -107,7 +107,8 @@ def _matrix(group: RunGroup) -> ArrayLike:
 def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
     """Return how often agents collide in 1000 agent-steps: (G, 2, 3), by generation, team, kind."""
     payoff = group.runs[0].payoff()
-    collisions, steps = payoff.collisions, payoff.agent_steps[..., np.newaxis]
+    collisions, steps = (payoff.extras[name] for name in ("collisions", "agent_steps"))
+    steps = steps[..., np.newaxis]
     # A pursuer generation is a row of the payoff, an evader generation a column.
     pursuers = collisions[:, :, 0].sum(axis=1) / steps[:, :, 0].sum(axis=1)
     evaders = collisions[:, :, 1].sum(axis=0) / steps[:, :, 1].sum(axis=0)
@@ -216,7 +217,7 @@ def _mean_score(race: SavedRun, team: Team, trained: SavedRun) -> float:
     settings, episodes = race.settings, race.settings.evaluation_episodes
     teams = sides["pursuer"], sides["evader"]
     payoff = tournament(settings.world, *teams, seed=settings.seed, episodes=episodes)
-    rates = payoff.capture_rate.ravel()
+    rates = payoff.matrix.ravel()
     return float((rates if team == "pursuer" else 1 - rates).mean())
 
 

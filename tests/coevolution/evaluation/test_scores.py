@@ -9,8 +9,8 @@ import pytest
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS, create, held_out, open_run, score
 from matrixworld.coevolution.evaluation.scores import score_table
+from matrixworld.coevolution.seeding import match_seed
 from matrixworld.coevolution.types import other
-from matrixworld.play.rollout import match_seed
 from rows import config_of, random_team
 from tiny_race import played, tiny_race, tiny_single
 
@@ -77,7 +77,7 @@ def test_scores_are_those_of_the_matches(race):
         assert found.rates.shape == (1, len(against), 4)
         assert found.matches == 4 * len(against)
         assert found.left_out == ""
-        own = mw.Population(run.teams[team].genomes[2], run.settings.network)
+        own = mw.Population(run.teams[team].genomes[2], run.settings.evaluation_game.network)
         for number, opponent in enumerate(against.values()):
             sides = (own, opponent) if team == "pursuer" else (opponent, own)
             match = mw.Matches.of(0, 0, np.uint64(match_seed(0, TEAMS.index(team), number, 4)))

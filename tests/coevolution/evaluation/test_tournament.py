@@ -14,7 +14,7 @@ SETTINGS = tiny_race()
 
 
 def population(team, count):
-    return Population(SETTINGS.task(team).genomes(count), SETTINGS.network)
+    return Population(SETTINGS.task(team).genomes(count), SETTINGS.evaluation_game.network)
 
 
 def played(pursuers=None, **options):
@@ -22,7 +22,7 @@ def played(pursuers=None, **options):
     sides = pursuers or population("pursuer", 7), population("evader", 5)
     world = SETTINGS.world
     # Not (0, 0), so that the seeds show which generations play.
-    payoff = tournament(world, *sides, seed=3, episodes=4, first=(2, 1), **options)
+    payoff = tournament(world, *sides, seed=3, episodes=4, generations=(2, 1), **options)
     return {
         name: (array.dtype, array.shape, array.tobytes()) for name, array in payoff.arrays().items()
     }

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import Results, create, open_run
+from matrixworld.coevolution import PolicySettings, Pursuit, Results, create, open_run
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
@@ -17,8 +17,8 @@ from matrixworld.coevolution.learners.actor_critic import (
     advantages,
 )
 from matrixworld.coevolution.learners.learner import Task
-from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.play import NetworkPolicy
+from matrixworld.play.experience import experience
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
@@ -35,8 +35,10 @@ def rng() -> np.random.Generator:
 def new(network: Network = NETWORK, epochs: int = 1, **changes: Any) -> Update:
     pytest.importorskip("torch")
     one = ActorCritic(population=4, **changes)
-    untrained = partial(one.untrained, network, weight=0.0, head=1.0)
-    return Update(one, one.start(Task(0, 0, epochs, untrained, None, CONFIG, network)))
+    shape = {"hidden": network.hidden, "activation": network.activation, "initial_head": 1.0}
+    game = Pursuit(world=CONFIG, policy=PolicySettings(**shape))
+    untrained = partial(one.untrained, game, "pursuer")
+    return Update(one, one.start(Task(0, 0, epochs, untrained, None, game)))
 
 
 def genome(update: Update) -> np.ndarray:

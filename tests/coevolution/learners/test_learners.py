@@ -10,6 +10,7 @@ from scipy.stats import rankdata
 from threadpoolctl import threadpool_limits
 
 from matrixworld.coevolution import CmaEs, EvolutionStrategy, GeneticAlgorithm, Results, Task
+from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
 from matrixworld.coevolution.learners.genetic_algorithm import (
     mate_uniform,
@@ -18,8 +19,6 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     select_truncation,
 )
 from matrixworld.coevolution.learners.learner import adam, adam_state, draw_windows, noise_of
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network
 
 SIZE = 20
 TARGET = np.linspace(-1.0, 1.0, SIZE)
@@ -39,13 +38,13 @@ def generator(epoch=0):
 
 
 def task(genes=SIZE, epochs=100, begin=None):
-    """A task whose genomes are of no network: zeros, or normal numbers."""
+    """A task whose genomes are zeros, or normal numbers."""
     begin = np.zeros(genes, np.float32) if begin is None else begin
 
     def untrained(rng):
         return begin if begin.ndim == 1 else rng.standard_normal(genes, np.float32)
 
-    return Task(99, 0, epochs, untrained, None, WorldConfig(), Network((), fov=3))
+    return Task(99, 0, epochs, untrained, None, Game(lambda a, b, rng: a[:, 0], genes))
 
 
 RANDOM = np.zeros((1, 1))

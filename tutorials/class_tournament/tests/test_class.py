@@ -38,8 +38,8 @@ from class_tournament.sandbox import ALLOWED, ANSWERED_BY_0
 from class_tournament.submissions import Entry, Refusal, Submission
 from matrixworld import Network, NetworkPolicy, World, WorldConfig, record_actions
 from matrixworld.coevolution import TEAMS, Progress, Team
+from matrixworld.coevolution.seeding import match_seed
 from matrixworld.play import save_genome
-from matrixworld.play.rollout import match_seed
 from scripts import wait_until
 from slow import quickly
 

@@ -24,14 +24,15 @@ from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import Estimate
 from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks, team_size
 from matrixworld.coevolution.progress import Progress, Report, silent
+from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.race import Against
-from matrixworld.coevolution.seeding import Phase
+from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
+from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.network_policy import fits
-from matrixworld.play.rollout import Matches, match_seed, rollout
+from matrixworld.play.rollout import Matches, rollout
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV
@@ -47,6 +48,8 @@ from matrixworld.world.policy import (
 from matrixworld.world.rules import Capture, Rules, rules_of, variant_name
 
 FILE = "held_out.npz"
+SCORE = dict(zip(TEAMS, Pursuit.score_words, strict=True))
+"""What the score of a team is called."""
 NETWORK = Network()
 """Network of the evolved opponents: views of 11 x 11, 5 actions, one hidden layer of 32."""
 
@@ -350,7 +353,8 @@ def score(
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)
     checks.check_threads(threads)
-    world = run.settings.world if steps is None else replace(run.settings.world, max_steps=steps)
+    world = run.pursuit.world
+    world = world if steps is None else replace(world, max_steps=steps)
     sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
     return _scores(
         world,

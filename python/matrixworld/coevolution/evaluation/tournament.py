@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, as_completed
+from dataclasses import replace
 from functools import partial
 from itertools import product
 from typing import Any, TypeVar
@@ -12,52 +13,43 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, check_threads
+from matrixworld.coevolution.game import Game
+from matrixworld.coevolution.pursuit import Pursuit, WorldConfig
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Payoff
-from matrixworld.play.matches import Plays
-from matrixworld.play.rollout import Matches, Rollout, rollout
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import EnginePolicy, Population, check_team
 
 Block = TypeVar("Block")
 
-MEANS = ("collisions", "faults", "agent_steps", "pursuer_survivors", "evader_survivors")
-"""Statistics of which a payoff holds the mean over the episodes."""
-STATISTICS = ("capture_rate", "length", *MEANS)
-"""All statistics that a payoff needs."""
-
 
 def tournament(
-    config: WorldConfig,
-    pursuers: EnginePolicy,
-    evaders: EnginePolicy,
+    game: Game | WorldConfig,
+    first: Any,
+    second: Any,
     *,
     seed: int,
     episodes: int,
     threads: int | None = None,
-    play: Rollout = rollout,
-    first: tuple[int, int] = (0, 0),
+    generations: tuple[int, int] = (0, 0),
     on_row: Callable[[int], None] = lambda played: None,
     executor: Executor | None = None,
 ) -> Payoff:
-    """Play every pursuer against every evader.
+    """Play every member of the first team against every member of the second.
 
     Parameters
     ----------
-    config : WorldConfig
-        The world.
-    pursuers, evaders : Population or str
-        Populations of G and H genomes, or names of scripts (then G or H is 1).
+    game : Game or WorldConfig
+        The game, or the world of pursuit.
+    first, second : population, or name of a script
+        What `Game.population` returns of G and H genomes; in pursuit also names of scripts (then G
+        or H is 1).
     seed : int
         Seed of the run.
     episodes : int
         Episodes of each pair.
     threads : int, optional
-        Threads that `play` may use. By default all cores. Results do not depend on it.
-    play : callable, optional
-        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
-    first : tuple of int, optional
-        Generations of the first pursuer and of the first evader, which the seeds depend on.
+        Threads that the game may use. By default all cores. Results do not depend on it.
+    generations : tuple of int, optional
+        Generations of the first members of both teams, which the seeds depend on.
     on_row : callable, optional
         Called after each row of the matrix with the number of episodes played so far.
     executor : concurrent.futures.Executor, optional
@@ -74,35 +66,34 @@ def tournament(
     Floreano, D. and Nolfi, S. (1997). God save the red queen! Competition in co-evolutionary
     robotics. Genetic Programming 1997. (The "master tournament".)
     """
-    for name, team in (("pursuers", pursuers), ("evaders", evaders)):
-        check_team(name, team)
+    game = game if isinstance(game, Game) else Pursuit(world=game)
     episodes = check_integer("episodes", episodes, 1)
     check_threads(threads)
-    size = team_size(pursuers), team_size(evaders)
-    generations = (range(start, start + n) for start, n in zip(first, size, strict=True))
-    seeds = np.array([evaluation_seed(seed, g, h) for g, h in product(*generations)], np.uint64)
+    size = team_size(first), team_size(second)
+    numbers = (range(start, start + n) for start, n in zip(generations, size, strict=True))
+    seeds = np.array([evaluation_seed(seed, g, h) for g, h in product(*numbers)], np.uint64)
     columns = np.arange(size[1])
     # One row at a time, so that the progress can be reported.
     rows = [
-        partial(play, config, one, evaders, Matches.of(0, columns, row), episodes=episodes)
-        for one, row in zip(each_genome(pursuers), seeds.reshape(size), strict=True)
+        partial(game.scores, one, second, (np.zeros_like(columns), columns, row), episodes=episodes)
+        for one, row in zip(each_genome(first), seeds.reshape(size), strict=True)
     ]
     kept: dict[str, NDArray[Any]] = {}
     played = 0
-    for row, statistics in play_blocks(rows, threads, executor):
-        for name in STATISTICS:
-            found = getattr(statistics, name)
+    for row, scores in play_blocks(rows, threads, executor):
+        found = {"scores": scores.scores}
+        found |= {name: scores.extras[name] for name in (*game.single, *game.means)}
+        for name, values in found.items():
             if name not in kept:
-                kept[name] = np.empty((size[0], *found.shape), found.dtype)
-            kept[name][row] = found
-        played += statistics.length.size
+                kept[name] = np.empty((size[0], *values.shape), values.dtype)
+            kept[name][row] = values
+        played += scores.scores.size
         on_row(played)
-    # Capture rates and lengths keep single episodes, from which intervals are computed.
-    return Payoff(
-        capture_rates=kept["capture_rate"].astype(np.float32),
-        lengths=kept["length"].astype(np.int32),
-        **{name: kept[name].mean(axis=2) for name in MEANS},
-    )
+    # Scores and lengths keep single episodes, from which intervals are computed.
+    extras = {f"{name}s": kept[name] for name in game.single}
+    extras |= {name: kept[name].mean(axis=2) for name in game.means}
+    rates = kept["scores"].astype(np.float32)
+    return Payoff(rates, extras, game.teams, game.deterministic, game.score_words[0])
 
 
 def play_blocks(
@@ -130,13 +121,13 @@ def play_blocks(
             future.cancel()
 
 
-def team_size(team: Plays) -> int:
+def team_size(team: Any) -> int:
     """Return how many candidates a team has: its genomes, or one."""
-    return len(team.genomes) if isinstance(team, Population) else 1
+    return len(team.genomes) if hasattr(team, "genomes") else 1
 
 
-def each_genome(team: Plays) -> list[Any]:
+def each_genome(team: Any) -> list[Any]:
     """Return each genome of a team as a population, or what else plays for it."""
-    if not isinstance(team, Population):
+    if not hasattr(team, "genomes"):
         return [team]
-    return [Population(genome[None], team.network) for genome in team.genomes]
+    return [replace(team, genomes=genome[np.newaxis]) for genome in team.genomes]

@@ -23,15 +23,22 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 
 from matrixworld._util.checks import shown
+from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.learners.transitions import Experience, Reals, Views
+from matrixworld.coevolution.pursuit import CHANNELS, Experience, Interaction, Pursuit, Reals, Views
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, Rng, State
+from matrixworld.coevolution.types import (
+    BoolArray,
+    Genome,
+    Genomes,
+    Indices,
+    IntArray,
+    Rng,
+    State,
+    Team,
+)
 from matrixworld.version import imported
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CHANNELS, Network
-from matrixworld.world.rules import Interaction
 
 CHUNK = 2**20
 """Outputs of the widest layer that are computed at one time: larger ones leave a core's cache.
@@ -273,9 +280,13 @@ class ActorCritic(learner.Learner):
             expected = "no value without cost_limit"
             raise ValueError(f"cost_rate: expected {expected}, got {self.cost_rate}")
 
-    def check_fits(self, path: str, world: WorldConfig, network: Network) -> None:
+    def check_fits(self, path: str, game: Game) -> None:
         """Raise ValueError for networks with memory, or one critic for agents that take turns."""
-        interaction = world.rules.interaction
+        if not isinstance(game, Pursuit):
+            raise ValueError(
+                f"{path}: expected es, ga, cma or your own in a game of your own, got {self.kind}"
+            )
+        interaction, network = game.world.rules.interaction, game.network
         if self.central_critic and interaction is not Interaction.SIMULTANEOUS:
             # Each agent learns from the world before its own turn.
             raise ValueError(
@@ -288,9 +299,10 @@ class ActorCritic(learner.Learner):
                 f"itself, got {network.memory!r}"
             )
 
-    def untrained(self, network: Network, rng: Rng, *, weight: float, head: float) -> Genome:
+    def untrained(self, game: Game, team: Team, rng: Rng) -> Genome:
         """Return orthogonal weights: gradients vanish or explode from other beginnings."""
-        return orthogonal(network.sizes, rng, head=head)
+        assert isinstance(game, Pursuit)  # as checked
+        return orthogonal(game.network.sizes, rng, head=game.policy.initial_head)
 
     @property
     def seed_groups(self) -> Indices:
@@ -304,7 +316,9 @@ class ActorCritic(learner.Learner):
     def start(self, task: learner.Task) -> State:
         """Return the multiplier, and weights and averages of Adam of actor and critics."""
         self.check_machine()
-        network, cells = task.network, task.world.rows * task.world.cols
+        assert isinstance(task.game, Pursuit)  # as checked
+        world, network = task.game.world, task.game.network
+        cells = world.rows * world.cols
         seen = CHANNELS * cells if self.central_critic else network.sizes[0]
         sizes = (seen, *network.hidden, 1)
         rng = keyed_generator(task.seed, Purpose.NOISE, task.team)

@@ -10,11 +10,16 @@ import numpy as np
 from deap import cma
 from threadpoolctl import ThreadpoolController
 
-from matrixworld.coevolution.learners.learner import Learner, Results, Task, checked_fitness
+from matrixworld.coevolution.game import Game
+from matrixworld.coevolution.learners.learner import (
+    Learner,
+    Results,
+    Task,
+    checked_fitness,
+    inside_bounds,
+)
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import Genome, Genomes, Rng, State
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network
+from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Rng, State
 
 MOST_GENES = 1000
 """Largest number of genes: each update decomposes the covariance matrix, in 0.15 s for so many."""
@@ -47,25 +52,26 @@ class CmaEs(Learner):
 
     sigma: float = setting(0.8, "standard deviation of the first samples", positive=True)
 
-    def check_fits(self, path: str, world: WorldConfig, network: Network) -> None:
-        """Raise ValueError if the network has too many genes."""
-        if network.genome_size > MOST_GENES:
+    def check_fits(self, path: str, game: Game) -> None:
+        """Raise ValueError if a team has too many genes."""
+        genes = max(map(game.genome_size, TEAMS))
+        if genes > MOST_GENES:
             raise ValueError(
                 f"{path}: expected at most {MOST_GENES} genes for the full covariance matrix of "
-                f"cma, got {network.genome_size}; a smaller view (fov) or hidden layer (or none) "
+                f"cma, got {genes}; a smaller view (fov) or hidden layer (or none) "
                 f"has fewer, and es and ga take any number"
             )
 
     def start(self, task: Task) -> State:
         """Return the state of a new strategy."""
         mean = task.genomes(1)[0].astype(np.float64)
-        return _adapted(cma.Strategy, mean, self.sigma, lambda_=self.population)
+        strategy = _adapted(cma.Strategy, mean, self.sigma, lambda_=self.population)
+        return {**strategy, **task.bounds()}
 
     def genome(self, state: State) -> Genome:
         """Return the mean of the distribution."""
         with np.errstate(over="ignore"):  # a run reports genes that are not finite
-            genome: Genome = state["centroid"].astype(np.float32)
-        return genome
+            return inside_bounds(state, state["centroid"].astype(np.float32))
 
     def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
         """Return the samples."""
@@ -75,7 +81,8 @@ class CmaEs(Learner):
             normal = rng.standard_normal((self.population, len(scaled)))
             samples = state["centroid"] + state["sigma"] * np.dot(normal, scaled.T)
             # In float64: C adapts to the samples as drawn, not as rounded for the match.
-            return samples.astype(np.float32), {**state, "samples": samples}
+            played = inside_bounds(state, samples.astype(np.float32))
+            return played, {**state, "samples": samples}
 
     def tell(self, state: State, results: Results) -> State:
         """Adapt mean, step size and covariance to the better samples."""
@@ -94,7 +101,8 @@ class CmaEs(Learner):
             return strategy
 
         try:
-            return _adapted(updated)
+            bounds: State = {name: state[name] for name in ("low", "high") if name in state}
+            return {**_adapted(updated), **bounds}
         except np.linalg.LinAlgError as error:
             raise self.diverged("learner") from error
 

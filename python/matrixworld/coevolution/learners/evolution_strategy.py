@@ -109,7 +109,8 @@ class EvolutionStrategy(learner.Learner):
             noise = vector if scale == 1.0 else scale * vector
             np.add(genome, noise, out=plus[i])
             np.subtract(genome, noise, out=minus[i])
-        return candidates.reshape(self.population, -1), {**state, "windows": windows}
+        samples = candidates.reshape(self.population, -1)
+        return learner.inside_bounds(state, samples), {**state, "windows": windows}
 
     @np.errstate(over="ignore", invalid="ignore")
     def tell(self, state: State, results: learner.Results) -> State:
@@ -130,7 +131,7 @@ class EvolutionStrategy(learner.Learner):
             np.multiply(weight, vector, out=term)
             gradient += term
         change, after = self._step(state, gradient)
-        return {**before, **after, "genome": genome + change}
+        return {**before, **after, "genome": learner.inside_bounds(state, genome + change)}
 
     def _step(self, state: State, gradient: Genome) -> tuple[Genome, State]:
         """Return the change of the mean, and the state of the optimizer after it."""

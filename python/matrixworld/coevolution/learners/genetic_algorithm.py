@@ -155,6 +155,7 @@ class GeneticAlgorithm(learner.Learner):
         mutants = toolbox.mutate(mated, rng, state=state)
         if mutants is not children:  # another operator in the toolbox
             children[:] = mutants
+        offspring = learner.inside_bounds(state, offspring)
         return offspring, {**state, "candidates": offspring}
 
     def tell(self, state: State, results: learner.Results) -> State:

@@ -12,13 +12,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats
-from matrixworld.coevolution.learners.transitions import Experience
+from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.sections import Section, by_race
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.masks import FixedWeights
-from matrixworld.world.policy import Network
+from matrixworld.coevolution.types import (
+    TEAMS,
+    FloatArray,
+    Genome,
+    Genomes,
+    Indices,
+    Rng,
+    State,
+    Team,
+)
 
 MUTATION = 0.05
 """Standard deviation of a mutation, unless another one is given."""
@@ -44,12 +50,8 @@ class Task:
         Returns a new untrained genome (genes,), drawn from a generator.
     begin : ndarray of float32, shape (genes,), or None
         A genome to start from instead of untrained ones.
-    world : WorldConfig
-        The world of the evaluation.
-    network : Network
-        The network of the team.
-    mask : FixedWeights, optional
-        Genes that do not change, and their values.
+    game : Game
+        The game that is raced, as it is evaluated.
     """
 
     seed: int
@@ -57,9 +59,12 @@ class Task:
     epochs: int
     untrained: Callable[[Rng], Genome]
     begin: Genome | None
-    world: WorldConfig
-    network: Network
-    mask: FixedWeights | None = None
+    game: Game
+
+    @property
+    def mask(self) -> Any:
+        """Genes that do not change, and their values; None without any."""
+        return self.game.mask(TEAMS[self.team])
 
     def genomes(self, count: int, sigma: float = MUTATION) -> Genomes:
         """Return genomes (count, genes) to start from: untrained ones, or `begin` and its mutants.
@@ -73,15 +78,22 @@ class Task:
             genomes = np.repeat(self.begin[np.newaxis], count, axis=0)
             noise = rng.standard_normal(genomes[1:].shape, dtype=np.float32)
             genomes[1:] += np.float32(sigma) * noise
+        genomes = self.game.clipped(genomes)
         return genomes if self.mask is None else self.mask.write(genomes)
 
     def noise_state(self) -> State:
-        """Return what a state holds of the noise of its mutations: its key, and genes without."""
+        """Return what a state holds of mutations: the key of their noise, and genes without."""
         key = np.array([self.seed, Purpose.NOISE, self.team], np.int64)
-        return {"noise": key} if self.mask is None else {"noise": key, "fixed": self.mask.fixed}
+        state = {"noise": key, **self.bounds()}
+        return state if self.mask is None else {**state, "fixed": self.mask.fixed}
+
+    def bounds(self) -> State:
+        """Return what a state holds of the bounds of genes; nothing without any."""
+        bounds = self.game.bounds
+        return {} if bounds is None else {"low": np.array(bounds[0]), "high": np.array(bounds[1])}
 
 
-def _no_experience(*, states: bool = False) -> Experience:
+def _no_experience(*, states: bool = False) -> Any:
     raise TypeError("experience: expected matches of a run, got fitness alone")
 
 
@@ -100,7 +112,7 @@ class Results:
     """
 
     fitness: FloatArray
-    experience: Callable[..., Experience] = _no_experience
+    experience: Callable[..., Any] = _no_experience
 
 
 @dataclass(frozen=True)
@@ -164,8 +176,8 @@ class Learner(Section):
         """
         return np.zeros(self.population, dtype=np.intp)
 
-    def check_fits(self, path: str, world: WorldConfig, network: Network) -> None:
-        """Raise ValueError if the learner cannot learn in a world, or such a network.
+    def check_fits(self, path: str, game: Game) -> None:
+        """Raise ValueError if the learner cannot learn in a game.
 
         `path` is the setting that has the learner.
         """
@@ -173,9 +185,9 @@ class Learner(Section):
     def check_machine(self) -> None:
         """Raise ModuleNotFoundError or ValueError if this machine lacks what the learner needs."""
 
-    def untrained(self, network: Network, rng: Rng, *, weight: float, head: float) -> Genome:
-        """Return an untrained genome; `weight` and `head` are scales of hidden and last layer."""
-        return network.initial(rng, weight=weight, head=head)
+    def untrained(self, game: Game, team: Team, rng: Rng) -> Genome:
+        """Return an untrained genome of a team."""
+        return game.untrained(team, rng)
 
     def diverged(self, path: str) -> DivergedError:
         """Return the error for genes that are not finite; `path` is the setting of the learner."""
@@ -196,6 +208,11 @@ def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
     if not np.isfinite(values).all():
         raise ValueError(f"fitness: expected finite numbers, got {values}")
     return values
+
+
+def inside_bounds(state: State, genomes: Genomes) -> Genomes:
+    """Return genomes clipped to the bounds that a state holds."""
+    return np.clip(genomes, state["low"], state["high"]) if "low" in state else genomes
 
 
 # Noise vectors as windows of one long row of normal numbers:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.play.experience import experience
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.world import World

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.types import BoolArray, Indices, IntArray, Seeds, Team
 from matrixworld.world.arrays import array_specs, new_arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.policy import Population, Team, TeamPolicy
 
+BoolArray = NDArray[np.bool_]
 Views = NDArray[np.uint8]
 Reals = NDArray[np.float32]
 
@@ -32,7 +32,7 @@ class Experience:
     """(T, W, A): which agents of the team acted in each step."""
     views: Views
     """(n, 3 * fov * fov): what each one saw before its turn."""
-    actions: IntArray
+    actions: NDArray[np.int64]
     rewards: Reals
     """(n,): what the agent earned from its turn to its next one."""
     costs: Reals
@@ -56,8 +56,8 @@ def experience(
     team: Team,
     policy: Population,
     opponents: TeamPolicy,
-    chosen: Indices,
-    seeds: Seeds,
+    chosen: NDArray[np.intp],
+    seeds: NDArray[np.uint64],
     *,
     worlds: int = 1,
     states: bool = False,
@@ -131,7 +131,7 @@ def experience(
 
 
 def _opponents(
-    opponents: TeamPolicy, chosen: Indices
+    opponents: TeamPolicy, chosen: NDArray[np.intp]
 ) -> tuple[list[TeamPolicy], NDArray[np.int32]]:
     """Return the opponents that play, and the place of each match's opponent among them."""
     if isinstance(opponents, str):

@@ -1,0 +1,435 @@
+"""Games of two populations: all that co-evolution knows of what it races.
+
+The teams of a game are called pursuers and evaders wherever its names do not matter: in settings
+and keys of random numbers. `matrixworld.coevolution.pursuit` is the game of the package.
+"""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from hashlib import sha256
+from pathlib import Path
+from types import CodeType, FunctionType, ModuleType
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld._util import checks
+from matrixworld.coevolution.sections import PATH, Section, documented, imported, setting
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Matches, Rng, Team
+
+Play = Callable[[Genomes, Genomes, Rng], ArrayLike]
+
+
+@dataclass(frozen=True, eq=False)
+class Scores:
+    """Results of M matches with N episodes each.
+
+    Parameters
+    ----------
+    scores : ndarray of float, shape (M, N)
+        Scores of the first team, in [0, 1]; the second team has 1 - score.
+    extras : mapping of str to ndarray, each (M, N, ...)
+        What else the game tells, by name. By default nothing.
+    """
+
+    scores: NDArray[Any]
+    extras: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+
+    def of(self, team: Team) -> FloatArray:
+        """Return the scores (M, N) of a team."""
+        first = np.asarray(self.scores, dtype=np.float64)
+        return first if team == "pursuer" else 1.0 - first
+
+
+@dataclass(frozen=True, eq=False)
+class Strategies:
+    """Genomes (n, genes) of a team, which can play."""
+
+    genomes: Genomes
+
+
+@dataclass(frozen=True, eq=False)
+class Game:
+    """A game of two populations of genomes, vectors of float32.
+
+    Parameters
+    ----------
+    play : callable
+        ``play(a, b, rng)`` returns the scores (M,) of the genomes a (M, genes) against the genomes
+        b (M, genes), in [0, 1]; b has 1 - score. Random numbers come from `rng` alone.
+    genes : int or tuple of two ints
+        Length of the genomes, of both teams or of each.
+    teams : tuple of two str, optional
+        Names of the teams, in the plural.
+    initial : callable, optional
+        ``initial(rng)`` returns an untrained genome, with teams of different lengths
+        ``initial(rng, team)``. By default the genes are drawn from N(0, 1).
+    bounds : tuple of two float or arrays of float, optional
+        Least and largest value of the genes. Learners clip genomes, and the game never sees one
+        outside. By default there are no bounds.
+    deterministic : bool, optional
+        Whether equal genomes always have equal scores. Such a game is called with all matches at
+        once, each pair is evaluated once, and the judgement takes the scores as exact. Any other
+        game is called with one match at a time, M = 1, and a generator of this match and episode:
+        so a result does not depend on which other matches are played. The default is False.
+    show : callable, optional
+        ``show(a, b)`` returns text, or an image (rows, columns, 3) of uint8, of the genomes a and b
+        (genes,): what `matrixworld replay` prints and pages show.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If the number of genes or teams is another one, or bounds are no intervals.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import matrixworld as mw
+    >>> def beats(a, b, rng):
+    ...     return 1 / (1 + np.exp(b.sum(1) - a.sum(1)))
+    >>> numbers = mw.Game(beats, genes=5, teams=("hosts", "parasites"))
+    """
+
+    play: Play
+    genes: int | tuple[int, int]
+    teams: tuple[str, str] = ("pursuers", "evaders")
+    initial: Callable[..., ArrayLike] | None = None
+    bounds: tuple[ArrayLike, ArrayLike] | None = None
+    deterministic: bool = False
+    show: Callable[[Genome, Genome], Any] | None = None
+
+    columns: ClassVar[Mapping[str, type]] = {"score": float, "matches": int}
+    """Columns that logs have of an epoch, the score of the first team first, and their types."""
+    score_words: ClassVar[tuple[str, str]] = ("score", "score")
+    """What the scores of both teams are called."""
+    single: ClassVar[tuple[str, ...]] = ()
+    means: ClassVar[tuple[str, ...]] = ()
+    """Extras that a payoff holds: those of single episodes, and those of which it holds means."""
+    counters: ClassVar[tuple[str, ...]] = ()
+    """What a run counts beside its matches."""
+
+    def __post_init__(self) -> None:
+        for name in ("play", "initial", "show"):
+            if not callable(getattr(self, name) or len):
+                got = checks.shown(getattr(self, name))
+                raise TypeError(f"{name}: expected a function, got {got}")
+        genes = (self.genes, self.genes) if isinstance(self.genes, int) else self.genes
+        sizes = tuple(checks.check_integer("genes", n, 1) for n in genes)
+        object.__setattr__(self, "genes", sizes)
+        names = checks.check_sequence("teams", self.teams, "str")
+        for given, name in ((sizes, "genes"), (names, "teams")):
+            if len(given) != 2:
+                raise ValueError(f"{name}: expected those of two teams, got {len(given)}")
+        if len({*names}) < 2 or not all(isinstance(n, str) and n.isidentifier() for n in names):
+            raise ValueError(f"teams: expected two different words, got {self.teams!r}")
+        checks.check_bool("deterministic", self.deterministic)
+        if self.bounds is not None:
+            low, high = (checks.check_floats("bounds", each, np.float32) for each in self.bounds)
+            if not (low < high).all():
+                raise ValueError(f"bounds: expected least < largest value, got {low} and {high}")
+            object.__setattr__(self, "bounds", (low, high))
+
+    @classmethod
+    def payoff_extras(cls) -> tuple[str, ...]:
+        """Return the names of the extras in a payoff."""
+        return (*(f"{name}s" for name in cls.single), *cls.means)
+
+    @property
+    def keys(self) -> tuple[str, str]:
+        """Names of the teams in logs and mappings."""
+        return self.teams
+
+    # What a run asks for:
+
+    def genome_size(self, team: Team) -> int:
+        """Return the number of genes of a team."""
+        size: int = self.genes[TEAMS.index(team)]  # type: ignore[index]  # two, see above
+        return size
+
+    def untrained(self, team: Team, rng: Rng) -> Genome:
+        """Return a new untrained genome (genes,) float32; ValueError if it has another shape."""
+        size = self.genome_size(team)
+        if self.initial is None:
+            genome: Genome = rng.standard_normal(size, dtype=np.float32)
+        else:
+            same = self.genome_size("pursuer") == self.genome_size("evader")
+            name = self.teams[TEAMS.index(team)]
+            drawn = self.initial(rng) if same else self.initial(rng, name)
+            genome = checks.check_floats("initial", drawn, np.float32)
+            if genome.shape != (size,) or not np.isfinite(genome).all():
+                raise ValueError(f"initial: expected {size} finite genes, got {genome!r}")
+        return self.clipped(genome)
+
+    def clipped(self, genomes: Genomes) -> Genomes:
+        """Return genomes inside the bounds."""
+        return genomes if self.bounds is None else np.clip(genomes, *self.bounds)
+
+    def population(self, team: Team, genomes: Genomes) -> Any:
+        """Return genomes (n, genes) as what plays; ValueError unless they are finite."""
+        expected = (len(genomes), self.genome_size(team))
+        if np.shape(genomes) != expected or not np.isfinite(genomes).all():
+            raise ValueError(f"genomes: expected finite ones {expected}, got {np.shape(genomes)}")
+        return Strategies(self.clipped(genomes))
+
+    def scores(
+        self, first: Any, second: Any, matches: Matches, *, episodes: int, threads: int | None
+    ) -> Scores:
+        """Play M matches, each a number of the first team, one of the second, and a seed.
+
+        ValueError if the game returns anything but scores in [0, 1].
+        """
+        a, b, seeds = matches
+        pairs = first.genomes[a], second.genomes[b]
+        if self.deterministic:
+            found = self._checked(*pairs, np.random.default_rng(0))
+            return Scores(np.repeat(found[:, np.newaxis], episodes, axis=1))
+        found = np.empty((len(seeds), episodes), np.float32)
+        for m, seed in enumerate(seeds):
+            for n in range(episodes):
+                rng = np.random.Generator(np.random.Philox(key=[int(seed), n]))
+                one, other = (each[m : m + 1] for each in pairs)
+                found[m, n] = self._checked(one, other, rng)[0]
+        return Scores(found)
+
+    def _checked(self, a: Genomes, b: Genomes, rng: Rng) -> NDArray[np.float32]:
+        scores = checks.check_floats("scores of the game", self.play(a, b, rng), np.float32)
+        if scores.shape != (len(a),):
+            raise ValueError(f"scores of the game: expected ({len(a)},), got {scores.shape}")
+        if not ((scores >= 0.0) & (scores <= 1.0)).all():  # also finds NaN
+            worst = scores[~((scores >= 0.0) & (scores <= 1.0))][0]
+            raise ValueError(f"scores of the game: expected numbers in [0, 1], got {worst}")
+        return scores
+
+    def values(self, scores: Scores, team: Team, measure: str, *, raw: bool = False) -> FloatArray:
+        """Return what a team is selected by, (M, N), of a measure of `FITNESS`.
+
+        With `raw` in [0, 1], without any penalty.
+        """
+        return scores.of(team)
+
+    def costs(self, scores: Scores, team: Team) -> FloatArray:
+        """Return what a `cost_limit` is about, (M,); ValueError without costs."""
+        raise ValueError("cost_limit: expected no value in a game without collisions")
+
+    def row(self, scores: Scores) -> dict[str, float]:
+        """Return the values of an epoch in `columns`, without what is counted."""
+        return {"score": float(scores.scores.mean(dtype=np.float64))}
+
+    def counted(self, scores: Scores) -> dict[str, int]:
+        """Return what matches add to `counters`."""
+        return {}
+
+    # What only some games have:
+
+    def mask(self, team: Team) -> Any:
+        """Return genes that do not change, and their values; None without any."""
+        return None
+
+    def shape_of(self, opponents: Any) -> dict[str, Any]:
+        """Return what config.json keeps of opponents beside their genomes."""
+        return {}
+
+    def opponents(self, team: Team, genomes: Genomes, shape: Mapping[str, Any]) -> Any:
+        """Return genomes of opponents whose `shape_of` is given."""
+        return self.population(team, genomes)
+
+    def check_opponents(self, opponents: Any) -> None:
+        """Raise ValueError if opponents do not fit the game."""
+
+    def check_start(self, population: Any) -> None:
+        """Raise ValueError if a genome to start from does not fit the game."""
+
+    def experience(self, team: Team, *matches: Any, **options: Any) -> Any:
+        """Play matches again for a learner by gradients."""
+        raise TypeError("experience: expected pursuit and evasion, got a game without views")
+
+
+# Games of your own, by name:
+
+
+@documented
+@dataclass(frozen=True)
+class OwnGame(Section):
+    """A game of your own: its name, and what a run must know of it without an import."""
+
+    kind: ClassVar[str] = "own"
+    base: ClassVar[type] = Game
+
+    code: str = setting("", "module:object")
+    genes: tuple[int, ...] = setting((), "length of the genomes of each team")
+    teams: tuple[str, ...] = setting((), "names of the teams")
+    deterministic: bool = setting(False, "whether equal genomes always have equal scores")
+    digest: str = setting("", "digest of its source")
+
+    @classmethod
+    def named(cls, game: Game) -> dict[str, Any]:
+        """Return the fields of a game, a global of the module of its function.
+
+        ValueError if it is none.
+        """
+        module = sys.modules.get(getattr(game.play, "__module__", ""))
+        names = [name for name, value in vars(module).items() if value is game] if module else []
+        if module is None or not names:
+            raise ValueError(
+                "game: expected a global variable of the module of its function, so that a run can "
+                f"find it again, got one that is none of {getattr(module, '__name__', 'a module')}"
+            )
+        return {"kind": f"{_file_of(module) or module.__name__}:{names[0]}"}
+
+    def check(self) -> None:
+        """Import a game that is given by its name alone; errors as those of `load`."""
+        if not PATH.fullmatch(self.code):
+            raise ValueError(f"code: expected module:object, got {checks.shown(self.code)}")
+        if not self.digest:
+            game = self._imported()
+            facts = {"genes": game.genes, "teams": game.teams, "deterministic": game.deterministic}
+            for name, value in {**facts, "digest": digest_of(game)}.items():
+                object.__setattr__(self, name, value)
+
+    def load(self) -> Game:
+        """Return the game.
+
+        ValueError if there is none of this name, or another one; PluginError if its module fails.
+        """
+        game = self._imported()
+        for name in ("genes", "teams", "deterministic"):
+            expected, found = getattr(self, name), getattr(game, name)
+            if found != expected:
+                raise ValueError(
+                    f"{self.code}: expected a game with {name} {expected}, got {found}"
+                )
+        return game
+
+    def changed(self) -> str:
+        """Return in words that the source of the game has changed; empty if it has not."""
+        if digest_of(self.load()) == self.digest:
+            return ""
+        return f"{self.code}: expected the source of the game as it was, got a changed one"
+
+    @property
+    def is_here_alone(self) -> bool:
+        """Whether no other process can import it, such as that of a notebook."""
+        return self.code.startswith("__main__:")
+
+    def _imported(self) -> Game:
+        module, _, name = self.code.partition(":")
+        main = sys.modules["__main__"]
+        # Imported once more, a script that runs would begin anew.
+        running = main if module in ("__main__", _file_of(main)) else None
+        game = getattr(running, name, None) or imported(self.code)
+        if not isinstance(game, Game):
+            raise ValueError(f"{self.code}: expected a Game, got {checks.shown(game)}")
+        return game
+
+
+def _file_of(module: ModuleType) -> str:
+    """Return the name of a script that runs, without its suffix; empty for another module."""
+    path = getattr(module, "__file__", None) if module.__name__ in MAIN else None
+    return Path(path).stem if path else ""
+
+
+MAIN = ("__main__", "__mp_main__")
+"""Names of the script that runs, and of its copy in processes that it has started."""
+
+
+def digest_of(game: Game) -> str:
+    """Return a digest of what a game is: its fields, and the source of its functions.
+
+    With the source of what these name in their modules: functions, numbers, text and arrays.
+    """
+    parts: dict[str, str] = {}
+    for name in ("play", "initial", "show"):
+        _collect(getattr(game, name), parts)
+    bounds = None if game.bounds is None else [np.asarray(each).tolist() for each in game.bounds]
+    facts = repr((game.genes, game.teams, bounds, game.deterministic))
+    text = "\n".join([facts, *(f"{name}\n{parts[name]}" for name in sorted(parts))])
+    return sha256(text.encode()).hexdigest()[:16]
+
+
+def _collect(function: Any, parts: dict[str, str]) -> None:
+    """Add the source of a function and of what it names in its module."""
+    if not isinstance(function, FunctionType) or function.__qualname__ in parts:
+        return
+    try:
+        parts[function.__qualname__] = inspect.getsource(function)
+    except OSError:  # typed at a prompt that keeps no source
+        code = function.__code__
+        parts[function.__qualname__] = f"{code.co_code.hex()} {code.co_consts} {code.co_names}"
+    for used in _names(function.__code__):
+        value = function.__globals__.get(used)
+        if isinstance(value, FunctionType) and value.__module__ == function.__module__:
+            _collect(value, parts)
+        elif isinstance(value, int | float | str | tuple | list | dict | np.ndarray):
+            parts[used] = repr(value.tolist() if isinstance(value, np.ndarray) else value)
+
+
+def _names(code: CodeType) -> Iterator[str]:
+    """Yield the names that a function uses, with those of the functions inside it."""
+    yield from code.co_names
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _names(constant)
+
+
+CHECKED = 64
+"""Matches of a check."""
+
+
+def check_game(game: Game) -> None:
+    """Check that a game keeps the promises of `Game`.
+
+    Untrained genomes have their shape and lie within the bounds; scores are finite numbers in
+    [0, 1], one of each match; they do not depend on the order of the matches, nor on which others
+    are played; equal generators give equal scores, whatever other random numbers are drawn
+    meanwhile. An error in the game's own code is raised as it is.
+
+    Parameters
+    ----------
+    game : Game
+        The game.
+
+    Raises
+    ------
+    ValueError
+        If a promise is broken; the message says which.
+
+    Examples
+    --------
+    >>> import matrixworld as mw
+    >>> mw.coevolution.check_game(mw.Game(lambda a, b, rng: (a > b).mean(1), genes=3))
+    """
+    checks.check_instance("game", game, Game)
+    rng = np.random.default_rng(0)
+    first, second = (
+        game.population(team, np.stack([game.untrained(team, rng) for _ in range(CHECKED)]))
+        for team in TEAMS
+    )
+    everyone = np.arange(CHECKED)
+    matches = everyone, everyone[::-1], everyone.astype(np.uint64)
+
+    def played(matches: Matches, state: int) -> FloatArray:
+        before = np.random.get_state()  # noqa: NPY002, to find games that use this generator
+        np.random.seed(state)  # noqa: NPY002
+        try:
+            return game.scores(first, second, matches, episodes=2, threads=1).of("pursuer")
+        finally:
+            np.random.set_state(before)  # noqa: NPY002
+
+    scores = played(matches, 1)
+    if not np.array_equal(scores, played(matches, 2)):
+        raise ValueError(
+            "play: expected equal scores from equal generators, got others; random numbers must "
+            "come from the rng that is passed, and nothing may change from call to call"
+        )
+    order = rng.permutation(CHECKED)[: CHECKED // 2]
+    a, b, seeds = matches
+    if not np.array_equal(scores[order], played((a[order], b[order], seeds[order]), 1)):
+        raise ValueError(
+            "play: expected scores of each match alone, got some that depend on other matches or "
+            "their order"
+        )

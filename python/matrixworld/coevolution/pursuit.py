@@ -1,0 +1,291 @@
+"""Pursuit and evasion as a game of two populations: a world, and the policies of its teams.
+
+The one module of races, learners and runs that knows worlds and rollouts; scores against held-out
+opponents are in `evaluation.scores`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+
+from matrixworld._util import checks
+from matrixworld.coevolution import sections
+from matrixworld.coevolution.game import Game, Scores
+from matrixworld.coevolution.sections import Section, by_race, setting
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Matches, Rng, Team
+from matrixworld.episodes.episode import Episode
+from matrixworld.episodes.record import record
+from matrixworld.play import NetworkPolicy as NetworkPolicy
+from matrixworld.play.experience import Experience as Experience
+from matrixworld.play.experience import Reals as Reals
+from matrixworld.play.experience import Views as Views
+from matrixworld.play.experience import experience
+from matrixworld.play.network_policy import check_fits
+from matrixworld.play.rollout import rollout
+from matrixworld.world import masks
+from matrixworld.world.config import WorldConfig as WorldConfig
+from matrixworld.world.policy import CHANNELS as CHANNELS
+from matrixworld.world.policy import GATES, Network, Population, TeamPolicy
+from matrixworld.world.policy import SCRIPTS as SCRIPTS
+from matrixworld.world.rules import REWARDS, VARIANTS, Outcome, Rules
+from matrixworld.world.rules import Interaction as Interaction
+from matrixworld.world.rules import Rewards as Rewards
+from matrixworld.world.rules import variant_name as variant_name
+
+FITNESS = ("captured-fraction", "capture-rate", "rewards")
+"""Measures: of the captured evaders the share averaged over the steps, in which fast captures count
+more, or the share at the end, both in [0, 1] (of the evaders 1 minus those of the pursuers); and
+the rewards summed over the team and the steps (not zero-sum)."""
+
+WORLD_HELP = {
+    "rules": "game variant, a name such as O, or its rules one by one",
+    "rows": "rows of the grid; default: those of the obstacle map, or 40, in solve 6",
+    "cols": "columns of the grid; default: those of the obstacle map, or 40, in solve 6",
+    "n_pursuers": "number of pursuers; default: depends on rules and command",
+    "n_evaders": "number of evaders; default: depends on rules and command",
+    "fov": "side of an agent's square field of view, in cells; odd",
+    "diagonal": "allow diagonal moves (9 actions instead of 5)",
+    "max_steps": "maximum steps of an evaluation episode",
+    "obstacles": "obstacles: a density in [0, 1), rows of text, or a MovingAI .map file",
+    "rewards": f"rewards: {' or '.join(REWARDS)}, or one by one",
+}
+"""What the fields of a `WorldConfig` mean in the settings of a run."""
+
+
+def _world(plain: Mapping[str, Any]) -> WorldConfig:
+    """Return the world of some fields; rules and rewards may be names, or both given one by one."""
+    values = dict(plain)
+    rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
+    sections.check_names(plain, WORLD_HELP)
+    for row, kinds, usual in rows:
+        given = plain.get(row)
+        if given is None or isinstance(given, Rules | Rewards):
+            continue
+        parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
+        kind = parts.pop("kind", usual)
+        checks.check_choice(row, kind, kinds)
+        # Those that are not given are as in the row of that kind.
+        base = WorldConfig(**{row: kinds[kind]}).to_json()
+        with sections.inside(row):
+            sections.check_names(parts, base[row])
+            changed = WorldConfig.from_json({**base, row: {**base[row], **parts}})
+        values[row] = getattr(changed, row)
+    return WorldConfig(**values)
+
+
+sections.PLAIN[WorldConfig] = sections.Plain(_world, WORLD_HELP)
+
+
+@sections.documented
+@dataclass(frozen=True)
+class PolicySettings(Section):
+    """Settings of the policy networks: both teams have one of the same shape."""
+
+    hidden: tuple[int, ...] = by_race((32,), "sizes of the hidden layers")
+    activation: str = setting(
+        "relu", "activation of the hidden layers: relu or tanh", choices=("relu", "tanh")
+    )
+    memory: str = setting(
+        "none",
+        "recurrent layer after the first hidden layer: gru (gated recurrent units) or none",
+        choices=tuple(GATES),
+    )
+    initial_weight: float = by_race(0.05, "standard deviation of untrained hidden weights")
+    initial_head: float = by_race(0.1, "standard deviation of untrained output weights")
+    mask: str = setting(
+        "none",
+        "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
+        "world.fov of 3), right-of-way (all that could put it at fault; needs a world.fov of 5 and "
+        "rules under which pursuers that learn can capture so), or none; not with every learner",
+        choices=masks.MASKS,
+    )
+
+
+def check_mask(mask: str, world: WorldConfig, learns: bool) -> None:
+    """Raise ValueError unless a mask fits a world; `learns` says whether pursuers do."""
+    rules = world.rules
+    masks.check_mask("policy.mask", mask, world)
+    masked = mask == "right-of-way" and learns
+    if masked and rules.captures and not masks.leaves_captures(world):
+        raise ValueError(
+            f"policy.mask: expected none or obstacles for pursuers whose captures are collisions "
+            f"at fault (capture {rules.capture.name}, evader {rules.evader.name}, pursuer "
+            f"{rules.pursuer.name}), got {mask!r}"
+        )
+
+
+OVERLAP_PENALTY, OVERLAP_PENALTY_ALONE = 0.2, 0.5
+"""Penalties of evaders that share a cell: in general, and of evaders that learn alone and from
+untrained genomes. Without one, evaders that may share a cell gather in one corner. Then pursuers
+find either no evader or all of them at once, and evaders learn little from it."""
+
+
+def overlap_penalty(world: WorldConfig, measure: str, alone: bool) -> float:
+    """Return the penalty of evaders that share a cell; 0 where teammates may not."""
+    if world.rules.teammate is not Outcome.REACH or measure == "rewards":
+        return 0.0
+    return OVERLAP_PENALTY_ALONE if alone else OVERLAP_PENALTY
+
+
+check_script = masks.check_script
+DEFAULT_WORLD, DEFAULT_POLICY = WorldConfig(), PolicySettings()
+
+
+@dataclass(frozen=True, eq=False)
+class Pursuit(Game):
+    """Pursuit and evasion: episodes of a world, in which both teams have the same policy network.
+
+    Parameters
+    ----------
+    play : callable
+        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
+    world : WorldConfig
+        The world.
+    policy : PolicySettings
+        The policies of both teams.
+    penalty : float
+        Penalty on evaders that share cells, multiplied by their overlap in [0, 1].
+    """
+
+    play: Any = rollout
+    genes: Any = ()  # those of the network
+    world: WorldConfig = DEFAULT_WORLD
+    policy: PolicySettings = DEFAULT_POLICY
+    penalty: float = 0.0
+
+    columns: ClassVar[Mapping[str, type]] = {
+        "capture_rate": float,
+        "length": float,
+        "pursuer_faults": float,
+        "evader_faults": float,
+        "matches": int,
+        "steps": int,
+    }
+    score_words: ClassVar[tuple[str, str]] = ("capture rate", "escape rate")
+    single: ClassVar[tuple[str, ...]] = ("length",)
+    means: ClassVar[tuple[str, ...]] = (
+        "collisions",
+        "faults",
+        "agent_steps",
+        "pursuer_survivors",
+        "evader_survivors",
+    )
+    counters: ClassVar[tuple[str, ...]] = ("steps", "agent_steps")
+
+    @property
+    def keys(self) -> tuple[str, str]:
+        """Names of the teams in logs and mappings."""
+        return TEAMS
+
+    def __post_init__(self) -> None:
+        """Its fields are checked already."""
+
+    def genome_size(self, team: Team) -> int:
+        """Return the number of genes of a team."""
+        return self.network.genome_size
+
+    @cached_property
+    def network(self) -> Network:
+        """The policy network of a learning team, with its mask."""
+        policy = self.policy
+        shape = {"activation": policy.activation, "memory": policy.memory}
+        network = Network.for_config(self.world, policy.hidden, **shape)
+        return network if policy.mask == "none" else masks.masked_network(network)
+
+    def mask(self, team: Team) -> masks.FixedWeights | None:
+        """Return the weights of the mask of a team's network, None without a mask."""
+        if self.policy.mask == "none":
+            return None
+        cells = masks.forbidding_cells(self.world, self.policy.mask, team)
+        return masks.mask_weights(self.network, cells)
+
+    def untrained(self, team: Team, rng: Rng) -> Genome:
+        """Return a new untrained genome."""
+        scales: Any = {"weight": self.policy.initial_weight, "head": self.policy.initial_head}
+        return self.network.initial(rng, **scales)
+
+    def population(self, team: Team, genomes: Genomes) -> Population:
+        """Return genomes (n, genes) as a population; ValueError unless they are finite."""
+        return Population(genomes, self.network)
+
+    def shape_of(self, team: TeamPolicy) -> dict[str, Any]:
+        """Return what tells the network of opponents from elsewhere, as JSON holds it."""
+        if isinstance(team, str):
+            return {}
+        network = team.network
+        shape = {"activation": network.activation, "memory": network.memory}
+        return {"hidden": list(network.hidden), **shape}
+
+    def opponents(self, team: Team, genomes: Genomes, shape: Mapping[str, Any]) -> Population:
+        """Return genomes of opponents that may have a network of another shape."""
+        return Population(genomes, Network.for_config(self.world, **shape))
+
+    def check_opponents(self, team: TeamPolicy) -> None:
+        """Raise ValueError if opponents do not fit the world."""
+        if isinstance(team, Population):
+            check_fits("opponents", team.network, self.world)
+
+    def check_start(self, population: Population) -> None:
+        """Raise ValueError if a genome to start from has another network."""
+        if population.network != self.network:
+            got = population.network
+            raise ValueError(f"start: expected a genome of {self.network}, got {got}")
+
+    def scores(
+        self, first: Any, second: Any, matches: Matches, *, episodes: int, threads: int | None
+    ) -> Scores:
+        """Play M matches; the extras are those of `EpisodeStatistics`."""
+        played = self.play(self.world, first, second, matches, episodes=episodes, threads=threads)
+        return Scores(played.capture_rate, vars(played))
+
+    def values(self, scores: Scores, team: Team, measure: str, *, raw: bool = False) -> FloatArray:
+        """Return what a team is selected by, (M, N), of a measure of `FITNESS`.
+
+        The penalty on evaders that share cells is subtracted, unless `raw`.
+        """
+        if measure == "rewards":
+            returns = scores.extras[f"{team}_return"]
+            values = np.asarray(returns, dtype=np.float64)
+        else:
+            captured = scores.extras[measure.replace("-", "_")]
+            values = Scores(captured).of(team)
+        if team == "evader" and not raw:
+            overlap = np.asarray(scores.extras["evader_overlap"], dtype=np.float64)
+            values = values - self.penalty * overlap
+        return values
+
+    def costs(self, scores: Scores, team: Team) -> FloatArray:
+        """Return the collisions (M,) at fault of `team` in each match, per 1000 agent-steps."""
+        t = TEAMS.index(team)
+        # (M, worlds, teams, kinds); a rate over all worlds of a match, as `SafetyMonitor` counts.
+        faults = np.asarray(scores.extras["faults"])[:, :, t].sum(axis=(1, 2))
+        steps = np.asarray(scores.extras["agent_steps"])[:, :, t].sum(axis=1)
+        return np.asarray(1000.0 * faults / np.maximum(steps, 1), dtype=np.float64)
+
+    def row(self, scores: Scores) -> dict[str, float]:
+        """Return the values of an epoch in `columns`, without what is counted."""
+        # (M, worlds, teams, kinds of collision) -> (teams,)
+        faults = scores.extras["faults"].sum(axis=3).mean(axis=(0, 1))
+        return {
+            "capture_rate": float(scores.scores.mean(dtype=np.float64)),
+            "length": float(scores.extras["length"].mean()),
+            **{f"{t}_faults": float(n) for t, n in zip(TEAMS, faults, strict=True)},
+        }
+
+    def counted(self, scores: Scores) -> dict[str, int]:
+        """Return what the matches add to `counters`."""
+        steps, agent_steps = (scores.extras[name].sum() for name in ("length", "agent_steps"))
+        return {"steps": int(steps), "agent_steps": int(agent_steps)}
+
+    def experience(self, team: Team, *matches: Any, **options: Any) -> Experience:
+        """Play matches again for a learner by gradients; see `matrixworld.play.experience`."""
+        return experience(self.world, team, *matches, **options)
+
+    def record(self, pursuers: TeamPolicy, evaders: TeamPolicy, **match: Any) -> Episode:
+        """Record an episode; see `matrixworld.record`."""
+        return record(self.world, pursuers, evaders, **match)
