@@ -74,8 +74,9 @@ def judge(
         name: _judge_window(payoffs, window, level) for name, window in payoffs.windows.items()
     }
     return Judgement(
-        len(payoffs), payoffs.shape, payoffs.episodes, level, payoffs.late.name, windows
-    )
+        len(payoffs), payoffs.shape, payoffs.episodes, level, payoffs.late.name, windows,
+        payoffs.teams,
+    )  # fmt: skip
 
 
 def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:

@@ -10,6 +10,7 @@ from matrixworld._util.checks import check_choice, check_instance
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.measures import MEASURES
+from matrixworld.analysis.payoffs import TEAMS, in_words_of
 
 PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
 
@@ -51,6 +52,8 @@ class Judgement(Readable):
         Name of the window that headlines speak of: the last half, of short races the whole.
     windows : mapping of str to mapping of str to Finding
         Findings on the whole race, its first half and its last half, by condition.
+    teams : tuple of str, optional
+        What the teams are called.
     """
 
     runs: int
@@ -59,6 +62,7 @@ class Judgement(Readable):
     level: float
     window: str
     windows: Mapping[str, Findings]
+    teams: tuple[str, str] = TEAMS
 
     def _parts(self) -> Parts:
         return [*summary(self), judgement_cells(self)]
@@ -149,7 +153,7 @@ def sentence(judgement: Judgement) -> str:
     )
     if judgement.runs > 1:
         told = f"in the mean of {judgement.runs} runs, {told}"
-    return f"{told[0].upper()}{told[1:]}."
+    return in_words_of(judgement.teams, f"{told[0].upper()}{told[1:]}.")
 
 
 class _Claim(NamedTuple):
@@ -278,7 +282,7 @@ def headline_numbers(judgement: Judgement) -> list[str]:
         elif known:
             gains = [f"{team} {each.value:+.2f}" for team, each in known.items()]
             lines.append(f"{kind}: {', '.join(gains)} ({_named(window)})")
-    return lines
+    return [in_words_of(judgement.teams, line) for line in lines]
 
 
 def _numbered(judgement: Judgement) -> list[tuple[str, str]]:
@@ -309,7 +313,7 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
     ----------
     judgement : Judgement
     """
-    rows = [_row(*told) for told in _told(judgement)]
+    rows = [_row(judgement, *told) for told in _told(judgement)]
     return [("condition", "verdict", f"{judgement.level:.0%} interval", "window"), *rows]
 
 
@@ -338,12 +342,14 @@ def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
     return rows
 
 
-def _row(condition: str, finding: Finding, window: str) -> tuple[str, str, str, str]:
+def _row(
+    judgement: Judgement, condition: str, finding: Finding, window: str
+) -> tuple[str, str, str, str]:
     numbers = ", ".join(
         f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
         for key, estimate in finding.estimates.items()
     )
-    return condition, finding.verdict, numbers, _named(window)
+    return condition, finding.verdict, in_words_of(judgement.teams, numbers), _named(window)
 
 
 def explain(judgement: Judgement) -> str:
@@ -353,11 +359,12 @@ def explain(judgement: Judgement) -> str:
     ----------
     judgement : Judgement
     """
-    return "\n".join(
+    lines = "\n".join(
         f"{name.capitalize()}{'' if window == judgement.window else f' ({_named(window)})'}: "
         f"{finding.verdict}, because {finding.reason}.{_counts(finding.by_run)}"
         for name, finding, window in _told(judgement)
     )
+    return in_words_of(judgement.teams, lines)
 
 
 def _counts(by_run: tuple[str, ...]) -> str:

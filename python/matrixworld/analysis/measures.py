@@ -125,7 +125,7 @@ def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
         text = f"{MEASURES[name].label:53}{MEASURES[name].shown(estimate)}"
         lines.append(f"    {text} {notes.get(estimate.note, '')}".rstrip())
     lines += [f"  {mark} {note}" for note, mark in notes.items()]
-    return "\n".join(lines)
+    return payoff_module.in_words_of(payoffs.teams, "\n".join(lines))
 
 
 def _heading(payoffs: Payoffs, estimates: Mapping[str, Estimate], level: float) -> str:

@@ -34,6 +34,8 @@ GENERATIONS_TO_JUDGE = 6
 EPISODES_TO_JUDGE = 4
 """Fewest episodes of each cell that show their noise: two in each half."""
 
+TEAMS = ("pursuers", "evaders")
+"""What the teams are called, unless a game has other names."""
 PER_EPISODE = "scores"
 """Name of the array of an .npz file that holds all episodes, as in run directories."""
 MEANS = ("mean", "capture_rate", "payoff", "payoffs")
@@ -75,18 +77,20 @@ class Payoffs(Readable):
     """Payoff matrices (runs, n, m) of independent runs, and their episodes if known.
 
     `scores` (runs, n, m, episodes): the capture rate of each of the `episodes` behind each cell.
+    `teams`: what the teams are called in words.
     """
 
     matrices: Rates
     scores: Rates | None = None
     episodes: int | None = None
+    teams: tuple[str, str] = TEAMS
 
     def __len__(self) -> int:
         return len(self.matrices)
 
     def _parts(self) -> Parts:
         of = "" if len(self) == 1 else f", means of {len(self)} runs"
-        head = f"Capture rates of pursuers (rows) against evaders{of}:"
+        head = in_words_of(self.teams, f"Capture rates of pursuers (rows) against evaders{of}:")
         return [head, matrix_table(self.matrices.mean(axis=0))]
 
     @property
@@ -104,12 +108,13 @@ class Payoffs(Readable):
     def _runs(self) -> list[Payoffs]:
         scores = [None] * len(self) if self.scores is None else self.scores[:, None]
         matrices = self.matrices[:, None]
-        return [Payoffs(*run, self.episodes) for run in zip(matrices, scores, strict=True)]
+        parts = zip(matrices, scores, strict=True)
+        return [Payoffs(*run, self.episodes, self.teams) for run in parts]
 
     def select(self, runs: list[int]) -> Payoffs:
         """Return the payoffs of some of the runs."""
         scores = None if self.scores is None else self.scores[runs]
-        chosen = Payoffs(self.matrices[runs], scores, self.episodes)
+        chosen = Payoffs(self.matrices[runs], scores, self.episodes, self.teams)
         # What is known of single runs stays known.
         vars(chosen)["_runs"] = [self.runs[run] for run in runs]
         return chosen
@@ -158,6 +163,18 @@ class Payoffs(Readable):
         """The window that headlines and tables speak of: last half, of short races the whole."""
         half = self.windows["last half"]
         return half if half.generations >= GENERATIONS_TO_JUDGE else self.windows["whole"]
+
+
+def in_words_of(teams: tuple[str, str], text: str) -> str:
+    """Return a text about pursuit in the words of a game whose teams have other names."""
+    if teams == TEAMS:
+        return text
+    words = {
+        **dict(zip(TEAMS, teams, strict=True)),
+        "Capture rate": "Score",
+        "capture rate": "score",
+    }
+    return re.sub("|".join(words), lambda found: words[found[0]], text)
 
 
 def check_payoff(payoff: ArrayLike) -> Rates:
@@ -226,7 +243,12 @@ Source: TypeAlias = (
 
 
 def read_payoffs(
-    source: Source, *, per_episode: bool = False, episodes: int | None = None, exact: bool = False
+    source: Source,
+    *,
+    per_episode: bool = False,
+    episodes: int | None = None,
+    exact: bool = False,
+    teams: tuple[str, str] = TEAMS,
 ) -> Payoffs:
     """Read payoffs from an array, a file or several files.
 
@@ -243,6 +265,8 @@ def read_payoffs(
     exact : bool, optional
         Whether more episodes would have the same scores, as in a deterministic game: then one of
         each cell shows that there is no noise. The default is False.
+    teams : tuple of str, optional
+        What the teams are called in words.
 
     Notes
     -----
@@ -270,7 +294,9 @@ def read_payoffs(
     if exact:
         # What any number of episodes would be.
         scores = np.repeat(payoffs.matrices[..., np.newaxis], EPISODES_TO_JUDGE, axis=3)
-        return Payoffs(payoffs.matrices, scores, EPISODES_TO_JUDGE)
+        payoffs = Payoffs(payoffs.matrices, scores, EPISODES_TO_JUDGE)
+    if teams != TEAMS:
+        payoffs = replace(payoffs, teams=teams)
     if episodes is None:
         return payoffs
     number = check_integer("episodes", episodes, 1)

@@ -305,7 +305,7 @@ def tournament_command(
             play: Any = {"episodes": episodes, "threads": threads, "executor": executor}
             payoff = tournament(world, *teams, seed=seed, on_row=on_row, **play)
         # Generations of two runs have no common order in time, and are not judged.
-        judgement = None if rival else analysis.judge(payoff.scores, per_episode=True)
+        judgement = None if rival else analysis.judge(payoff.payoffs())
         shown = analysis.headline(judgement) if judgement else f"against evaders of {theirs.title}"
         title = f"{'pursuers of ' if rival else ''}{ours.title}\n{shown}"
         save_arrays(target, payoff.arrays())

@@ -19,7 +19,7 @@ from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS, Team, payoffs_of
 
 OF_ONE_TEAM = ("capture_rate", "length")
 
@@ -69,9 +69,7 @@ class RunGroup:
     @cached_property
     def payoffs(self) -> Payoffs:
         """Payoffs of all runs."""
-        payoffs = [run.payoff() for run in self.runs]
-        scores = np.stack([payoff.scores for payoff in payoffs])
-        return analysis.read_payoffs(scores, per_episode=True, exact=payoffs[0].exact)
+        return payoffs_of([run.payoff() for run in self.runs])
 
     @cached_property
     def judgement(self) -> Judgement:

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_floats, check_instance, check_threads
+from matrixworld._util.checks import check_floats, check_instance, check_integer, check_threads
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution import storage, types
@@ -28,7 +28,7 @@ from matrixworld.coevolution.learners.learner import Learner, Results
 from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.progress import LOG, OnEpoch, Progress, Report, silent
 from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit
-from matrixworld.coevolution.race import Against
+from matrixworld.coevolution.race import Against, OfGenerations
 from matrixworld.coevolution.sections import PluginError, different_settings
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
@@ -289,6 +289,7 @@ class Run:
             episodes=self.settings.evaluation_episodes,
             threads=self.threads,
             generations=(g, h),
+            known=self.files.payoff() if (self.files.path / storage.PAYOFF).exists() else None,
             on_row=lambda played: self.report("tournament", played),
         )
 
@@ -553,6 +554,36 @@ class Run:
             return self.settings.schedule.entries**2
         [team] = self.settings.learning_teams
         return self.size(self.opponents(team))
+
+
+def lengthen(directory: str | Path, generations: int) -> None:
+    """Let a race have more generations; it then goes on as if it had had them from the beginning.
+
+    ValueError if that cannot be: for one team alone, fewer generations than there are, a learner
+    that anneals over the whole run, or a race without checkpoints.
+    """
+    files = storage.RunWriter(directory)
+    with files.lock():
+        settings, path = files.settings, files.path
+        schedule = settings.schedule
+        if not isinstance(schedule, OfGenerations):
+            raise ValueError(f"{path}: expected a race, got a run of one team")
+        if check_integer("generations", generations, 1) < schedule.generations:
+            least = f"at least the {schedule.generations} of {path}"
+            raise ValueError(f"generations: expected {least}, got {generations}")
+        for team in settings.learning_teams:
+            if getattr(settings.learner_of(team), "anneal", False):
+                where = f"{path}: {settings.learner_path(team)}.anneal"
+                raise ValueError(
+                    f"{where}: expected false in a race that becomes longer, got true: its rates "
+                    "depend on the number of all epochs"
+                )
+        if not files.has_checkpoint:
+            raise ValueError(
+                f"{path}: expected the checkpoint of its last stage, got none, as in a race that "
+                "a page has saved"
+            )
+        files.change(settings.changed({"schedule.generations": generations}))
 
 
 def total_matches(settings: RaceSettings, pairs: int) -> int:

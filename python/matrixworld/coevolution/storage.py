@@ -44,7 +44,9 @@ from numpy.typing import NDArray
 from matrixworld._util import files
 from matrixworld._util.checks import check_choice
 from matrixworld._util.readable import html_of
+from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.game import Game
+from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.pursuit import NetworkPolicy, Pursuit
 from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -195,7 +197,9 @@ class SavedRun:
     @property
     def finished(self) -> bool:
         """Whether the run has its results."""
-        return (self.path / SUMMARY).exists() and (self.path / PAYOFF).exists()
+        exist = (self.path / SUMMARY).exists() and (self.path / PAYOFF).exists()
+        # A race that was made longer has results of its first stages.
+        return exist and bool(self.summary()["stages"] >= self.settings.schedule.n_stages)
 
     # What the files hold:
 
@@ -241,6 +245,10 @@ class SavedRun:
         extras = {name: arrays[name] for name in kind.payoff_extras()}
         exact = settings.game is not None and settings.game.deterministic
         return Payoff(arrays["scores"], extras, settings.teams, exact, kind.score_words[0])
+
+    def judge(self) -> Judgement:
+        """Return the judgement of a race; FileNotFoundError while the run is not finished."""
+        return judge(self.payoff().payoffs())
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
@@ -393,6 +401,32 @@ class SavedRun:
         genome = policy.genomes[self.generation(team, generation, "generation")]
         return NetworkPolicy(policy.network, genome, sampled=sampled, seed=seed)
 
+    def extend(
+        self, generations: int, *, threads: int | None = None, report: Report = silent
+    ) -> SavedRun:
+        """Return the run of a race that goes on for more generations.
+
+        It is the same, bit for bit, as if the race had had them from the beginning. A run that is
+        stopped goes on by the same call, or as any other.
+
+        Parameters
+        ----------
+        generations : int
+            Generations of the longer race.
+        threads, report
+            As for `Run`.
+
+        Raises
+        ------
+        ValueError
+            If the race cannot go on: fewer generations than it has, one team alone, a learner that
+            anneals over the whole run, no checkpoint, or a game that has changed.
+        """
+        from matrixworld.coevolution import run
+
+        run.lengthen(self.path, generations)
+        return run.finish(self.path, threads=threads, report=report)
+
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.
 
@@ -516,6 +550,17 @@ class RunWriter(SavedRun):
         files.save_json(self.path / CONFIG, self.config)
         counters = ("matches", *self.settings.kind_of_game.counters)
         self.save(0, archive, [], dict.fromkeys(counters, 0), states)
+
+    @property
+    def has_checkpoint(self) -> bool:
+        """Whether there is a checkpoint of the newest stage."""
+        return self.newest() in self._numbers("checkpoint")
+
+    def change(self, settings: RaceSettings) -> None:
+        """Write config.json with other settings of the same run."""
+        config = {**self.config, "settings": settings.to_json()}
+        files.save_json(self.path / CONFIG, config)
+        self.config, self.settings = config, settings
 
     def save(
         self,

@@ -5,7 +5,7 @@ Whatever a game calls its teams, its first team is the pursuers here, and the se
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from matrixworld._util.readable import Parts, Readable, matrix_table
+from matrixworld.analysis.payoffs import Payoffs, read_payoffs
 
 Team: TypeAlias = Literal["pursuer", "evader"]
 TEAMS: tuple[Team, Team] = get_args(Team)
@@ -92,7 +93,17 @@ class Payoff(Readable):
         # In float64: the sum of many float32 rates would round.
         return np.asarray(self.scores.mean(axis=2, dtype=np.float64))
 
+    def payoffs(self) -> Payoffs:
+        """Return what the analysis reads of it."""
+        return payoffs_of([self])
+
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return scores, their means and standard deviations, and extras, as payoff.npz does."""
         spread = np.asarray(self.scores.std(axis=2, dtype=np.float64))
         return {"scores": self.scores, "mean": self.matrix, "std": spread, **self.extras}
+
+
+def payoffs_of(runs: Sequence[Payoff]) -> Payoffs:
+    """Return the payoffs of runs with the same settings as the analysis reads them."""
+    scores, first = np.stack([run.scores for run in runs]), runs[0]
+    return read_payoffs(scores, per_episode=True, exact=first.exact, teams=first.teams)

@@ -18,7 +18,7 @@ import json
 import os
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -34,7 +34,7 @@ from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.analysis.judgement import headline_numbers
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.coevolution.evaluation.tournament import team_size, tournament
+from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -52,7 +52,6 @@ from matrixworld.explorer.page import (
 from matrixworld.explorer.playground import page_data, playground_page
 from matrixworld.explorer.teams import MOST_BYTES, plain_team, step_of
 from matrixworld.version import __version__
-from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.render import png
 from matrixworld.world.rules import variant_name
 
@@ -305,8 +304,7 @@ def findings(payoff: Payoff) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
     matrix = payoff.matrix
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
-    scores = analysis.read_payoffs(payoff.scores, per_episode=True)
-    judgement = analysis.judge(scores)
+    judgement = analysis.judge(payoff.payoffs())
     return {
         "sentence": analysis.sentence(judgement),
         "headline": analysis.headline(judgement),
@@ -437,24 +435,4 @@ def extended(run: SavedRun, known: Payoff | None) -> Payoff:
     settings = run.settings
     episodes = min(SO_FAR, settings.evaluation_episodes)
     play = partial(tournament, settings.world, seed=settings.seed, episodes=episodes, threads=1)
-    if known is None:
-        return play(pursuers, evaders)
-    g, h = known.matrix.shape
-    if h < team_size(evaders):
-        known = _joined(
-            known, play(_part(pursuers, 0, g), _part(evaders, h), generations=(0, h)), 1
-        )
-    if g < team_size(pursuers):
-        known = _joined(known, play(_part(pursuers, g), evaders, generations=(g, 0)), 0)
-    return known
-
-
-def _joined(known: Payoff, new: Payoff, axis: int) -> Payoff:
-    old, more = known.arrays(), new.arrays()
-    joined = {name: np.concatenate([old[name], more[name]], axis=axis) for name in old}
-    extras = {name: joined[name] for name in known.extras}
-    return replace(known, scores=joined["scores"], extras=extras)
-
-
-def _part(team: TeamPolicy, first: int, last: int | None = None) -> TeamPolicy:
-    return team if isinstance(team, str) else Population(team.genomes[first:last], team.network)
+    return play(pursuers, evaders, known=known)

@@ -30,6 +30,7 @@ def tournament(
     episodes: int,
     threads: int | None = None,
     generations: tuple[int, int] = (0, 0),
+    known: Payoff | None = None,
     on_row: Callable[[int], None] = lambda played: None,
     executor: Executor | None = None,
 ) -> Payoff:
@@ -50,6 +51,8 @@ def tournament(
         Threads that the game may use. By default all cores. Results do not depend on it.
     generations : tuple of int, optional
         Generations of the first members of both teams, which the seeds depend on.
+    known : Payoff, optional
+        Results of the first members of both teams, which are not played again.
     on_row : callable, optional
         Called after each row of the matrix with the number of episodes played so far.
     executor : concurrent.futures.Executor, optional
@@ -72,27 +75,33 @@ def tournament(
     size = team_size(first), team_size(second)
     numbers = (range(start, start + n) for start, n in zip(generations, size, strict=True))
     seeds = np.array([evaluation_seed(seed, g, h) for g, h in product(*numbers)], np.uint64)
-    columns = np.arange(size[1])
+    columns, part = np.arange(size[1]), known.matrix.shape if known else (0, 0)
     # One row at a time, so that the progress can be reported.
-    rows = [
-        partial(game.scores, one, second, (np.zeros_like(columns), columns, row), episodes=episodes)
-        for one, row in zip(each_genome(first), seeds.reshape(size), strict=True)
-    ]
+    blocks, places = [], []
+    for g, (one, row) in enumerate(zip(each_genome(first), seeds.reshape(size), strict=True)):
+        new = columns[part[1] if g < part[0] else 0 :]
+        if len(new):
+            matches = np.zeros_like(new), new, row[new]
+            blocks.append(partial(game.scores, one, second, matches, episodes=episodes))
+            places.append((g, new))
     kept: dict[str, NDArray[Any]] = {}
+    if known:
+        for name, values in {"scores": known.scores, **known.extras}.items():
+            kept[name] = np.zeros((*size, *values.shape[2:]), values.dtype)
+            kept[name][: part[0], : part[1]] = values
     played = 0
-    for row, scores in play_blocks(rows, threads, executor):
-        found = {"scores": scores.scores}
-        found |= {name: scores.extras[name] for name in (*game.single, *game.means)}
+    for number, scores in play_blocks(blocks, threads, executor):
+        # Scores and lengths keep single episodes, from which intervals are computed.
+        found = {"scores": scores.scores.astype(np.float32)}
+        found |= {f"{name}s": scores.extras[name] for name in game.single}
+        found |= {name: scores.extras[name].mean(axis=1) for name in game.means}
         for name, values in found.items():
             if name not in kept:
-                kept[name] = np.empty((size[0], *values.shape), values.dtype)
-            kept[name][row] = values
+                kept[name] = np.zeros((*size, *values.shape[1:]), values.dtype)
+            kept[name][places[number]] = values
         played += scores.scores.size
         on_row(played)
-    # Scores and lengths keep single episodes, from which intervals are computed.
-    extras = {f"{name}s": kept[name] for name in game.single}
-    extras |= {name: kept[name].mean(axis=2) for name in game.means}
-    rates = kept["scores"].astype(np.float32)
+    rates, extras = kept.pop("scores"), kept
     return Payoff(rates, extras, game.teams, game.deterministic, game.score_words[0])
 
 

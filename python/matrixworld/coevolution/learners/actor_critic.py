@@ -327,7 +327,7 @@ class ActorCritic(learner.Learner):
             weights[name] = orthogonal(sizes, rng)
         state = {
             "multiplier": np.array(0.0),
-            "epochs": np.array(task.epochs),
+            **({"epochs": np.array(task.epochs)} if self.anneal else {}),
             "sizes": np.array(network.sizes),
             "value_sizes": np.array(sizes),
             "tanh": np.array(network.activation == "tanh"),

@@ -82,7 +82,7 @@ class EvolutionStrategy(learner.Learner):
         velocity = {"velocity": np.zeros_like(genome), "updates": np.array(0)}
         return {
             "genome": genome,
-            "epochs": np.array(task.epochs),
+            **({"epochs": np.array(task.epochs)} if self.anneal else {}),
             **task.noise_state(),
             **(learner.adam_state(genome.size) if self.momentum is None else velocity),
         }

@@ -132,7 +132,8 @@ class Learner(Section):
     a saved state bit for bit.
 
     A learner of your own is a frozen dataclass with this base, in the settings itself or by its
-    name ``module:object``. Its fields are its settings: numbers, text, true or false.
+    name ``module:object``. Its fields are its settings: numbers, text, true or false. With a field
+    ``anneal`` that is true, a race cannot become longer.
     `check_learner` checks it.
 
     Parameters

@@ -1,0 +1,67 @@
+"""Races that become longer."""
+
+from pathlib import Path
+
+import pytest
+
+from matrixworld.coevolution import RaceSettings, Run, open_run
+from matrixworld.coevolution.run import lengthen
+from tiny_race import StopAt, alternating, played, playing, results, tiny_race, tiny_single
+
+LONG = {
+    "es": tiny_race(generations=4),
+    "ga": tiny_race(generations=4, learner="ga"),
+    "hall-of-fame": tiny_race(generations=4, schedule="hall-of-fame", hall_sample=1),
+    "psro": tiny_race(generations=4, schedule="psro"),
+    "prioritized": alternating("prioritized-hard", retest_episodes=1),
+}
+
+
+def shorter(settings: RaceSettings) -> RaceSettings:
+    return settings.changed({"schedule.generations": 2})
+
+
+@pytest.mark.parametrize("kind", LONG)
+def test_a_longer_race_is_the_same_as_one_that_was_long_from_the_beginning(
+    kind: str, tmp_path: Path
+) -> None:
+    played(LONG[kind], tmp_path / "long")
+    short = played(shorter(LONG[kind]), tmp_path / "short")
+    assert short.payoff().matrix.shape == (3, 3)
+    assert short.extend(4, threads=1).payoff().matrix.shape == (5, 5)
+    assert results(tmp_path / "short") == results(tmp_path / "long")
+    short.extend(4)  # nothing is left to play
+    assert results(tmp_path / "short") == results(tmp_path / "long")
+
+
+def test_a_longer_race_can_be_stopped_and_plays_new_cells_only(tmp_path: Path) -> None:
+    played(LONG["es"], tmp_path / "long")
+    path = played(shorter(LONG["es"]), tmp_path / "short").path
+    lengthen(path, 4)
+    assert not open_run(path).finished
+    # 2 pursuer and 3 evader epochs of two generations; then 3 rows of 2 cells and 2 rows of 5.
+    for call in (0, 4, 10):
+        with pytest.raises(KeyboardInterrupt):
+            playing(Run(path, threads=1), StopAt(call)).run()
+    with pytest.raises(KeyboardInterrupt):
+        playing(Run(path, threads=1), StopAt(4)).run()
+    assert not open_run(path).finished
+    playing(Run(path, threads=1), StopAt(5)).run()
+    assert results(path) == results(tmp_path / "long")
+
+
+def test_races_that_cannot_become_longer(tmp_path: Path) -> None:
+    race = played(tiny_race(), tmp_path / "race")
+    with pytest.raises(ValueError, match="expected at least the 2 of"):
+        race.extend(1)
+    annealed = played(tiny_race(anneal=True), tmp_path / "annealed")
+    with pytest.raises(ValueError, match=r"learner\.anneal: expected false"):
+        annealed.extend(3)
+    with pytest.raises(ValueError, match="expected a race, got a run of one team"):
+        played(tiny_single(), tmp_path / "single").extend(3)
+    before = results(race.path)
+    for file in race.path.glob("checkpoint-*.npz"):
+        file.unlink()
+    with pytest.raises(ValueError, match="expected the checkpoint of its last stage"):
+        race.extend(3)
+    assert {**before, **results(race.path)} == before  # nothing was changed
