@@ -14,7 +14,7 @@ from matrixworld import analysis
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import judgement as judgements
-from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, TEAMS, Payoffs
 from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli import console, options
 from matrixworld.cli.cluster import on_cluster
@@ -23,6 +23,7 @@ from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, t
 from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.tournament import team_size
 from matrixworld.coevolution.groups import RunGroup, job_directory
+from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import find_runs
 
 # Judgements:
@@ -116,7 +117,12 @@ def print_judgement(judgement: analysis.Judgement) -> None:
     runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
     pursuers, evaders = judgement.shape
     played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
-    console.say(f"\n{runs}, {pursuers} pursuer and {evaders} evader generations{played}")
+    if judgement.teams == TEAMS:
+        counted = f"{pursuers} pursuer and {evaders} evader generations"
+    else:
+        first, second = judgement.teams
+        counted = f"{pursuers} generations of {first} and {evaders} of {second}"
+    console.say(f"\n{runs}, {counted}{played}")
     console.print_table(judgements.judgement_cells(judgement), "<<<<")
     if judgement.episodes is None:
         console.print_wrapped(
@@ -288,26 +294,33 @@ def tournament_command(
     for ours in map(open_run, runs):
         theirs = rival or ours
         _check_worlds(ours, theirs)
-        world = replace(ours.settings.world, max_steps=steps or ours.settings.world.max_steps)
+        game, length = ours.game, ""
+        if isinstance(game, Pursuit):
+            world = replace(game.world, max_steps=steps or game.world.max_steps)
+            game, length = replace(game, world=world), f"x{world.max_steps}"
+        elif steps is not None:
+            raise click.UsageError(f"--steps: expected no value, {ours.path} is no run of pursuit")
         against = f"-against-{_dashed_name(rival.path)}" if rival else ""
-        name = f"tournament{against}-{episodes}x{world.max_steps}-seed{seed}{SUFFIX}"
+        name = f"tournament{against}-{episodes}{length}-seed{seed}{SUFFIX}"
         target = out or ours.path / name
         # With another suffix the figure could have the payoff's own name.
         if target.suffix.lower() != SUFFIX:
             raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
         figure = target.with_suffix(".png")
         options.check_outputs(target, figure, force=force)
-        teams = ours.teams["pursuer"], theirs.teams["evader"]
+        (first, _), (_, second) = ours.teams.values(), theirs.teams.values()
+        teams = first, second
         total = team_size(teams[0]) * team_size(teams[1]) * episodes
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
             on_row = partial(_tell, bar, total)
             on_row(0)  # the first row may take minutes, and the bar should be there before
             play: Any = {"episodes": episodes, "threads": threads, "executor": executor}
-            payoff = tournament(world, *teams, seed=seed, on_row=on_row, **play)
+            payoff = tournament(game, *teams, seed=seed, on_row=on_row, **play)
         # Generations of two runs have no common order in time, and are not judged.
         judgement = None if rival else analysis.judge(payoff.payoffs())
-        shown = analysis.headline(judgement) if judgement else f"against evaders of {theirs.title}"
-        title = f"{'pursuers of ' if rival else ''}{ours.title}\n{shown}"
+        first, second = payoff.teams
+        shown = analysis.headline(judgement) if judgement else f"against {second} of {theirs.title}"
+        title = f"{f'{first} of ' if rival else ''}{ours.title}\n{shown}"
         save_arrays(target, payoff.arrays())
         plots.save_figure(plots.payoff_heatmap(payoff.matrix, title=title), figure)
         console.print_head(str(ours.path))
@@ -324,11 +337,14 @@ def _tell(bar: ProgressBar, total: int, played: int) -> None:
 
 
 def _check_worlds(ours: SavedRun, theirs: SavedRun) -> None:
+    mine, other = ({"game": run.settings.game and run.settings.game.code} for run in (ours, theirs))
     # The limit of steps may differ between the runs.
-    mine, other = (replace(run.settings.world, max_steps=1).to_json() for run in (ours, theirs))
+    for plain, run in ((mine, ours), (other, theirs)):
+        if run.settings.world:
+            plain |= replace(run.settings.world, max_steps=1).to_json()
     for name, value in mine.items():
-        if other[name] != value:
-            got = f"{name} {value!r} and {other[name]!r}"
+        if other.get(name) != value:
+            got = f"{name} {value!r} and {other.get(name)!r}"
             raise click.UsageError(f"expected two runs in the same world, got {got}")
 
 

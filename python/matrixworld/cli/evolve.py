@@ -90,6 +90,12 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
     metavar="DIR",
     help="a new directory for the runs  [default: in runs/, named after variant and seed]",
 )
+@click.option(
+    "--game",
+    metavar="MODULE:OBJECT",
+    help="a game of your own, a matrixworld.Game in a module that can be imported  [default: "
+    "pursuit and evasion]",
+)
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
@@ -107,7 +113,10 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
     "module:object  [default: es]",
 )
 @click.option(
-    "--generations", type=int, metavar="INTEGER", help="generations of a race  [default: 30]"
+    "--generations",
+    type=int,
+    metavar="INTEGER",
+    help="generations of a race; with --resume, a race goes on until it has as many  [default: 30]",
 )
 @options.shared("seed", "seeds", "threads", "cluster")
 @click.option(
@@ -116,6 +125,9 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
     type=click.Path(path_type=Path),
     metavar="DIR",
     help="continue the run, or all runs, in this directory",
+)
+@click.option(
+    "--force", is_flag=True, help="with --resume: go on although the source of the game has changed"
 )
 @click.option(
     "--set",
@@ -141,11 +153,12 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
+    force: bool,
     threads: int | None,
     where: str | None,
     **settings: Any,
 ) -> None:
-    """Let pursuers and evaders evolve against each other.
+    """Let two populations evolve against each other: pursuers and evaders, or those of your game.
 
     Without options: three races at equal numbers of training matches. In the first, each team
     learns against the newest opponents only (specialists), in the second against living ones and a
@@ -169,7 +182,13 @@ def evolve_command(
     """
     given = options.given(settings)
     with console.warnings_as_notes():
-        root, job = _new_job(given, output) if resumed is None else _found(resumed, given, output)
+        if resumed is None and force:
+            raise click.UsageError("--force: expected --resume beside it")
+        root, job = (
+            _new_job(given, output)
+            if resumed is None
+            else _found(resumed, given, output, force=force)
+        )
         # Some settings can be checked only when opponents and start genomes have been read.
         with setting_options.usage_errors():
             jobs.check_job(job, root, threads, elsewhere=where is not None)
@@ -239,17 +258,23 @@ def _new_job(given: Mapping[str, Any], output: Path | None) -> tuple[Path, jobs.
     return root, job
 
 
-def _found(root: Path, given: Mapping[str, Any], output: Path | None) -> tuple[Path, jobs.Job]:
-    """Return a directory that holds runs, and its job, beside which there are no settings."""
+def _found(
+    root: Path, given: Mapping[str, Any], output: Path | None, *, force: bool
+) -> tuple[Path, jobs.Job]:
+    """Return a directory that holds runs, and its job; its races become longer if that is asked."""
     if not storage.find_runs(root):
         refused = options.refusal(root, "a directory that holds a run")
         raise click.UsageError(f"--resume: {refused}")
-    names = [*(["--out"] if output else []), *map(options.option_name, given)]
+    generations = given.get("generations")
+    others = (name for name in given if name != "generations")
+    names = [*(["--out"] if output else []), *map(options.option_name, others)]
     if names:
         raise click.UsageError(
-            f"--resume: expected no settings beside it, because a run keeps its own, got "
-            f"{', '.join(names)}"
+            f"--resume: expected no settings but --generations beside it, because a run keeps its "
+            f"own, got {', '.join(names)}"
         )
+    with setting_options.usage_errors():
+        jobs.change(root, generations=generations, force=force)
     return root, jobs.found_job(root)
 
 
@@ -270,7 +295,9 @@ def _plan(job: jobs.Job, root: Path) -> str:
     """Return what is going to be played, and where."""
     first, *_ = settings = [*job.values()]
     world, what = first.world, "race" if all(each.is_race for each in settings) else "run"
-    teams = f"{world.n_pursuers} pursuers and {world.n_evaders} evaders"
+    teams = " and ".join(first.teams)
+    if world:
+        teams = f"{world.n_pursuers} pursuers and {world.n_evaders} evaders"
     count = f"{len(settings)} {what}{'s' * (len(settings) > 1)}"
     return f"{first.variant}, {teams}, {count}, in {root}"
 
@@ -291,12 +318,13 @@ def play(
     The page shows the runs while they go on. The error of a single run is raised.
     """
     page, told = GrowingPage(root, shown(job)), len(job) == 1
+    own = any(each.game for each in job.values())
 
     def tell(progress: Progress) -> None:
         nonlocal told
         bar(progress)
         page.write()
-        if not (told or progress.what.startswith("0 of ")):
+        if not (told or own or progress.what.startswith("0 of ")):
             told, runs = True, (root / name for name in job)
             first = next(path for path in runs if SavedRun(path).finished)
             typed = console.command("replay", first)
@@ -335,7 +363,8 @@ def report(
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]
     with ProgressBar() as bar:
-        kept_scores([run for g in races for run in g.runs], threads=threads, report=bar)
+        of_pursuit = [group for group in races if not group.runs[0].settings.game]
+        kept_scores([run for g in of_pursuit for run in g.runs], threads=threads, report=bar)
     if finished:
         draw(finished, root)
     took = tqdm.format_interval(time.monotonic() - began)
@@ -356,11 +385,11 @@ def report(
         console.print_head(group.name)
         console.print_wrapped("\n".join(_lines(group)))
         console.print_missing(group)
-    if races:
+    if of_pursuit:
         console.print_head(
             "Score against opponents nobody trained on (from 0 to 1, more is better)"
         )
-        rows = [(g.name, *(f"{g.held_out(team).mean():.2f}" for team in TEAMS)) for g in races]
+        rows = [(g.name, *(f"{g.held_out(team).mean():.2f}" for team in TEAMS)) for g in of_pursuit]
         console.print_table([("", "pursuers", "evaders"), *rows], "<>>")
     for path, problem in failed.items():
         console.print_wrapped(f"Failed: {path}: {problem}")
@@ -386,13 +415,17 @@ def _lines(group: RunGroup) -> list[str]:
         return [console.seeds_finished(group)]
     if group.is_race:
         return summary(group.judgement)
-    schedule, means = group.runs[0].settings.schedule, group.means()
+    settings, means = group.runs[0].settings, group.means()
+    schedule = settings.schedule
     assert isinstance(schedule, Against)  # one team evolved
-    return [
-        f"capture rate {means['capture_rate']}",
-        f"{schedule.team}s after {schedule.epochs:,} epochs against {schedule.opponent}",
-        f"an episode takes {means['length'].value:.0f} steps",
+    team = settings.teams[TEAMS.index(schedule.team)]
+    lines = [
+        f"{settings.kind_of_game.score_words[0]} {next(iter(means.values()))}",
+        f"{team} after {schedule.epochs:,} epochs against {schedule.opponent}",
     ]
+    if "length" in means:
+        lines.append(f"an episode takes {means['length'].value:.0f} steps")
+    return lines
 
 
 def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:

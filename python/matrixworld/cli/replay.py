@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, cast
@@ -10,8 +11,9 @@ from typing import Any, cast
 import click
 
 from matrixworld._util.checks import SEED_MAX, check_choice
+from matrixworld._util.files import replacing
 from matrixworld.cli import options
-from matrixworld.cli.console import say
+from matrixworld.cli.console import say, warnings_as_notes
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -142,8 +144,16 @@ def replay_command(
     count from the last. FILE: an episode that --out or Episode.save has written. VARIANT (O, SB,
     ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
     the name of a script, such as chaser or fleer; an unknown name prints all of them.
+
+    RUN of a game of your own: what the game shows of a match of two generations, --pursuer of its
+    first team and --evader of the second. An image needs --out, a .png.
     """
     given = options.given(click.get_current_context().params)
+    if isinstance(source, Path) and source.is_dir():
+        run = open_run(options.run_in(source, given.get("race")))
+        if run.settings.game:
+            show_match(run, given, out, force=force)
+            return
     suffixes = {path.suffix.lower() for path in out}
     if not suffixes - {".npz"}:  # the terminal shows neither fields of view nor numbers
         _refuse(given.keys() & {"view", "numbers"}, "--out writes no picture")
@@ -180,6 +190,38 @@ def replay_command(
     caught, of = int(played.counted[-1].sum()), played.n_evaders
     written = ", ".join(map(str, out))
     say(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
+
+
+# The match of a game of your own:
+
+
+def show_match(
+    run: SavedRun, given: Mapping[str, Any], out: Sequence[Path], *, force: bool
+) -> None:
+    """Print or write what the game of a run shows of two genomes."""
+    known = {"source", "race", "out", "force", *TEAMS}
+    _refuse(given.keys() - known, f"{run.path} is a run of a game of your own")
+    options.check_outputs(*out, force=force)
+    with warnings_as_notes(), usage_errors():
+        genomes = []
+        for team, key in zip(TEAMS, run.settings.keys, strict=True):
+            who = str(given.get(team, -1))
+            if not re.fullmatch(r"-?\d+", who):
+                raise ValueError(f"{team}: expected a generation of the run, got {who!r}")
+            genomes.append(run.teams[key].genomes[run.generation(key, int(who), team)])
+        shown = run.settings.evaluation_game.shown(*genomes)
+    if isinstance(shown, str):
+        _refuse({"out"} & given.keys(), "the game shows text")
+        say(shown)
+        return
+    if not out:
+        raise click.UsageError("--out: expected a .png, because the game shows an image")
+    for path in out:
+        if path.suffix.lower() != ".png":
+            raise click.UsageError(f"--out: expected a name that ends in .png, got {path}")
+        with replacing(path) as file:
+            file.write(shown)
+        say(path)
 
 
 # The match of a source:

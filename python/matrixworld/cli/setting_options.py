@@ -31,6 +31,7 @@ ALL = "all"
 HINTS = hints_of(RaceSettings)
 
 PATHS = {
+    "game": "game",
     "variant": "world.rules",
     "rows": "world.rows",
     "cols": "world.cols",

@@ -116,7 +116,7 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
 
 def _solve_runs(group: RunGroup, threads: int | None) -> dict[str, Any]:
     """Print exact scores of the opponents of each team of a group; return them as JSON has them."""
-    states = States(group.runs[0].settings.world, threads=threads)
+    states = States(group.runs[0].pursuit.world, threads=threads)
     value = solve(states).value
     found: dict[str, Any] = {"value": value, "seeds": list(group.seeds)}
     for champion in group.runs[0].settings.learning_teams:

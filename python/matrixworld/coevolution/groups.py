@@ -21,8 +21,6 @@ from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
 from matrixworld.coevolution.types import TEAMS, Team, payoffs_of
 
-OF_ONE_TEAM = ("capture_rate", "length")
-
 
 @dataclass(frozen=True)
 class RunGroup:
@@ -91,17 +89,19 @@ class RunGroup:
         return np.array([[last["value"] for [last] in against] for against in of_runs])
 
     def means(self) -> dict[str, Estimate]:
-        """Return capture rate and length of episodes of a team that evolved alone.
+        """Return the score, and of pursuit the length of episodes, of a team that evolved alone.
 
         Means over the seeds; those of a single run have their intervals over its episodes.
         """
         rows = [run.summary() for run in self.runs]
+        kind = self.runs[0].settings.kind_of_game
+        names = (next(iter(kind.columns)), *kind.single)
         if len(rows) > 1:
             over_runs = partial(analysis.interval_over_runs, bounds=(0.0, math.inf))
-            return {name: over_runs([row[name] for row in rows]) for name in OF_ONE_TEAM}
+            return {name: over_runs([row[name] for row in rows]) for name in names}
         [row] = rows
         found = {}
-        for name in OF_ONE_TEAM:
+        for name in names:
             mean, low, high = (row[name + end] for end in ("", "_low", "_high"))
             found[name] = Estimate(mean, low, high, "episodes", row["evaluation_matches"])
         return found
@@ -113,12 +113,14 @@ class RunGroup:
             return plain
         if not self.is_race:
             return {**plain, "measures": plain_values(self.means())}
+        plain["judgement"] = self.judgement.to_json()
+        plain["measures"] = plain_values(analysis.measure_all(self.payoffs))
+        if self.runs[0].settings.game:
+            return plain
         scores = {f"{team}s": self.held_out(team) for team in TEAMS}
         over_runs = partial(analysis.interval_over_runs, bounds=(0.0, 1.0))
         return {
             **plain,
-            "judgement": self.judgement.to_json(),
-            "measures": plain_values(analysis.measure_all(self.payoffs)),
             "held_out": {
                 team: {
                     "mean": plain_values(over_runs(each.mean(axis=1))),
@@ -133,11 +135,12 @@ class RunGroup:
         [run] = self.runs
         if not self.is_race:
             return run.summary()
+        held_out = {} if run.settings.game else {"held_out": kept_scores(self.runs)[0]}
         return {
             **run.summary(),
             "measures": plain_values(analysis.measure_all(self.payoffs)),
             "judgement": self.judgement.to_json(),
-            "held_out": kept_scores(self.runs)[0],
+            **held_out,
         }
 
 

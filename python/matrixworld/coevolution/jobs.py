@@ -99,6 +99,22 @@ def found_job(root: Path) -> Job:
     return {path.relative_to(root).as_posix(): storage.SavedRun(path).settings for path in paths}
 
 
+def change(root: Path, *, generations: int | None = None, force: bool = False) -> None:
+    """Let the races of a job become longer, and accept the changed source of their game by force.
+
+    Errors are those of `run.lengthen`; of several races none is changed then.
+    """
+    paths = storage.find_runs(root)
+    if force:
+        for path in paths:
+            run.accept_source(path)
+    if generations is not None:
+        for path in paths:
+            run.lengthen(path, generations, only_check=True)
+        for path in paths:
+            run.lengthen(path, generations)
+
+
 class FailedRunsError(RuntimeError):
     """Some runs of a job have failed (`failures`, by directory); the others are `finished`."""
 
@@ -219,7 +235,10 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
             f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
         )
     for name in found:
-        run.check_same(storage.SavedRun(root / name), job[name])
+        saved = storage.SavedRun(root / name)
+        run.check_same(saved, job[name])
+        if not saved.finished:
+            run.check_source(saved)
     left = {n: each for n, each in job.items() if not storage.SavedRun(root / n).finished}
     if not elsewhere:
         at_once = shares(len(left), threads)[0]

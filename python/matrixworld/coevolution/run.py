@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import sys
 import warnings
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -211,8 +212,7 @@ class Run:
         check_threads(threads)
         self.files: storage.RunWriter = storage.RunWriter(directory)
         self.settings: RaceSettings = self.files.settings
-        if self.settings.game and (changed := self.settings.game.changed()):
-            raise ValueError(f"{directory}: {changed}; --force goes on with it")
+        check_source(self.files)
         self.threads: int | None = threads
         teams = self.settings.learning_teams
         self.learners: dict[Team, Learner] = {
@@ -556,7 +556,22 @@ class Run:
         return self.size(self.opponents(team))
 
 
-def lengthen(directory: str | Path, generations: int) -> None:
+def check_source(run: storage.SavedRun) -> None:
+    """Raise ValueError if a game of your own has changed since a run began."""
+    if run.settings.game and (changed := run.settings.game.changed()):
+        raise ValueError(f"{run.path}: {changed}; evolve --resume with --force goes on with it")
+
+
+def accept_source(directory: str | Path) -> None:
+    """Let a run go on with the game as it is now, whose source has changed."""
+    files = storage.RunWriter(directory)
+    with files.lock():
+        game = files.settings.game
+        if game is not None and game.changed():
+            files.change(replace(files.settings, game=replace(game, digest="")))
+
+
+def lengthen(directory: str | Path, generations: int, *, only_check: bool = False) -> None:
     """Let a race have more generations; it then goes on as if it had had them from the beginning.
 
     ValueError if that cannot be: for one team alone, fewer generations than there are, a learner
@@ -566,6 +581,7 @@ def lengthen(directory: str | Path, generations: int) -> None:
     with files.lock():
         settings, path = files.settings, files.path
         schedule = settings.schedule
+        check_source(files)
         if not isinstance(schedule, OfGenerations):
             raise ValueError(f"{path}: expected a race, got a run of one team")
         if check_integer("generations", generations, 1) < schedule.generations:
@@ -583,7 +599,8 @@ def lengthen(directory: str | Path, generations: int) -> None:
                 f"{path}: expected the checkpoint of its last stage, got none, as in a race that "
                 "a page has saved"
             )
-        files.change(settings.changed({"schedule.generations": generations}))
+        if not only_check:
+            files.change(settings.changed({"schedule.generations": generations}))
 
 
 def total_matches(settings: RaceSettings, pairs: int) -> int:
