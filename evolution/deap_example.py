@@ -197,7 +197,7 @@ def best_response(
     )
     start = coevolution.Task(
         seed=int(rng.integers(2**31)), team=coevolution.TEAMS.index(team), epochs=budget.response,
-        untrained=network.initial, begin=None, world=budget.world, network=network,
+        untrained=network.initial, begin=None, game=coevolution.Pursuit(world=budget.world),
     )  # fmt: skip
     state = learner.start(start)
 

@@ -84,7 +84,7 @@ class MapRace(Run):
             if TEAMS[stage % 2] == "evader":
                 self.states["maps"] = vars(self.evolved_maps(1 + stage // 2))
         finally:
-            self.game = self.settings.training_game
+            self._play_on(self.settings.training_game.world)
 
     def begin_epoch(self, team: Team, generation: int, epoch: int) -> None:
         """Play the epoch on a map that the archive offers."""

@@ -47,6 +47,8 @@ def wrong_values(item: Field[Any], hint: Any) -> list[Any]:
         wrong: list[Any] = [3, ["es"], {"kind": "none of these"}, {"none of these": 1}, "no kind"]
     elif hint is WorldConfig:
         wrong = ["O", 3, {"none of these": 1}]
+    elif get_origin(hint) is tuple and str in get_args(hint):
+        wrong = ["32", (0,), 0, {}, math.nan]
     elif get_origin(hint) is tuple:
         wrong = ["32", (0,), (1.5,), 0, {}, math.nan]
     elif get_origin(hint) is Mapping:

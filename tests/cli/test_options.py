@@ -16,7 +16,7 @@ from command_line import matrixworld_command
 from matrixworld.cli import COMMANDS, main
 from matrixworld.cli.options import seeds_of
 
-DIFFERENT = {"--episodes", "--explain", "--each", "--out"}
+DIFFERENT = {"--force", "--episodes", "--explain", "--each", "--out"}
 """Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
 many there were; `judge` explains a judgement, `replay` the steps; `--each` judges or draws
 each run; `--out` has another file by default."""

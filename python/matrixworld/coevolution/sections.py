@@ -270,7 +270,10 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
         checks.check_instance(name, value, hint)
         return value
     if get_origin(hint) is tuple and str in get_args(hint):
-        return checks.check_sequence(name, value, "text")
+        texts = checks.check_sequence(name, value, "texts")
+        if not all(isinstance(text, str) for text in texts):
+            raise TypeError(f"{name}: expected a sequence of texts, got {checks.shown(value)}")
+        return texts
     if get_origin(hint) is tuple:
         if isinstance(value, int) and not isinstance(value, bool):
             value = (value,)  # a single layer
