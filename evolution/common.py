@@ -294,7 +294,7 @@ def scores_against(
     The score is the capture rate of pursuers, and the escape rate of evaders.
     """
     sides = (own, opponents) if team == "pursuer" else (opponents, own)
-    rates = tournament(world, *sides, seed=seed, episodes=episodes).capture_rate
+    rates = tournament(world, *sides, seed=seed, episodes=episodes).matrix
     return rates if team == "pursuer" else 1.0 - rates.T
 
 

@@ -231,7 +231,7 @@ def capture_rates(budget: Budget, pursuers: np.ndarray, evaders: np.ndarray) -> 
     """Return capture rates of all pairs, shape (pursuers, evaders)."""
     network = mw.Network.for_config(budget.world)
     teams = (mw.Population(genomes, network) for genomes in (pursuers, evaders))
-    return coevolution.tournament(budget.world, *teams, seed=0, episodes=20).capture_rate
+    return coevolution.tournament(budget.world, *teams, seed=0, episodes=20).matrix
 
 
 def main() -> None:

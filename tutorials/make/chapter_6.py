@@ -97,7 +97,7 @@ def cross_play(runs: list[SavedRun], budget: int) -> np.ndarray:
     played = tournament(
         world, champions["pursuer"], champions["evader"], seed=0, episodes=CROSS_EPISODES
     )
-    return counts(played.capture_rate, SMALL.world.n_evaders * CROSS_EPISODES)
+    return counts(played.matrix, SMALL.world.n_evaders * CROSS_EPISODES)
 
 
 def counts(rates: np.ndarray, evaders: int) -> np.ndarray:
