@@ -35,21 +35,26 @@ HeldCandidates to_candidates(const std::string& name, const py::object& given,
         held.candidates.make = [tables] { return std::make_unique<TablePolicy>(tables); };
         return held;
     }
-    const auto pair = given.cast<std::pair<Network, Array<float>>>();
-    const Network& network = pair.first;
-    held.genomes = pair.second;
+    const auto [shape, genomes] = given.cast<std::pair<py::object, Array<float>>>();
+    held.genomes = genomes;
+    held.candidates.genomes = genomes.data();
+    // The number of genomes is free, the rest of the shape is not.
+    const py::ssize_t n = genomes.ndim() > 0 ? genomes.shape(0) : 0;
+    held.candidates.n = static_cast<int>(n);
+    if (py::isinstance<RatingShape>(shape)) {
+        const RatingShape& rating = held.candidates.rating.emplace(shape.cast<RatingShape>());
+        rating.check_fits(name, config);
+        require_shape(name + " genomes", genomes, {n, rating.genome_size()});
+        return held;
+    }
+    const Network& network = held.candidates.network.emplace(shape.cast<Network>());
     if (network.fov != config.fov || network.n_actions() != config.n_actions()) {
         throw py::value_error(name + ": expected a network for fov " + std::to_string(config.fov) +
                               " and " + std::to_string(config.n_actions()) + " actions, got fov " +
                               std::to_string(network.fov) + " and " +
                               std::to_string(network.n_actions()) + " actions");
     }
-    // The number of genomes is free, the rest of the shape is not.
-    const py::ssize_t n = held.genomes.ndim() > 0 ? held.genomes.shape(0) : 0;
-    require_shape(name + " genomes", held.genomes, {n, network.genome_size()});
-    held.candidates.network = network;
-    held.candidates.genomes = held.genomes.data();
-    held.candidates.n = static_cast<int>(n);
+    require_shape(name + " genomes", genomes, {n, network.genome_size()});
     return held;
 }
 

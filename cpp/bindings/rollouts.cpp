@@ -8,6 +8,7 @@
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
 #include "bindings/signals.hpp"
+#include "play/program.hpp"
 #include "play/rollout.hpp"
 
 namespace matrixworld {
@@ -23,6 +24,36 @@ Network make_network(int fov, const std::vector<int>& hidden, int n_actions,
     return Network(fov, hidden, n_actions,
                    activation == "relu" ? Activation::Relu : Activation::Tanh, sampled,
                    to_memory(memory));
+}
+
+RatingShape make_rating(int fov, int n_actions, std::vector<int> inputs, std::vector<int> hidden,
+                        int length, const std::string& mask) {
+    RatingShape shape{fov, n_actions, std::move(inputs), std::move(hidden), length, to_mask(mask)};
+    shape.validate();
+    return shape;
+}
+
+void check_genomes(const RatingShape& shape, const Array<float>& genomes) {
+    require_shape("genomes", genomes, {genomes.shape(0), shape.genome_size()});
+    shape.check_genomes(genomes.data(), static_cast<std::size_t>(genomes.shape(0)));
+}
+
+// (name, definition, unit, largest value or 0) of each input.
+py::list inputs() {
+    py::list rows;
+    for (const InputText& text : input_texts()) {
+        rows.append(py::make_tuple(text.name, text.definition, text.unit, text.most));
+    }
+    return rows;
+}
+
+// (name, number of arguments) of each operation of programs.
+py::list operations_of_programs() {
+    py::list rows;
+    for (const Operation& operation : operations()) {
+        rows.append(py::make_tuple(operation.name, operation.n_arguments));
+    }
+    return rows;
 }
 
 // One statistic of all episodes, (M, W, ...).
@@ -185,6 +216,13 @@ void bind_rollouts(py::module_& m) {
     py::class_<Network>(m, "Network")
         .def(py::init(&make_network), py::kw_only(), py::arg("fov"), py::arg("hidden"),
              py::arg("n_actions"), py::arg("activation"), py::arg("sampled"), py::arg("memory"));
+    py::class_<RatingShape>(m, "Rating")
+        .def(py::init(&make_rating), py::kw_only(), py::arg("fov"), py::arg("n_actions"),
+             py::arg("inputs"), py::arg("hidden"), py::arg("length"), py::arg("mask"))
+        .def("genome_size", &RatingShape::genome_size)
+        .def("check", &check_genomes, py::arg("genomes"));
+    m.def("inputs", &inputs);
+    m.def("operations", &operations_of_programs);
     m.def("rollout", &rollout, py::arg("setup"), py::arg("pursuers"), py::arg("evaders"),
           py::arg("pursuer").noconvert(), py::arg("evader").noconvert(),
           py::arg("seed").noconvert(), py::arg("n_worlds"), py::arg("n_threads"),

@@ -38,6 +38,11 @@ struct Kernels {
     void (*write_float_views)(const Positions& positions, const int* agents, int n_views,
                               const std::uint8_t* const* obstacles, int stride, float* views);
 
+    // Lists the cells that other agents set in the view of an agent, as places in the flattened
+    // (3, fov, fov) view, each once, and returns how many there are. Precondition: at most
+    // kMaxPositions agents.
+    int (*list_seen)(const Positions& positions, int agent, std::int32_t* out);
+
     // The first layer of a network, whose input (a view) is nearly all zeros:
     // out[i, 0..width) = activation(bases[i] + the sum of the rows of `weights` for the cells that
     // other agents set in the view of agents[i]), for i < n. Each cell is added once, in ascending

@@ -79,9 +79,7 @@ bool RightOfWay::allows(const World& world, const Occupancy& occupancy, int agen
         const Team team = seen.channel == kPursuers ? Team::Pursuer : Team::Evader;
         return occupancy.count(cell, team) > 0;
     };
-    // One order more after each round of them, so that no agents fall into step with the orders.
-    const int order = (world.steps() + world.steps() / kOrders) % kOrders;
-    const std::vector<Cell>& cells = forbidding_in_turn_[order][move];
+    const std::vector<Cell>& cells = forbidding(order(world.steps()), move);
     return std::none_of(cells.begin(), cells.end(), is_set);
 }
 

@@ -29,6 +29,7 @@ namespace matrixworld {
 class RightOfWay {
   public:
     static constexpr int kLeastFov = 5;
+    static constexpr int kOrders = kDiagonalMoves - 1;
 
     // A cell relative to an agent. What is seen there forbids a move: an agent of a team, or an
     // obstacle.
@@ -42,12 +43,16 @@ class RightOfWay {
 
     // What forbids a move; nothing forbids to stay.
     const std::vector<Cell>& forbidding(int move) const { return forbidding_[move]; }
+    // The same in one of the orders, of which each step has one.
+    const std::vector<Cell>& forbidding(int order, int move) const {
+        return forbidding_in_turn_[order][move];
+    }
+    // One order more after each round of them, so that no agents fall into step with the orders.
+    static int order(int step) { return (step + step / kOrders) % kOrders; }
     // In the order of this step. Precondition: the world has entered the occupancy.
     bool allows(const World& world, const Occupancy& occupancy, int agent, int move) const;
 
   private:
-    static constexpr int kOrders = kDiagonalMoves - 1;
-
     std::vector<Cell> forbidding_[kDiagonalMoves];
     std::vector<Cell> forbidding_in_turn_[kOrders][kDiagonalMoves];  // by order, which is by step
 };

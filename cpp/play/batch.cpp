@@ -105,9 +105,7 @@ void Batch::decide(const std::vector<Candidates>& policies, const std::vector<st
     std::vector<std::size_t> acting;
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         const Candidates& policy = policies[chosen[w]];
-        if (!worlds_[w].over() && (policy.network || policy.script || policy.make)) {
-            acting.push_back(w);
-        }
+        if (!worlds_[w].over() && policy) acting.push_back(w);
     }
     // Worlds with the same policy follow each other, so that a thread seldom loads another one.
     std::stable_sort(acting.begin(), acting.end(),

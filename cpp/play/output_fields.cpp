@@ -106,6 +106,10 @@ void write_whole_state(const OutputSource& source, std::uint8_t* out) {
     write_state(source.world(), out);
 }
 
+void write_inputs(const OutputSource& source, float* out) {
+    source.inputs().write(source.world(), source.occupancy(), out);
+}
+
 OutputField views(const char* name, Written written) {
     OutputField row = field<write_views<std::uint8_t>>(
         name, {Axis::Agents, Axis::Channels, Axis::Fov, Axis::Fov}, written);
@@ -233,6 +237,7 @@ StatisticField statistic(const char* name, Axes axes, Share share, Split split =
 const OutputFields& world_fields() {
     const Axes none, agents{Axis::Agents}, evaders{Axis::Evaders};
     const Axes cells{Axis::Agents, Axis::RowCol}, by_kind{Axis::Agents, Axis::Kinds};
+    const Axes by_input{Axis::Agents, Axis::Moves, Axis::Inputs};
     static const OutputFields fields = {
         field<write_positions>("positions", cells, Written::Moment),
         field<write_last_positions>("last_positions", cells, Written::Moment),
@@ -255,6 +260,7 @@ const OutputFields& world_fields() {
         field<write_ever_capture_rate>("ever_capture_rate", none, Written::Step),
         field<write_survival_rate>("survival_rate", {Axis::Teams}, Written::Step),
         views("views", Written::Moment),
+        field<write_inputs>("inputs", by_input, Written::Moment),
         field<write_whole_state>("state", {Axis::Channels, Axis::Rows, Axis::Cols},
                                  Written::Moment),
     };
@@ -285,6 +291,8 @@ const OutputFields& batch_fields() {
             field<write_acted>("acted", {Axis::Agents}, Written::StepStart),
             field<write_ended>("ended", {}, Written::Step),
             views("final_views", Written::EpisodeEnd),
+            field<write_inputs>("final_inputs", {Axis::Agents, Axis::Moves, Axis::Inputs},
+                                Written::EpisodeEnd),
         };
         // The rows of a rollout's statistics, under names of their own.
         for (const StatisticField& statistic : statistic_fields()) {
@@ -319,14 +327,24 @@ std::size_t item_size(DType dtype) {
 }
 
 const char* name_of(Axis axis) {
-    static constexpr const char* kNames[kAxes] = {
-        "agents", "evaders", "teams", "kinds", "row_col", "channels", "fov", "rows", "cols"};
+    static constexpr const char* kNames[kAxes] = {"agents",  "evaders",  "teams", "kinds",
+                                                  "row_col", "channels", "fov",   "rows",
+                                                  "cols",    "moves",    "inputs"};
     return kNames[static_cast<int>(axis)];
 }
 
 int size_of(Axis axis, const Config& config) {
-    const int sizes[kAxes] = {config.n_agents(), config.n_evaders, kTeams,      kKinds,     2,
-                              kChannels,         config.fov,       config.rows, config.cols};
+    const int sizes[kAxes] = {config.n_agents(),
+                              config.n_evaders,
+                              kTeams,
+                              kKinds,
+                              2,
+                              kChannels,
+                              config.fov,
+                              config.rows,
+                              config.cols,
+                              config.n_actions(),
+                              kInputs};
     return sizes[static_cast<int>(axis)];
 }
 

@@ -10,10 +10,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "game/world.hpp"
+#include "observe/inputs.hpp"
 #include "observe/observe.hpp"
 #include "play/episode_statistics.hpp"
 
@@ -33,9 +35,11 @@ enum class Axis : std::uint8_t {
     Fov,       // rows, or columns, of a view
     Rows,
     Cols,
+    Moves,
+    Inputs,  // of a move, by name
 };
 using Axes = std::vector<Axis>;
-constexpr int kAxes = static_cast<int>(Axis::Cols) + 1;
+constexpr int kAxes = static_cast<int>(Axis::Inputs) + 1;
 const char* name_of(Axis axis);
 int size_of(Axis axis, const Config& config);
 
@@ -62,6 +66,12 @@ class OutputSource {
     std::size_t n_agents() const { return n_agents_; }
     const Occupancy& occupancy() const { return *occupancy_; }
 
+    // Made when it is first asked for: few write inputs.
+    Inputs& inputs() const {
+        if (!inputs_) inputs_ = std::make_unique<Inputs>(world_->config());
+        return *inputs_;
+    }
+
     Observer* observer = nullptr;                   // for views
     const EpisodeStatistics* statistics = nullptr;  // for EpisodeEnd: of the ended episode
     bool acts = false;   // for StepStart: whether the living agents act in this step
@@ -71,6 +81,7 @@ class OutputSource {
     const World* world_ = nullptr;
     const Occupancy* occupancy_ = nullptr;  // must hold the world's agents
     std::size_t n_agents_ = 0;              // kept here, because nearly all writers need it
+    mutable std::unique_ptr<Inputs> inputs_;
 };
 
 // Writes one world's part of an array, all of it.

@@ -5,6 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "observe/inputs.hpp"
+#include "play/rating.hpp"
+
 namespace matrixworld {
 
 // Lists the living agents and their draws.
@@ -131,7 +134,7 @@ int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, in
     if (script_.rate) {
         script_.rate(world, sight_, agent, draw, rates_);
     } else if (walks()) {
-        const int move = walk_on(world, agent);
+        const int move = stride_of(world, agent, script_.stride);
         if (allows(world, occupancy, agent, move)) return move;
     }
     int moves[kDiagonalMoves];
@@ -187,20 +190,14 @@ void ScriptedPolicy::weigh(const World& world, const Occupancy& occupancy, doubl
     }
 }
 
-// The direction of the present stride. It is drawn from the number of the stride, so that no policy
-// has to remember anything between steps.
-int ScriptedPolicy::walk_on(const World& world, int agent) const {
-    const int stride = world.steps() / script_.stride;
-    const Block block = world.key().block(Purpose::Walk, agent, stride);
-    return 1 + below(block[0], world.config().n_actions() - 1);
-}
-
 LoadedPolicy::LoadedPolicy(const Candidates& candidates, const Setup& setup)
     : candidates_(&candidates) {
     if (candidates.network) {
-        auto policy = std::make_unique<NetworkPolicy>(*candidates.network, setup.grid);
-        network_ = policy.get();
-        policy_ = std::move(policy);
+        policy_ = std::make_unique<NetworkPolicy>(*candidates.network, setup.grid);
+        genome_size_ = candidates.network->genome_size();
+    } else if (candidates.rating) {
+        policy_ = std::make_unique<RatingPolicy>(*candidates.rating, setup.config);
+        genome_size_ = candidates.rating->genome_size();
     } else if (candidates.make) {
         policy_ = candidates.make();
     } else {
@@ -209,8 +206,8 @@ LoadedPolicy::LoadedPolicy(const Candidates& candidates, const Setup& setup)
 }
 
 Policy& LoadedPolicy::load(int candidate) {
-    if (network_ && candidate != loaded_) {
-        network_->load(candidates_->genomes + candidate * candidates_->network->genome_size());
+    if (candidates_->genomes && candidate != loaded_) {
+        policy_->load(candidates_->genomes + candidate * genome_size_);
         loaded_ = candidate;
     }
     return *policy_;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "game/world.hpp"
@@ -17,6 +18,9 @@ namespace matrixworld {
 class Policy {
   public:
     virtual ~Policy() = default;
+
+    // Reads a genome, which must stay in memory. Not for policies that have none.
+    virtual void load(const float*) {}
 
     // Writes actions[agent] for the living agents in [first, last), which belong to one team, and what
     // they remember from this step.
@@ -54,7 +58,7 @@ class NetworkPolicy : public Policy {
   public:
     NetworkPolicy(const Network& network, const Grid& grid) : mlp_(network, grid) {}
 
-    void load(const float* genome) { mlp_.load(genome); }
+    void load(const float* genome) override { mlp_.load(genome); }
 
   private:
     void choose(World& world, const Occupancy& occupancy) override;
@@ -76,7 +80,6 @@ class ScriptedPolicy : public Policy {
     bool allows(const World& world, const Occupancy& occupancy, int agent, int move) const;
     int find_best(const World& world, const Occupancy& occupancy, int agent, int* moves) const;
     int best_move(const World& world, const Occupancy& occupancy, int agent, std::uint32_t draw);
-    int walk_on(const World& world, int agent) const;
     int list_slips(const World& world, const Occupancy& occupancy, int agent, int* moves) const;
 
     const Script& script_;
@@ -86,13 +89,41 @@ class ScriptedPolicy : public Policy {
     int rates_[kDiagonalMoves];     // of the moves of the agent that decides, if the script rates
 };
 
-// One team's candidates: n genomes of one network, one script, or any other policy.
+// Which moves are never taken: none; those into an obstacle or the border; those that right of way
+// forbids (observe/right_of_way.hpp).
+enum class MoveMask : std::uint8_t { None, Obstacles, RightOfWay };
+// "none", "obstacles" or "right-of-way". Throws std::invalid_argument for other names.
+MoveMask to_mask(const std::string& name);
+
+// The shape of a policy that rates moves (play/rating.hpp): a network of `hidden` layers, or programs
+// of at most `length` instructions.
+struct RatingShape {
+    int fov = 0;
+    int n_actions = 0;
+    std::vector<int> inputs;  // by Input, in the order of the genome
+    std::vector<int> hidden;  // of a network; none: a weighted sum of the inputs
+    int length = 0;           // of programs; 0: a network
+    MoveMask mask = MoveMask::None;
+
+    Eigen::Index genome_size() const;
+    // These throw std::invalid_argument: for numbers that no policy has, for a world with other
+    // views or moves, and where one of n genomes is no program.
+    void validate() const;
+    void check_fits(const std::string& name, const Config& config) const;
+    void check_genomes(const float* genomes, std::size_t n) const;
+};
+
+// One team's candidates: n genomes of one network or rating, one script, or any other policy.
 struct Candidates {
     std::optional<Network> network;
+    std::optional<RatingShape> rating;
     const float* genomes = nullptr;  // (n, genome_size), owned by the caller
     int n = 1;
-    const Script* script = nullptr;                 // without a network
+    const Script* script = nullptr;                 // without genomes
     std::function<std::unique_ptr<Policy>()> make;  // without both
+
+    // Does anything play?
+    explicit operator bool() const { return genomes || script || make; }
 };
 
 // Draws for each agent of a world, alive or gone, the number in [0, 1) with which a policy that
@@ -111,7 +142,7 @@ class LoadedPolicy {
   private:
     const Candidates* candidates_;
     std::unique_ptr<Policy> policy_;
-    NetworkPolicy* network_ = nullptr;  // the policy, unless it is a script
+    Eigen::Index genome_size_ = 0;  // without genomes: 0
     int loaded_ = -1;
 };
 

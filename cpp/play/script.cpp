@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "observe/inputs.hpp"
 #include "observe/observe.hpp"
 #include "observe/right_of_way.hpp"
 #include "play/team_surrounder.hpp"
@@ -111,7 +112,6 @@ int far_from_all(const Sight& sight, const Offsets& goals, Offset there) {
 
 constexpr int kNever = 0;
 constexpr int kHalf = kSlipSteps / 2;
-constexpr int kStride = 12;  // steps; crosses a usual field of view
 
 std::vector<Script> with_careful_ones(std::vector<Script> all) {
     const std::vector<Script> plain = all;

@@ -13,7 +13,8 @@ _Map: TypeAlias = NDArray[np.uint8] | None  # (rows, cols), 1 for an obstacle
 _Positions: TypeAlias = NDArray[np.int32] | None  # (n, 2) rows and columns
 _ByTeam: TypeAlias = tuple[float, float]  # the pursuers' and the evaders'
 _ByKind: TypeAlias = tuple[float, float, float]  # with an obstacle, a teammate, an adversary
-_Candidates: TypeAlias = tuple[Network, NDArray[np.float32]] | Tables | str  # a script's name
+_Genomes: TypeAlias = tuple[Network | Rating, NDArray[np.float32]]
+_Candidates: TypeAlias = _Genomes | Tables | str  # a script's name
 # turn, kind, form, first agent, second agent or -1, cell; at fault, held and doomed as bits, of
 # which bit 0 is the first agent's and bit 1 the second's
 _Conflict: TypeAlias = tuple[int, int, int, int, int, tuple[int, int], int, int, int]
@@ -125,6 +126,25 @@ class Network(metaclass=_Pybind11Type):
         sampled: bool,
         memory: str,
     ) -> None: ...
+
+class Rating(metaclass=_Pybind11Type):
+    """The shape of policies that rate moves by a network, or by a program of a `length`."""
+
+    def __init__(
+        self,
+        *,
+        fov: int,
+        n_actions: int,
+        inputs: Sequence[int],
+        hidden: Sequence[int],
+        length: int,
+        mask: str,
+    ) -> None: ...
+    def genome_size(self) -> int:
+        """Numbers in a genome."""
+
+    def check(self, genomes: NDArray[np.float32]) -> None:
+        """Raise ValueError if one of the genomes (n, genome_size) is no program."""
 
 class World(metaclass=_Pybind11Type):
     """One world."""
@@ -292,6 +312,12 @@ def world_fields() -> list[_OutputField]:
 
 def batch_fields() -> list[_OutputField]:
     """The arrays that only batches write."""
+
+def inputs() -> list[tuple[str, str, str, float]]:
+    """Name, definition, unit and largest value, or 0, of each named input of a move."""
+
+def operations() -> list[tuple[str, int]]:
+    """Name and number of arguments of each operation of programs."""
 
 def right_of_way(setup: Setup, evaders: bool) -> list[list[tuple[int, int, int]]]:
     """What forbids each move by the right of way: (channel, row, column) from the agent."""

@@ -61,5 +61,6 @@ def test_every_output_is_in_infos() -> None:
     renamed = {"steps", "ended", "final_views"}
     statistics = {name for name in BATCH_FIELDS if name.startswith("episode_")}
     assert {name.removeprefix("episode_") for name in statistics} == set(env.infos["episode"])
-    named = {*WORLD_FIELDS, *BATCH_FIELDS} - returned - renamed - statistics
+    observed = {"inputs", "final_inputs"}  # as observations only
+    named = {*WORLD_FIELDS, *BATCH_FIELDS} - returned - renamed - statistics - observed
     assert named <= set(env.infos)

@@ -9,7 +9,17 @@ import matrixworld as mw
 from matrixworld.world.arrays import new_arrays
 from rows import NAMES, config_of, random_actions, random_team
 
-MOMENT = ("positions", "last_positions", "alive", "steps", "seed", "episode", "views", "state")
+MOMENT = (
+    "positions",
+    "last_positions",
+    "alive",
+    "steps",
+    "seed",
+    "episode",
+    "views",
+    "inputs",
+    "state",
+)
 
 
 def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
@@ -28,7 +38,7 @@ class SingleWorld:
         self.autoreset = mode
         self.arrays: dict[str, Any] = {
             name: np.zeros(mw.episode_specs(config)[name][0])
-            for name in ("acted", "ended", "final_views")
+            for name in ("acted", "ended", "final_views", "final_inputs")
         }
         self.read()
 
@@ -53,7 +63,8 @@ class SingleWorld:
             self.world.step(actions)
             self.read()
             if self.ended:
-                self.arrays |= {"ended": True, "final_views": self.arrays["views"]}
+                seen = {f"final_{name}": self.arrays[name] for name in ("views", "inputs")}
+                self.arrays |= {"ended": True, **seen}
         if self.ended and self.autoreset is mw.Autoreset.SAME_STEP:
             self.world.reset()
             self.arrays |= self.world.read(*MOMENT)

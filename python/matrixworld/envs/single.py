@@ -20,7 +20,7 @@ from matrixworld._util import checks
 from matrixworld.envs.opponents import BuiltInTeam, Opponents, PlaysTeam, one_team
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Drawing
-from matrixworld.world.arrays import WORLD_FIELDS, WorldArrays, python_value
+from matrixworld.world.arrays import LARGE, WORLD_FIELDS, WorldArrays, python_value
 from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
@@ -50,7 +50,7 @@ class Status(WorldArrays):
     """Results of the last step for all agents, as fresh arrays: see `array_specs`."""
 
     def __init__(self, world: World) -> None:
-        arrays = world.read(*(WORLD_FIELDS.keys() - {"views", "state"}))
+        arrays = world.read(*(WORLD_FIELDS.keys() - {*LARGE}))
         vars(self).update({name: python_value(array) for name, array in arrays.items()})
 
     def add_collisions(self, earlier: Status) -> None:

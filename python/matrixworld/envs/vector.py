@@ -157,7 +157,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         self.metadata["autoreset_mode"] = mode
         self.copy: bool = checks.check_bool("copy", copy)
         built_in = one_team(pursuers, evaders)
-        left_out = set() if checks.check_bool("state", state) else {"state"}
+        left_out = {"inputs", "final_inputs"}
+        left_out |= set() if checks.check_bool("state", state) else {"state"}
         waits = mode is not AutoresetMode.SAME_STEP
         if waits:  # the observations stay those of the episode's end for one step
             left_out.add("final_views")

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_bool, check_choice
+from matrixworld._util.checks import check_bool, check_choice, check_instance
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, TEAMS, Network, Population, Team
@@ -80,6 +80,7 @@ class NetworkPolicy:
         sampled: bool | None = None,
         seed: int | None = None,
     ) -> None:
+        check_instance("network", network, Network)
         genomes = Population(genome, network).genomes
         if len(genomes) != 1:
             raise ValueError(f"genome: expected a single one, got {len(genomes)}")

@@ -30,6 +30,9 @@ class OutputField(NamedTuple):
 # Rows and columns from an agent to the cell that each `Action` leads to.
 MOVES = np.array([(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)])
 
+LARGE = ("views", "inputs", "state")
+"""Arrays of moments that are slow to write, and left out unless they are asked for."""
+
 CHANNEL = {"evader": 0, "pursuer": 1, "obstacle": 2}
 """Channels of a view by what they show."""
 
@@ -40,7 +43,7 @@ BATCH_FIELDS = {row[0]: OutputField(*row) for row in _core.batch_fields()}
 
 
 class WorldArrays:
-    """What `array_specs` lists but ``views`` and ``state``, as attributes.
+    """What `array_specs` lists but ``views``, ``inputs`` and ``state``, as attributes.
 
     What has the shape () is a number of Python. There are A agents, pursuers first, of which E are
     evaders; axes of 3 are the kinds of collision.
@@ -104,11 +107,12 @@ def array_specs(config: WorldConfig) -> Specs:
     ever_capture_rate  ()                   float32  share of evaders captured at some time
     survival_rate      (2,)                 float32  share of each team that is alive
     views              (A, 3, fov, fov)     uint8    what each agent sees
+    inputs             (A, moves, inputs)   float32  the named inputs of each move (`INPUTS`)
     state              (3, rows, cols)      uint8    the whole world
     =================  ===================  =======  =======================================
 
-    ``positions``, ``last_positions``, ``alive``, ``steps``, ``seed``, ``episode``, ``views`` and
-    ``state`` describe the present moment, the others the last step.
+    ``positions``, ``last_positions``, ``alive``, ``steps``, ``seed``, ``episode``, ``views``,
+    ``inputs`` and ``state`` describe the present moment, the others the last step.
     """
     return _specs(WORLD_FIELDS, config)
 
@@ -123,6 +127,7 @@ def episode_specs(config: WorldConfig) -> Specs:
                                                           episode that had not ended
     ended                      ()                bool     whether the episode ended in this step
     final_views                (A, 3, fov, fov)  uint8    views at the end of the episode
+    final_inputs               (A, moves, inputs)  float32  inputs at the end of the episode
     episode_capture_rate       ()                float32  as in `EpisodeStatistics`
     episode_ever_capture_rate  ()                float32  as in `EpisodeStatistics`
     episode_length             ()                int32    steps
@@ -133,8 +138,8 @@ def episode_specs(config: WorldConfig) -> Specs:
     episode_agent_steps        (2,)              int64    steps of agents alive as they began
     =========================  ================  =======  ======================================
 
-    ``final_views`` and the ``episode_...`` arrays are written when an episode ends, and stay until
-    the next episode of that world ends.
+    ``final_views``, ``final_inputs`` and the ``episode_...`` arrays are written when an episode
+    ends, and stay until the next episode of that world ends.
     """
     return _specs(BATCH_FIELDS, config)
 

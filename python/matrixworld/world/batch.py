@@ -12,7 +12,7 @@ from typing_extensions import Unpack
 from matrixworld import _core
 from matrixworld._core import Autoreset
 from matrixworld._util import checks
-from matrixworld.world.arrays import array_specs, check_written, integers, new_arrays
+from matrixworld.world.arrays import LARGE, array_specs, check_written, integers, new_arrays
 from matrixworld.world.config import MapLike, WorldConfig, WorldSettings
 from matrixworld.world.policy import EnginePolicy, check_agents, check_team
 from matrixworld.world.rules import Rules
@@ -40,7 +40,7 @@ class Batch(Turns):
     buffers : dict of str to ndarray, optional
         The arrays that `reset`, `step` and `play_turn` write into: any of `array_specs` and
         `episode_specs`, each with a leading axis of W worlds. Views may also be float32. The
-        default is new arrays for all of `array_specs` but ``views`` and ``state``.
+        default is new arrays for all of `array_specs` but ``views``, ``inputs`` and ``state``.
 
     Notes
     -----
@@ -70,9 +70,8 @@ class Batch(Turns):
         n_threads = checks.check_threads(threads)
         if buffers is None:
             specs = array_specs(self.config)
-            for large in ("views", "state"):  # and slow to write
-                del specs[large]
-            buffers = new_arrays(specs, self.n_worlds)
+            few = {name: spec for name, spec in specs.items() if name not in LARGE}
+            buffers = new_arrays(few, self.n_worlds)
         self.buffers: dict[str, NDArray[Any]] = buffers
         # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
@@ -94,8 +95,51 @@ _MAX_FOV = 255  # as in a world
 _MAX_LAYER = 2**20
 
 
+class Policy(ABC):
+    """The shape of a policy: what its genomes mean, in worlds with certain views and moves.
+
+    `Network`, `Rating` and `Program` are policies. Each is compared and hashed by its fields.
+    """
+
+    fov: int
+    n_actions: int
+    memory: Memory = "none"
+    state_size: int = 0
+    """Length of what an agent remembers from one step to the next."""
+
+    @property
+    @abstractmethod
+    def genome_size(self) -> int:
+        """Numbers in a genome."""
+
+    @property
+    @abstractmethod
+    def core(self) -> Any:
+        """The engine's form of this policy."""
+
+    @abstractmethod
+    def initial(self, rng: np.random.Generator) -> NDArray[np.float32]:
+        """Return a random genome, float32 (genome_size,)."""
+
+    def check_genomes(self, genomes: NDArray[np.float32]) -> None:  # noqa: B027
+        """Raise ValueError for genomes (n, genome_size) that mean nothing. By default, none do."""
+
+    def _check_world(self) -> None:
+        # A frozen dataclass lets its fields be set in this way only.
+        object.__setattr__(self, "fov", checks.check_integer("fov", self.fov, 1, _MAX_FOV))
+        object.__setattr__(self, "n_actions", checks.check_integer("n_actions", self.n_actions))
+        if self.fov % 2 == 0:
+            raise ValueError(f"fov: expected an odd number, got {self.fov}")
+        if self.n_actions not in (5, 9):
+            raise ValueError(f"n_actions: expected 5 or 9, got {self.n_actions}")
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields; the engine's form of them is built again on demand."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}  # type: ignore[arg-type]
+
+
 @dataclass(frozen=True)
-class Network:
+class Network(Policy):
     """A multilayer perceptron that maps an agent's view to an action, with or without memory.
 
     It describes the shape of the network only; a genome holds the weights.
@@ -149,14 +193,8 @@ class Network:
     def __post_init__(self) -> None:
         given = checks.check_sequence("hidden", self.hidden, "ints")
         sizes = tuple(checks.check_integer("hidden", size, 1, _MAX_LAYER) for size in given)
-        # A frozen dataclass lets its fields be set in this way only.
         object.__setattr__(self, "hidden", sizes)
-        object.__setattr__(self, "fov", checks.check_integer("fov", self.fov, 1, _MAX_FOV))
-        object.__setattr__(self, "n_actions", checks.check_integer("n_actions", self.n_actions))
-        if self.fov % 2 == 0:
-            raise ValueError(f"fov: expected an odd number, got {self.fov}")
-        if self.n_actions not in (5, 9):
-            raise ValueError(f"n_actions: expected 5 or 9, got {self.n_actions}")
+        self._check_world()
         checks.check_bool("sampled", self.sampled)
         checks.check_choice("activation", self.activation, ("relu", "tanh"))
         checks.check_choice("memory", self.memory, GATES)
@@ -177,7 +215,7 @@ class Network:
         return (CHANNELS * self.fov**2, *self.hidden, self.n_actions)
 
     @property
-    def state_size(self) -> int:
+    def state_size(self) -> int:  # type: ignore[override]
         """Length of an agent's state; 0 without memory."""
         return 0 if self.memory == "none" else self.hidden[0]
 
@@ -276,10 +314,6 @@ class Network:
             weights[:] = scale * rng.standard_normal(weights.shape, dtype=np.float32)
         return genome
 
-    def __getstate__(self) -> dict[str, Any]:
-        """Return the fields; the engine's form of them is built again on demand."""
-        return {item.name: getattr(self, item.name) for item in fields(self)}
-
     # Networks are compared and hashed by their fields, so the engine's form is not one of them.
     @cached_property
     def core(self) -> _core.Network:
@@ -294,21 +328,21 @@ def _logistic(x: NDArray[Any]) -> NDArray[Any]:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Population(Readable):
-    """Genomes of one network, which can play for a team.
+    """Genomes of one policy, which can play for a team.
 
     Parameters
     ----------
     genomes : ndarray of float, shape (n, genome_size) or (genome_size,)
         The genomes. A single one becomes a population of one; other floats are copied to float32.
-    network : Network
-        The network that all of them belong to.
+    network : Network, Rating or Program
+        The policy that all of them belong to.
     """
 
     genomes: NDArray[np.float32]
-    network: Network
+    network: Any
 
     def __post_init__(self) -> None:
-        checks.check_instance("network", self.network, Network)
+        checks.check_instance("network", self.network, Policy)
         given = np.atleast_2d(self.genomes)
         floats = np.issubdtype(given.dtype, np.floating)
         if not floats or isinstance(given, np.ma.MaskedArray):
@@ -327,10 +361,11 @@ class Population(Readable):
             raise ValueError(f"genomes: expected finite numbers, got {got}")
         # The engine reads the genomes from one block of memory, without copying them.
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
+        self.network.check_genomes(self.genomes)
 
 
 TeamPolicy: TypeAlias = Population | Script
-"""What plays for a team: genomes of a network, or the name of a script."""
+"""What plays for a team: genomes of a policy, or the name of a script."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -82,7 +82,8 @@ class World(Turns, arrays.WorldArrays):
         sets it.
     positions, alive, rewards, terminated, ...
         All that `matrixworld.array_specs` lists: the present moment, and results of the last step.
-        What has the shape () is a number of Python. `views` and `state` are methods.
+        What has the shape () is a number of Python. `views`, `inputs` and `state` are
+        methods.
 
     Notes
     -----
@@ -267,6 +268,13 @@ class World(Turns, arrays.WorldArrays):
         the agent, which is not drawn; a teammate on its cell is. An agent that is gone sees zeros.
         """
         return self.read("views")["views"]
+
+    def inputs(self) -> NDArray[np.float32]:
+        """Return the named inputs of all moves of each agent, float32 (A, moves, inputs).
+
+        The last axis is in the order of `INPUTS`. Those of an agent that is gone are zeros.
+        """
+        return self.read("inputs")["inputs"]
 
     def state(self) -> NDArray[np.uint8]:
         """Return the whole world, uint8 of shape (3, rows, cols), in the channels of `views`."""

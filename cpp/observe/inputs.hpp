@@ -1,0 +1,142 @@
+// The named inputs of an agent's moves: a few numbers that say what the cell of each move is like. They
+// are what policies read that rate moves (play/rating.hpp), and an output of worlds. An agent computes
+// them from its own view; must_yield and ahead also depend on the step. Both teams have the same.
+//
+//     Inputs inputs(config);                       // one for each thread
+//     inputs.gather(world, scratch.occupancy);     // before the agents of a turn look
+//     inputs.look(agent);
+//     inputs.of(kRoom)[move];
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/occupancy.hpp"
+#include "game/world.hpp"
+#include "grid/compiler.hpp"
+#include "observe/crowd.hpp"
+#include "observe/right_of_way.hpp"
+
+namespace matrixworld {
+
+enum Input : int {
+    kAdversary,
+    kPressure,
+    kUnclaimed,
+    kOpenSide,
+    kTeammate,
+    kCrowd,
+    kExits,
+    kRoom,
+    kMustYield,
+    kStay,
+    kAhead,
+    kInputs
+};
+
+// What users read of an input. Each is at least 0.
+struct InputText {
+    const char* name;
+    const char* definition;
+    const char* unit;
+    float most;  // 0: there is no bound
+};
+const InputText (&input_texts())[kInputs];
+
+// Agents without a goal walk in one direction for so many steps, which crosses a usual field of view.
+constexpr int kStride = 12;
+// The direction of the present stride. It is drawn from the number of the stride, so that no policy
+// has to remember anything between steps.
+int stride_of(const World& world, int agent, int steps = kStride);
+
+class Inputs {
+  public:
+    // Numbers of all moves, in whole vectors. Those beyond the last move mean nothing.
+    static constexpr int kLanes = 12;
+    using Row = float[kLanes];
+
+    explicit Inputs(const Config& config);
+
+    // Only these are computed from now on, as bits by Input. At first it is all of them.
+    void want(std::uint32_t inputs) { wanted_ = inputs; }
+    // Looks at a moment. The world and the occupancy, which it has entered, must stay in memory.
+    void gather(const World& world, const Occupancy& occupancy);
+    // Computes the inputs of a living agent.
+    void look(int agent) { n_moves_ == kCompassMoves ? look<2>(agent) : look<3>(agent); }
+
+    int n_moves() const { return n_moves_; }
+    const Row& of(int input) const { return rows_[input]; }
+    // Moves as bits: those into an obstacle, and those that right of way forbids; the latter only if
+    // kMustYield is wanted.
+    std::uint32_t blocked() const { return blocked_; }
+    std::uint32_t forbidden() const { return forbidden_; }
+
+    // Writes the inputs of all agents, (A, moves, kInputs). Those of gone agents are zeros.
+    void write(const World& world, const Occupancy& occupancy, float* out);
+
+  private:
+    // Of a cell in view, how far it is from the cell of each move.
+    struct Seen {
+        int row;  // from the agent
+        int col;
+        Row moves;
+        Row charge;  // 1 / (1 + moves)^2, rounded down so that sums are exact in any order
+    };
+    // What depends on the agent's cell alone.
+    struct Ground {
+        Row exits;
+        Row room;
+        std::uint32_t blocked;
+    };
+
+    bool wants(Input input) const { return wanted_ >> input & 1; }
+    template <int n>
+    void look(int agent);
+    int list_seen(int agent);
+    int list_reserved(int agent);
+    template <int n>
+    void find_unclaimed();
+    template <int n>
+    void find_open_sides();
+    const Ground& ground(int cell);
+    void survey(int cell, Ground& ground) const;
+    void draw_strides();
+    int moves_between(const Seen& a, const Seen& b) const;
+
+    const Config& config_;
+    int n_moves_;
+    int half_;  // cells from the agent to the end of its view
+    float unit_;
+    std::uint32_t wanted_ = (1u << kInputs) - 1;
+    std::vector<Seen> view_;           // by cell of the view
+    std::vector<std::uint8_t> taken_;  // by cell of the view: a teammate is there; else zeros
+    // Moves that an agent in view forbids, as bits: by team, order of right of way, channel, and cell
+    // at most two rows and columns away.
+    std::uint16_t forbids_[kTeams][RightOfWay::kOrders][2][25] = {};
+
+    const World* world_ = nullptr;
+    const Occupancy* occupancy_ = nullptr;
+    Crowd crowd_;
+    int order_ = 0;
+    std::vector<int> places_;            // by agent: its place among the living
+    std::vector<std::uint8_t> strides_;  // by agent
+    EpisodeKey stride_key_;
+    int stride_ = -1;  // number of the stride
+
+    std::shared_ptr<const Terrain> terrain_;  // of the ground that is kept
+    std::unique_ptr<Ground[]> ground_;        // by cell; of one cell where it is not kept
+    std::vector<std::uint8_t> known_;         // by cell; empty where nothing is kept
+
+    int row_ = 0;  // of the agent that looks
+    int col_ = 0;
+    std::vector<std::int32_t> seen_;  // places in the flattened view
+    std::vector<const Seen*> adversaries_;
+    std::vector<const Seen*> teammates_;
+    std::uint32_t blocked_ = 0;
+    std::uint32_t forbidden_ = 0;
+    alignas(16) Row rows_[kInputs] = {};
+};
+
+}  // namespace matrixworld

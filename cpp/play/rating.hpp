@@ -1,0 +1,57 @@
+// Policies that rate moves: for each move the same function of its named inputs gives a number, and the
+// agent takes the best move that is allowed; of equal ones any, all equally likely. What is learned for
+// one direction so holds for all. The function is a small network, or a program (play/program.hpp).
+//
+//     RatingPolicy policy(shape, config);
+//     policy.load(genome);
+//     policy.decide(world, scratch.occupancy, first, last, actions);
+//
+// Every sum has one order, and products are rounded before they are added: a plain loop over float32
+// in any language gives the same bits.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "observe/inputs.hpp"
+#include "play/policy.hpp"
+
+namespace matrixworld {
+
+// The function that a genome is. Genomes are loaded again and again, and used for many agents.
+class MoveRater {
+  public:
+    virtual ~MoveRater() = default;
+
+    // Reads a genome, which must stay in memory. Throws std::invalid_argument if it is none.
+    virtual void load(const float* genome) = 0;
+    // Rates all moves of the agent that looked.
+    virtual void rate(const Inputs& inputs, Inputs::Row& ratings) = 0;
+    // The inputs that the genome reads, as bits by Input.
+    virtual std::uint32_t reads() const = 0;
+};
+
+std::unique_ptr<MoveRater> make_rater(const RatingShape& shape);
+
+class RatingPolicy : public Policy {
+  public:
+    RatingPolicy(const RatingShape& shape, const Config& config);
+
+    void load(const float* genome) override;
+
+  private:
+    void choose(World& world, const Occupancy& occupancy) override;
+    void weigh(const World& world, const Occupancy& occupancy, double* out) override;
+    int list_best(int agent, int* moves);
+
+    Inputs inputs_;
+    MoveMask mask_;
+    int n_moves_;
+    std::unique_ptr<MoveRater> rater_;
+    Inputs::Row ratings_ = {};
+};
+
+}  // namespace matrixworld

@@ -1,0 +1,234 @@
+"""Policies that rate moves by named inputs: small networks, and programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from types import MappingProxyType
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld import _core
+from matrixworld._util import checks
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.masks import LEAST_FOV, MASKS, Mask
+from matrixworld.world.policy import Policy
+
+_Floats: TypeAlias = NDArray[np.float32]
+
+
+def _texts() -> Iterator[tuple[str, str]]:
+    for name, definition, unit, most in _core.inputs():
+        limits = f"0 to {most:g}" if most else "0 or more"
+        yield name, f"{definition} ({limits}{', in ' * bool(unit)}{unit})"
+
+
+INPUTS: Mapping[str, str] = MappingProxyType(dict(_texts()))
+"""The named inputs of a move, and what they are.
+
+All are of the cell that the move leads to, for the same agents: those in view. Distances are least
+numbers of moves, as if there were no obstacles, in units of half a view, ``fov / 2``; 2 where there
+is nothing in view. A cell that holds several agents of a team counts once, and a cell out of view
+as free. Both teams have the same inputs, and only ``must_yield`` and ``ahead`` depend on the step:
+right of way has another order in each, and an agent draws a direction for each 12 steps.
+"""
+
+_LOWEST = np.finfo(np.float32).min
+_MAX_LENGTH = 2**16
+
+
+class _Rates(Policy):
+    """What rates moves: the same function of the inputs for each move of an agent."""
+
+    inputs: tuple[str, ...]
+    mask: Mask
+    fov: int
+    n_actions: int
+
+    def __post_init__(self) -> None:
+        given = checks.check_sequence("inputs", self.inputs, "names of inputs")
+        for name in given:
+            checks.check_choice("inputs", name, INPUTS)
+        if not given or len(set(given)) < len(given):
+            raise ValueError(f"inputs: expected different ones, got {checks.shown(given)}")
+        object.__setattr__(self, "inputs", given)
+        checks.check_choice("mask", self.mask, MASKS)
+        self._check_world()
+        if self.fov < LEAST_FOV[self.mask]:
+            least = f"at least {LEAST_FOV[self.mask]} for the mask {self.mask}"
+            raise ValueError(f"fov: expected {least}, got {self.fov}")
+
+    @classmethod
+    def for_config(cls, config: WorldConfig, **more: Any) -> Any:
+        """Return one for the views and actions of a world; `more` are its other fields."""
+        checks.check_instance("config", config, WorldConfig)
+        return cls(fov=config.fov, n_actions=config.n_actions, **more)  # type: ignore[call-arg]
+
+    def _core_of(self, hidden: tuple[int, ...] = (), length: int = 0) -> _core.Rating:
+        return _core.Rating(
+            fov=self.fov,
+            n_actions=self.n_actions,
+            inputs=[list(INPUTS).index(name) for name in self.inputs],
+            hidden=list(hidden),
+            length=length,
+            mask=self.mask,
+        )
+
+    def _columns(self, inputs: _Floats) -> list[_Floats]:
+        """Return arrays (..., moves) of the inputs of this policy, from those of all inputs."""
+        if inputs.dtype != np.float32 or inputs.shape[-1] != len(INPUTS):
+            expected = f"float32 of shape (..., moves, {len(INPUTS)})"
+            raise ValueError(f"inputs: expected {expected}, got {inputs.dtype} {inputs.shape}")
+        return [inputs[..., list(INPUTS).index(name)] for name in self.inputs]
+
+
+_CHOICE = '''
+
+def choose(x, allowed, rng):
+    """Return the best of the allowed moves; of equal ones any, all equally likely."""
+    ratings = np.where(allowed, rate(x), -np.inf)
+    return rng.choice(np.flatnonzero(ratings == ratings.max()))
+'''
+
+
+@dataclass(frozen=True)
+class Rating(_Rates):
+    """A policy that rates each move of an agent by a small network of named inputs.
+
+    The same network rates all moves, so what is learned for one direction holds for all. The agent
+    takes the best move that the mask allows; of equal ones any, all equally likely. It describes
+    the shape only; a genome holds the weights.
+
+    Parameters
+    ----------
+    inputs : sequence of str, optional
+        Names of `INPUTS`, in the order of the genome. The default is all of them.
+    hidden : sequence of int, optional
+        Sizes of the hidden layers, with the activation relu. By default there is none: the rating
+        is a weighted sum, and a genome has one weight for each input.
+    mask : {"none", "obstacles", "right-of-way"}, optional
+        Moves that are never taken: none, those into an obstacle or the border, or those that right
+        of way forbids in this step.
+    fov : int, optional
+        Side of the view, odd; at least 3 for the mask obstacles, 5 for right-of-way.
+    n_actions : int, optional
+        Moves: 5, or 9 with diagonal ones.
+
+    Notes
+    -----
+    A genome is a flat array of float32. It holds, for each hidden layer, the weights as an (inputs,
+    outputs) matrix in row-major order and then the biases; at the end the weights of the last sum,
+    which has no bias, as it would change no choice. Sums are added in this order, in float32. What
+    is no number counts as the lowest rating.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from matrixworld import Matches, Population, Rating, rollout
+    >>> chaser = Rating(inputs=("adversary",))
+    >>> team = Population(np.float32([-1]), chaser)
+    >>> played = rollout("O", team, "random", Matches.of(0, 0, range(50)))
+    >>> print(f"{played.capture_rate.mean():.2f}")
+    0.99
+    """
+
+    inputs: tuple[str, ...] = tuple(INPUTS)
+    hidden: tuple[int, ...] = ()
+    mask: Mask = "obstacles"
+    fov: int = 11
+    n_actions: int = 5
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        given = checks.check_sequence("hidden", self.hidden, "ints")
+        sizes = tuple(checks.check_integer("hidden", size, 1, 2**20) for size in given)
+        object.__setattr__(self, "hidden", sizes)
+
+    @property
+    def sizes(self) -> tuple[int, ...]:
+        """Sizes of all layers: inputs, hidden layers, the rating."""
+        return (len(self.inputs), *self.hidden, 1)
+
+    @property
+    def genome_size(self) -> int:
+        """Number of weights and biases in a genome."""
+        return sum((n_in + 1) * n_out for n_in, n_out in pairwise(self.sizes)) - 1
+
+    @cached_property
+    def core(self) -> _core.Rating:
+        """The engine's form of this policy."""
+        return self._core_of(hidden=self.hidden)
+
+    def layers(self, genome: _Floats) -> list[tuple[_Floats, _Floats]]:
+        """Return weights (inputs, outputs) and biases (outputs,) of each layer, views of a genome.
+
+        The last layer has the outputs 1 and no bias. Changing an array changes the genome.
+        """
+        checks.check_shape("genome", genome, self.genome_size)
+        layers, start = [], 0
+        for n_in, n_out in pairwise(self.sizes):
+            middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
+            layers.append((genome[start:middle].reshape(n_in, n_out), genome[middle:end]))
+            start = end
+        return layers
+
+    def initial(self, rng: np.random.Generator, weight: float = 0.5) -> _Floats:
+        """Return a random genome, float32 (genome_size,): weights from N(0, weight²), biases 0."""
+        checks.check_instance("rng", rng, np.random.Generator)
+        weight = checks.check_number("weight", weight, least=0.0)
+        genome = np.zeros(self.genome_size, np.float32)
+        for weights, _ in self.layers(genome):
+            weights[:] = weight * rng.standard_normal(weights.shape, dtype=np.float32)
+        return genome
+
+    def rate(self, genome: _Floats, inputs: _Floats) -> _Floats:
+        """Return ratings, float32 (..., moves), of `inputs` (..., moves, all inputs), in NumPy.
+
+        The numbers are those of the engine, bit by bit.
+        """
+        x = self._columns(inputs)
+        *hidden, (last, _) = self.layers(genome)
+        with np.errstate(over="ignore", invalid="ignore"):
+            for weights, biases in hidden:
+                x = [
+                    np.maximum(_sum(x, column, bias), np.float32(0))
+                    for column, bias in zip(weights.T, biases, strict=True)
+                ]
+            return np.asarray(np.fmax(_sum(x, last[:, 0], np.float32(0)), _LOWEST))
+
+    def to_python(self, genome: _Floats) -> str:
+        """Return a genome as lines of Python that play the same, with weights that are not 0.
+
+        They define ``rate(x)``, where ``x[name]`` is the input of all moves of an agent, float32
+        (moves,), and ``choose(x, allowed, rng)``, which returns a move.
+        """
+        terms = [f'x["{name}"]' for name in self.inputs]
+        lines = ["import numpy as np", "", "", "def rate(x):"]
+        lines.append('    """Return the rating of each move by its inputs."""')
+        *hidden, (last, _) = self.layers(genome)
+        for number, (weights, biases) in enumerate(hidden, start=1):
+            for unit, (column, bias) in enumerate(zip(weights.T, biases, strict=True)):
+                total = _sum_text(column, terms, str(bias))
+                lines.append(f"    h{number}_{unit} = np.maximum({total}, 0)")
+            terms = [f"h{number}_{unit}" for unit in range(len(biases))]
+        lines.append(f"    return {_sum_text(last[:, 0], terms)}")
+        return "\n".join(lines) + "\n" + _CHOICE
+
+
+def _sum(x: list[_Floats], weights: _Floats, start: np.float32) -> _Floats:
+    total = np.full_like(x[0], start)
+    for each, weight in zip(x, weights, strict=True):
+        total = total + weight * each
+    return total
+
+
+def _sum_text(weights: _Floats, terms: list[str], start: str = "") -> str:
+    used = [
+        f"{weight!s} * {term}" for weight, term in zip(weights, terms, strict=True) if weight != 0
+    ]
+    parts = [start] * bool(start) + used
+    return " + ".join(parts or [f"0 * {terms[0]}"]).replace("+ -", "- ")

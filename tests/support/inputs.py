@@ -1,0 +1,120 @@
+"""The named inputs of moves, slow and obvious: from what an agent sees, cell by cell."""
+
+import numpy as np
+
+import matrixworld as mw
+from matrixworld import _core
+from reference import MOVES
+
+EVADERS, PURSUERS, OBSTACLES = range(3)
+
+
+def distance(a: tuple[int, int], b: tuple[int, int], diagonal: bool) -> int:
+    rows, cols = abs(a[0] - b[0]), abs(a[1] - b[1])
+    return max(rows, cols) if diagonal else rows + cols
+
+
+def in_order(step: int, move: int, n_actions: int) -> int:
+    """Return the place of a move in the order of right of way of a step; 0 goes first."""
+    return (move + (step + step // 8) % 8) % (n_actions - 1)
+
+
+def contact(rules: mw.Rules, team: str) -> tuple[bool, bool]:
+    """Return whether it is safe to enter an adversary's cell, and to meet one in a free cell."""
+    own, foreign = (
+        (rules.pursuer, rules.evader) if team == "pursuer" else (rules.evader, rules.pursuer)
+    )
+    bounce, occupation = mw.Outcome.BOUNCE, rules.capture is mw.Capture.OCCUPATION
+    held = own is bounce or (own is mw.Outcome.REACH and foreign is bounce)
+    enter = occupation and not held
+    if rules.interaction is mw.Interaction.SIMULTANEOUS:
+        return enter, own is not bounce and (occupation or foreign is bounce)
+    return enter, team == "pursuer" or enter
+
+
+def slow_inputs(config: mw.WorldConfig, view: np.ndarray, team: str, step: int, ahead: int) -> dict:
+    """Return the inputs of an agent's moves by name, lists of numbers, from its view.
+
+    `ahead` is the direction of its stride.
+    """
+    half, diagonal, n_actions = config.fov // 2, config.diagonal, config.n_actions
+    moves = [tuple(int(n) for n in move) for move in MOVES[:n_actions]]
+    cells = {
+        channel: [(int(r) - half, int(c) - half) for r, c in np.argwhere(view[channel])]
+        for channel in range(3)
+    }
+    own, foreign = (PURSUERS, EVADERS) if team == "pursuer" else (EVADERS, PURSUERS)
+    mates, adversaries, walls = cells[own], cells[foreign], set(cells[OBSTACLES])
+
+    def beside(cell: tuple[int, int]) -> list[tuple[int, int]]:
+        return [(cell[0] + r, cell[1] + c) for r, c in moves[1:]]
+
+    unit = np.float32(2) / np.float32(config.fov)  # half a view
+
+    def nearest(there: tuple[int, int], others: list[tuple[int, int]]) -> np.float32:
+        each = (distance(there, other, diagonal) for other in others)
+        return unit * np.float32(min(each, default=config.fov))
+
+    def push(there: tuple[int, int], others: list[tuple[int, int]]) -> float:
+        each = (2**14 // (1 + distance(there, other, diagonal)) ** 2 for other in others)
+        return sum(each) / 2**14
+
+    def is_mine(adversary: tuple[int, int]) -> bool:
+        own = distance((0, 0), adversary, diagonal)
+        return all(distance(mate, adversary, diagonal) >= own for mate in mates)
+
+    def room(there: tuple[int, int]) -> int:
+        rays = ([(there[0] + k * r, there[1] + k * c) for k in range(half)] for r, c in MOVES[1:5])
+        return min(next((k for k, cell in enumerate(ray) if cell in walls), half) for ray in rays)
+
+    def forbidden(move: int) -> bool:
+        there = moves[move]
+        may_enter, may_meet = contact(config.rules, team)
+        answer = there in walls or there in mates
+        answer |= there in adversaries and not may_enter
+        for other, (r, c) in enumerate(moves[1:], start=1):
+            origin = there[0] - r, there[1] - c
+            first = in_order(step, other, n_actions) < in_order(step, move, n_actions)
+            answer |= origin in mates and first
+            answer |= origin in adversaries and not may_meet
+        return move > 0 and answer
+
+    mine = [adversary for adversary in adversaries if is_mine(adversary)] or adversaries
+    sides = [
+        side
+        for adversary in adversaries
+        for side in beside(adversary)
+        if max(map(abs, side)) <= half and side not in walls and side not in mates
+    ]
+    free = [sum(cell not in walls for cell in beside(there)) for there in moves]
+    return {
+        "adversary": [nearest(there, adversaries) for there in moves],
+        "pressure": [push(there, adversaries) for there in moves],
+        "unclaimed": [nearest(there, mine) for there in moves],
+        "open_side": [nearest(there, sides) for there in moves],
+        "teammate": [nearest(there, mates) for there in moves],
+        "crowd": [push(there, mates) for there in moves],
+        "exits": [n / (n_actions - 1) for n in free],
+        "room": [unit * np.float32(room(there)) for there in moves],
+        "must_yield": [int(forbidden(move)) for move in range(n_actions)],
+        "stay": [int(move == 0) for move in range(n_actions)],
+        "ahead": [int(move == ahead) for move in range(n_actions)],
+    }
+
+
+def direction_of_stride(world: mw.World, agent: int) -> int:
+    """Return the direction that an agent draws for the present 12 steps."""
+    word = _core.philox([agent, world.steps // 12, 3, 0], [world.seed, world.episode])[0]
+    return 1 + word * (world.config.n_actions - 1) // 2**64
+
+
+def all_slow_inputs(world: mw.World) -> np.ndarray:
+    """Return what `World.inputs` returns, (A, moves, inputs)."""
+    config, views = world.config, world.views()
+    found = np.zeros((config.n_agents, config.n_actions, len(mw.INPUTS)), np.float32)
+    for agent in np.flatnonzero(world.alive):
+        team = "pursuer" if agent < config.n_pursuers else "evader"
+        ahead = direction_of_stride(world, int(agent))
+        named = slow_inputs(config, views[agent], team, world.steps, ahead)
+        found[agent] = np.array([named[name] for name in mw.INPUTS], np.float32).T
+    return found
