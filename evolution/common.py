@@ -26,7 +26,7 @@ from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create, finish, tournament
 from matrixworld.coevolution.fitness import Table
 from matrixworld.coevolution.settings import OVERLAP_PENALTY
-from matrixworld.solve import Solution, best_response, solve
+from matrixworld.solver import Solution, best_response, solve
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
 

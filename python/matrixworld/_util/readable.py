@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
+from functools import partial
 from itertools import chain, zip_longest
-from typing import Any
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,8 @@ Table = Sequence[Sequence[str]]
 """Rows of cells; the first row is the head."""
 Parts = Sequence["str | Table"]
 """What a result shows: texts and tables."""
+
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 LONGEST = 60
 """Characters of a value that is shown as it is."""
@@ -53,6 +56,35 @@ class Readable:
         cells = [[_cell(v[i]) if i < len(v) else "" for v in columns.values()] for i in rows]
         table = [["", *columns], *([str(i), *row] for i, row in zip(rows, cells, strict=True))]
         return [others, table] if columns else [others]
+
+
+class _Bound(partial[Any]):
+    """A method of an object, to be called; anything else raises an error that says so."""
+
+    @property
+    def __name__(self) -> str:
+        return str(self.func.__name__)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
+        name = self.__name__
+        raise TypeError(f"{name}: expected an array, got a method; did you mean {name}()?")
+
+    def __getattr__(self, name: str) -> Any:
+        call = f"{self.__name__}()"
+        raise AttributeError(f"a method has no attribute {name!r}; did you mean {call}.{name}?")
+
+
+class _Method:
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self.function = function
+
+    def __get__(self, owner: Any, kind: type) -> Callable[..., Any]:
+        return self.function if owner is None else _Bound(self.function, owner)
+
+
+def called(method: Function) -> Function:
+    """Decorate a method that could be taken for an array: NumPy makes an object of any method."""
+    return cast(Function, _Method(method))
 
 
 def plain_values(value: Any) -> Any:

@@ -22,6 +22,7 @@ from matrixworld.cli import console, options
 from matrixworld.coevolution import ActorCritic, OtherVersionError, RaceSettings
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce
 from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, sections_in
+from matrixworld.coevolution.settings import paths_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 
@@ -29,16 +30,8 @@ MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 ALL = "all"
 HINTS = hints_of(RaceSettings)
 
-PATHS = {
-    "variant": "world.rules",
-    "rows": "world.rows",
-    "cols": "world.cols",
-    "n_pursuers": "world.n_pursuers",
-    "n_evaders": "world.n_evaders",
-    "learner": "learner",
-    "generations": "schedule.generations",
-    "seed": "seed",
-}
+NAMES = ("variant", "rows", "cols", "n_pursuers", "n_evaders", "learner", "generations", "seed")
+PATHS = {name: path for name in NAMES for path in paths_of(name)}
 """Options of their own, and the settings that they set."""
 AS_BEFORE = {"evader_learner", "schedule.evaders_meet"}
 """Settings that have the sections of the setting before them."""

@@ -17,7 +17,7 @@ from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Team
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.types import SCORE, other
-from matrixworld.solve import States, best_response, expected_payoff, solve
+from matrixworld.solver import States, best_response, expected_payoff, solve
 from matrixworld.world.config import WorldConfig
 
 SOLVE_EXAMPLES = """\b

@@ -25,7 +25,7 @@ from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
-from matrixworld.coevolution.groups import RunGroup, open_groups
+from matrixworld.coevolution.groups import Comparison, RunGroup, compare, judge, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
 from matrixworld.coevolution.learners import ActorCritic, CmaEs, EvolutionStrategy, GeneticAlgorithm
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
@@ -45,6 +45,7 @@ __all__ = [
     "Against",
     "AtOnce",
     "CmaEs",
+    "Comparison",
     "DamagedFileError",
     "DisengagementWarning",
     "EvolutionStrategy",
@@ -71,11 +72,13 @@ __all__ = [
     "available",
     "check_learner",
     "check_sampler",
+    "compare",
     "competitive_sharing",
     "create",
     "evolve",
     "finish",
     "held_out",
+    "judge",
     "open_groups",
     "open_run",
     "open_runs",

@@ -299,10 +299,13 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     if "own" in known and isinstance(given, known["own"].base):  # type: ignore[attr-defined]
         own = {n: v for n, v in values_of(given).items() if v is not None}
         given = {"kind": name_of(type(given)), "settings": own}
+    if isinstance(given, type) and not issubclass(given, Section):
+        raise TypeError(f"{item.name}: expected {_derived(known)[0]}, got {given}")
     if isinstance(given, str | type):
         given = {"kind": given}
     if not isinstance(given, Mapping):
-        classes = " or ".join(dict.fromkeys(each.__name__ for each in known.values()))
+        names = [each.__name__ for each in known.values() if each.kind != "own"]
+        classes = ", ".join([*dict.fromkeys(names), *_derived(known)])
         raise TypeError(f"{item.name}: expected {classes}, got {checks.shown(given)}")
     changes = dict(given)
     usual = before or item.metadata["default"]
@@ -314,6 +317,16 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     start = vars(before) if type(before) is cls and "code" not in sets else {}
     with inside(item.name):
         return cls(**merged(cls, merged(cls, start, sets), changes))
+
+
+def _derived(known: Mapping[str, type[Section]]) -> list[str]:
+    """Return what a class of your own has to be, where there may be one."""
+    recipe = "docs/maintainers/how_to_add.md has one to copy"
+    return [
+        f"a class derived from {each.base.__name__} ({recipe})"
+        for each in known.values()
+        if issubclass(each, OwnCode)
+    ]
 
 
 def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str, Any]]:
@@ -413,6 +426,17 @@ def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
         is_section = isinstance(inner.get(name), Mapping) and not isinstance(value, Mapping)
         inner[name] = {**inner[name], "kind": value} if is_section else value
     return plain
+
+
+def paths_in(cls: type[Section], path: str = "") -> Iterator[str]:
+    """Yield the paths of all settings in a section, of every kind that a field may hold."""
+    for item in fields(cls):
+        hint, here = hints_of(cls)[item.name], f"{path}{item.name}"
+        yield here
+        if hint is WorldConfig:
+            yield from (f"{here}.{name}" for name in WORLD_HELP)
+        for kind in dict.fromkeys(sections_in(hint).values()):
+            yield from paths_in(kind, f"{here}.")
 
 
 def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:

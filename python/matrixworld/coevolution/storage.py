@@ -42,7 +42,8 @@ from numpy.typing import NDArray
 
 from matrixworld._util import files
 from matrixworld._util.checks import check_choice
-from matrixworld._util.readable import html_of
+from matrixworld._util.imports import no_attribute
+from matrixworld._util.readable import called, html_of
 from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
@@ -97,6 +98,15 @@ COUNTERS = ("matches", "steps", "agent_steps")
 """Episodes, world steps, and steps of living agents: what a run counts."""
 
 
+OTHER_NAMES = {
+    **dict.fromkeys(("payoff_matrix", "payoffs", "matrix"), "run.payoff()"),
+    **dict.fromkeys(("resume", "continue_run", "train"), "run.extend(generations=60)"),
+    **dict.fromkeys(("champion", "get_best"), 'run.best("pursuer")'),
+    "genomes": 'run.teams["pursuer"].genomes',
+}
+"""What people call the parts of a run, and the right calls."""
+
+
 class OtherVersionError(ValueError):
     """A file of a run is complete, but of another version of the package."""
 
@@ -125,6 +135,10 @@ class SavedRun:
 
     def __init__(self, path: str | Path) -> None:
         self.path: Path = Path(path)
+        self._best: dict[Team, int] = {}
+
+    def __getattr__(self, name: str) -> Any:
+        raise no_attribute(self, "a run", name, OTHER_NAMES)
 
     def _size(self, team: Team) -> str:
         each = self.teams[team]
@@ -218,6 +232,7 @@ class SavedRun:
         """Return the rows of the log of all finished stages after one; errors as `archive`."""
         return _rows_of([self._stage(number) for number in range(after + 1, self.newest() + 1)])
 
+    @called
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         return Payoff.from_arrays(self._load(PAYOFF))
@@ -340,6 +355,26 @@ class SavedRun:
             raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
         genome = policy.genomes[self.generation(team, generation, "generation")]
         return NetworkPolicy(policy.network, genome, sampled=sampled, seed=seed)
+
+    def best(
+        self, team: Team, *, sampled: bool | None = None, seed: int | None = None
+    ) -> NetworkPolicy:
+        """Return the generation of a team that is best against held-out opponents, as a policy.
+
+        They choose it on episodes of their own, which no other score is from. Where there are none,
+        it is the last one. The run plays them once.
+
+        Parameters
+        ----------
+        team, sampled, seed
+            As for `policy`.
+        """
+        # Scores are of runs, and so above this module.
+        from matrixworld.coevolution.evaluation.scores import best_generation
+
+        if team not in self._best and team in self.settings.learning_teams:
+            self._best[team] = best_generation(self, team)
+        return self.policy(team, self._best.get(team, -1), sampled=sampled, seed=seed)
 
     def generation(self, team: Team, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.

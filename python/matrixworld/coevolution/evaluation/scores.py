@@ -61,6 +61,8 @@ SCORES = "scores.json"
 """File in the run directory: scores of the last generations, played once and kept."""
 EPISODES, SEED = 100, 0
 """Episodes of each pair, and their seed, if nothing else is asked for."""
+CHOICE_EPISODES = 20
+"""Episodes of each pair by which the best generation is chosen."""
 SCORED_BY = {
     "matrixworld": __version__,
     "held_out": HELD_OUT_VERSION,
@@ -379,6 +381,21 @@ def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig)
     return _Side(team, chosen, generations, opponents, left_out)
 
 
+def best_generation(run: SavedRun, team: Team) -> int:
+    """Return the generation of a team with the highest mean score, the latest of equal ones.
+
+    By fewer episodes than those of `score`, and of another seed.
+    """
+    side, world = _side(run, team, None, run.settings.world), run.settings.world
+    if not side.opponents:
+        return side.generations[-1]
+    scores = _scores(
+        world, [side], episodes=CHOICE_EPISODES, seed=checks.SEED_MAX, threads=None, report=silent
+    )
+    means = scores[team].means
+    return int(np.flatnonzero(means == means.max())[-1])
+
+
 def score_runs(
     runs: Sequence[SavedRun], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:
@@ -441,7 +458,7 @@ def score_policy(
 
     Parameters
     ----------
-    policy : callable, NetworkPolicy, Population, or what `solve.Solution.policy` returns
+    policy : callable, NetworkPolicy, Population, or what `solver.Solution.policy` returns
         A function from observations, uint8 (n, 3, fov, fov), of n living agents of the team to
         their actions, integers (n,). The agents may be of several episodes. What is no function is
         played inside the engine.
