@@ -111,7 +111,7 @@ CALLS = [
     partial(coevolution.RaceSettings, **vars(tiny_race())),
     *(partial(type(each), **vars(each)) for each in SECTIONS if isinstance(each, Section)),
     partial(coevolution.create, settings=tiny_race(), directory="new"),
-    partial(coevolution.evolve, settings=tiny_race(), directory="new", threads=1),
+    partial(coevolution.evolve, settings=tiny_race(), out="new", threads=1),
     partial(coevolution.check_learner, learner=coevolution.CmaEs(sigma=0.1)),
     partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform(), count=1),
     partial(coevolution.available, team="pursuer", k=1),

@@ -258,7 +258,7 @@ BAD = [
 @pytest.mark.parametrize(("bad", "kind", "message"), BAD, ids=range(len(BAD)))
 def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp_path):
     with pytest.raises(kind, match=message):
-        evolve(**{"settings": SETTINGS, "directory": tmp_path / "job", **bad})
+        evolve(**{"settings": SETTINGS, "out": tmp_path / "job", **bad})
     assert list(tmp_path.iterdir()) == []
 
 

@@ -6,9 +6,9 @@ import html
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
-from functools import partial
+from functools import partial, update_wrapper
 from itertools import chain, zip_longest
-from typing import Any, TypeVar, cast
+from typing import Any, Generic, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ Table = Sequence[Sequence[str]]
 Parts = Sequence["str | Table"]
 """What a result shows: texts and tables."""
 
-Function = TypeVar("Function", bound=Callable[..., Any])
+Result = TypeVar("Result")
 
 LONGEST = 60
 """Characters of a value that is shown as it is."""
@@ -58,33 +58,24 @@ class Readable:
         return [others, table] if columns else [others]
 
 
+class called(Generic[Result]):  # noqa: N801, a decorator
+    """Decorates a method that could be taken for an array: NumPy makes an object of any other."""
+
+    def __init__(self, method: Callable[[Any], Result]) -> None:
+        self.method = method
+
+    def __get__(self, owner: Any, kind: type) -> Callable[[], Result]:
+        if owner is None:
+            return cast(Callable[[], Result], self.method)
+        return update_wrapper(_Bound(self.method, owner), self.method)
+
+
 class _Bound(partial[Any]):
-    """A method of an object, to be called; anything else raises an error that says so."""
-
-    @property
-    def __name__(self) -> str:
-        return str(self.func.__name__)
-
     def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
-        name = self.__name__
-        raise TypeError(f"{name}: expected an array, got a method; did you mean {name}()?")
+        raise TypeError(f"expected an array, got a method; did you mean {self.__name__}()?")
 
     def __getattr__(self, name: str) -> Any:
-        call = f"{self.__name__}()"
-        raise AttributeError(f"a method has no attribute {name!r}; did you mean {call}.{name}?")
-
-
-class _Method:
-    def __init__(self, function: Callable[..., Any]) -> None:
-        self.function = function
-
-    def __get__(self, owner: Any, kind: type) -> Callable[..., Any]:
-        return self.function if owner is None else _Bound(self.function, owner)
-
-
-def called(method: Function) -> Function:
-    """Decorate a method that could be taken for an array: NumPy makes an object of any method."""
-    return cast(Function, _Method(method))
+        raise AttributeError(f"a method has no {name!r}; did you mean to call it, with ()?")
 
 
 def plain_values(value: Any) -> Any:

@@ -223,19 +223,17 @@ def judge(source: Any, **known: Any) -> Judgement:
         Other arguments of `analysis.judge`.
     """
     group = _group_of("source", source)
-    if group is not None:
-        return analysis.judge(group.payoffs, **known) if known else group.judgement
-    return analysis.judge(source, **known)
+    return analysis.judge(source if group is None else group.payoffs, **known)
 
 
 @dataclass(frozen=True, repr=False)
 class Comparison(Readable):
-    """What tells one group of runs from another one.
+    """What tells one group of runs from another one, by what was measured.
 
     Parameters
     ----------
     means : dict of str to tuple of float
-        Means of the first and of the second group, by what was measured.
+        Means of the first and of the second group.
     differences : dict of str to Estimate
         The first mean minus the second, with its interval.
     """
@@ -252,81 +250,78 @@ class Comparison(Readable):
             (name, *(f"{mean:.3f}" for mean in self.means[name]), str(each), self.verdict(name))
             for name, each in self.differences.items()
         ]
-        across = {each.across for each in self.differences.values()} - {"nothing"}
-        over = f"intervals over {' and '.join(sorted(across)) or 'nothing: too few runs'}"
-        return [over, [("", "first", "second", "difference", ""), *rows]]
+        return [[("", "first", "second", "difference", ""), *rows]]
 
 
 def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparison:
     """Compare two groups of runs, or two runs, or the payoffs of any races.
 
-    Teams are compared by their last generations' scores against held-out opponents, and races by
+    Teams are compared by the scores of their last generations against held-out opponents, races by
     the measures that a judgement rests on. Groups with the same seeds are compared pair by pair.
-    Two single runs have intervals over their episodes, which say nothing about other seeds, and
-    for scores only.
+    Two single runs have scores only, with intervals over episodes, not over seeds.
 
     Parameters
     ----------
     one, other : SavedRun, list of SavedRun, RunGroup, path, Payoff or array_like
         As `source` of `judge`. Payoffs have no scores.
     level : float, optional
-        Level of each interval, in (0, 1). Of many differences some are told apart by chance: take a
-        higher level for many questions.
+        Level of each interval, in (0, 1); who asks many questions takes a higher one.
 
     Raises
     ------
     ValueError
-        If the worlds of the runs differ, whose scores cannot be compared.
+        If the worlds of the runs differ: scores are of a world.
     """
     groups = [_group_of("one", one), _group_of("other", other)]
     runs = [group for group in groups if group is not None]
     values: dict[str, list[NDArray[np.float64]]] = {}
-    of_episodes: dict[str, Estimate] = {}
+    single = len(runs) == 2 and not any(group.several for group in runs)
     if len(runs) == 2:
-        worlds = [group.runs[0].settings.world for group in runs]
-        if worlds[0] != worlds[1]:
+        first, second = (group.runs[0].settings for group in runs)
+        if first.world != second.world:
             raise ValueError("other: expected runs in the same world as one, got another world")
-        teams = [{*group.runs[0].settings.learning_teams} for group in runs]
-        for team in (team for team in TEAMS if all(team in each for each in teams)):
+        for team in (t for t in first.learning_teams if t in second.learning_teams):
             name = f"{team}s against held-out opponents, {SCORE[team]}"
-            values[name] = [group.held_out(team).mean(axis=1) for group in runs]
-            if not any(group.several for group in runs):
-                rates = [score(group.runs[0])[team].rates[-1].mean(axis=0) for group in runs]
-                of_episodes[name] = intervals.difference_over_episodes(*rates, level=level)
-    if all(group.is_race for group in runs):
+            values[name] = [
+                score(each.runs[0])[team].rates[-1].mean(axis=0)
+                if single
+                else each.held_out(team).mean(axis=1)
+                for each in runs
+            ]
+    if all(group.is_race for group in runs) and not single:
         payoffs = [
             analysis.read_payoffs(source) if group is None else group.payoffs
             for group, source in zip(groups, (one, other), strict=True)
         ]
         for measure in (each for each in analysis.MEASURES.values() if each.short):
-            of_runs = [np.array([measure.of(run).value for run in each.runs]) for each in payoffs]
-            if np.isfinite(np.concatenate(of_runs)).all():
-                values[measure.label] = of_runs
+            found = [np.array([measure.of(run).value for run in each.runs]) for each in payoffs]
+            if np.isfinite(np.concatenate(found)).all():
+                values[measure.label] = found
     paired = len(runs) == 2 and runs[0].seeds == runs[1].seeds
-    over_runs = partial(analysis.difference_of_runs, paired=paired, level=level)
+    over_runs = partial(analysis.difference_of_runs, paired=paired)
+    difference = intervals.difference_over_episodes if single else over_runs
     return Comparison(
         {name: (float(a.mean()), float(b.mean())) for name, (a, b) in values.items()},
-        {name: over_runs(*pair) for name, pair in values.items()} | of_episodes,
+        {name: difference(*pair, level=level) for name, pair in values.items()},
     )
 
 
 def _group_of(name: str, source: Any) -> RunGroup | None:
     """Return runs as the group that they are; None for what holds no runs."""
-    if isinstance(source, SavedRun):
-        source = [source]
+    several = source if isinstance(source, list | tuple) else [source]
     if isinstance(source, str | Path) and Path(source).is_dir():
         groups = open_groups(source)
     elif isinstance(source, RunGroup):
         groups = [source]
-    elif isinstance(source, list | tuple) and any(isinstance(e, SavedRun) for e in source):
-        groups = grouped({run.path: run.settings for run in source})
+    elif any(isinstance(each, SavedRun) for each in several):
+        groups = grouped({run.path: run.settings for run in several})
     else:
         return None
-    if len(groups) > 1:
-        named = "; ".join(group.name for group in groups)
-        raise ValueError(f"{name}: expected runs that differ in their seed only, got {named}")
-    if not groups[0].runs:
-        raise ValueError(f"{name}: expected finished runs, got none in {groups[0].name}")
+    if len(groups) > 1 or not groups[0].runs:
+        got = "; ".join(f"{each.name}, seeds {each.seeds}" for each in groups)
+        raise ValueError(
+            f"{name}: expected finished runs that differ in their seed only, got {got}"
+        )
     return groups[0]
 
 

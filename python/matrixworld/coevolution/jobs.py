@@ -22,7 +22,7 @@ from dataclasses import replace
 from multiprocessing import connection, resource_tracker
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 from matrixworld._util.checks import (
     check_instance,
@@ -38,9 +38,7 @@ from matrixworld.coevolution.learners.learner import table_length
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
 from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
-from matrixworld.world.rules import Rules, rules_of
 
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
 """Names of runs: relative paths of one or two parts that every system accepts."""
@@ -56,11 +54,6 @@ MOST_NAMED = 5
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""
-
-Asked: TypeAlias = (
-    "RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings] | WorldConfig | Rules | str"
-)
-"""What `evolve` takes as settings."""
 
 
 def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings]) -> Job:
@@ -158,7 +151,11 @@ def described(path: Path, error: BaseException) -> str:
 
 
 def evolve(
-    settings: Asked | None = None,
+    settings: RaceSettings
+    | Sequence[RaceSettings]
+    | Mapping[str, RaceSettings]
+    | str
+    | None = None,
     out: str | Path | None = None,
     *,
     seeds: Sequence[int] | None = None,
@@ -178,11 +175,11 @@ def evolve(
 
     Parameters
     ----------
-    settings : RaceSettings, or a sequence or mapping of them; WorldConfig, Rules or str; optional
+    settings : RaceSettings, or a sequence or mapping of them; or str, optional
         Settings of a run, which is then made in `out` itself; or of each run, by the names of the
         directories that they get in it, such as ``sigma-0.1/seed-3``. Without names these are
-        ``<schedule>/seed-<n>``, and ``<team>-against-<opponent>/seed-<n>`` for one team alone. Or
-        the world of a run whose other settings are `named`.
+        ``<schedule>/seed-<n>``, and ``<team>-against-<opponent>/seed-<n>`` for one team alone.
+        By default the run has the settings that are `named`; a text is then its variant.
     out : str or Path, optional
         A new or empty directory, or that of the same runs, which are continued. By default one in
         ``runs/`` that is named after variant and seeds.
@@ -245,15 +242,13 @@ def evolve(
 
 def _asked(settings: Any, seeds: Sequence[int] | None, named: Mapping[str, Any]) -> Any:
     """Return the settings that `evolve` was asked for, perhaps of several seeds."""
+    if isinstance(settings, str):
+        settings, named = None, {"variant": settings, **named}
     if settings is None:
         settings = RaceSettings.of(**named)
-    elif isinstance(settings, WorldConfig):
-        settings = RaceSettings.of({"world": settings}, **named)
-    elif isinstance(settings, Rules | str):  # numbers of agents follow from the rules
-        settings = RaceSettings.of({"world.rules": rules_of(settings)}, **named)
     elif named:
-        expected = "RaceSettings alone, or a world and settings by name"
-        raise TypeError(f"settings: expected {expected}, got RaceSettings and {', '.join(named)}")
+        expected = "RaceSettings alone, or a variant and settings by name"
+        raise TypeError(f"settings: expected {expected}, got both: {', '.join(named)}")
     if seeds is None:
         return settings
     check_instance("settings", settings, RaceSettings)

@@ -29,6 +29,7 @@ from matrixworld._util import checks
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import REWARDS, VARIANTS, Rewards, Rules
 
+RECIPES = "docs/maintainers/how_to_add.md"
 AnySection = TypeVar("AnySection", bound="Section")
 
 WORLD_HELP = {
@@ -299,14 +300,14 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     if "own" in known and isinstance(given, known["own"].base):  # type: ignore[attr-defined]
         own = {n: v for n, v in values_of(given).items() if v is not None}
         given = {"kind": name_of(type(given)), "settings": own}
-    if isinstance(given, type) and not issubclass(given, Section):
-        raise TypeError(f"{item.name}: expected {_derived(known)[0]}, got {given}")
-    if isinstance(given, str | type):
+    if isinstance(given, str) or (isinstance(given, type) and issubclass(given, Section)):
         given = {"kind": given}
     if not isinstance(given, Mapping):
         names = [each.__name__ for each in known.values() if each.kind != "own"]
-        classes = ", ".join([*dict.fromkeys(names), *_derived(known)])
-        raise TypeError(f"{item.name}: expected {classes}, got {checks.shown(given)}")
+        if "own" in known:
+            names.append(f"class derived from {known['own'].base.__name__} ({RECIPES})")  # type: ignore[attr-defined]
+        expected = " or ".join(dict.fromkeys(names))
+        raise TypeError(f"{item.name}: expected {expected}, got {checks.shown(given)}")
     changes = dict(given)
     usual = before or item.metadata["default"]
     if "kind" in changes or usual is None:
@@ -317,16 +318,6 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     start = vars(before) if type(before) is cls and "code" not in sets else {}
     with inside(item.name):
         return cls(**merged(cls, merged(cls, start, sets), changes))
-
-
-def _derived(known: Mapping[str, type[Section]]) -> list[str]:
-    """Return what a class of your own has to be, where there may be one."""
-    recipe = "docs/maintainers/how_to_add.md has one to copy"
-    return [
-        f"a class derived from {each.base.__name__} ({recipe})"
-        for each in known.values()
-        if issubclass(each, OwnCode)
-    ]
 
 
 def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str, Any]]:

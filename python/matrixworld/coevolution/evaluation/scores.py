@@ -460,8 +460,8 @@ def score_policy(
     ----------
     policy : callable, NetworkPolicy, Population, or what `solver.Solution.policy` returns
         A function from observations, uint8 (n, 3, fov, fov), of n living agents of the team to
-        their actions, integers (n,). The agents may be of several episodes. What is no function is
-        played inside the engine.
+        their actions, integers (n,); or from the observation of one agent to its action. The agents
+        may be of several episodes. What is no function is played inside the engine.
     team : {"pursuer", "evader"}
         Team that it plays for.
     config : WorldConfig, Rules or str, optional
