@@ -183,7 +183,7 @@ def test_an_error_of_own_code_is_that_of_its_run(tmp_path, monkeypatch):
 
 @posix
 def test_a_process_that_dies_ends_the_job_and_the_same_call_goes_on(tmp_path):
-    once = {"learner": "own_code:Dies", "settings": {"marker": str(tmp_path / "dead")}}
+    once = {"learner": "own_code:Dies", "learner.settings": {"marker": str(tmp_path / "dead")}}
     settings = {"once": tiny_race(**once), "good": tiny_race(seed=9)}
     with pytest.raises(BrokenExecutor, match="perhaps memory .* finished parts are saved"):
         evolve(settings, tmp_path / "job", threads=4)

@@ -51,7 +51,8 @@ def _asked(policy: Callback, views: NDArray[np.uint8]) -> NDArray[Any]:
     """Return what a function chooses for n views at once, or one by one if it takes one only."""
 
     def one_by_one() -> NDArray[Any]:
-        return integers("actions of the policy", [policy(view) for view in views])
+        actions: Any = [policy(view) for view in views]
+        return integers("actions of the policy", actions)
 
     try:
         chosen = integers("actions of the policy", policy(views))
