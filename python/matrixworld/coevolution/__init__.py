@@ -4,11 +4,10 @@ A race in a few lines::
 
     from matrixworld import coevolution
 
-    settings = coevolution.RaceSettings(schedule="generalist-generalist", learner="es", seed=1)
     with coevolution.ProgressBar() as bar:
-        run = coevolution.evolve(settings, "my-race", report=bar)
+        run = coevolution.evolve("O", "my-race", learner="es", seed=1, report=bar)
 
-The same call continues after an interruption. ``coevolution.evolve([settings, ...], "my-races")``
+The same call continues after an interruption. ``coevolution.evolve("O", "my-races", seeds=[1, 2])``
 does so for many, side by side. ``coevolution.open_run("my-race").record(pursuer=30, evader=10)``
 plays an episode again.
 
