@@ -135,7 +135,6 @@ class SavedRun:
 
     def __init__(self, path: str | Path) -> None:
         self.path: Path = Path(path)
-        self._best: dict[Team, int] = {}
 
     def __getattr__(self, name: str) -> Any:
         raise no_attribute(self, "a run", name, OTHER_NAMES)
@@ -356,24 +355,25 @@ class SavedRun:
         genome = policy.genomes[self.generation(team, generation, "generation")]
         return NetworkPolicy(policy.network, genome, sampled=sampled, seed=seed)
 
+    @cached_property
+    def _best(self) -> dict[Team, int]:
+        # Scores are of runs, and so above this module.
+        from matrixworld.coevolution.evaluation.scores import best_generations
+
+        return best_generations(self)
+
     def best(
         self, team: Team, *, sampled: bool | None = None, seed: int | None = None
     ) -> NetworkPolicy:
         """Return the generation of a team that is best against held-out opponents, as a policy.
 
-        They choose it on episodes of their own, which no other score is from. Where there are none,
-        it is the last one. The run plays them once.
+        It is chosen by episodes of its own, which no score is from. They are played once.
 
         Parameters
         ----------
         team, sampled, seed
             As for `policy`.
         """
-        # Scores are of runs, and so above this module.
-        from matrixworld.coevolution.evaluation.scores import best_generation
-
-        if team not in self._best and team in self.settings.learning_teams:
-            self._best[team] = best_generation(self, team)
         return self.policy(team, self._best.get(team, -1), sampled=sampled, seed=seed)
 
     def generation(self, team: Team, index: int, name: str = "") -> int:

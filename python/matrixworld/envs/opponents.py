@@ -175,8 +175,6 @@ def with_opponent(team: Team | None, opponent: Opponents | None, settings: Any) 
         return settings
     check_choice("team", team, FIRST)
     name, usual = FIRST[team]
-    if opponent is not None and name in settings:
-        raise ValueError(f"opponent, {name}: expected one of them, got both")
     return {name: usual if opponent is None else opponent, **settings}
 
 

@@ -587,10 +587,9 @@ def make(
     *,
     team: Team | None = None,
     opponent: Opponents | None = None,
-    agent: str | None = None,
-    **settings: Any,
-) -> Any:
-    """Make an environment of one world, which the caller plays for both teams, a team or an agent.
+    **settings: Unpack[EnvSettings],
+) -> MatrixWorldParallel:
+    """Make a `parallel_env` of which the caller plays both teams, or one against an opponent.
 
     Parameters
     ----------
@@ -601,27 +600,12 @@ def make(
     opponent : Opponents, optional
         What plays the other team, see `matrixworld.envs.opponents`. The default is
         ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
-    agent : str, optional
-        The only agent that the caller plays, such as ``"evader_2"``; its team needs no `team`.
-
-    Returns
-    -------
-    `parallel_env` (PettingZoo), or with `agent` `AgentEnv` (Gymnasium)
 
     Examples
     --------
     >>> import matrixworld as mw
-    >>> mw.make("SB", n_pursuers=4, n_evaders=2, size=10).possible_agents[-1]
-    'evader_1'
-    >>> mw.make("SB", team="evader", opponent="surrounder", size=10).possible_agents[0]
-    'evader_0'
-    >>> mw.make("O", agent="pursuer_0", dtype="float32", flatten=True).observation_space.shape
-    (363,)
+    >>> env = mw.make("SB", n_evaders=2, size=10, team="evader", opponent="surrounder")
+    >>> env.possible_agents
+    ['evader_0', 'evader_1']
     """
-    if agent is None:
-        return MatrixWorldParallel(config, **with_opponent(team, opponent, settings))
-    own: Any = str(agent).partition("_")[0]
-    if team not in (None, own):
-        raise ValueError(f"team: expected that of the agent {agent}, got {team!r}")
-    played = settings if opponent is None else with_opponent(own, opponent, settings)
-    return AgentEnv(config, agent=agent, **played)
+    return MatrixWorldParallel(config, **with_opponent(team, opponent, settings))

@@ -323,14 +323,6 @@ def make_vec(
         Another name for ``max_steps``.
     team, opponent : optional
         As for `make`.
-
-    Examples
-    --------
-    >>> import matrixworld as mw
-    >>> envs = mw.make_vec("SB", num_envs=64, team="pursuer", size=20)
-    >>> observations, infos = envs.reset(seed=0)
-    >>> observations.shape
-    (64, 20, 3, 11, 11)
     """
     known = WorldSettings.__annotations__.keys() | signature(VectorEnv).parameters.keys()
     checks.check_keywords(settings, known - {"n_worlds", "changes"}, make_vec)

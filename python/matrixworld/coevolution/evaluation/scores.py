@@ -62,7 +62,7 @@ SCORES = "scores.json"
 EPISODES, SEED = 100, 0
 """Episodes of each pair, and their seed, if nothing else is asked for."""
 CHOICE_EPISODES = 20
-"""Episodes of each pair by which the best generation is chosen."""
+"""Episodes of each pair by which the best generation is chosen: others than those of scores."""
 SCORED_BY = {
     "matrixworld": __version__,
     "held_out": HELD_OUT_VERSION,
@@ -381,19 +381,11 @@ def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig)
     return _Side(team, chosen, generations, opponents, left_out)
 
 
-def best_generation(run: SavedRun, team: Team) -> int:
-    """Return the generation of a team with the highest mean score, the latest of equal ones.
-
-    By fewer episodes than those of `score`, and of another seed.
-    """
-    side, world = _side(run, team, None, run.settings.world), run.settings.world
-    if not side.opponents:
-        return side.generations[-1]
-    scores = _scores(
-        world, [side], episodes=CHOICE_EPISODES, seed=checks.SEED_MAX, threads=None, report=silent
-    )
-    means = scores[team].means
-    return int(np.flatnonzero(means == means.max())[-1])
+def best_generations(run: SavedRun) -> dict[Team, int]:
+    """Return the generation of each team with the highest mean score, the latest of equal ones."""
+    found = score(run, generation=None, episodes=CHOICE_EPISODES, seed=checks.SEED_MAX)
+    best = {team: np.flatnonzero(one.means == one.means.max())[-1] for team, one in found.items()}
+    return {team: int(generation) for team, generation in best.items()}
 
 
 def score_runs(
