@@ -25,7 +25,7 @@ from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create, finish, tournament
 from matrixworld.coevolution.pursuit import OVERLAP_PENALTY, Pursuit
-from matrixworld.solve import Solution, best_response, solve
+from matrixworld.solver import Solution, best_response, solve
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
 

@@ -60,7 +60,7 @@ from matrixworld.coevolution import (
     tournament,
 )
 from matrixworld.coevolution.types import other
-from matrixworld.solve import best_response, expected_payoff
+from matrixworld.solver import best_response, expected_payoff
 
 RACE, YOKED = "race", "yoked race"
 EVERY = 5

@@ -1,11 +1,10 @@
-"""PPO of RLlib on `parallel_env`, with flat observations by SuperSuit.
+"""PPO of RLlib on `parallel_env`, with flat observations.
 
-``pip install "ray[rllib]" supersuit torch``. Tried with Ray 2.60.0, which needs Gymnasium 1.2.2,
-and with SuperSuit 3.11.0, PyTorch 2.13.0, PettingZoo 1.27.0 and NumPy 2.4.6.
+``pip install "ray[rllib]" torch``. Tried with Ray 2.60.0, which needs Gymnasium 1.2.2, and with
+PyTorch 2.14.1, PettingZoo 1.27.0 and NumPy 2.4.6.
 """
 
 import ray
-import supersuit
 import torch
 from ray.rllib.algorithms.ppo import PPOConfig
 from ray.rllib.core.columns import Columns
@@ -21,8 +20,8 @@ ROLLOUT = 4096  # steps of agents
 
 
 def make(_):
-    env = mw.parallel_env(config, evaders="clumsy-fleer")
-    return ParallelPettingZooEnv(supersuit.flatten_v0(supersuit.dtype_v0(env, "float32")))
+    flat = {"dtype": "float32", "flatten": True}
+    return ParallelPettingZooEnv(mw.parallel_env(config, evaders="clumsy-fleer", **flat))
 
 
 def score():

@@ -6,7 +6,7 @@
 import numpy as np
 import pyspiel
 
-from matrixworld.solve import States
+from matrixworld.solver import States
 
 
 def matrix_game(payoff):
@@ -21,12 +21,12 @@ class WorldGame(pyspiel.Game):
     """A small world as a game of two players with perfect information.
 
     Player 0 is the pursuers and player 1 the evaders: a team is one player, whose actions are the
-    joint actions of `matrixworld.solve.States`. Chance draws the start. Where all agents move at
+    joint actions of `matrixworld.solver.States`. Chance draws the start. Where all agents move at
     once, every round is a simultaneous move of both players; ``pyspiel.convert_to_turn_based`` is
     for algorithms that need turns. In rules with turns every turn is a move of one player.
 
     An episode ends as in the world, or after its ``max_steps``. Then the pursuers get the capture
-    rate, and the evaders minus the capture rate: the value is that of `matrixworld.solve.solve`.
+    rate, and the evaders minus the capture rate: the value is that of `matrixworld.solver.solve`.
     """
 
     def __init__(self, config):

@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 from course.boards import playable
 from matrixworld.coevolution.types import TEAMS, FloatArray, State, Team
 from matrixworld.play.rollout import EpisodeStatistics
-from matrixworld.solve import States, best_response, solve
+from matrixworld.solver import States, best_response, solve
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy
 

@@ -12,7 +12,7 @@ from scipy import ndimage
 from course.boards import playable
 from maps.archive import Map
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
-from matrixworld.solve import States, best_response, solve
+from matrixworld.solver import States, best_response, solve
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy
 

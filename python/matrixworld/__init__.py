@@ -1,6 +1,7 @@
 """matrixworld: pursuit and evasion on a grid, for safe coordination and co-evolution.
 
 ==================  ===============================================================================
+first calls         `make`, `make_vec`, `evolve`, `open_run`, `judge`, `compare`, `solve`
 games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `Action`
 worlds              `World` (one), `Batch` (many)
 environments        `parallel_env`, `aec_env` (PettingZoo), `AgentEnv` (one agent, Gymnasium),
@@ -9,8 +10,8 @@ policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `E
                     `NetworkPolicy`, `score_policy`
 episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
-evolution           packages `coevolution`, `analysis` and `plots`
-ground truth        package `solve`
+evolution           `evolve`, `open_runs`; packages `coevolution`, `analysis` and `plots`
+ground truth        package `solver`
 ==================  ===============================================================================
 
 Names and packages are imported when they are first used. So are Gymnasium and PettingZoo, in which
@@ -20,6 +21,17 @@ the environments are registered as soon as both they and this package have been 
 from matrixworld._util.imports import ImportedWith, lazy
 from matrixworld.version import __version__ as __version__
 
-__getattr__, __dir__, __all__ = lazy(__name__, __file__)
+OTHER_NAMES = {
+    **dict.fromkeys(("env", "Env", "make_env"), 'mw.make("O")'),
+    **dict.fromkeys(("vec_env", "VecEnv"), 'mw.make_vec("O", num_envs=64)'),
+    **dict.fromkeys(("train", "run", "race"), 'mw.evolve(variant="O")'),
+    **dict.fromkeys(("load", "load_run"), "mw.open_run(directory)"),
+    "load_runs": "mw.open_runs(directory)",
+    "evaluate": 'mw.score_policy(policy, "pursuer", config, episodes=100)',
+    "plot": "mw.plots.payoff_heatmap(run.payoff()) or mw.plots.ciao_triangles(run.payoff())",
+}
+"""What other libraries call things, and the right calls."""
+
+__getattr__, __dir__, __all__ = lazy(__name__, __file__, OTHER_NAMES)
 
 ImportedWith({"gymnasium", "pettingzoo"}, "matrixworld.envs")

@@ -6,8 +6,16 @@ from matrixworld._core import Capture as Capture
 from matrixworld._core import Interaction as Interaction
 from matrixworld._core import Outcome as Outcome
 from matrixworld._util import colors as colors
+from matrixworld.coevolution import Game as Game
+from matrixworld.coevolution import compare as compare
+from matrixworld.coevolution import evolve as evolve
+from matrixworld.coevolution import judge as judge
+from matrixworld.coevolution import open_run as open_run
+from matrixworld.coevolution import open_runs as open_runs
 from matrixworld.coevolution import score_policy as score_policy
 from matrixworld.envs import aec_env as aec_env
+from matrixworld.envs import make as make
+from matrixworld.envs import make_vec as make_vec
 from matrixworld.envs import parallel_env as parallel_env
 from matrixworld.envs.single import AgentEnv as AgentEnv
 from matrixworld.envs.vector import AgentVectorEnv as AgentVectorEnv
@@ -23,6 +31,7 @@ from matrixworld.play import NetworkPolicy as NetworkPolicy
 from matrixworld.play.rollout import EpisodeStatistics as EpisodeStatistics
 from matrixworld.play.rollout import Matches as Matches
 from matrixworld.play.rollout import rollout as rollout
+from matrixworld.solver import solve as solve
 from matrixworld.world import render as render
 from matrixworld.world.arrays import array_specs as array_specs
 from matrixworld.world.arrays import episode_specs as episode_specs
@@ -49,7 +58,7 @@ from . import episodes as episodes
 from . import explorer as explorer
 from . import play as play
 from . import plots as plots
-from . import solve as solve
+from . import solver as solver
 from . import world as world
 
 __version__: str

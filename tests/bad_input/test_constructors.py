@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import coevolution, solve
+from matrixworld import coevolution, solver
 from matrixworld.coevolution.sections import Section
 from matrixworld.coevolution.seeding import match_seed
 from matrixworld.episodes import replay
@@ -68,7 +68,7 @@ ROWS = ACTIONS[None].copy()
 ENV, TURNS = mw.parallel_env(CONFIG), mw.aec_env(CONFIG).unwrapped
 ENV.reset(seed=0)
 TURNS.reset(seed=0)
-STATES = solve.States(mw.WorldConfig(rows=2, cols=2, n_pursuers=1, n_evaders=1))
+STATES = solver.States(mw.WorldConfig(rows=2, cols=2, n_pursuers=1, n_evaders=1))
 
 
 def from_json(part: str | None, /, **changes: object) -> mw.WorldConfig:
@@ -111,7 +111,7 @@ CALLS = [
     partial(coevolution.RaceSettings, **vars(tiny_race())),
     *(partial(type(each), **vars(each)) for each in SECTIONS if isinstance(each, Section)),
     partial(coevolution.create, settings=tiny_race(), directory="new"),
-    partial(coevolution.evolve, settings=tiny_race(), directory="new", threads=1),
+    partial(coevolution.evolve, settings=tiny_race(), out="new", threads=1),
     partial(coevolution.check_learner, learner=coevolution.CmaEs(sigma=0.1)),
     partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform(), count=1),
     partial(coevolution.available, team="pursuer", k=1),
@@ -147,12 +147,12 @@ CALLS = [
     partial(MONITOR.add_episode, episode=EPISODE),
     partial(MONITOR.add_infos, infos=None),
     partial(MONITOR.add_statistics, statistics=None),
-    partial(solve.States, config=STATES.config, threads=1),
+    partial(solver.States, config=STATES.config, threads=1),
     partial(STATES.cells, turn=0),
     partial(STATES.decisions, policy="still", team="pursuer"),
-    partial(solve.solve, world=STATES, steps=1, payoff="capture-rate"),
-    partial(solve.best_response, world=STATES, champion="still", team="pursuer", steps=1),
-    partial(solve.solve(STATES).probabilities, team="pursuer", rounds=1, turn=0),
+    partial(solver.solve, world=STATES, steps=1, payoff="capture-rate"),
+    partial(solver.best_response, world=STATES, champion="still", team="pursuer", steps=1),
+    partial(solver.solve(STATES).probabilities, team="pursuer", rounds=1, turn=0),
 ]  # fmt: skip
 """Calls with legal arguments, each of which is tried."""
 ACCEPTED = {

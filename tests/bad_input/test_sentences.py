@@ -91,7 +91,7 @@ VALUES = [
     value(with_buffer("positions", np.zeros((2, 3, 4), "i4")[:, :, ::2]), "a writeable C | pos"),
     value(lambda: competitive_sharing([1, 0]), "(n, m) numbers >= 0 | wins"),
     value(score(episodes=1), "at least 2 | got 1"),
-    value(score(policy=lambda seen: 1), "shape | actions of the policy"),
+    value(score(policy=lambda seen: [1]), "shape | actions of the policy"),
     value(score(opponents={"mad": "mad"}), "one of random | opponents"),
     value(score(opponents={}), "at least one | got none"),
     # Environments

@@ -21,7 +21,7 @@ from PIL import Image
 from command_line import RACE
 from matrixworld.cli import main
 from matrixworld.cli.console import printable
-from tiny_race import path_of
+from matrixworld.coevolution.settings import paths_of
 
 Tree = dict[Path, bytes | None]
 
@@ -90,7 +90,9 @@ def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     shutil.copytree(race, root / "RUN")
     for name in ("directory", "empty"):
         (root / name).mkdir()
-    tiny = {path_of(name): json.dumps(value) for name, value in RACE.items() if name != "hidden"}
+    tiny = {
+        paths_of(name)[0]: json.dumps(value) for name, value in RACE.items() if name != "hidden"
+    }
     tiny = {name: value for name, value in tiny.items() if not name.startswith("schedule.joint")}
     text = "".join(f"{name} = {value}\n" for name, value in tiny.items())
     (root / "tiny.toml").write_text(text)

@@ -13,7 +13,7 @@ import pytest
 
 from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, words
 from matrixworld.cli import options as cli_options
-from matrixworld.cli.evolve import default_directory, evolve_command, job_of, shown
+from matrixworld.cli.evolve import evolve_command, job_of, shown
 from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import RaceSettings, Run, create, evolve, open_run
 from matrixworld.coevolution import jobs as jobs_module
@@ -123,7 +123,7 @@ def test_a_map_file_and_no_hidden_layer():
     ],
 )
 def test_the_default_directory_is_named_after_variant_and_seeds(options, name):
-    assert default_directory(job_of(options)) == Path("runs") / name
+    assert jobs_module.default_directory(job_of(options)) == Path("runs") / name
 
 
 def test_the_main_job_writes_figures_and_numbers(main_job):

@@ -7,7 +7,7 @@ import pytest
 
 from command_line import matrixworld_command
 from matrixworld.coevolution import TEAMS, evolve
-from matrixworld.solve import States, best_response, expected_payoff, solve
+from matrixworld.solver import States, best_response, expected_payoff, solve
 from tiny_race import settings_of
 
 SMALL = ("--rows", 4, "--cols", 4, "--n-evaders", 1)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.solve import solve
+from matrixworld.solver import solve
 
 WORLDS = {
     "all at once": mw.WorldConfig("O", rows=1, cols=4, n_pursuers=1, n_evaders=1, max_steps=2),

@@ -183,7 +183,7 @@ def test_an_error_of_own_code_is_that_of_its_run(tmp_path, monkeypatch):
 
 @posix
 def test_a_process_that_dies_ends_the_job_and_the_same_call_goes_on(tmp_path):
-    once = {"learner": "own_code:Dies", "settings": {"marker": str(tmp_path / "dead")}}
+    once = {"learner": "own_code:Dies", "learner.settings": {"marker": str(tmp_path / "dead")}}
     settings = {"once": tiny_race(**once), "good": tiny_race(seed=9)}
     with pytest.raises(BrokenExecutor, match="perhaps memory .* finished parts are saved"):
         evolve(settings, tmp_path / "job", threads=4)
@@ -258,7 +258,7 @@ BAD = [
 @pytest.mark.parametrize(("bad", "kind", "message"), BAD, ids=range(len(BAD)))
 def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp_path):
     with pytest.raises(kind, match=message):
-        evolve(**{"settings": SETTINGS, "directory": tmp_path / "job", **bad})
+        evolve(**{"settings": SETTINGS, "out": tmp_path / "job", **bad})
     assert list(tmp_path.iterdir()) == []
 
 

@@ -256,7 +256,7 @@ def test_a_class_of_the_package_by_its_path_gives_the_same_run(tmp_path):
     package = "matrixworld.coevolution"
     own = {
         "learner": f"{package}:CmaEs",
-        "settings": {"sigma": 0.1, "population": 4},
+        "learner.settings": {"sigma": 0.1, "population": 4},
         "evaders_meet": f"{package}.opponents:SharedSampling",
     }
     built_in = {"learner": "cma", "sigma": 0.1, "evaders_meet": "shared-sampling"}

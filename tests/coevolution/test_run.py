@@ -32,7 +32,7 @@ CALLS = 13
 SAMPLERS = [name for name in sections_in(hints_of(InTurns)["pursuers_meet"]) if name != "own"]
 RETEST: dict[str, Any] = {"retest_episodes": 2, "match_episodes": 2, "train_steps": 20}
 GA: dict[str, Any] = {"learner": "ga", "elites": 3, "population": 8}
-OWN: dict[str, Any] = {"learner": "own_code:HillClimber", "settings": {"sigma": 0.2}}
+OWN: dict[str, Any] = {"learner": "own_code:HillClimber", "learner.settings": {"sigma": 0.2}}
 OWN_MEET: dict[str, Any] = {
     "pursuers_meet": {"kind": "own", "code": "own_code:Hardest", "settings": {"forget": 0.25}},
     "evaders_meet": "own_code:Oldest",

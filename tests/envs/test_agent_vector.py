@@ -133,7 +133,8 @@ SMALL: dict[str, Any] = {"rows": 8, "cols": 8, "n_pursuers": 3, "n_evaders": 2, 
 @pytest.mark.parametrize("agent", ["pursuer_1", "evader_0"])
 def test_gymnasium_makes_and_checks_it(variant: str, agent: str) -> None:
     name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
-    env = gymnasium.make(name, agent=agent, action_mask=True, **SMALL)
+    flat = {"dtype": "float32", "flatten": agent == "evader_0"}
+    env = gymnasium.make(name, agent=agent, action_mask=True, **flat, **SMALL)
     assert env.unwrapped.env.config.rules == mw.VARIANTS[variant]
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -27,7 +27,11 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'"),
 ]
 OPPONENTS = ["chaser", "random"]
-SETTINGS = [{"action_mask": True}, {"pursuers": OPPONENTS}, {"evaders": OPPONENTS}]
+SETTINGS = [
+    {"action_mask": True},
+    {"pursuers": OPPONENTS},
+    {"evaders": OPPONENTS, "dtype": "float32", "flatten": True},
+]
 
 
 @pytest.fixture(autouse=True)

@@ -60,6 +60,28 @@ def test_a_step_is_a_round_of_the_world(name: str) -> None:
     assert over
 
 
+@pytest.mark.parametrize("name", ["O", "TO"])
+def test_observations_are_flat_and_floats_if_asked_for(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    env, twin = mw.parallel_env(config), mw.make(config, flatten=True, dtype="float32")
+    masked = {"action_mask": True, "flatten": True, "dtype": "float32"}
+    turns = mw.aec_env(config, **masked)
+    turns.reset(seed=3)
+    for each in (env, twin):
+        seen, _ = each.reset(seed=3)
+    for row in random_actions(3, config.n_actions, 10, config.n_agents):
+        flat = twin.step(by_name(twin, row))[0]
+        seen = env.step(by_name(env, row))[0]
+        for agent, view in seen.items():
+            assert flat[agent].dtype == np.float32
+            np.testing.assert_array_equal(flat[agent], view.ravel())
+            assert twin.observation_space(agent).contains(flat[agent])
+    first = turns.agent_selection
+    assert turns.observation_space(first).contains(turns.observe(first))
+    with pytest.raises(ValueError, match="^dtype: expected uint8 or float32, got int32"):
+        mw.parallel_env(config, dtype="int32")
+
+
 def test_options() -> None:
     env = mw.parallel_env("R", rows=3, cols=3, n_pursuers=1, n_evaders=1)
     ground = np.eye(3, dtype=bool)

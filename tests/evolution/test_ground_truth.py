@@ -10,7 +10,7 @@ import pytest
 import ground_truth
 from evolution_scripts import read, run_quickly
 from matrixworld.coevolution import open_run
-from matrixworld.solve import best_response
+from matrixworld.solver import best_response
 
 UP, FLAT, DOWN = np.linspace(0.1, 0.2, 21), np.full(21, 0.1), np.linspace(0.2, 0.1, 21)
 

@@ -12,7 +12,7 @@ from course.boards import playable
 from maps.archive import MAP_FITNESS
 from maps.race import MapRace, MapSettings
 from matrixworld.coevolution import TEAMS
-from matrixworld.solve import States, best_response
+from matrixworld.solver import States, best_response
 from tiny_race import Listening, playing, results, stop_and_continue, tiny_race
 
 RACE = tiny_race(

@@ -10,7 +10,7 @@ from course.boards import playable, random_map
 from maps.archive import MapArchive, edited
 from maps.held_out import GENERATORS, held_out_maps, regrets
 from matrixworld.coevolution import TEAMS
-from matrixworld.solve import States, best_response, solve
+from matrixworld.solver import States, best_response, solve
 
 WORLD = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=8, fov=7)
 

@@ -283,7 +283,7 @@ def test_an_unfinished_or_damaged_run_leaves_no_page(job: Job, tmp_path: Path) -
 def test_reading_a_run_imports_no_code_of_its_learner(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    settings = tiny_race(learner="own_code:HillClimber", settings={"sigma": 0.2})
+    settings = tiny_race(learner="own_code:HillClimber", **{"learner.settings": {"sigma": 0.2}})
     evolve(settings, tmp_path / "run", threads=1)
     monkeypatch.delitem(sys.modules, "own_code")
     explore(tmp_path / "run")

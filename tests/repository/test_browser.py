@@ -16,7 +16,7 @@ EVOLVES = """
 import like_a_browser
 from pathlib import Path
 import course
-from matrixworld import cli, explorer, plots, solve
+from matrixworld import cli, explorer, plots, solver
 from matrixworld.coevolution import ProgressBar, evolve
 from tiny_race import tiny_race
 

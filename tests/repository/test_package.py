@@ -154,7 +154,7 @@ def test_imports_leave_out_what_they_do_not_need(line: str) -> None:
 
 
 def test_all_public_names_are_listed_and_can_be_used() -> None:
-    names = {*matrixworld.__all__, "analysis", "coevolution", "envs", "plots", "solve"}
+    names = {*matrixworld.__all__, "analysis", "coevolution", "envs", "plots", "solver"}
     assert names <= set(dir(matrixworld))
     assert [name for name in names if not hasattr(matrixworld, name)] == []
     with pytest.raises(AttributeError, match="module 'matrixworld' has no attribute 'Word'"):
@@ -198,7 +198,7 @@ PUBLIC = (
     "matrixworld.envs.stable_baselines3",
     "matrixworld.plots",
     "matrixworld.episodes.replay",
-    "matrixworld.solve",
+    "matrixworld.solver",
 )
 SECTION = re.compile(
     r"^(?:Parameters|Other Parameters|Attributes)\n-{3,}\n(.*?)(?=^\w[^\n]*\n-{3,}$|\Z)",

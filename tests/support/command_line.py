@@ -8,7 +8,8 @@ from click.testing import CliRunner, Result
 from matrixworld.analysis import CONDITIONS
 from matrixworld.cli import main
 from matrixworld.cli.options import option_name
-from tiny_race import TINY, path_of
+from matrixworld.coevolution.settings import paths_of
+from tiny_race import TINY
 
 WORLD: dict[str, object] = {**TINY, "hidden": "4"}
 RACE = {**WORLD, "generations": 2, "pursuer_epochs": 2, "evader_epochs": 3}
@@ -38,7 +39,7 @@ def words(options: dict[str, object]) -> list[str]:
     typed = []
     for name, value in options.items():
         own = [option_name(name), str(value)]
-        typed += own if name in known else ["--set", f"{path_of(name)}={value}"]
+        typed += own if name in known else ["--set", f"{paths_of(name)[0]}={value}"]
     return typed
 
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS
-from matrixworld.solve import Solution
+from matrixworld.solver import Solution
 
 
 @dataclass(frozen=True)

@@ -5,17 +5,15 @@ import shutil
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from matrixworld.coevolution import PolicySettings, RaceSettings, Run, SavedRun, create, finish
-from matrixworld.coevolution.sections import hints_of, sections_in
+from matrixworld.coevolution import RaceSettings, Run, SavedRun, create, finish
 from matrixworld.play.rollout import Matches, rollout
-from matrixworld.world.config import WorldConfig
 
 TINY: dict[str, Any] = {
     "rows": 6,
@@ -47,19 +45,7 @@ def settings_of(**values: Any) -> RaceSettings:
     named = {"learner": "es", "schedule": "generalist-generalist", **values}
     if not isinstance(named["learner"], str) or ":" in named["learner"]:
         named.pop("population", None)  # a learner of one's own has what it declares
-    return RaceSettings.of({path_of(name): value for name, value in named.items()})
-
-
-@cache
-def path_of(name: str) -> str:
-    """Return the path of a setting by the name of its field, such as "learner.sigma"."""
-    sections: dict[str, Any] = {"world": [WorldConfig], "policy": [PolicySettings]}
-    for each in ("learner", "schedule", "fitness"):
-        sections[each] = sections_in(hints_of(RaceSettings)[each]).values()
-    for section, kinds in sections.items():
-        if any(name == item.name for kind in kinds for item in fields(kind)):
-            return f"{section}.{name}"
-    return name
+    return RaceSettings.of(**named)
 
 
 def tiny_race(**changes: Any) -> RaceSettings:

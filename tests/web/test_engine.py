@@ -14,8 +14,8 @@ import pytest
 
 import matrixworld as mw
 from matrixworld._util.readable import plain_values
-from matrixworld.solve import solve
-from matrixworld.solve.solution import PAYOFFS, PayoffName
+from matrixworld.solver import solve
+from matrixworld.solver.solution import PAYOFFS, PayoffName
 from matrixworld.world.arrays import WORLD_FIELDS
 from matrixworld.world.conflicts import conflict_of
 from node import Commands, policy_json, run_node

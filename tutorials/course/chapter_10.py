@@ -14,7 +14,7 @@ from course.boards import playable
 from course.checks import Mistake, array, comparison, described, function, near, number
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.types import BoolArray, FloatArray
-from matrixworld.solve import States, best_response, solve
+from matrixworld.solver import States, best_response, solve
 from matrixworld.world.config import WorldConfig, read_map
 
 STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])

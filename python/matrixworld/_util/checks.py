@@ -160,8 +160,14 @@ def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
         raise ValueError(f"{name}: expected one of {', '.join(known)}, got {shown(value)}")
 
 
-ELSEWHERE = {"num_envs": "n_worlds", "max_cycles": "max_steps"}
-"""What other libraries call keyword arguments."""
+ELSEWHERE = {
+    "num_envs": ("n_worlds",),
+    "n_envs": ("num_envs", "n_worlds"),
+    "n_worlds": ("num_envs",),
+    "max_cycles": ("max_steps",),
+    "opponent": ("evaders",),
+}
+"""What other libraries call keyword arguments, and what they are called here."""
 
 
 def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[..., Any]) -> None:
@@ -172,7 +178,7 @@ def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[...,
         parameters = inspect.signature(of).parameters.values()
         legal |= {each.name for each in parameters if each.kind is not each.VAR_KEYWORD}
         nearest = get_close_matches(unknown[0], sorted(legal), 1)
-        nearest = [name for name in [ELSEWHERE.get(unknown[0])] if name in legal] or nearest
+        nearest = [name for name in ELSEWHERE.get(unknown[0], ()) if name in legal] or nearest
         meant = f"; did you mean {nearest[0]}?" if nearest else ""
         # In Python's words, by which libraries know that they may try again without it.
         got = f"got an unexpected keyword argument {unknown[0]!r}{meant}"

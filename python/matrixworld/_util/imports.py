@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.abc import MetaPathFinder
 from importlib.machinery import ModuleSpec
@@ -34,12 +34,13 @@ if not HAS_PROCESSES:
 
 
 def lazy(
-    package: str, file: str
+    package: str, file: str, meant: Mapping[str, str]
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
     """Return ``__getattr__``, ``__dir__`` and ``__all__`` of a package that imports what is used.
 
     The stub beside `file` lists its names: ``from module import name as name``, and
-    ``from . import name as name`` for packages in it, which ``__all__`` leaves out.
+    ``from . import name as name`` for packages in it, which ``__all__`` leaves out. `meant` has the
+    right calls for names that are not there.
     """
     stub = ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8"))
     imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
@@ -48,8 +49,7 @@ def lazy(
 
     def get(name: str) -> Any:
         if name not in homes:
-            told = f"module {package!r} has no attribute {name!r}"
-            raise AttributeError(told, name=name, obj=sys.modules[package])
+            raise no_attribute(sys.modules[package], f"module {package!r}", name, meant)
         if (home := homes[name]) is None:
             return import_module(f"{package}.{name}")
         value = getattr(__import__(home, fromlist=[name]), name)
@@ -57,6 +57,12 @@ def lazy(
         return value
 
     return get, lambda: sorted({*vars(sys.modules[package]), *homes}), public
+
+
+def no_attribute(owner: Any, what: str, name: str, meant: Mapping[str, str]) -> AttributeError:
+    """Return the error of a name that `owner` lacks, with the right call for it if one is known."""
+    hint = f"; did you mean {meant[name]}?" if name in meant else ""
+    return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name, obj=owner)
 
 
 class ImportedWith(MetaPathFinder):

@@ -256,7 +256,8 @@ def read_payoffs(
     ----------
     source : array_like, path, list of paths or Payoffs
         An array of shape (n, m) or (runs, n, m); a ``.csv`` or ``.npz`` file, or a list of such
-        files, one for each run; or payoffs, which are returned as they are.
+        files, one for each run; the payoff of a saved run, with its episodes; or payoffs, which are
+        returned as they are.
     per_episode : bool, optional
         Whether the last dimension of an array holds the episodes of each cell: shape
         (n, m, episodes) or (runs, n, m, episodes).
@@ -289,6 +290,8 @@ def read_payoffs(
         isinstance(each, (str, os.PathLike)) for each in source
     ):
         payoffs = _stacked([Path(path) for path in source], per_episode)
+    elif hasattr(source, PER_EPISODE):
+        payoffs = _payoffs(getattr(source, PER_EPISODE), per_episode=True)
     else:
         payoffs = _payoffs(source, per_episode)
     if exact:

@@ -29,8 +29,6 @@ from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, GrowingPage
 from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
-RUNS = Path("runs")
-"""Parent directory of runs for which no directory is given."""
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
 Examples:
@@ -246,7 +244,7 @@ def job_of(given: Mapping[str, Any]) -> jobs.Job:
 def _new_job(given: Mapping[str, Any], output: Path | None) -> tuple[Path, jobs.Job]:
     """Return a new directory, and the job that options ask for."""
     job = job_of(given)
-    root = output or default_directory(job)
+    root = output or jobs.default_directory(job)
     try:
         storage.check_empty(root)
     except FileExistsError as error:
@@ -276,19 +274,6 @@ def _found(
     with setting_options.usage_errors():
         jobs.change(root, generations=generations, force=force)
     return root, jobs.found_job(root)
-
-
-def default_directory(job: jobs.Job) -> Path:
-    """Return the directory named after a job's variant and seeds, such as ``runs/O-seeds0-9``."""
-    settings = next(iter(job.values()))
-    seeds = [*dict.fromkeys(each.seed for each in job.values())]
-    named = f"{seeds[0]}-{seeds[-1]}"
-    if seeds != [*range(seeds[0], seeds[0] + len(seeds))]:
-        most = options.MOST_NAMES
-        named = ",".join(map(str, seeds[:most])) + ",..." * (len(seeds) > most)
-    seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
-    what = f"-{settings.schedule.name}" if isinstance(settings.schedule, Against) else ""
-    return RUNS / f"{settings.variant}{what}-{seed}"
 
 
 def _plan(job: jobs.Job, root: Path) -> str:

@@ -23,7 +23,7 @@ from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
 from matrixworld.play import read_genome
-from matrixworld.solve import solve
+from matrixworld.solver import solve
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, EnginePolicy, Script
 from matrixworld.world.rules import VARIANTS, Rules, rules_of

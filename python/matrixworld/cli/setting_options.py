@@ -23,6 +23,7 @@ from matrixworld.coevolution import ActorCritic, OtherVersionError, RaceSettings
 from matrixworld.coevolution.pursuit import WORLD_HELP
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce
 from matrixworld.coevolution.sections import Section, hints_of, sections_in
+from matrixworld.coevolution.settings import paths_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 
@@ -30,17 +31,10 @@ MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 ALL = "all"
 HINTS = hints_of(RaceSettings)
 
-PATHS = {
-    "game": "game",
-    "variant": "world.rules",
-    "rows": "world.rows",
-    "cols": "world.cols",
-    "n_pursuers": "world.n_pursuers",
-    "n_evaders": "world.n_evaders",
-    "learner": "learner",
-    "generations": "schedule.generations",
-    "seed": "seed",
-}
+NAMES = (
+    "game", "variant", "rows", "cols", "n_pursuers", "n_evaders", "learner", "generations", "seed"
+)  # fmt: skip
+PATHS = {name: path for name in NAMES for path in paths_of(name)}
 """Options of their own, and the settings that they set."""
 AS_BEFORE = {"evader_learner", "schedule.evaders_meet"}
 """Settings that have the sections of the setting before them."""

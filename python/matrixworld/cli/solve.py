@@ -18,7 +18,7 @@ from matrixworld.coevolution import Team
 from matrixworld.coevolution.evaluation.scores import SCORE
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.types import other
-from matrixworld.solve import States, best_response, expected_payoff, solve
+from matrixworld.solver import States, best_response, expected_payoff, solve
 from matrixworld.world.config import WorldConfig
 
 SOLVE_EXAMPLES = """\b

@@ -4,11 +4,10 @@ A race in a few lines::
 
     from matrixworld import coevolution
 
-    settings = coevolution.RaceSettings(schedule="generalist-generalist", learner="es", seed=1)
     with coevolution.ProgressBar() as bar:
-        run = coevolution.evolve(settings, "my-race", report=bar)
+        run = coevolution.evolve("O", "my-race", learner="es", seed=1, report=bar)
 
-The same call continues after an interruption. ``coevolution.evolve([settings, ...], "my-races")``
+The same call continues after an interruption. ``coevolution.evolve("O", "my-races", seeds=[1, 2])``
 does so for many, side by side. ``coevolution.open_run("my-race").record(pursuer=30, evader=10)``
 plays an episode again.
 
@@ -26,7 +25,7 @@ from matrixworld.coevolution.evaluation.scores import held_out, score, score_pol
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
 from matrixworld.coevolution.game import Game, check_game
-from matrixworld.coevolution.groups import RunGroup, open_groups
+from matrixworld.coevolution.groups import Comparison, RunGroup, compare, judge, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
 from matrixworld.coevolution.learners import ActorCritic, CmaEs, EvolutionStrategy, GeneticAlgorithm
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
@@ -47,6 +46,7 @@ __all__ = [
     "Against",
     "AtOnce",
     "CmaEs",
+    "Comparison",
     "DamagedFileError",
     "DisengagementWarning",
     "EvolutionStrategy",
@@ -76,11 +76,13 @@ __all__ = [
     "check_game",
     "check_learner",
     "check_sampler",
+    "compare",
     "competitive_sharing",
     "create",
     "evolve",
     "finish",
     "held_out",
+    "judge",
     "open_groups",
     "open_run",
     "open_runs",

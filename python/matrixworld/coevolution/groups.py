@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
-from matrixworld._util.readable import plain_values
-from matrixworld.analysis import Estimate, Judgement
+from matrixworld._util.readable import Parts, Readable, plain_values
+from matrixworld.analysis import Estimate, Judgement, intervals
+from matrixworld.analysis.judgement import CANNOT_TELL
 from matrixworld.analysis.payoffs import Payoffs
-from matrixworld.coevolution.evaluation.scores import kept_scores
+from matrixworld.coevolution.evaluation.scores import SCORE, kept_scores, score
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
 from matrixworld.coevolution.types import TEAMS, Team, payoffs_of
@@ -207,6 +208,131 @@ def _inside(path: Path, root: Path) -> Path:
     if path == folder:
         return Path(path.name)
     return path.relative_to(folder) if path.is_relative_to(folder) else path
+
+
+# Judged and compared:
+
+
+def judge(source: Any, **known: Any) -> Judgement:
+    """Judge a race, or several with the same settings; see `analysis.judge`.
+
+    Parameters
+    ----------
+    source : SavedRun, list of SavedRun, RunGroup, path, Payoff or array_like
+        Finished runs that differ in their seed only, or a directory that holds such runs; or
+        payoffs as `analysis.judge` takes them.
+    **known
+        Other arguments of `analysis.judge`.
+    """
+    group = _group_of("source", source)
+    return analysis.judge(_payoffs(source, group), **known)
+
+
+@dataclass(frozen=True, repr=False)
+class Comparison(Readable):
+    """What tells one group of runs from another one, by what was measured.
+
+    Parameters
+    ----------
+    means : dict of str to tuple of float
+        Means of the first and of the second group.
+    differences : dict of str to Estimate
+        The first mean minus the second, with its interval.
+    """
+
+    means: dict[str, tuple[float, float]]
+    differences: dict[str, Estimate]
+
+    def verdict(self, name: str) -> str:
+        """Return "higher" or "lower", as the first group is, or "cannot tell"."""
+        return (CANNOT_TELL, "higher", "lower")[self.differences[name].sign]
+
+    def _parts(self) -> Parts:
+        rows = [
+            (name, *(f"{mean:.3f}" for mean in self.means[name]), str(each), self.verdict(name))
+            for name, each in self.differences.items()
+        ]
+        return [[("", "first", "second", "difference", ""), *rows]]
+
+
+def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparison:
+    """Compare two groups of runs, or two runs, or the payoffs of any races.
+
+    Teams are compared by the scores of their last generations against held-out opponents, races by
+    the measures that a judgement rests on. Groups with the same seeds are compared pair by pair.
+    Two single runs have scores only, with intervals over episodes, not over seeds.
+
+    Parameters
+    ----------
+    one, other : SavedRun, list of SavedRun, RunGroup, path, Payoff or array_like
+        As `source` of `judge`. Payoffs have no scores.
+    level : float, optional
+        Level of each interval, in (0, 1); who asks many questions takes a higher one.
+
+    Raises
+    ------
+    ValueError
+        If the worlds of the runs differ: scores are of a world.
+    """
+    groups = [_group_of("one", one), _group_of("other", other)]
+    runs = [group for group in groups if group is not None]
+    values: dict[str, list[NDArray[np.float64]]] = {}
+    single = len(runs) == 2 and not any(group.several for group in runs)
+    if len(runs) == 2:
+        first, second = (group.runs[0].settings for group in runs)
+        if (first.world, first.game) != (second.world, second.game):
+            raise ValueError("other: expected runs in the same world or game as one, got another")
+        both = [team for team in first.learning_teams if team in second.learning_teams]
+        for team in both if first.game is None else ():
+            name = f"{team}s against held-out opponents, {SCORE[team]}"
+            values[name] = [
+                score(each.runs[0])[team].rates[-1].mean(axis=0)
+                if single
+                else each.held_out(team).mean(axis=1)
+                for each in runs
+            ]
+    if all(group.is_race for group in runs) and not single:
+        payoffs = [
+            analysis.read_payoffs(_payoffs(source, group))
+            for group, source in zip(groups, (one, other), strict=True)
+        ]
+        for measure in (each for each in analysis.MEASURES.values() if each.short):
+            found = [np.array([measure.of(run).value for run in each.runs]) for each in payoffs]
+            if np.isfinite(np.concatenate(found)).all():
+                values[measure.label] = found
+    paired = len(runs) == 2 and runs[0].seeds == runs[1].seeds
+    over_runs = partial(analysis.difference_of_runs, paired=paired)
+    difference = intervals.difference_over_episodes if single else over_runs
+    return Comparison(
+        {name: (float(a.mean()), float(b.mean())) for name, (a, b) in values.items()},
+        {name: difference(*pair, level=level) for name, pair in values.items()},
+    )
+
+
+def _payoffs(source: Any, group: RunGroup | None) -> Any:
+    """Return what the analysis reads: the payoffs of a group, or of any other source."""
+    if group is not None:
+        return group.payoffs
+    return source.payoffs() if isinstance(source, Payoff) else source
+
+
+def _group_of(name: str, source: Any) -> RunGroup | None:
+    """Return runs as the group that they are; None for what holds no runs."""
+    several = source if isinstance(source, list | tuple) else [source]
+    if isinstance(source, str | Path) and Path(source).is_dir():
+        groups = open_groups(source)
+    elif isinstance(source, RunGroup):
+        groups = [source]
+    elif any(isinstance(each, SavedRun) for each in several):
+        groups = grouped({run.path: run.settings for run in several})
+    else:
+        return None
+    if len(groups) > 1 or not groups[0].runs:
+        got = "; ".join(f"{each.name}, seeds {each.seeds}" for each in groups)
+        raise ValueError(
+            f"{name}: expected finished runs that differ in their seed only, got {got}"
+        )
+    return groups[0]
 
 
 # Directories of jobs:

@@ -24,7 +24,13 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
+from matrixworld._util.checks import (
+    check_instance,
+    check_memory,
+    check_sequence,
+    check_threads,
+    shown,
+)
 from matrixworld._util.files import DamagedFileError, sentence_of
 from matrixworld._util.imports import HAS_PROCESSES
 from matrixworld.coevolution import progress, run, storage, types
@@ -40,6 +46,11 @@ ITSELF = "."
 """Name of the only run of a job whose directory is that of the run."""
 FEW = 3
 """Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
+
+RUNS = Path("runs")
+"""Parent directory of runs for which no directory is given."""
+MOST_NAMED = 5
+"""Most seeds that such a directory names one by one."""
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""
@@ -93,6 +104,18 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
     return replace(settings, schedule=replace(settings.schedule, **absolute))
 
 
+def default_directory(job: Job) -> Path:
+    """Return the directory named after a job's variant and seeds, such as ``runs/O-seeds0-9``."""
+    settings = next(iter(job.values()))
+    seeds = [*dict.fromkeys(each.seed for each in job.values())]
+    named = f"{seeds[0]}-{seeds[-1]}"
+    if seeds != [*range(seeds[0], seeds[0] + len(seeds))]:
+        named = ",".join(map(str, seeds[:MOST_NAMED])) + ",..." * (len(seeds) > MOST_NAMED)
+    seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
+    what = "" if settings.is_race else f"-{settings.schedule.name}"
+    return RUNS / f"{settings.variant}{what}-{seed}"
+
+
 def found_job(root: Path) -> Job:
     """Return the job in a directory: all runs in it. Errors are those of `SavedRun.settings`."""
     paths = storage.find_runs(root)
@@ -144,13 +167,19 @@ def described(path: Path, error: BaseException) -> str:
 
 
 def evolve(
-    settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings],
-    directory: str | Path,
+    settings: RaceSettings
+    | Sequence[RaceSettings]
+    | Mapping[str, RaceSettings]
+    | str
+    | None = None,
+    out: str | Path | None = None,
     *,
+    seeds: Sequence[int] | None = None,
     executor: Executor | None = None,
     threads: int | None = None,
     report: Report = silent,
     on_epoch: OnEpoch | None = None,
+    **named: Any,
 ) -> Any:
     """Return the finished runs of these settings: start them, continue them, or only open them.
 
@@ -162,12 +191,16 @@ def evolve(
 
     Parameters
     ----------
-    settings : RaceSettings, or a sequence or mapping of them
-        Settings of a run, which is then made in `directory` itself; or of each run, by the names of
-        the directories that they get in it, such as ``sigma-0.1/seed-3``. Without names these are
+    settings : RaceSettings, or a sequence or mapping of them; or str, optional
+        Settings of a run, which is then made in `out` itself; or of each run, by the names of the
+        directories that they get in it, such as ``sigma-0.1/seed-3``. Without names these are
         ``<schedule>/seed-<n>``, and ``<team>-against-<opponent>/seed-<n>`` for one team alone.
-    directory : str or Path
-        A new or empty directory, or that of the same runs, which are continued.
+        By default the run has the settings that are `named`; a text is then its variant.
+    out : str or Path, optional
+        A new or empty directory, or that of the same runs, which are continued. By default one in
+        ``runs/`` that is named after variant and seeds.
+    seeds : sequence of int, optional
+        Seeds, of each of which there is a run of the same settings.
     executor : concurrent.futures.Executor, optional
         Plays the runs, one thread each, wherever the directory has the same path:
         `concurrent.futures`, MPI (``mpi4py.futures.MPIPoolExecutor``), loky and Dask
@@ -182,11 +215,14 @@ def evolve(
         and the name of the ``team``), ``run`` (its name in the job, or that of the directory) and
         ``seed``. With several runs the rows of a stage come when it has been saved. The files of a
         run are the same with and without it. What it raises ends this call.
+    **named
+        Settings by the last part of their path, such as ``learner="ga"`` or ``population=32``; see
+        `RaceSettings.of`.
 
     Returns
     -------
     SavedRun or list of SavedRun
-        The run of a single `RaceSettings`, else those of all settings.
+        The run of settings without `seeds`, else those of all settings and seeds.
 
     Raises
     ------
@@ -200,7 +236,8 @@ def evolve(
     StopRun
         If `on_epoch` raises it. The runs have stopped then; those that an executor has begun end.
     """
-    root, job = Path(directory), job_of(settings)
+    job = job_of(_asked(settings, seeds, named))
+    root = default_directory(job) if out is None else Path(out)
     if executor is not None:
         check_instance("executor", executor, Executor)
         if threads is not None:
@@ -210,13 +247,28 @@ def evolve(
     errors = play_job(
         job, root, executor=executor, threads=threads, report=report, on_epoch=on_epoch
     )
-    if errors and isinstance(settings, RaceSettings):
+    if ITSELF in errors:
         raise errors[ITSELF]
     runs = [storage.open_run(root / name) for name in job if name not in errors]
     if errors:
         failures = {root / name: error for name, error in errors.items()}
         raise FailedRunsError(failures, runs) from next(iter(errors.values()))
-    return runs[0] if isinstance(settings, RaceSettings) else runs
+    return runs[0] if ITSELF in job else runs
+
+
+def _asked(settings: Any, seeds: Sequence[int] | None, named: Mapping[str, Any]) -> Any:
+    """Return the settings that `evolve` was asked for, perhaps of several seeds."""
+    if isinstance(settings, str):
+        settings, named = None, {"variant": settings, **named}
+    if settings is None:
+        settings = RaceSettings.of(**named)
+    elif named:
+        expected = "RaceSettings alone, or a variant and settings by name"
+        raise TypeError(f"settings: expected {expected}, got both: {', '.join(named)}")
+    if seeds is None:
+        return settings
+    check_instance("settings", settings, RaceSettings)
+    return [replace(settings, seed=seed) for seed in check_sequence("seeds", seeds, "integers")]
 
 
 def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = False) -> None:

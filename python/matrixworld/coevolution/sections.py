@@ -27,6 +27,7 @@ import numpy as np
 
 from matrixworld._util import checks
 
+RECIPES = "docs/maintainers/how_to_add.md"
 AnySection = TypeVar("AnySection", bound="Section")
 
 
@@ -310,11 +311,14 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     own: Any = known.get("own")
     if own is not None and isinstance(given, own.base):
         given = own.named(given)
-    if isinstance(given, str | type):
+    if isinstance(given, str) or (isinstance(given, type) and issubclass(given, Section)):
         given = {"kind": given}
     if not isinstance(given, Mapping):
-        classes = " or ".join(dict.fromkeys(each.__name__ for each in known.values()))
-        raise TypeError(f"{item.name}: expected {classes}, got {checks.shown(given)}")
+        names = [each.__name__ for each in known.values() if each.kind != "own"]
+        if "own" in known:
+            names.append(f"class derived from {known['own'].base.__name__} ({RECIPES})")  # type: ignore[attr-defined]
+        expected = " or ".join(dict.fromkeys(names))
+        raise TypeError(f"{item.name}: expected {expected}, got {checks.shown(given)}")
     changes = dict(given)
     usual = before or item.metadata["default"]
     if "kind" in changes or usual is None:
@@ -402,6 +406,17 @@ def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
         is_section = isinstance(inner.get(name), Mapping) and not isinstance(value, Mapping)
         inner[name] = {**inner[name], "kind": value} if is_section else value
     return plain
+
+
+def paths_in(cls: type[Section], path: str = "") -> Iterator[str]:
+    """Yield the paths of all settings in a section, of every kind that a field may hold."""
+    for item in fields(cls):
+        hint, here = hints_of(cls)[item.name], f"{path}{item.name}"
+        yield here
+        if hint in PLAIN:
+            yield from (f"{here}.{name}" for name in PLAIN[hint].help)
+        for kind in dict.fromkeys(sections_in(hint).values()):
+            yield from paths_in(kind, f"{here}.")
 
 
 def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
+from difflib import get_close_matches
 from functools import cached_property, partial
 from typing import Any
 
@@ -313,15 +314,37 @@ class RaceSettings(Section):
         return RaceSettings(**sections.merged(RaceSettings, values, sections.by_path(changes)))
 
     @classmethod
-    def of(cls, *values: Mapping[str, Any]) -> RaceSettings:
+    def of(cls, *values: Mapping[str, Any], **named: Any) -> RaceSettings:
         """Return settings from values by their paths, such as ``{"learner.sigma": 0.2}``.
 
         All other settings have their defaults; sections may be nested mappings, as `to_json`
         returns them, or texts that name their kinds, rules and rewards names. Later mappings change
-        earlier ones. Code of your own is named only, and not imported. TypeError or ValueError as
-        in `changed`; the message begins with the path.
+        earlier ones. `named` are settings by the last part of their path, such as ``sigma=0.2``, or
+        by the names in `SHORT`. Code of your own is named only, and not imported. TypeError or
+        ValueError as in `changed`; the message begins with the path.
         """
         given: dict[str, Any] = {}
-        for each in values:
+        last = {path: value for name, value in named.items() for path in paths_of(name)}
+        for each in (*values, last):
             given = sections.merged(cls, given, sections.by_path(each))
         return cls(**given)
+
+
+SHORT = {"variant": ("world.rules",), "size": ("world.rows", "world.cols")}
+"""Names of settings that are not the last part of their path."""
+
+
+def paths_of(name: str) -> tuple[str, ...]:
+    """Return the paths of the settings that a short name sets; TypeError unless it is clear."""
+    if name in SHORT:
+        return SHORT[name]
+    every = dict.fromkeys(sections.paths_in(RaceSettings))
+    # Those of `learner` are those of both teams.
+    short = [path for path in every if not path.startswith("evader_learner.")]
+    found = [name] if name in every else [p for p in short if p.rpartition(".")[2] == name]
+    if len(found) != 1:
+        known = [*SHORT, *(path.rpartition(".")[2] for path in short)]
+        expected = " or ".join(found or get_close_matches(name, known, 1)) or ", ".join(known)
+        got = f"got an unexpected keyword argument {name!r}"
+        raise TypeError(f"{got}; expected a setting, such as {expected}")
+    return (found[0],)

@@ -43,7 +43,8 @@ from numpy.typing import NDArray
 
 from matrixworld._util import files
 from matrixworld._util.checks import check_choice
-from matrixworld._util.readable import html_of
+from matrixworld._util.imports import no_attribute
+from matrixworld._util.readable import called, html_of
 from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.progress import Report, silent
@@ -92,6 +93,15 @@ Counters = Mapping[str, float]
 """What a run has counted until the end of a stage, by name."""
 
 
+OTHER_NAMES = {
+    **dict.fromkeys(("payoff_matrix", "payoffs", "matrix"), "run.payoff()"),
+    **dict.fromkeys(("resume", "continue_run", "train"), "run.extend(generations=60)"),
+    **dict.fromkeys(("champion", "get_best"), 'run.best("pursuer")'),
+    "genomes": 'run.teams["pursuer"].genomes',
+}
+"""What people call the parts of a run, and the right calls."""
+
+
 class OtherVersionError(ValueError):
     """A file of a run is complete, but of another version of the package."""
 
@@ -120,6 +130,9 @@ class SavedRun:
 
     def __init__(self, path: str | Path) -> None:
         self.path: Path = Path(path)
+
+    def __getattr__(self, name: str) -> Any:
+        raise no_attribute(self, "a run", name, OTHER_NAMES)
 
     def _sizes(self) -> dict[str, str]:
         """Return the size of each team's archive by the team's name, or its script."""
@@ -238,6 +251,7 @@ class SavedRun:
         rows = csv.DictReader(io.StringIO(self._log_of(stages), newline=""))
         return [{name: kind(row[name]) for name, kind in self.columns.items()} for row in rows]
 
+    @called
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         arrays = self._load(PAYOFF)
@@ -426,6 +440,27 @@ class SavedRun:
 
         run.lengthen(self.path, generations)
         return run.finish(self.path, threads=threads, report=report)
+
+    @cached_property
+    def _best(self) -> dict[Team, int]:
+        # Scores are of runs, and so above this module.
+        from matrixworld.coevolution.evaluation.scores import best_generations
+
+        return best_generations(self)
+
+    def best(
+        self, team: Team, *, sampled: bool | None = None, seed: int | None = None
+    ) -> NetworkPolicy:
+        """Return the generation of a team that is best against held-out opponents, as a policy.
+
+        It is chosen by episodes of its own, which no score is from. They are played once.
+
+        Parameters
+        ----------
+        team, sampled, seed
+            As for `policy`.
+        """
+        return self.policy(team, self._best.get(team, -1), sampled=sampled, seed=seed)
 
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.

@@ -1,6 +1,7 @@
 """Environments of PettingZoo and Gymnasium: what all variants share.
 
-`matrixworld.parallel_env` and `matrixworld.aec_env` make them from rules or the name of a variant. From
+`matrixworld.make` and `matrixworld.make_vec` make environments of one world and of many, from rules or the
+name of a variant; `matrixworld.parallel_env` and `matrixworld.aec_env` those of PettingZoo. From
 PettingZoo 1.27 on, ``pettingzoo.make("parallel", "matrixworld/pursuit_evasion_o_v0")`` knows each
 variant, too. ``gymnasium.make`` makes a `matrixworld.AgentEnv`, the world of one agent, by the same id, and
 ``gymnasium.make_vec`` a `matrixworld.VectorEnv`.
@@ -65,7 +66,8 @@ from pathlib import Path
 import gymnasium
 
 from matrixworld._util.files import load_toml
-from matrixworld.envs.single import aec_env, parallel_env
+from matrixworld.envs.single import aec_env, make, parallel_env
+from matrixworld.envs.vector import make_vec
 from matrixworld.world.rules import VARIANTS
 
 try:
@@ -73,7 +75,7 @@ try:
 except ImportError:  # before PettingZoo 1.27
     register = None
 
-__all__ = ["aec_env", "parallel_env"]
+__all__ = ["aec_env", "make", "make_vec", "parallel_env"]
 
 VARIANT_TEXTS = load_toml(Path(__file__).with_name("variants.toml"))
 """What the games of the variants model, in Markdown, by the names of `matrixworld.VARIANTS`."""

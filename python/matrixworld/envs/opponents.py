@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_sequence, check_shape
+from matrixworld._util.checks import check_choice, check_sequence, check_shape
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.network_policy import NetworkPolicy, check_fits
-from matrixworld.solve import solve
+from matrixworld.solver import solve
 from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
@@ -35,6 +35,13 @@ observations of n living agents, uint8 (n, 3, fov, fov), to actions (n,)."""
 
 Opponents: TypeAlias = "Opponent | Iterable[Opponent]"
 """One or several of them; each episode draws one."""
+
+FIRST: dict[Any, tuple[str, Opponents]] = {
+    "pursuer": ("evaders", "clumsy-fleer"),
+    "evader": ("pursuers", "clumsy-chaser"),
+}
+"""By the team that the caller plays: the argument for the other one, and who plays it if nothing
+else is said. Against these, first attempts learn."""
 
 SOLVED = "solved"
 """The name of perfect play."""
@@ -160,6 +167,23 @@ def one_team(
     if pursuers is not None:
         return "pursuer", pursuers
     return None if evaders is None else ("evader", evaders)
+
+
+def with_opponent(team: Team | None, opponent: Opponents | None, settings: Any) -> Any:
+    """Return settings of an environment in which the caller plays `team`, if there is one."""
+    if team is None and opponent is None:
+        return settings
+    check_choice("team", team, FIRST)
+    name, usual = FIRST[team]
+    return {name: usual if opponent is None else opponent, **settings}
+
+
+def checked_dtype(dtype: DTypeLike) -> np.dtype[Any]:
+    """Return the dtype of observations; ValueError if it is another one."""
+    found = np.dtype(dtype)
+    if found not in (np.uint8, np.float32):
+        raise ValueError(f"dtype: expected uint8 or float32, got {found}")
+    return found
 
 
 class PlaysTeam:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Mapping
 from dataclasses import replace
@@ -11,17 +12,25 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 from gymnasium.envs.registration import EnvSpec
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 from pettingzoo import AECEnv, ParallelEnv
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
 from typing_extensions import Unpack
 
 from matrixworld._util import checks
-from matrixworld.envs.opponents import BuiltInTeam, Opponents, PlaysTeam, one_team
+from matrixworld.envs.opponents import (
+    BuiltInTeam,
+    Opponents,
+    PlaysTeam,
+    checked_dtype,
+    one_team,
+    with_opponent,
+)
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Drawing
 from matrixworld.world.arrays import LARGE, WORLD_FIELDS, WorldArrays, python_value
 from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
+from matrixworld.world.policy import Team
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
 
@@ -33,11 +42,13 @@ class EnvSettings(WorldSettings, total=False):
     record: bool
     action_mask: bool | str
     max_cycles: int | None
+    dtype: DTypeLike
+    flatten: bool
     pursuers: Opponents | None
     evaders: Opponents | None
 
 
-View = NDArray[np.uint8]
+View = NDArray[Any]
 Info = dict[str, Any]
 
 RENDER_MODES = ("human", "rgb_array", "ansi")
@@ -99,6 +110,8 @@ class MatrixWorldBase(PlaysTeam):
         record: bool = False,
         action_mask: bool | str = False,
         max_cycles: int | None = None,
+        dtype: DTypeLike = np.uint8,
+        flatten: bool = False,
         pursuers: Opponents | None = None,
         evaders: Opponents | None = None,
         **changes: Unpack[WorldSettings],
@@ -119,8 +132,12 @@ class MatrixWorldBase(PlaysTeam):
         kept = checks.check_bool("record", record) or render_mode is not None
         self._drawing = Drawing(self.world, render_mode) if kept else None
         view = (3, self.config.fov, self.config.fov)
+        self._dtype = checked_dtype(dtype)
+        self._shape = (math.prod(view),) if checks.check_bool("flatten", flatten) else view
         self.observation_spaces: dict[str, spaces.Box] = {
-            name: spaces.Box(0, 1, view, np.uint8)  # not shared: each has a generator of its own
+            name: spaces.Box(
+                0, 1, self._shape, self._dtype.type
+            )  # not shared: each has a generator of its own
             for name in self.possible_agents
         }
         self.action_spaces: dict[str, spaces.Discrete] = {
@@ -132,7 +149,10 @@ class MatrixWorldBase(PlaysTeam):
         self._np_random: np.random.Generator | None = None
 
     def observation_space(self, agent: str) -> spaces.Box:
-        """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""
+        """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view.
+
+        With `flatten` and `dtype` it has another shape and dtype.
+        """
         checks.check_choice("agent", agent, self._index)
         return self.observation_spaces[agent]
 
@@ -156,6 +176,10 @@ class MatrixWorldBase(PlaysTeam):
     def status(self) -> Status:
         """The last step for all agents at once, in arrays in which an agent keeps its index."""
         return Status(self.world)
+
+    def _observations(self, views: NDArray[np.uint8]) -> View:
+        """Return what all agents see, views (A, 3, fov, fov), in the form of the spaces."""
+        return views.reshape(len(views), *self._shape).astype(self._dtype, copy=False)
 
     def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[Info]:
         """Return the info of each agent, by what the agents see now."""
@@ -246,6 +270,10 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         their masks, too (`fov` at least 5). The default is False.
     max_cycles : int, optional
         Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
+    dtype : dtype, optional
+        Dtype of the observations, uint8 (the default) or float32.
+    flatten : bool, optional
+        Whether observations are ``(3 * fov * fov,)`` instead of ``(3, fov, fov)``.
     pursuers, evaders : Opponents, optional
         What plays for one of the teams, see `matrixworld.envs.opponents`: one of several is drawn
         for each episode. Its agents are not in `possible_agents`. By default the caller plays both.
@@ -282,8 +310,8 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         """
         self._reset_world(seed, options)
         views = self.world.views()
-        infos = self._infos(self.status, views)
-        return self._by_agent(self.agents, views), self._by_agent(self.agents, infos)
+        infos, seen = self._infos(self.status, views), self._observations(views)
+        return self._by_agent(self.agents, seen), self._by_agent(self.agents, infos)
 
     def step(
         self, actions: Mapping[str, Any]
@@ -307,7 +335,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         self.world.step(self._actions)
         self._note_round()
         status, views = Status(self.world), self.world.views()
-        observations = self._by_agent(acting, views)
+        observations = self._by_agent(acting, self._observations(views))
         rewards = self._by_agent(acting, status.rewards.tolist())
         terminations = self._by_agent(acting, status.terminations.tolist())
         truncations = self._by_agent(acting, status.truncations.tolist())
@@ -363,9 +391,9 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self._play_until_actors()
 
     def observe(self, agent: str) -> View:
-        """Return what an agent sees after the last played turn, uint8 of shape (3, fov, fov)."""
+        """Return what an agent sees after the last played turn, as in its observation space."""
         checks.check_choice("agent", agent, self._index)
-        return np.array(self._views[self._index[agent]])
+        return np.array(self._seen[self._index[agent]])
 
     def step(self, action: Any) -> None:
         """Choose the action of `agent_selection`; the last choice of a turn plays the turn.
@@ -418,10 +446,11 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         status = self.status
         for earlier in ended:
             status.add_collisions(earlier)
-        self._views = self.world.views()
+        views = self.world.views()
+        self._seen = self._observations(views)
         self.terminations |= self._by_agent(self.agents, status.terminations.tolist())
         self.truncations |= self._by_agent(self.agents, status.truncations.tolist())
-        self.infos |= self._by_agent(self.agents, self._infos(status, self._views))
+        self.infos |= self._by_agent(self.agents, self._infos(status, views))
 
     def _living_actors(self) -> list[str]:
         if self.world.terminated:
@@ -551,3 +580,32 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     def render(self) -> Any:
         """See `MatrixWorldParallel.render`."""
         return self.env.render()
+
+
+def make(
+    config: WorldConfig | Rules | str = "O",
+    *,
+    team: Team | None = None,
+    opponent: Opponents | None = None,
+    **settings: Unpack[EnvSettings],
+) -> MatrixWorldParallel:
+    """Make a `parallel_env` of which the caller plays both teams, or one against an opponent.
+
+    Parameters
+    ----------
+    config, **settings
+        As for `parallel_env`, such as ``size=10`` or ``render_mode="rgb_array"``.
+    team : {"pursuer", "evader"}, optional
+        The team that the caller plays. By default both.
+    opponent : Opponents, optional
+        What plays the other team, see `matrixworld.envs.opponents`. The default is
+        ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
+
+    Examples
+    --------
+    >>> import matrixworld as mw
+    >>> env = mw.make("SB", n_evaders=2, size=10, team="evader", opponent="surrounder")
+    >>> env.possible_agents
+    ['evader_0', 'evader_1']
+    """
+    return MatrixWorldParallel(config, **with_opponent(team, opponent, settings))

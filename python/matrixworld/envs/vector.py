@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
+from inspect import signature
 from typing import Any, TypeVar, cast
 
 import numpy as np
@@ -15,10 +16,18 @@ from typing_extensions import Unpack
 
 from matrixworld._core import Autoreset
 from matrixworld._util import checks
-from matrixworld.envs.opponents import BuiltInWorlds, Opponents, PlaysTeam, one_team
+from matrixworld.envs.opponents import (
+    BuiltInWorlds,
+    Opponents,
+    PlaysTeam,
+    checked_dtype,
+    one_team,
+    with_opponent,
+)
 from matrixworld.world import arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
+from matrixworld.world.policy import Team
 from matrixworld.world.render import rgb
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
@@ -295,14 +304,31 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
 
 
 def make_vec(
-    config: WorldConfig | Rules | str,
+    config: WorldConfig | Rules | str = "O",
     num_envs: int = 1,
     max_episode_steps: int | None = None,
+    *,
+    team: Team | None = None,
+    opponent: Opponents | None = None,
     **settings: Any,
 ) -> VectorEnv:
-    """Make a `VectorEnv` with the names of arguments that ``gymnasium.make_vec`` uses."""
+    """Make a `VectorEnv` with the names of arguments that ``gymnasium.make_vec`` uses.
+
+    Parameters
+    ----------
+    config, **settings
+        As for `VectorEnv`, such as ``size=10`` or ``flatten=True``.
+    num_envs : int, optional
+        The number of worlds.
+    max_episode_steps : int, optional
+        Another name for ``max_steps``.
+    team, opponent : optional
+        As for `make`.
+    """
+    known = WorldSettings.__annotations__.keys() | signature(VectorEnv).parameters.keys()
+    checks.check_keywords(settings, known - {"n_worlds", "changes"}, make_vec)
     limited = with_limit("max_episode_steps", max_episode_steps, settings)
-    return VectorEnv(config, num_envs, **limited)
+    return VectorEnv(config, num_envs, **with_opponent(team, opponent, limited))
 
 
 class TeamView:
@@ -512,9 +538,7 @@ def _make_buffers(
     config: WorldConfig, n_worlds: int, dtype: DTypeLike, left_out: set[str]
 ) -> dict[str, NDArray[Any]]:
     """Return an array of zeros for each output of a batch that is not left out."""
-    views = np.dtype(dtype)
-    if views not in (np.uint8, np.float32):
-        raise ValueError(f"dtype: expected uint8 or float32, got {views}")
+    views = checked_dtype(dtype)
     specs = arrays.array_specs(config) | arrays.episode_specs(config)
     chosen: arrays.Specs = {
         name: (shape, views if name.endswith("views") else dtype)

@@ -13,6 +13,7 @@ from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer, check_shape
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
 from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
+from matrixworld.play import NetworkPolicy
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import MapLike, WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
@@ -135,10 +136,10 @@ def record_actions(
 
 def record(
     config: WorldConfig | Rules | str,
-    pursuers: EnginePolicy,
-    evaders: EnginePolicy,
+    pursuers: EnginePolicy | NetworkPolicy,
+    evaders: EnginePolicy | NetworkPolicy,
     *,
-    seed: int,
+    seed: int = 0,
     pursuer: int = 0,
     evader: int = 0,
     episode: int = 0,
@@ -149,8 +150,8 @@ def record(
     ----------
     config, pursuers, evaders
         As in `matrixworld.rollout`.
-    seed : int
-        The seed of the match.
+    seed : int, optional
+        The seed of the match. The default is 0.
     pursuer, evader : int, optional
         Indices into the populations. The defaults are 0.
     episode : int, optional

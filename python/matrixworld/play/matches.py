@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -18,7 +19,8 @@ from matrixworld.world.policy import EnginePolicy, Population
 
 Callback: TypeAlias = Callable[[NDArray[np.uint8]], ArrayLike]
 """A policy as a function: observations uint8 (n, 3, fov, fov) of n living agents of one team, to
-actions (n,), integers."""
+actions (n,), integers. What fails for n observations, or returns one integer, is a function of one
+agent: it is asked for each observation, uint8 (3, fov, fov)."""
 
 Plays: TypeAlias = EnginePolicy | Callback
 """What chooses a team's actions: a population of one genome, the name of a script, a function."""
@@ -34,7 +36,7 @@ _READ = ("views", "alive", "terminated", "truncated", "capture_rate")
 
 def checked_actions(policy: Callback, views: NDArray[Any], n_actions: int) -> NDArray[np.int64]:
     """Return the actions (n,) of a function; ValueError or TypeError if they are not legal."""
-    chosen = integers("actions of the policy", policy(views.astype(np.uint8, copy=False)))
+    chosen = _asked(policy, views.astype(np.uint8, copy=False))
     if chosen.shape != (len(views),):
         raise ValueError(
             f"actions of the policy: expected shape {(len(views),)}, got {chosen.shape}"
@@ -43,6 +45,22 @@ def checked_actions(policy: Callback, views: NDArray[Any], n_actions: int) -> ND
         wrong = chosen[(chosen < 0) | (chosen >= n_actions)][0]
         raise ValueError(f"actions of the policy: expected 0 to {n_actions - 1}, got {wrong}")
     return chosen
+
+
+def _asked(policy: Callback, views: NDArray[np.uint8]) -> NDArray[Any]:
+    """Return what a function chooses for n views at once, or one by one if it takes one only."""
+
+    def one_by_one() -> NDArray[Any]:
+        actions: Any = [policy(view) for view in views]
+        return integers("actions of the policy", actions)
+
+    try:
+        chosen = integers("actions of the policy", policy(views))
+    except Exception:
+        with suppress(Exception):
+            return one_by_one()
+        raise
+    return chosen if chosen.ndim else one_by_one()
 
 
 def capture_rates(

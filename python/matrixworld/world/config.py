@@ -6,7 +6,6 @@ import warnings
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, fields, replace
-from enum import Enum
 from functools import cached_property
 from numbers import Real
 from os import PathLike, fspath
@@ -43,6 +42,7 @@ _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
 class WorldSettings(TypedDict, total=False):
     """Keyword arguments that set or change fields of a `WorldConfig`, for type checkers."""
 
+    size: int | None
     rows: int | None
     cols: int | None
     n_pursuers: int | None
@@ -61,6 +61,15 @@ def with_limit(name: str, steps: int | None, settings: Any) -> Any:
     if "max_steps" in settings:
         raise ValueError(f"{name}, max_steps: expected one of them, got both")
     return {**settings, "max_steps": checks.check_integer(name, steps, 1)}
+
+
+def _sides(rows: int | None, cols: int | None, size: int | None) -> tuple[int | None, int | None]:
+    """Return rows and columns, those of a square grid where its size is given instead."""
+    if size is None:
+        return rows, cols
+    if rows is not None or cols is not None:
+        raise ValueError("size, rows, cols: expected size alone or rows and cols, got both")
+    return (checks.check_integer("size", size),) * 2
 
 
 def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
@@ -94,15 +103,6 @@ def _all_fields(what: str, kind: type[Any], plain: object) -> dict[str, Any]:
     return dict(plain)
 
 
-def _field(kind: type[Any], name: str, value: object) -> Any:
-    """Return the value of a field, the member of that name where the field is an enumeration."""
-    expected = type(getattr(kind(), name))
-    if not issubclass(expected, Enum):
-        return value
-    checks.check_choice(name, value, expected.__members__)
-    return expected[str(value)]
-
-
 @dataclass(frozen=True, eq=False, init=False)
 class WorldConfig:
     """The settings of a world: its rules, its size and its rewards.
@@ -116,6 +116,8 @@ class WorldConfig:
     rows, cols : int, optional
         Size of the grid in cells, 1 to 4096 a side. The default is the size of the obstacle map,
         or 40 without one.
+    size : int, optional
+        In place of both: the side of a square grid.
     n_pursuers, n_evaders : int, optional
         Agents of each team, 1 to 4,194,303. The default is 8 pursuers and 30 evaders, or 20 and 5
         where capture is by surrounding, as in the paper.
@@ -165,6 +167,7 @@ class WorldConfig:
         *,
         rows: int | None = None,
         cols: int | None = None,
+        size: int | None = None,
         n_pursuers: int | None = None,
         n_evaders: int | None = None,
         fov: int = 11,
@@ -173,6 +176,7 @@ class WorldConfig:
         obstacles: Obstacles = None,
         rewards: Rewards | None = None,
     ) -> None:
+        rows, cols = _sides(rows, cols, size)
         # Written out, not generated: defaults follow from the rules and the map.
         row = rules_of(rules)
         terrain = _obstacles(obstacles)
@@ -217,6 +221,9 @@ class WorldConfig:
         checks.check_keywords(changes, WorldSettings.__annotations__, cls.of)
         if isinstance(config, WorldConfig):
             values: dict[str, Any] = {**changes}  # fields are narrower than what `__init__` takes
+            if values.pop("size", None) is not None:
+                rows, cols = _sides(values.get("rows"), values.get("cols"), changes["size"])
+                values |= {"rows": rows, "cols": cols}
             return replace(config, **values) if values else config
         return cls(config, **changes)
 
@@ -264,8 +271,7 @@ class WorldConfig:
         if not isinstance(values["obstacles"], float | int | list):
             raise TypeError(f"obstacles: expected a number or a list, got {values['obstacles']!r}")
         for name, kind in (("rules", Rules), ("rewards", Rewards)):
-            given = _all_fields(name, kind, values[name])
-            values[name] = kind(**{key: _field(kind, key, given[key]) for key in given})
+            values[name] = kind(**_all_fields(name, kind, values[name]))
         return cls(**values)
 
     # Not by the dataclass, which would compare a map element by element.

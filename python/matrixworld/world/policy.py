@@ -370,7 +370,7 @@ TeamPolicy: TypeAlias = Population | Script
 
 @dataclass(frozen=True, eq=False)
 class TablePolicy:
-    """Joint actions of a team by state; `matrixworld.solve` makes it."""
+    """Joint actions of a team by state; `matrixworld.solver` makes it."""
 
     core: _core.Tables
 
@@ -379,8 +379,10 @@ EnginePolicy: TypeAlias = TeamPolicy | TablePolicy
 """All that the engine can play for a team."""
 
 
-def check_team(name: str, team: EnginePolicy) -> Any:
+def check_team(name: str, team: Any) -> Any:
     """Return the engine's form of a team policy."""
+    if hasattr(team, "population"):  # a `NetworkPolicy`, which this module does not know
+        team = team.population()
     if isinstance(team, Population):
         return team.network.core, team.genomes
     if isinstance(team, TablePolicy):

@@ -14,7 +14,7 @@ from matrixworld._core import Blame as Blame
 from matrixworld._core import Capture as Capture
 from matrixworld._core import Interaction as Interaction
 from matrixworld._core import Outcome as Outcome
-from matrixworld._util.checks import check_bool, check_instance, check_real, shown
+from matrixworld._util.checks import check_bool, check_choice, check_instance, check_real, shown
 from matrixworld.world.conflicts import COLLISION_KINDS as COLLISION_KINDS
 
 
@@ -59,21 +59,34 @@ Penalty: TypeAlias = float | tuple[float, float, float]
 _LARGEST = float(np.finfo(np.float32).max)
 
 
+def _member(name: str, value: Any, kind: Any) -> Any:
+    """Return a member of an enumeration, of itself or of its name in capitals or not."""
+    if not isinstance(value, str):
+        check_instance(name, value, kind)
+        return value
+    member = value.upper().replace("-", "_")
+    if member not in kind.__members__:
+        check_choice(name, value, kind.__members__)
+    return kind[member]
+
+
 @dataclass(frozen=True)
 class Rules:
     """One row of the table of rules. A game variant is nothing else.
 
+    A text stands for the member of that name, as in ``obstacle="bounce"``.
+
     Parameters
     ----------
-    interaction : Interaction, optional
+    interaction : Interaction or str, optional
         Which agents move together: all of them, the agents of a team, or one at a time.
-    obstacle : Outcome, optional
+    obstacle : Outcome or str, optional
         What happens to an agent that runs into an obstacle or the border.
-    teammate : Outcome, optional
+    teammate : Outcome or str, optional
         What happens to both agents in a collision of teammates.
-    evader, pursuer : Outcome, optional
+    evader, pursuer : Outcome or str, optional
         What happens to the evader and to the pursuer in a collision of adversaries.
-    capture : Capture, optional
+    capture : Capture or str, optional
         Whether an evader is captured by being reached (occupation) or by being surrounded.
     captured_disappear : bool, optional
         Whether a surrounded evader is removed. Occupation does not read it.
@@ -87,8 +100,8 @@ class Rules:
     --------
     Pursuers surround evaders, and teams take turns:
 
-    >>> from matrixworld import Capture, Interaction, Outcome, Rules
-    >>> rules = Rules(Interaction.SWARM_TURNS, evader=Outcome.BOUNCE, capture=Capture.SURROUND)
+    >>> from matrixworld import Rules
+    >>> rules = Rules("swarm-turns", evader="bounce", capture="surround")
     >>> rules.captures
     True
     """
@@ -102,10 +115,11 @@ class Rules:
     captured_disappear: bool = False
 
     def __post_init__(self) -> None:
-        check_instance("interaction", self.interaction, Interaction)
-        check_instance("capture", self.capture, Capture)
-        for name in ("obstacle", "teammate", "evader", "pursuer"):
-            check_instance(name, getattr(self, name), Outcome)
+        kinds: dict[str, Any] = {"interaction": Interaction, "capture": Capture}
+        kinds |= dict.fromkeys(("obstacle", "teammate", "evader", "pursuer"), Outcome)
+        for name, kind in kinds.items():
+            # The only way to set a field of a frozen dataclass.
+            object.__setattr__(self, name, _member(name, getattr(self, name), kind))
         check_bool("captured_disappear", self.captured_disappear)
 
     @property
@@ -164,7 +178,7 @@ class Rewards:
         Three numbers are penalties for collisions with an obstacle, a teammate, an adversary.
     pursuer_step, evader_step : float, optional
         For every step. Where agents take turns, it is paid in the agent's own turn.
-    blame : Blame, optional
+    blame : Blame or str, optional
         Which agents pay the penalty: those at fault, or all agents involved. Under occupation a
         contact of adversaries involves both, and neither is at fault, because contact is the aim
         of the game. With ``Blame.INVOLVED`` you may want ``pursuer_collide=(-12, -12, 0)``.
@@ -190,7 +204,7 @@ class Rewards:
 
     def __post_init__(self) -> None:
         check_bool("capture_repeats", self.capture_repeats)
-        check_instance("blame", self.blame, Blame)
+        object.__setattr__(self, "blame", _member("blame", self.blame, Blame))
         for name in (item.name for item in fields(self)):
             value = getattr(self, name)
             if name.endswith("_collide") and isinstance(value, tuple | list):
@@ -198,7 +212,6 @@ class Rewards:
                     raise ValueError(
                         f"{name}: expected 1 or {len(COLLISION_KINDS)} numbers, got {value!r}"
                     )
-                # The only way to set a field of a frozen dataclass.
                 object.__setattr__(self, name, tuple(_reward(name, part) for part in value))
             elif name not in ("blame", "capture_repeats"):
                 object.__setattr__(self, name, _reward(name, value))

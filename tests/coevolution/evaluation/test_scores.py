@@ -8,7 +8,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS, create, held_out, open_run, score
-from matrixworld.coevolution.evaluation.scores import score_table
+from matrixworld.coevolution.evaluation.scores import HeldOutScores, score_table
 from matrixworld.coevolution.seeding import match_seed
 from matrixworld.coevolution.types import other
 from rows import config_of, random_team
@@ -156,3 +156,31 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: 
     assert scores.left_out == expected.left_out != ""
     # Never asked for nobody.
     assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
+
+
+def test_the_best_generation_is_chosen_on_episodes_that_no_score_is_from(
+    race: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = []
+
+    def scores_of(config: Any, sides: Any, *, seed: int, **how: Any) -> Any:
+        asked.append(seed)
+        rates = np.repeat([0.2, 0.5, 0.5], 6).reshape(3, 2, 3)
+        return {
+            team: HeldOutScores(
+                team, (0, 1, 2), ("a", "b"), rates[:: 1 if team == "pursuer" else -1]
+            )
+            for team in TEAMS
+        }
+
+    monkeypatch.setattr("matrixworld.coevolution.evaluation.scores._scores", scores_of)
+    run = open_run(race)
+    for team, best in (("pursuer", 2), ("evader", 1)):  # the latest of equal ones
+        expected = run.teams[team].genomes[best]
+        np.testing.assert_array_equal(run.best(team).genome, expected)
+    assert asked == [2**64 - 1]  # once; seeds of runs and of scores are smaller
+    monkeypatch.undo()
+    scores = score(run, generation=None, episodes=20, seed=2**64 - 1)["pursuer"].means
+    number = int(np.flatnonzero(scores == scores.max())[-1])
+    expected = run.teams["pursuer"].genomes[number]
+    np.testing.assert_array_equal(open_run(race).best("pursuer").genome, expected)

@@ -203,7 +203,7 @@ def torch() -> Any:
 
 
 HALL = tiny_race(**LEARNER, schedule="hall-of-fame")
-COSTS = {"cost_limit": 2.0, "clip": 0.2, "actor_updates": 2, "minibatches": 2, "hidden": ()}
+COSTS = {"learner.cost_limit": 2.0, "clip": 0.2, "actor_updates": 2, "minibatches": 2, "hidden": ()}
 RUNS: dict[str, Any] = {
     "O": (HALL, 5),
     "TO": (HALL.changed({"world.rules": "TO"}), 5),

@@ -64,6 +64,8 @@ SCORES = "scores.json"
 """File in the run directory: scores of the last generations, played once and kept."""
 EPISODES, SEED = 100, 0
 """Episodes of each pair, and their seed, if nothing else is asked for."""
+CHOICE_EPISODES = 20
+"""Episodes of each pair by which the best generation is chosen: others than those of scores."""
 SCORED_BY = {
     "matrixworld": __version__,
     "held_out": HELD_OUT_VERSION,
@@ -383,6 +385,13 @@ def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig)
     return _Side(team, chosen, generations, opponents, left_out)
 
 
+def best_generations(run: SavedRun) -> dict[Team, int]:
+    """Return the generation of each team with the highest mean score, the latest of equal ones."""
+    found = score(run, generation=None, episodes=CHOICE_EPISODES, seed=checks.SEED_MAX)
+    best = {team: np.flatnonzero(one.means == one.means.max())[-1] for team, one in found.items()}
+    return {team: int(generation) for team, generation in best.items()}
+
+
 def score_runs(
     runs: Sequence[SavedRun], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:
@@ -445,10 +454,10 @@ def score_policy(
 
     Parameters
     ----------
-    policy : callable, NetworkPolicy, Population, or what `solve.Solution.policy` returns
+    policy : callable, NetworkPolicy, Population, or what `solver.Solution.policy` returns
         A function from observations, uint8 (n, 3, fov, fov), of n living agents of the team to
-        their actions, integers (n,). The agents may be of several episodes. What is no function is
-        played inside the engine.
+        their actions, integers (n,); or from the observation of one agent to its action. The agents
+        may be of several episodes. What is no function is played inside the engine.
     team : {"pursuer", "evader"}
         Team that it plays for.
     config : WorldConfig, Rules or str, optional

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.solve.states import States, config_of
+from matrixworld.solver.states import States, config_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TEAMS, Population, Script, TablePolicy, Team, check_team
 
@@ -288,7 +288,7 @@ def solve(
     Examples
     --------
     >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solve import solve
+    >>> from matrixworld.solver import solve
     >>> config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1)
     >>> round(solve(config, steps=5).value, 3)
     0.839
@@ -324,7 +324,7 @@ def best_response(
     How often evaders at best escape from two chasers:
 
     >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solve import best_response
+    >>> from matrixworld.solver import best_response
     >>> config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=20)
     >>> round(1 - best_response(config, "chaser", "pursuer").value, 3)
     0.674

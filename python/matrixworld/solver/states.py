@@ -61,7 +61,7 @@ class States:
     Examples
     --------
     >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solve import States
+    >>> from matrixworld.solver import States
     >>> states = States(WorldConfig("O", rows=3, cols=3, n_pursuers=1, n_evaders=1))
     >>> states.count(), states.starts.size, states.successors().shape
     (74, 72, (74, 5, 5))

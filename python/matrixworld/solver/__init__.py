@@ -4,7 +4,7 @@ A team is one player here: it sees the whole world and chooses for all its membe
 means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8 cells::
 
     from matrixworld import WorldConfig, record
-    from matrixworld.solve import best_response, solve
+    from matrixworld.solver import best_response, solve
 
     config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=5)
     solution = solve(config)
@@ -17,7 +17,7 @@ means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8
 
 from __future__ import annotations
 
-from matrixworld.solve.solution import Champion, Solution, best_response, expected_payoff, solve
-from matrixworld.solve.states import States
+from matrixworld.solver.solution import Champion, Solution, best_response, expected_payoff, solve
+from matrixworld.solver.states import States
 
 __all__ = ["Champion", "Solution", "States", "best_response", "expected_payoff", "solve"]

@@ -14,7 +14,7 @@ from scipy.optimize import linprog
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS
-from matrixworld.solve import Solution, States, best_response, expected_payoff, solve
+from matrixworld.solver import Solution, States, best_response, expected_payoff, solve
 from reference import ReferenceWorld
 from rows import CUSTOM, OCCUPATION, SURROUND, TOGETHER, B, D, R, random_team
 from slow import quickly
