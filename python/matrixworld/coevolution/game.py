@@ -55,6 +55,11 @@ class Strategies:
     genomes: Genomes
 
 
+def generator_of(seed: int, episode: int) -> Rng:
+    """Return the generator of one episode of a match."""
+    return np.random.Generator(np.random.Philox(key=[seed, episode]))
+
+
 @dataclass(frozen=True, eq=False)
 class Game:
     """A game of two populations of genomes, vectors of float32.
@@ -186,25 +191,31 @@ class Game:
         ValueError if the game returns anything but scores in [0, 1].
         """
         a, b, seeds = matches
-        pairs = first.genomes[a], second.genomes[b]
+        one, other = first.genomes[a], second.genomes[b]
         if self.deterministic:
-            found = self._checked(*pairs, np.random.default_rng(0))
+            found = self._checked([self.play(one, other, np.random.default_rng(0))], len(a))
             return Scores(np.repeat(found[:, np.newaxis], episodes, axis=1))
-        found = np.empty((len(seeds), episodes), np.float32)
-        for m, seed in enumerate(seeds):
-            for n in range(episodes):
-                rng = np.random.Generator(np.random.Philox(key=[int(seed), n]))
-                one, other = (each[m : m + 1] for each in pairs)
-                found[m, n] = self._checked(one, other, rng)[0]
-        return Scores(found)
+        found = self._checked(
+            [
+                self.play(one[m : m + 1], other[m : m + 1], generator_of(seed, episode))
+                for m, seed in enumerate(seeds.tolist())
+                for episode in range(episodes)
+            ],
+            1,
+        )
+        return Scores(found.reshape(len(a), episodes))
 
-    def _checked(self, a: Genomes, b: Genomes, rng: Rng) -> NDArray[np.float32]:
-        scores = checks.check_floats("scores of the game", self.play(a, b, rng), np.float32)
-        if scores.shape != (len(a),):
-            raise ValueError(f"scores of the game: expected ({len(a)},), got {scores.shape}")
-        if not ((scores >= 0.0) & (scores <= 1.0)).all():  # also finds NaN
-            worst = scores[~((scores >= 0.0) & (scores <= 1.0))][0]
-            raise ValueError(f"scores of the game: expected numbers in [0, 1], got {worst}")
+    def _checked(self, calls: list[ArrayLike], matches: int) -> NDArray[np.float32]:
+        """Return the scores of all calls, each of so many matches."""
+        for found in calls:
+            if np.shape(found) != (matches,):
+                got = np.shape(found)
+                raise ValueError(f"scores of the game: expected shape ({matches},), got {got}")
+        scores = checks.check_floats("scores of the game", np.concatenate(calls), np.float32)
+        wrong = ~((scores >= 0.0) & (scores <= 1.0))  # NaN, too
+        if wrong.any():
+            got = scores[wrong][0]
+            raise ValueError(f"scores of the game: expected numbers in [0, 1], got {got}")
         return scores
 
     def values(self, scores: Scores, team: Team, measure: str, *, raw: bool = False) -> FloatArray:

@@ -20,7 +20,7 @@ from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import SCORE, kept_scores, score
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
-from matrixworld.coevolution.types import TEAMS, Team, payoffs_of
+from matrixworld.coevolution.types import TEAMS, Payoff, Team, payoffs_of
 
 
 @dataclass(frozen=True)
