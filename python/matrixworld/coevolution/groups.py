@@ -323,8 +323,9 @@ def _group_of(name: str, source: Any) -> RunGroup | None:
         groups = open_groups(source)
     elif isinstance(source, RunGroup):
         groups = [source]
-    elif any(isinstance(each, SavedRun) for each in several):
-        groups = grouped({run.path: run.settings for run in several})
+    elif several and all(isinstance(each, SavedRun) for each in several):
+        runs = sorted(several, key=lambda run: run.settings.seed)
+        groups = grouped({run.path: run.settings for run in runs})
     else:
         return None
     if len(groups) > 1 or not groups[0].runs:

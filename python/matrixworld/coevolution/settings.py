@@ -335,9 +335,9 @@ SHORT = {"variant": ("world.rules",), "size": ("world.rows", "world.cols")}
 
 
 def paths_of(name: str) -> tuple[str, ...]:
-    """Return the paths of the settings that a short name sets; TypeError unless it is clear."""
-    if name in SHORT:
-        return SHORT[name]
+    """Return the paths of the settings that a name or path sets; TypeError unless it is clear."""
+    if name in SHORT or "." in name:
+        return SHORT.get(name, (name,))
     every = dict.fromkeys(sections.paths_in(RaceSettings))
     # Those of `learner` are those of both teams.
     short = [path for path in every if not path.startswith("evader_learner.")]

@@ -1,5 +1,5 @@
 /**
- * Small worlds solved, by the solver of the Python package: see `matrixworld.solver`.
+ * Small worlds solved, by the solver of the Python package: see `matrixworld.solve`.
  *
  *     const solution = new Solution(compiled, config);
  *     while (solution.goBack()) await a moment;
@@ -17,7 +17,7 @@ export const MOST_SUCCESSORS = 7_000_000;
 
 const released = new FinalizationRegistry<readonly [Compiled, number]>(([engine, states]) => engine._states_free(states));
 
-/** Return at most how many successors the states have, as `matrixworld.solver.states.size_of` counts them. */
+/** Return at most how many successors the states have, as `matrixworld.solve.states.size_of` counts them. */
 function successorsOf({ rules, rows, cols, obstacles, diagonal, n_pursuers, n_evaders }: WorldConfig): number {
   const walls = typeof obstacles === "number" || rules.obstacle === "REACH" ? 0 : obstacles.join("").split("#").length - 1;
   const free = rows * cols - walls;
