@@ -290,8 +290,8 @@ def read_payoffs(
         isinstance(each, (str, os.PathLike)) for each in source
     ):
         payoffs = _stacked([Path(path) for path in source], per_episode)
-    elif hasattr(source, PER_EPISODE):
-        payoffs = _payoffs(getattr(source, PER_EPISODE), per_episode=True)
+    elif hasattr(source, "payoffs"):
+        payoffs = source.payoffs()
     else:
         payoffs = _payoffs(source, per_episode)
     if exact:

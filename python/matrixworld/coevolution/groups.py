@@ -20,7 +20,7 @@ from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import SCORE, kept_scores, score
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
-from matrixworld.coevolution.types import TEAMS, Payoff, Team, payoffs_of
+from matrixworld.coevolution.types import TEAMS, Team, payoffs_of
 
 
 @dataclass(frozen=True)
@@ -225,7 +225,7 @@ def judge(source: Any, **known: Any) -> Judgement:
         Other arguments of `analysis.judge`.
     """
     group = _group_of("source", source)
-    return analysis.judge(_payoffs(source, group), **known)
+    return analysis.judge(source if group is None else group.payoffs, **known)
 
 
 @dataclass(frozen=True, repr=False)
@@ -291,9 +291,10 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
                 else each.held_out(team).mean(axis=1)
                 for each in runs
             ]
+    single = single and bool(values)
     if all(group.is_race for group in runs) and not single:
         payoffs = [
-            analysis.read_payoffs(_payoffs(source, group))
+            analysis.read_payoffs(source) if group is None else group.payoffs
             for group, source in zip(groups, (one, other), strict=True)
         ]
         for measure in (each for each in analysis.MEASURES.values() if each.short):
@@ -307,13 +308,6 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
         {name: (float(a.mean()), float(b.mean())) for name, (a, b) in values.items()},
         {name: difference(*pair, level=level) for name, pair in values.items()},
     )
-
-
-def _payoffs(source: Any, group: RunGroup | None) -> Any:
-    """Return what the analysis reads: the payoffs of a group, or of any other source."""
-    if group is not None:
-        return group.payoffs
-    return source.payoffs() if isinstance(source, Payoff) else source
 
 
 def _group_of(name: str, source: Any) -> RunGroup | None:

@@ -448,18 +448,20 @@ class SavedRun:
 
         return best_generations(self)
 
-    def best(
-        self, team: Team, *, sampled: bool | None = None, seed: int | None = None
-    ) -> NetworkPolicy:
+    def best(self, team: str, *, sampled: bool | None = None, seed: int | None = None) -> Any:
         """Return the generation of a team that is best against held-out opponents, as a policy.
 
-        It is chosen by episodes of its own, which no score is from. They are played once.
+        It is chosen by episodes of its own, which no score is from. They are played once. In a game
+        of your own, which has no held-out opponents, it is the last one, as `last` returns it.
 
         Parameters
         ----------
         team, sampled, seed
             As for `policy`.
         """
+        if self.settings.game:
+            return self.last(team)
+        check_choice("team", team, TEAMS)
         return self.policy(team, self._best.get(team, -1), sampled=sampled, seed=seed)
 
     def generation(self, team: str, index: int, name: str = "") -> int:
