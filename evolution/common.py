@@ -307,7 +307,7 @@ def solved(world: mw.WorldConfig) -> Solution:
 def guaranteed(run: SavedRun, team: Team) -> NDArray[np.float64]:
     """Return the capture rate of each generation of a team against its best response, exactly."""
     states, policy = solved(run.settings.world).states, run.teams[team]
-    champions = (mw.Population(genome[None], policy.network) for genome in policy.genomes)
+    champions = (mw.Population(genome[None], policy.policy) for genome in policy.genomes)
     return np.array([best_response(states, each, team).value for each in champions])
 
 

@@ -104,7 +104,7 @@ def last(run: SavedRun, team: Team, budget: int) -> mw.Population:
     """Return the newest genome of a team within a budget of matches."""
     policy = run.teams[team]
     newest = run.generation_at(team, budget)
-    return mw.Population(policy.genomes[newest : newest + 1], policy.network)
+    return mw.Population(policy.genomes[newest : newest + 1], policy.policy)
 
 
 def ranks(run: SavedRun, quick: bool) -> dict[str, float]:
@@ -169,7 +169,7 @@ def held_out(runs: Runs, quick: bool) -> dict[str, Any]:
         for team in TEAMS:
             theirs = [last(each, TEAMS[1 - TEAMS.index(team)], budget) for each in rivals]
             genomes = np.concatenate([each.genomes for each in theirs])
-            others = mw.Population(genomes, theirs[0].network)
+            others = mw.Population(genomes, theirs[0].policy)
             found[f"wins, {team}"] = wins(run, team, own[team], others, quick)
         return found
 

@@ -122,7 +122,7 @@ def teach(runs: Runs) -> list[coevolution.SavedRun]:
 def last_of(team: coevolution.Team, runs: Runs) -> mw.Population:
     """Return the last generation of each kind of `CANDIDATES` and seed as one population."""
     last = [run.last(team) for kind in CANDIDATES[team] for run in runs[kind]]
-    return mw.Population(np.concatenate([each.genomes for each in last]), last[0].network)
+    return mw.Population(np.concatenate([each.genomes for each in last]), last[0].policy)
 
 
 def cross_play(team: coevolution.Team, runs: Runs, quick: bool) -> np.ndarray:
@@ -134,7 +134,7 @@ def cross_play(team: coevolution.Team, runs: Runs, quick: bool) -> np.ndarray:
     rivals = [run.teams[other(team)] for race in RACES for run in runs[race]]
     # One population of all candidates and one of all opponents: a single tournament.
     opponents = np.concatenate([each.genomes[:: EVERY[quick]] for each in rivals])
-    met = mw.Population(opponents, rivals[0].network)
+    met = mw.Population(opponents, rivals[0].policy)
     world, seeds = runs[RACES[0]][0].settings.world, len(runs[RACES[0]])
     own, episodes = last_of(team, runs), EPISODES[quick]
     payoff = scores_against(world, team, own, met, seed=0, episodes=episodes)

@@ -190,7 +190,7 @@ def networks_in(directory: Path) -> mw.Population:
     last = [open_run(path.parent).last("pursuer") for path in directory.glob("*/summary.json")]
     if not last:
         raise FileNotFoundError(f"{directory}: expected directories of finished runs, got none")
-    return mw.Population(np.concatenate([team.genomes for team in last]), last[0].network)
+    return mw.Population(np.concatenate([team.genomes for team in last]), last[0].policy)
 
 
 def rows_of(kinds: Iterable[Kind], quick: bool) -> dict[str, list[Row | None]]:

@@ -228,7 +228,7 @@ def against_common(team: Team, seed: int, run: SavedRun, races: Sequence[SavedRu
     pools = [race.teams[other(team)].genomes[::EVERY] for race in strange or races]
     own = run.teams[team]
     chosen = np.concatenate([own.genomes[:1], own.genomes[late(run, team)]])
-    teams = (mw.Population(each, own.network) for each in (chosen, np.concatenate(pools)))
+    teams = (mw.Population(each, own.policy) for each in (chosen, np.concatenate(pools)))
     scores = scores_against(run.settings.world, team, *teams, seed=seed, episodes=EPISODES)
     first, *last = scores.mean(axis=1)
     return float(np.mean(last) - first)
@@ -242,7 +242,7 @@ def exact_rises(team: Team, run: SavedRun) -> NDArray[np.float64]:
     solution, policy = solved(run.settings.world), run.teams[team]
     rates = []
     for genome in [policy.genomes[0], *policy.genomes[late(run, team)]]:
-        champion = mw.Population(genome[np.newaxis], policy.network)
+        champion = mw.Population(genome[np.newaxis], policy.policy)
         pair = (champion, solution) if team == "pursuer" else (solution, champion)
         responded = best_response(solution.states, champion, team).value
         rates.append((expected_payoff(solution.states, *pair), responded))

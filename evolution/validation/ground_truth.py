@@ -193,7 +193,7 @@ def against_others(runs: Runs, kind: str, run: SavedRun) -> list[FloatArray]:
     found = []
     for team in TEAMS:
         met = [each.teams[other(team)] for each in strangers]
-        champions = mw.Population(np.stack([p.genomes[-1] for p in met]), met[0].network)
+        champions = mw.Population(np.stack([p.genomes[-1] for p in met]), met[0].policy)
         rates = scores_against(world, team, run.teams[team], champions, seed=seed, episodes=10)
         found.append(rates.mean(axis=1))
     return found

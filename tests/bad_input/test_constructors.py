@@ -101,7 +101,7 @@ CALLS = [
     partial(
         mw.Network, hidden=(4,), activation="relu", fov=3, n_actions=5, sampled=True, memory="gru"
     ),
-    partial(mw.Population, genomes=GENOME, network=NETWORK),
+    partial(mw.Population, genomes=GENOME, policy=NETWORK),
     partial(mw.Matches.of, pursuer=0, evader=0, seed=0),
     partial(mw.rollout, **TEAMS, matches=MATCH, episodes=1, threads=1),
     partial(mw.record, **TEAMS, seed=0, pursuer=0, evader=0, episode=0),

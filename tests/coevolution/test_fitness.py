@@ -90,7 +90,7 @@ def test_a_limit_decides_the_fitness_of_a_run(tmp_path) -> None:
     settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
     genomes = np.stack(
         [
-            settings.evaluation_game.network.initial(np.random.default_rng(k), head=2.0)
+            settings.evaluation_game.policy.initial(np.random.default_rng(k), head=2.0)
             for k in range(8)
         ]
     )

@@ -122,7 +122,7 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
     played(settings, tmp_path / "run")
     run = Run(tmp_path / "run")
     pursuers, evaders = (
-        Population(run.genomes(team), settings.evaluation_game.network) for team in TEAMS
+        Population(run.genomes(team), settings.evaluation_game.policy) for team in TEAMS
     )
     for team, shape in (("pursuer", (3, 3)), ("evader", (3, 4))):
         state = run.states[f"{team}.opponents"]
@@ -171,7 +171,7 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
         key = (settings.seed, generation, generation, Phase.RETEST, TEAMS.index(team))
         seeds = training_seeds(*key, len(met) * episodes).reshape(len(met), episodes)
         for genome in genomes:
-            own, values = Population(genome[np.newaxis], settings.evaluation_game.network), []
+            own, values = Population(genome[np.newaxis], settings.evaluation_game.policy), []
             for opponent, e in np.ndindex(seeds.shape):
                 rival = 0 if isinstance(opponents, str) else met[opponent]
                 sides, pair = (own, opponents), (0, rival)
@@ -290,15 +290,15 @@ def test_against_a_run(team, other_run, tmp_path):
     saved = played(settings, tmp_path / "run")
     assert results(tmp_path / "run") == results(tmp_path / "straight")
     assert np.array_equal(saved.teams[other(team)].genomes, rivals.genomes[-1:])
-    assert saved.teams[other(team)].network == rivals.network
-    assert saved.teams[team].network == settings.evaluation_game.network
+    assert saved.teams[other(team)].policy == rivals.policy
+    assert saved.teams[team].policy == settings.evaluation_game.policy
     lengths = saved.payoff().extras["lengths"]
     assert [saved.record(episode=number).length for number in range(3)] == list(lengths.flat)
 
 
 def test_several_opponents_take_turns(tmp_path):
     settings = tiny_single(team="evader")
-    opponents = Population(settings.task("pursuer").genomes(2), settings.evaluation_game.network)
+    opponents = Population(settings.task("pursuer").genomes(2), settings.evaluation_game.policy)
     saved = begun(settings, tmp_path / "run", opponents=opponents).run()
     assert saved.log()["opponent"].tolist() == [0, 1, 0, 1, 0]
     assert saved.payoff().scores.shape == (2, 1, 3)
@@ -329,7 +329,7 @@ def test_bad_opponents_and_starts_are_refused(other_run, tmp_path):
     others = Population(np.zeros((1, wide.genome_size), dtype=np.float32), wide)
     with pytest.raises(ValueError, match="^opponents: "):
         begun(settings, run, opponents=others)
-    size = settings.evaluation_game.network.genome_size
+    size = settings.evaluation_game.policy.genome_size
     for start in (np.zeros(size - 1), np.full(size, np.nan)):
         with pytest.raises(ValueError, match="^start: "):
             begun(settings, run, start=start)

@@ -117,7 +117,7 @@ def test_every_cell_can_be_replayed_alone(race: Path) -> None:
     run = playing(Run(race), StopAt(0)).run()  # of a finished run nothing is played
     settings, payoff = run.settings, run.payoff()
     assert payoff.scores.shape == (3, 3, 3)
-    teams = [Population(run.archive()[team], settings.evaluation_game.network) for team in TEAMS]
+    teams = [Population(run.archive()[team], settings.evaluation_game.policy) for team in TEAMS]
     for g, h in [(0, 2), (2, 0), (1, 1)]:
         seed = evaluation_seed(settings.seed, g, h)
         scores = rollout(settings.world, *teams, Matches.of(g, h, seed), episodes=3)

@@ -84,7 +84,7 @@ def test_what_follows_from_the_settings():
     assert settings.schedule.total_epochs("evader") == 30 * 58
     assert settings.training_game.world.max_steps == 200
     assert (
-        settings.evaluation_game.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5
+        settings.evaluation_game.policy.genome_size == 363 * 32 + 32 + 32 * 5 + 5
     )  # 363 = 3 x 11 x 11
     assert (settings.is_race, alone.is_race) == (True, False)
     assert alone.learning_teams == ("evader",)

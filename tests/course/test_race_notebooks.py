@@ -260,7 +260,7 @@ def test_the_network_wishes_what_the_table_says() -> None:
     views = (rng.random((20, 3, 11, 11)) < 0.1).astype(np.uint8)
     weights = rng.normal(size=6)
     own = pack(weights)
-    found = own.network.logits(own.genomes[0], views)
+    found = own.policy.logits(own.genomes[0], views)
     expected = [wishes(view, weights) for view in views]
     np.testing.assert_allclose(found, expected, atol=1e-4)
 

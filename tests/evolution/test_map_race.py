@@ -104,7 +104,7 @@ def test_the_best_of_old_and_new_maps_are_kept(tmp_path, fitness):
 def test_regret_is_how_far_both_champions_fall_short(tmp_path):
     _, archives, race = played(settings_of("regret"), tmp_path / "run")
     pair = [
-        mw.Population(race.archive[team][-1][None], race.settings.evaluation_game.network)
+        mw.Population(race.archive[team][-1][None], race.settings.evaluation_game.policy)
         for team in TEAMS
     ]
     for walls, score in zip(archives[-1]["maps"], archives[-1]["scores"], strict=True):

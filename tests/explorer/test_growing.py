@@ -101,7 +101,7 @@ def test_cells_are_the_first_episodes_of_the_evaluation(job: Path, name: str) ->
 
 
 def first_of(team: Population | str, most: int) -> Population | str:
-    return team if isinstance(team, str) else Population(team.genomes[:most], team.network)
+    return team if isinstance(team, str) else Population(team.genomes[:most], team.policy)
 
 
 @pytest.mark.nightly

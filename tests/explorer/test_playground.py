@@ -301,7 +301,7 @@ def decided(
 def generation(run: SavedRun, team: Team, number: int) -> Population:
     population = run.teams[team]
     assert isinstance(population, Population)
-    return Population(population.genomes[number], population.network)
+    return Population(population.genomes[number], population.policy)
 
 
 @pytest.mark.nightly

@@ -126,7 +126,7 @@ def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
     assert page.js(over) <= 1
     world, population = World(run.settings.world), run.teams["pursuer"]
     world.reset(evaluation_seed(run.settings.seed, g, h))
-    logits = population.network.logits(population.genomes[g], world.views()[:1])[0].astype(float)
+    logits = population.policy.logits(population.genomes[g], world.views()[:1])[0].astype(float)
     expected = np.exp(logits - logits.max()) / np.exp(logits - logits.max()).sum()
     numbers = "document.querySelectorAll('.action .numbers')"
     shown = page.js(f"Array.from({numbers}, (each) => +each.textContent)")

@@ -72,7 +72,7 @@ def test_extreme_weights() -> None:
     config = mw.WorldConfig("O", rows=9, cols=9, n_pursuers=9, max_steps=10)
     for memory in ("none", "gru"):
         team = random_team(config, 0, 1, hidden=(32,), memory=memory)
-        huge = mw.Population(team.genomes * np.float32(1e30), team.network)
+        huge = mw.Population(team.genomes * np.float32(1e30), team.policy)
         assert_same_one_by_one(config, huge, team, mw.Matches.of(0, 1, [1, 2]), episodes=3)
 
 

@@ -83,7 +83,7 @@ def test_a_match_depends_on_its_genomes_and_seed_alone(name: str) -> None:
         again = mw.rollout(config, team, team, matches, episodes=20, threads=threads)
         assert_same_bits(whole, again)
     for m, (pursuer, evader, seed) in enumerate(zip(*matches, strict=True)):
-        pair = (mw.Population(team.genomes[each], team.network) for each in (pursuer, evader))
+        pair = (mw.Population(team.genomes[each], team.policy) for each in (pursuer, evader))
         alone = mw.rollout(config, *pair, mw.Matches.of(0, 0, seed), episodes=20)
         assert_same_bits(whole, alone, [m])
     order = [8, 3, 0, 2, 2]

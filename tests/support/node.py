@@ -56,7 +56,7 @@ def policy_json(team: mw.Population | str) -> Any:
     """Return a policy as the programs read it."""
     if isinstance(team, str):
         return team
-    network = team.network
+    network = team.policy
     return {
         "hidden": network.hidden,
         "activation": network.activation,

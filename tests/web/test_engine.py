@@ -260,7 +260,7 @@ def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: st
     )
     assert got["chosen"] == chosen.tolist()
     logits = np.array([answer["logits"] for answer in got["answers"]], np.float32)
-    expected = world._core.logits(policy.network.core, policy.genomes[0])
+    expected = world._core.logits(policy.policy.core, policy.genomes[0])
     np.testing.assert_array_equal(logits, expected)
     weights = np.exp(logits.astype(float) - logits.max(axis=1, keepdims=True))
     shares = [answer["probabilities"] for answer in got["answers"]]
@@ -269,7 +269,7 @@ def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: st
     for agent in alive[alive < config.n_pursuers]:
         assert by_agent[agent]["action"] == chosen[agent]
     # What agents remembered before their last decision, which the pursuers made in this step.
-    kept = world._core.snapshot()["memories"].reshape(len(alive), 2, policy.network.state_size)
+    kept = world._core.snapshot()["memories"].reshape(len(alive), 2, policy.policy.state_size)
     remembered = np.where(alive[:, None] < config.n_pursuers, kept[:, 0], kept[:, 1])
     assert [answer["memory"] for answer in got["answers"]] == remembered.tolist()
     assert got["view"] == world.views()[alive[0]].ravel().tolist()

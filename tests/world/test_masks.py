@@ -275,7 +275,7 @@ def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
         # The others did learn; a genetic algorithm changes a part of them.
         assert learned.mean() > 0.3
     # A unit for each direction beside those of the settings.
-    assert run.teams["pursuer"].network.hidden == (4 + 4,)
+    assert run.teams["pursuer"].policy.hidden == (4 + 4,)
 
 
 @pytest.mark.parametrize("learner", ["es", "ga"])

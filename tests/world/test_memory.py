@@ -32,7 +32,7 @@ def test_the_engine_agrees_with_numpy(hidden: tuple[int, ...]) -> None:
     """Each agent's state, along an episode in which agents disappear."""
     config = config_of("D", n_pursuers=4, n_evaders=4, max_steps=9, obstacles=0.1)
     team = random_team(config, 3, hidden=hidden, memory="gru")
-    network, [genome] = team.network, team.genomes
+    network, [genome] = team.policy, team.genomes
     world = mw.World(config)
     for seed in (1, 2):  # a reset makes all agents forget
         world.reset(seed)

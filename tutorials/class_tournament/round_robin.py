@@ -323,7 +323,7 @@ def _trial(submission: Submission, pool: MatchPool) -> list[Entry | Refusal]:
     try:
         if kind == "genome":
             team, population = submissions.read_genome(path, content)
-            check_fits("genome", population.network, pool.config)
+            check_fits("genome", population.policy, pool.config)
             return [Entry(name, team, "genome", file, population)]
         if pool.problem:
             raise RefusedError(f"programs are not played here: {pool.problem}")

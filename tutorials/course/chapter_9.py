@@ -116,7 +116,7 @@ def play_masked(
         if allowed.shape != expected:
             raise ValueError(f"mask: expected shape {expected}, got {allowed.shape}")
         allowed[~allowed.any(axis=1), 0] = True
-        wishes = population.network.logits(population.genomes[0], seen)
+        wishes = population.policy.logits(population.genomes[0], seen)
         wishes[~allowed] = -np.inf
         # The largest of wishes with Gumbel noise is a draw with their softmax.
         chosen = (wishes + rng.gumbel(size=wishes.shape)).argmax(axis=1)

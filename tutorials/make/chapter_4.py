@@ -64,7 +64,7 @@ def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:
     world = run.settings.world
     found = []
     for team in TEAMS:
-        genomes = mw.Population(run.teams[team].genomes[generations], run.teams[team].network)
+        genomes = mw.Population(run.teams[team].genomes[generations], run.teams[team].policy)
         scored = score_policy(genomes, team, world, episodes=EPISODES)
         found.append(scored.means.astype(np.float32))
     return found

@@ -89,7 +89,7 @@ def cross_play(runs: list[SavedRun], budget: int) -> np.ndarray:
     champions = {
         team: mw.Population(
             np.stack([run.teams[team].genomes[run.generation_at(team, budget)] for run in runs]),
-            runs[0].teams[team].network,
+            runs[0].teams[team].policy,
         )
         for team in TEAMS
     }

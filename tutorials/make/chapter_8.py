@@ -84,7 +84,7 @@ def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
 
 def tested(team: Team, genomes: np.ndarray, opponent: TeamPolicy, episodes: int) -> np.ndarray:
     """Return the evaders that each genome (n, genes) captures, or saves, per 1000: uint16 (n,)."""
-    own, index = mw.Population(genomes, RACE.evaluation_game.network), np.arange(len(genomes))
+    own, index = mw.Population(genomes, RACE.evaluation_game.policy), np.arange(len(genomes))
     world = RACE.world
     if team == "pursuer":
         scores = mw.rollout(
@@ -122,7 +122,7 @@ def main(runs: Path) -> None:
 
 def climbed(genomes: np.ndarray) -> np.ndarray:
     """Return the scores (seeds, stages + 1, scripts) of pursuers after each stage."""
-    flat = genomes.reshape(-1, RACE.evaluation_game.network.genome_size)
+    flat = genomes.reshape(-1, RACE.evaluation_game.policy.genome_size)
     scores = [tested("pursuer", flat, script, EPISODES) for script in LADDERS["pursuer"]]
     return np.stack(scores, axis=-1).reshape(len(SEEDS), STAGES + 1, STAGES)
 
@@ -138,7 +138,7 @@ def examined(
     fixed = held_out(other(team), "O")
     evolved = [policy for name, policy in fixed.items() if name.startswith("evolved")]
     rivals = [race.teams[other(team)] for race in races]
-    teams = [mw.Population(each.genomes[-1:], each.network) for each in rivals]
+    teams = [mw.Population(each.genomes[-1:], each.policy) for each in rivals]
 
     def rates(opponents: Sequence[TeamPolicy], episodes: int) -> np.ndarray:
         scores = [tested(team, genomes, each, episodes) / 1000 for each in opponents]

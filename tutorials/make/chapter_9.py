@@ -130,7 +130,7 @@ def masked_epoch(
     envs: mw.VectorEnv, population: mw.Population, rng: np.random.Generator
 ) -> dict[str, NDArray[Any]]:
     """Play each sample in its worlds and return the statistics of these episodes."""
-    network, pursuers = population.network, WORLD.n_pursuers
+    network, pursuers = population.policy, WORLD.n_pursuers
     weights, biases = zip(*(network.layers(g)[0] for g in population.genomes), strict=True)
     pairs = rng.integers(2**62, size=(SAMPLES // 2, 1)) + np.arange(WORLDS)
     _, infos = envs.reset(seed=np.tile(pairs, (2, 1)).ravel())

@@ -203,10 +203,10 @@ def cures(seed: int) -> Effects:
             if kind != name
         ]
         evaders = cure(name, seed).teams["evader"]
-        last = mw.Population(evaders.genomes[-1:], evaders.network)
+        last = mw.Population(evaders.genomes[-1:], evaders.policy)
         payoff = coevolution.tournament(
             chapter_6.SMALL.world,
-            mw.Population(np.stack(rivals), evaders.network),
+            mw.Population(np.stack(rivals), evaders.policy),
             last,
             seed=0,
             episodes=chapter_6.CROSS_EPISODES,

@@ -31,7 +31,7 @@ from matrixworld.coevolution.learners import ActorCritic, CmaEs, EvolutionStrate
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
 from matrixworld.coevolution.own_code import check_learner, check_sampler
 from matrixworld.coevolution.progress import Progress, ProgressBar, StopRun
-from matrixworld.coevolution.pursuit import PolicySettings, Pursuit
+from matrixworld.coevolution.pursuit import Cells, Pursuit, Ratings
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns, available
 from matrixworld.coevolution.run import DisengagementWarning, Run, create, finish
 from matrixworld.coevolution.sections import PluginError
@@ -45,6 +45,7 @@ __all__ = [
     "ActorCritic",
     "Against",
     "AtOnce",
+    "Cells",
     "CmaEs",
     "Comparison",
     "DamagedFileError",
@@ -60,11 +61,11 @@ __all__ = [
     "OtherVersionError",
     "Payoff",
     "PluginError",
-    "PolicySettings",
     "Progress",
     "ProgressBar",
     "Pursuit",
     "RaceSettings",
+    "Ratings",
     "Results",
     "Run",
     "RunGroup",

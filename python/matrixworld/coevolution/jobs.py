@@ -36,7 +36,7 @@ from matrixworld._util.imports import HAS_PROCESSES
 from matrixworld.coevolution import progress, run, storage, types
 from matrixworld.coevolution.learners.learner import table_length
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
-from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit
+from matrixworld.coevolution.pursuit import CHANNELS, SCRIPTS, Pursuit
 from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.settings import RaceSettings
 
@@ -330,7 +330,7 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
         assert isinstance(game, Pursuit)  # as these learners need
         agents = max(game.world.n_pursuers, game.world.n_evaders)
         steps = episodes * settings.train_steps * agents
-        needed["views"] = 4 * steps * game.network.sizes[0]
+        needed["views"] = 4 * steps * CHANNELS * game.world.fov**2
     return needed
 
 

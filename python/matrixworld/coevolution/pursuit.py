@@ -6,6 +6,7 @@ opponents are in `evaluation.scores`.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -30,8 +31,10 @@ from matrixworld.play.rollout import rollout
 from matrixworld.world import masks
 from matrixworld.world.config import WorldConfig as WorldConfig
 from matrixworld.world.policy import CHANNELS as CHANNELS
-from matrixworld.world.policy import GATES, Network, Population, TeamPolicy
+from matrixworld.world.policy import GATES, Policy, Population, TeamPolicy
 from matrixworld.world.policy import SCRIPTS as SCRIPTS
+from matrixworld.world.policy import Network as Network
+from matrixworld.world.rating import INPUTS, Rating, policy_of
 from matrixworld.world.rules import REWARDS, VARIANTS, Outcome, Rules
 from matrixworld.world.rules import Interaction as Interaction
 from matrixworld.world.rules import Rewards as Rewards
@@ -81,10 +84,41 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
 sections.PLAIN[WorldConfig] = sections.Plain(_world, WORLD_HELP)
 
 
-@sections.documented
+def _mask(default: str, more: str = "") -> Any:
+    return setting(
+        default,
+        "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
+        "world.fov of 3), right-of-way (all that could put it at fault; needs a world.fov of 5 and "
+        f"rules under which pursuers that learn can capture so), or none{more}",
+        choices=masks.MASKS,
+    )
+
+
 @dataclass(frozen=True)
 class PolicySettings(Section):
-    """Settings of the policy networks: both teams have one of the same shape."""
+    """Base of the settings of policies: both teams have policies of the same shape."""
+
+    mask: str = _mask("none")
+
+    @abstractmethod
+    def policy(self, world: WorldConfig) -> Policy:
+        """Return the shape of the policies in a world."""
+
+    @abstractmethod
+    def initial(self, policy: Policy, rng: Rng) -> Genome:
+        """Return an untrained genome."""
+
+    def fixed(self, world: WorldConfig, team: Team) -> masks.FixedWeights | None:
+        """Return genes that do not change, and their values; None without any."""
+        return None
+
+
+@sections.documented
+@dataclass(frozen=True)
+class Cells(PolicySettings):
+    """Networks that see the cells of the view."""
+
+    kind: ClassVar[str] = "cells"
 
     hidden: tuple[int, ...] = by_race((32,), "sizes of the hidden layers")
     activation: str = setting(
@@ -97,13 +131,48 @@ class PolicySettings(Section):
     )
     initial_weight: float = by_race(0.05, "standard deviation of untrained hidden weights")
     initial_head: float = by_race(0.1, "standard deviation of untrained output weights")
-    mask: str = setting(
-        "none",
-        "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
-        "world.fov of 3), right-of-way (all that could put it at fault; needs a world.fov of 5 and "
-        "rules under which pursuers that learn can capture so), or none; not with every learner",
-        choices=masks.MASKS,
-    )
+    mask: str = _mask("none", "; not with every learner")
+
+    def policy(self, world: WorldConfig) -> Network:
+        """Return the network, with room for its mask."""
+        shape: Any = {"activation": self.activation, "memory": self.memory}
+        network = Network.for_config(world, self.hidden, **shape)
+        return network if self.mask == "none" else masks.masked_network(network)
+
+    def initial(self, policy: Policy, rng: Rng) -> Genome:
+        """Return an untrained genome."""
+        assert isinstance(policy, Network)  # as made above
+        return policy.initial(rng, weight=self.initial_weight, head=self.initial_head)
+
+    def fixed(self, world: WorldConfig, team: Team) -> masks.FixedWeights | None:
+        """Return the weights of the mask of a team's network, None without a mask."""
+        if self.mask == "none":
+            return None
+        cells = masks.forbidding_cells(world, self.mask, team)
+        return masks.mask_weights(self.policy(world), cells)
+
+
+@sections.documented
+@dataclass(frozen=True)
+class Ratings(PolicySettings):
+    """Small networks that rate each move by named inputs of the cell that it leads to."""
+
+    kind: ClassVar[str] = "rating"
+
+    inputs: tuple[str, ...] = setting(tuple(INPUTS), f"inputs: some of {', '.join(INPUTS)}")
+    hidden: tuple[int, ...] = setting((), "sizes of the hidden layers; none: a weighted sum")
+    initial_weight: float = setting(0.5, "standard deviation of untrained weights")
+    mask: str = _mask("obstacles")
+
+    def policy(self, world: WorldConfig) -> Rating:
+        """Return the shape of the ratings."""
+        shape: Any = {"inputs": self.inputs, "hidden": self.hidden, "mask": self.mask}
+        return Rating(fov=world.fov, n_actions=world.n_actions, **shape)
+
+    def initial(self, policy: Policy, rng: Rng) -> Genome:
+        """Return an untrained genome."""
+        assert isinstance(policy, Rating)  # as made above
+        return policy.initial(rng, weight=self.initial_weight)
 
 
 def check_mask(mask: str, world: WorldConfig, learns: bool) -> None:
@@ -133,7 +202,7 @@ def overlap_penalty(world: WorldConfig, measure: str, alone: bool) -> float:
 
 
 check_script = masks.check_script
-DEFAULT_WORLD, DEFAULT_POLICY = WorldConfig(), PolicySettings()
+DEFAULT_WORLD, DEFAULT_POLICY = WorldConfig(), Cells()
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +215,7 @@ class Pursuit(Game):
         Plays matches: a pure function with the arguments of `matrixworld.rollout`.
     world : WorldConfig
         The world.
-    policy : PolicySettings
+    settings : PolicySettings
         The policies of both teams.
     penalty : float
         Penalty on evaders that share cells, multiplied by their overlap in [0, 1].
@@ -155,7 +224,7 @@ class Pursuit(Game):
     play: Any = rollout
     genes: Any = ()  # those of the network
     world: WorldConfig = DEFAULT_WORLD
-    policy: PolicySettings = DEFAULT_POLICY
+    settings: PolicySettings = DEFAULT_POLICY
     penalty: float = 0.0
 
     columns: ClassVar[Mapping[str, type]] = {
@@ -187,54 +256,43 @@ class Pursuit(Game):
 
     def genome_size(self, team: Team) -> int:
         """Return the number of genes of a team."""
-        return self.network.genome_size
+        return self.policy.genome_size
 
     @cached_property
-    def network(self) -> Network:
-        """The policy network of a learning team, with its mask."""
-        policy = self.policy
-        shape = {"activation": policy.activation, "memory": policy.memory}
-        network = Network.for_config(self.world, policy.hidden, **shape)
-        return network if policy.mask == "none" else masks.masked_network(network)
+    def policy(self) -> Policy:
+        """The shape of the policies of learning teams, with their mask."""
+        return self.settings.policy(self.world)
 
     def mask(self, team: Team) -> masks.FixedWeights | None:
-        """Return the weights of the mask of a team's network, None without a mask."""
-        if self.policy.mask == "none":
-            return None
-        cells = masks.forbidding_cells(self.world, self.policy.mask, team)
-        return masks.mask_weights(self.network, cells)
+        """Return genes of a team that do not change, and their values; None without any."""
+        return self.settings.fixed(self.world, team)
 
     def untrained(self, team: Team, rng: Rng) -> Genome:
         """Return a new untrained genome."""
-        scales: Any = {"weight": self.policy.initial_weight, "head": self.policy.initial_head}
-        return self.network.initial(rng, **scales)
+        return self.settings.initial(self.policy, rng)
 
     def population(self, team: Team, genomes: Genomes) -> Population:
         """Return genomes (n, genes) as a population; ValueError unless they are finite."""
-        return Population(genomes, self.network)
+        return Population(genomes, self.policy)
 
-    def shape_of(self, team: TeamPolicy) -> dict[str, Any]:
-        """Return what tells the network of opponents from elsewhere, as JSON holds it."""
-        if isinstance(team, str):
-            return {}
-        network = team.network
-        shape = {"activation": network.activation, "memory": network.memory}
-        return {"hidden": list(network.hidden), **shape}
+    def shape_of(self, opponents: TeamPolicy) -> dict[str, Any]:
+        """Return what tells the policy of opponents from elsewhere, as JSON holds it."""
+        return {} if isinstance(opponents, str) else opponents.policy.to_json()
 
     def opponents(self, team: Team, genomes: Genomes, shape: Mapping[str, Any]) -> Population:
-        """Return genomes of opponents that may have a network of another shape."""
-        return Population(genomes, Network.for_config(self.world, **shape))
+        """Return genomes of opponents that may have policies of another shape."""
+        return Population(genomes, policy_of(shape))
 
     def check_opponents(self, team: TeamPolicy) -> None:
         """Raise ValueError if opponents do not fit the world."""
         if isinstance(team, Population):
-            check_fits("opponents", team.network, self.world)
+            check_fits("opponents", team.policy, self.world)
 
     def check_start(self, population: Population) -> None:
         """Raise ValueError if a genome to start from has another network."""
-        if population.network != self.network:
-            got = population.network
-            raise ValueError(f"start: expected a genome of {self.network}, got {got}")
+        if population.policy != self.policy:
+            got = population.policy
+            raise ValueError(f"start: expected a genome of {self.policy}, got {got}")
 
     def scores(
         self, first: Any, second: Any, matches: Matches, *, episodes: int, threads: int | None

@@ -103,7 +103,7 @@ def create(
         if not isinstance(rivals, str):
             archive[other(schedule.team)] = rivals.genomes
             if shape := settings.evaluation_game.shape_of(rivals):
-                config["opponent_network"] = shape
+                config["opponent_policy"] = shape
         # config.json must not name opponents that were not used.
         settings = settings.changed({f"schedule.{name}": GIVEN for name in given})
     states: dict[str, types.State] = {}

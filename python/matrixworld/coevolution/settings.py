@@ -18,8 +18,9 @@ from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.learner import Learner, Task
 from matrixworld.coevolution.pursuit import (
-    PolicySettings,
+    Cells,
     Pursuit,
+    Ratings,
     Rewards,
     WorldConfig,
     check_mask,
@@ -54,7 +55,9 @@ class RaceSettings(Section):
         None, "a game of your own, as module:object; default: pursuit and evasion in the world"
     )
     world: WorldConfig = by_race(WorldConfig(), "the world; its max_steps are those of evaluation")
-    policy: PolicySettings = by_race(PolicySettings(), "the policy networks")
+    policy: Cells | Ratings = by_race(
+        Cells(), f"what decides: {', '.join(sections.kinds_in(Cells | Ratings))}"
+    )
     learner: BuiltInLearner | OwnLearner = setting(
         EvolutionStrategy(),
         f"how teams learn: {', '.join(sections.kinds_in(BuiltInLearner))} or module:object",
@@ -111,7 +114,13 @@ class RaceSettings(Section):
 
     def _check_fits(self, path: str, learner: Learner) -> None:
         """Raise ValueError if a learner cannot learn here, or would change what a mask fixes."""
-        if self.game is None and self.policy.mask != "none" and "policy.mask" in learner.ignores:
+        kind = None if self.game else self.policy.kind
+        if kind and kind not in learner.policies:
+            raise ValueError(
+                f"policy: expected {' or '.join(learner.policies)} with the learner "
+                f"{learner.kind or type(learner).__name__}, got {kind}"
+            )
+        if kind == "cells" and self.policy.mask != "none" and "policy.mask" in learner.ignores:
             raise ValueError(
                 f"policy.mask: expected 'none', got {self.policy.mask!r}; it has no effect with "
                 f"{learner.kind or type(learner).__name__}"
@@ -164,14 +173,16 @@ class RaceSettings(Section):
         ]
         if self.game is None:
             scales = ("initial_weight", "initial_head")
+            flat = isinstance(self.policy, Cells) and not self.policy.hidden
             rows += [
-                ("policy", shallow, not self.policy.hidden, "without hidden layers"),
+                ("policy", shallow, flat, "without hidden layers"),
                 ("policy", scales, started, "with a genome to start from"),
             ]
         kinds = " and ".join(dict.fromkeys(each.kind for each in learners))
         for path in sorted(ignored):
             section, _, name = path.partition(".")
-            if getattr(self, section) is None:
+            part = getattr(self, section)
+            if part is None or (section == "policy" and part.kind != "cells"):
                 continue
             names = (name,) if name else tuple(vars(getattr(self, section)))
             rows.append((section, names, True, f"with {kinds}"))
@@ -257,7 +268,7 @@ class RaceSettings(Section):
         """The game that is raced, as it is evaluated; imports a game of your own."""
         if self.game is not None:
             return self.game.load()
-        return Pursuit(world=self.world, policy=self.policy)
+        return Pursuit(world=self.world, settings=self.policy)
 
     @cached_property
     def training_game(self) -> Game:
@@ -267,7 +278,7 @@ class RaceSettings(Section):
         alone = isinstance(self.schedule, Against) and self.schedule.start is None
         penalty = overlap_penalty(self.world, self.fitness.measure, alone)
         world = replace(self.world, max_steps=self.train_steps)
-        return Pursuit(world=world, policy=self.policy, penalty=penalty)
+        return Pursuit(world=world, settings=self.policy, penalty=penalty)
 
     @property
     def teams(self) -> tuple[str, str]:

@@ -335,7 +335,7 @@ class SavedRun:
         if team in settings.learning_teams:
             return settings.evaluation_game.population(team, genomes)
         # Opponents of a single team may come from a run with other hidden layers.
-        shape = self.config.get("opponent_network", {})
+        shape = self.config.get("opponent_policy", {})
         return settings.evaluation_game.opponents(team, genomes, shape)
 
     def key_of(self, team: str) -> str:
@@ -413,7 +413,7 @@ class SavedRun:
         if isinstance(policy, str):
             raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
         genome = policy.genomes[self.generation(team, generation, "generation")]
-        return NetworkPolicy(policy.network, genome, sampled=sampled, seed=seed)
+        return NetworkPolicy(policy.policy, genome, sampled=sampled, seed=seed)
 
     def extend(
         self, generations: int, *, threads: int | None = None, report: Report = silent
@@ -462,7 +462,8 @@ class SavedRun:
         if self.settings.game:
             return self.last(team)
         check_choice("team", team, TEAMS)
-        return self.policy(team, self._best.get(team, -1), sampled=sampled, seed=seed)
+        side = cast(Team, team)
+        return self.policy(side, self._best.get(side, -1), sampled=sampled, seed=seed)
 
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.

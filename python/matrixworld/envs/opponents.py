@@ -236,8 +236,8 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
     elif hasattr(given, "teams"):  # a saved run; its class is not imported here
         return _resolved(name, team, given.teams[team], config)
     if isinstance(given, Population):
-        check_fits(name, given.network, config)
-        return [Population(genome, given.network) for genome in given.genomes]
+        check_fits(name, given.policy, config)
+        return [Population(genome, given.policy) for genome in given.genomes]
     if callable(given) or isinstance(given, TablePolicy):
         return [given]
     raise TypeError(

@@ -221,7 +221,7 @@ def _generations(team: TeamPolicy, step: int) -> dict[str, TeamPolicy]:
     if isinstance(team, str):
         return {team: team}
     kept = kept_generations(len(team.genomes), step)
-    return {f"generation {g}": Population(team.genomes[g], team.network) for g in kept}
+    return {f"generation {g}": Population(team.genomes[g], team.policy) for g in kept}
 
 
 def plain_opponents(opponents: Opponents) -> tuple[dict[str, Any], dict[str, bytes]]:

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld._util.readable import plain_values
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import Genomes
 from matrixworld.world.policy import Population, TeamPolicy
@@ -50,7 +49,7 @@ def plain_team(
 
 def plain_network(team: Population) -> dict[str, Any]:
     """Return the network of a population as a page reads it."""
-    return {**plain_values(team.network), "genome_size": team.network.genome_size}
+    return {**team.policy.to_json(), "genome_size": team.policy.genome_size}
 
 
 def packed(genomes: Genomes) -> bytes:

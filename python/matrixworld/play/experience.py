@@ -138,7 +138,7 @@ def _opponents(
         return [opponents], np.zeros(len(chosen), np.int32)
     met, places = np.unique(chosen, return_inverse=True)
     return (
-        [Population(opponents.genomes[i], opponents.network) for i in met],
+        [Population(opponents.genomes[i], opponents.policy) for i in met],
         places.astype(np.int32),
     )
 

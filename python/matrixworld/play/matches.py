@@ -83,7 +83,7 @@ def _chooser(name: str, policy: Plays, config: WorldConfig) -> EnginePolicy | Ch
     if callable(policy):
         return lambda asked, views: checked_actions(policy, views, config.n_actions)
     if isinstance(policy, Population):
-        check_fits(name, policy.network, config)
+        check_fits(name, policy.policy, config)
     return policy
 
 

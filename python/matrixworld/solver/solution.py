@@ -355,10 +355,10 @@ def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
         return [(1.0, champion)]
     if isinstance(champion, str | Population):
         check_team("champion", champion)
-        if isinstance(champion, Population) and champion.network.memory != "none":
+        if isinstance(champion, Population) and champion.policy.memory != "none":
             raise ValueError(
                 f"champion: expected a network without memory, whose choices depend on the present "
-                f"state alone, got memory {champion.network.memory!r}"
+                f"state alone, got memory {champion.policy.memory!r}"
             )
         return [(1.0, champion)]
     if not issubclass(type(champion), Sequence):

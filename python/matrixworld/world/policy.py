@@ -6,14 +6,14 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Any, ClassVar, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._util import checks
-from matrixworld._util.readable import Readable
+from matrixworld._util.readable import Readable, plain_values
 from matrixworld.world.config import WorldConfig
 
 Team: TypeAlias = Literal["pursuer", "evader"]
@@ -101,6 +101,8 @@ class Policy(ABC):
     `Network`, `Rating` and `Program` are policies. Each is compared and hashed by its fields.
     """
 
+    kind: ClassVar[str]
+    """Name of the kind of policy in settings and files."""
     fov: int
     n_actions: int
     memory: Memory = "none"
@@ -132,6 +134,10 @@ class Policy(ABC):
             raise ValueError(f"fov: expected an odd number, got {self.fov}")
         if self.n_actions not in (5, 9):
             raise ValueError(f"n_actions: expected 5 or 9, got {self.n_actions}")
+
+    def to_json(self) -> dict[str, Any]:
+        """Return kind and fields as values that JSON can hold."""
+        return {"kind": self.kind, **plain_values(self)}
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields; the engine's form of them is built again on demand."""
@@ -182,6 +188,8 @@ class Network(Policy):
     >>> network.sizes, network.genome_size
     ((75, 16, 8, 5), 1397)
     """
+
+    kind: ClassVar[str] = "cells"
 
     hidden: tuple[int, ...] = (32,)
     activation: Literal["relu", "tanh"] = "relu"
@@ -334,15 +342,15 @@ class Population(Readable):
     ----------
     genomes : ndarray of float, shape (n, genome_size) or (genome_size,)
         The genomes. A single one becomes a population of one; other floats are copied to float32.
-    network : Network, Rating or Program
-        The policy that all of them belong to.
+    policy : Network, Rating or Program
+        What all of them are genomes of.
     """
 
     genomes: NDArray[np.float32]
-    network: Any
+    policy: Any
 
     def __post_init__(self) -> None:
-        checks.check_instance("network", self.network, Policy)
+        checks.check_instance("policy", self.policy, Policy)
         given = np.atleast_2d(self.genomes)
         floats = np.issubdtype(given.dtype, np.floating)
         if not floats or isinstance(given, np.ma.MaskedArray):
@@ -350,7 +358,7 @@ class Population(Readable):
             raise TypeError(f"genomes: expected dtype float32, got {got}")
         with np.errstate(over="ignore"):  # what is too large becomes infinite, and is refused
             genomes = given.astype(np.float32, copy=False)
-        expected = (len(genomes), self.network.genome_size)
+        expected = (len(genomes), self.policy.genome_size)
         if genomes.shape != expected or len(genomes) == 0:
             raise ValueError(
                 f"genomes: expected shape (n >= 1, {expected[1]}), got {np.shape(self.genomes)}"
@@ -361,7 +369,7 @@ class Population(Readable):
             raise ValueError(f"genomes: expected finite numbers, got {got}")
         # The engine reads the genomes from one block of memory, without copying them.
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
-        self.network.check_genomes(self.genomes)
+        self.policy.check_genomes(self.genomes)
 
 
 TeamPolicy: TypeAlias = Population | Script
@@ -384,7 +392,7 @@ def check_team(name: str, team: Any) -> Any:
     if hasattr(team, "population"):  # a `NetworkPolicy`, which this module does not know
         team = team.population()
     if isinstance(team, Population):
-        return team.network.core, team.genomes
+        return team.policy.core, team.genomes
     if isinstance(team, TablePolicy):
         return team.core
     if not isinstance(team, str):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from types import MappingProxyType
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ from matrixworld import _core
 from matrixworld._util import checks
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV, MASKS, Mask
-from matrixworld.world.policy import Policy
+from matrixworld.world.policy import Network, Policy
 
 _Floats: TypeAlias = NDArray[np.float32]
 
@@ -136,6 +136,8 @@ class Rating(_Rates):
     0.99
     """
 
+    kind: ClassVar[str] = "rating"
+
     inputs: tuple[str, ...] = tuple(INPUTS)
     hidden: tuple[int, ...] = ()
     mask: Mask = "obstacles"
@@ -232,3 +234,12 @@ def _sum_text(weights: _Floats, terms: list[str], start: str = "") -> str:
     ]
     parts = [start] * bool(start) + used
     return " + ".join(parts or [f"0 * {terms[0]}"]).replace("+ -", "- ")
+
+
+def policy_of(plain: Mapping[str, Any]) -> Policy:
+    """Return the policy whose `to_json` is given; ValueError or TypeError for other values."""
+    kinds: dict[str, type[Policy]] = {each.kind: each for each in (Network, Rating)}
+    values = {name: tuple(v) if isinstance(v, list) else v for name, v in plain.items()}
+    kind: Any = values.pop("kind", Network.kind)
+    checks.check_choice("kind", kind, kinds)
+    return kinds[kind](**values)

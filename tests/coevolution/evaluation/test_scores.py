@@ -77,7 +77,7 @@ def test_scores_are_those_of_the_matches(race):
         assert found.rates.shape == (1, len(against), 4)
         assert found.matches == 4 * len(against)
         assert found.left_out == ""
-        own = mw.Population(run.teams[team].genomes[2], run.settings.evaluation_game.network)
+        own = mw.Population(run.teams[team].genomes[2], run.settings.evaluation_game.policy)
         for number, opponent in enumerate(against.values()):
             sides = (own, opponent) if team == "pursuer" else (opponent, own)
             match = mw.Matches.of(0, 0, np.uint64(match_seed(0, TEAMS.index(team), number, 4)))
@@ -142,7 +142,7 @@ def test_opponents_that_do_not_fit_are_left_out(settings, opponents, why, tmp_pa
 def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: Any) -> None:
     config = config_of(name, obstacles=0.1, max_steps=12)
     team_of_one = random_team(config, 1, hidden=(6,), sampled=False)
-    policy = mw.NetworkPolicy(team_of_one.network, team_of_one.genomes[0], seed=0)
+    policy = mw.NetworkPolicy(team_of_one.policy, team_of_one.genomes[0], seed=0)
     calls = []
 
     def play(observations: np.ndarray) -> np.ndarray:

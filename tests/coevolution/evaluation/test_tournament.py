@@ -14,7 +14,7 @@ SETTINGS = tiny_race()
 
 
 def population(team, count):
-    return Population(SETTINGS.task(team).genomes(count), SETTINGS.evaluation_game.network)
+    return Population(SETTINGS.task(team).genomes(count), SETTINGS.evaluation_game.policy)
 
 
 def played(pursuers=None, **options):

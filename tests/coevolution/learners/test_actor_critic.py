@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import PolicySettings, Pursuit, Results, create, open_run
+from matrixworld.coevolution import Cells, Pursuit, Results, create, open_run
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
@@ -36,7 +36,7 @@ def new(network: Network = NETWORK, epochs: int = 1, **changes: Any) -> Update:
     pytest.importorskip("torch")
     one = ActorCritic(population=4, **changes)
     shape = {"hidden": network.hidden, "activation": network.activation, "initial_head": 1.0}
-    game = Pursuit(world=CONFIG, policy=PolicySettings(**shape))
+    game = Pursuit(world=CONFIG, settings=Cells(**shape))
     untrained = partial(one.untrained, game, "pursuer")
     return Update(one, one.start(Task(0, 0, epochs, untrained, None, game)))
 

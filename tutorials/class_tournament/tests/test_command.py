@@ -91,7 +91,7 @@ def test_a_champion_is_exported_and_plays(race: Path, tmp_path: Path) -> None:
         found, population = read_genome(target)
         assert found == team
         np.testing.assert_array_equal(population.genomes[0], open_run(race).policy(team).genome)
-    fov = ("--fov", population.network.fov)
+    fov = ("--fov", population.policy.fov)
     assert "genome" in class_command(folder, *fov, "--steps", 5, "--episodes", 2)
 
 

@@ -52,7 +52,7 @@ def test_a_genome_is_read_as_it_was(network: Network, tmp_path: Path) -> None:
     policy = NetworkPolicy(network, network.initial(np.random.default_rng(1)))
     save_genome(tmp_path / "a.npz", "evader", policy)
     team, population = load(tmp_path / "a.npz")
-    assert (team, population.network) == ("evader", network)
+    assert (team, population.policy) == ("evader", network)
     np.testing.assert_array_equal(population.genomes[0], policy.genome)
 
 

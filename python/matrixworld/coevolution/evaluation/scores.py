@@ -145,7 +145,7 @@ def _plays_in(opponent: TeamPolicy, config: WorldConfig) -> bool:
     """Return whether an opponent sees what it needs in a world."""
     if isinstance(opponent, str):
         return config.fov >= CAREFUL_FOV or not opponent.startswith(CAREFUL)
-    return fits(opponent.network, config)
+    return fits(opponent.policy, config)
 
 
 # Scores of genomes and runs:
@@ -381,7 +381,7 @@ def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig)
         del opponents[schedule.opponent]
         seen = f"not {schedule.opponent}: the run trained against it"
         left_out = f"{seen}; {left_out}" if left_out else seen
-    chosen = Population(archive.genomes[generations], archive.network)
+    chosen = Population(archive.genomes[generations], archive.policy)
     return _Side(team, chosen, generations, opponents, left_out)
 
 

@@ -25,7 +25,16 @@ import numpy as np
 from matrixworld._util.checks import shown
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.pursuit import CHANNELS, Experience, Interaction, Pursuit, Reals, Views
+from matrixworld.coevolution.pursuit import (
+    CHANNELS,
+    Cells,
+    Experience,
+    Interaction,
+    Network,
+    Pursuit,
+    Reals,
+    Views,
+)
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import (
@@ -232,6 +241,7 @@ class ActorCritic(learner.Learner):
     """
 
     kind: ClassVar[str] = "actor-critic"
+    policies: ClassVar[tuple[str, ...]] = ("cells",)
     ignores: ClassVar[tuple[str, ...]] = ("fitness", "policy.initial_weight")
     defaults: ClassVar[Mapping[str, Any]] = {
         "policy.hidden": (400, 300),
@@ -286,23 +296,26 @@ class ActorCritic(learner.Learner):
             raise ValueError(
                 f"{path}: expected es, ga, cma or your own in a game of your own, got {self.kind}"
             )
-        interaction, network = game.world.rules.interaction, game.network
+        interaction, policy = game.world.rules.interaction, game.policy
         if self.central_critic and interaction is not Interaction.SIMULTANEOUS:
             # Each agent learns from the world before its own turn.
             raise ValueError(
                 f"{path}.central_critic: expected false where agents take turns, got true in a "
                 f"world of {interaction.name}"
             )
-        if network.memory != "none":
+        if policy.memory != "none":
             raise ValueError(
                 f"policy.memory: expected none with actor-critic, which learns from each step by "
-                f"itself, got {network.memory!r}"
+                f"itself, got {policy.memory!r}"
             )
 
     def untrained(self, game: Game, team: Team, rng: Rng) -> Genome:
         """Return orthogonal weights: gradients vanish or explode from other beginnings."""
         assert isinstance(game, Pursuit)  # as checked
-        return orthogonal(game.network.sizes, rng, head=game.policy.initial_head)
+        network, settings = game.policy, game.settings
+        assert isinstance(network, Network)
+        assert isinstance(settings, Cells)
+        return orthogonal(network.sizes, rng, head=settings.initial_head)
 
     @property
     def seed_groups(self) -> Indices:
@@ -317,7 +330,8 @@ class ActorCritic(learner.Learner):
         """Return the multiplier, and weights and averages of Adam of actor and critics."""
         self.check_machine()
         assert isinstance(task.game, Pursuit)  # as checked
-        world, network = task.game.world, task.game.network
+        world, network = task.game.world, task.game.policy
+        assert isinstance(network, Network)
         cells = world.rows * world.cols
         seen = CHANNELS * cells if self.central_critic else network.sizes[0]
         sizes = (seen, *network.hidden, 1)

@@ -144,6 +144,8 @@ class Learner(Section):
 
     ignores: ClassVar[tuple[str, ...]] = ("policy.mask",)
     """Settings of a run, or sections of them, that have no effect with the learner."""
+    policies: ClassVar[tuple[str, ...]] = ("cells", "rating")
+    """Kinds of policies in pursuit whose genomes the learner improves."""
     defaults: ClassVar[Mapping[str, Any]] = {}
     """Settings of a run that have other defaults with the learner, by their paths."""
     learning_time: ClassVar[float] = 1.0
