@@ -197,7 +197,7 @@ class Rating(_Rates):
         with np.errstate(over="ignore", invalid="ignore"):
             for weights, biases in hidden:
                 x = [
-                    np.maximum(_sum(x, column, bias), np.float32(0))
+                    np.fmax(_sum(x, column, bias), np.float32(0))
                     for column, bias in zip(weights.T, biases, strict=True)
                 ]
             return np.asarray(np.fmax(_sum(x, last[:, 0], np.float32(0)), _LOWEST))
