@@ -96,6 +96,8 @@ def test_choices_are_those_of_python(name: str, mask: str) -> None:
         spoken: dict[str, Any] = {}
         exec(team.network.to_python(team.genomes[0]), spoken)
         for actions in random_actions(number, config.n_actions, 4, config.n_agents):
+            if world.terminated:
+                break
             inputs, allowed = world.inputs(), allowed_moves(world, mask)
             ratings = team.network.rate(team.genomes[0], inputs)
             if np.abs(team.genomes).max() < 1e30:  # the text is for finite numbers
@@ -107,8 +109,6 @@ def test_choices_are_those_of_python(name: str, mask: str) -> None:
                 row = np.where(allowed[agent], ratings[agent], -np.inf)
                 best = np.flatnonzero(row == row.max())
                 assert chosen[agent] == best[drawn(world, int(agent)) * len(best) >> 32]
-            if world.terminated or world.truncated:
-                break
             world.step(actions)
 
 
