@@ -20,7 +20,7 @@ const Kernels& MATRIXWORLD_LEVEL() {
     static constexpr Kernels level{MATRIXWORLD_NAME(MATRIXWORLD_LEVEL),
                                    write<std::uint8_t>,
                                    write<float>,
-                                   list_seen,
+                                   see,
                                    sum_seen,
                                    sum_rows,
                                    sum_bits,

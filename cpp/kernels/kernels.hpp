@@ -38,10 +38,9 @@ struct Kernels {
     void (*write_float_views)(const Positions& positions, const int* agents, int n_views,
                               const std::uint8_t* const* obstacles, int stride, float* views);
 
-    // Lists the cells that other agents set in the view of an agent, as places in the flattened
-    // (3, fov, fov) view, each once, and returns how many there are. Precondition: at most
-    // kMaxPositions agents.
-    int (*list_seen)(const Positions& positions, int agent, std::int32_t* out);
+    // The other agents in the view of an agent; of several that set the same cell the first one.
+    // Precondition: at most kMaxPositions agents.
+    SeenPositions (*see)(const Positions& positions, int agent);
 
     // The first layer of a network, whose input (a view) is nearly all zeros:
     // out[i, 0..width) = activation(bases[i] + the sum of the rows of `weights` for the cells that

@@ -115,25 +115,20 @@ inline Seen<kWords> without_duplicates(const Positions& positions, Seen<kWords> 
 }
 
 template <int kWords>
-int list_words(const Positions& positions, int agent, std::int32_t* out) {
+SeenPositions see_words(const Positions& positions, int agent) {
     Seen<kWords> seen = look<kWords>(positions, agent, positions.fov);
     std::uint64_t shared = 0;
     for (int i = 0; i < kWords; ++i) shared |= seen.words[i] & positions.shared[i];
     if (shared) seen = without_duplicates(positions, seen);
-    std::int32_t* const begin = out;
-    for (int i = 0; i < kWords; ++i) {
-        const std::int32_t* const cells = positions.cells + i * kPositionPad;
-        for (std::uint64_t bits = seen.words[i]; bits; bits &= bits - 1) {
-            *out++ = cells[lowest_bit(bits)] - seen.corner;
-        }
-    }
-    return static_cast<int>(out - begin);
+    SeenPositions found{{}, seen.corner};
+    for (int i = 0; i < kWords; ++i) found.words[i] = seen.words[i];
+    return found;
 }
 
-int list_seen(const Positions& positions, int agent, std::int32_t* out) {
+SeenPositions see(const Positions& positions, int agent) {
     constexpr int kMost = kMaxPositions / kPositionPad;
-    return (positions.n_agents <= kPositionPad ? list_words<1> : list_words<kMost>)(positions,
-                                                                                    agent, out);
+    const bool few = positions.n_agents <= kPositionPad;
+    return (few ? see_words<1> : see_words<kMost>)(positions, agent);
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ namespace {
 // each agent and step.
 constexpr int kMostGround = 1 << 17;
 
+constexpr std::uint64_t kNotInView = ~std::uint64_t{0};
+
 // Numbers of all moves: n vectors.
 template <int n>
 struct ByMove {
@@ -77,6 +79,17 @@ struct ByMove {
     Vec parts[n];
 };
 
+// Writes bits of moves as numbers, in vectors: they are read as vectors at once.
+void spread(std::uint32_t bits, Inputs::Row& out) {
+    static constexpr float kNumbers[16][4] = {
+        {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 1, 0},
+        {0, 1, 1, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
+        {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
+    for (int i = 0; i < Inputs::kLanes; i += 4) {
+        std::memcpy(out + i, kNumbers[bits >> i & 15], sizeof(kNumbers[0]));
+    }
+}
+
 }  // namespace
 
 // ---- Before agents look -------------------------------------------------------------------------
@@ -87,16 +100,19 @@ Inputs::Inputs(const Config& config)
       half_(config.fov / 2),
       unit_(2.0f / static_cast<float>(config.fov)),
       view_(static_cast<std::size_t>(config.fov) * config.fov),
-      taken_(view_.size()),
+      taken_(static_cast<std::size_t>(config.fov + 2) * (config.fov + 2), kNotInView),
       crowd_(config),
       places_(static_cast<std::size_t>(config.n_agents())),
       strides_(static_cast<std::size_t>(config.n_agents())),
-      seen_(kTeams * view_.size()) {
+      cases_(Grid(config.rows, config.cols), config.fov),
+      teammates_(view_.size()) {
     constexpr int kCharge = 1 << 14;
     for (std::size_t i = 0; i < view_.size(); ++i) {
         Seen& seen = view_[i];
         seen.row = static_cast<int>(i) / config.fov - half_;
         seen.col = static_cast<int>(i) % config.fov - half_;
+        seen.place = (seen.row + half_ + 1) * (config.fov + 2) + seen.col + half_ + 1;
+        taken_[seen.place] = 0;
         for (int lane = 0; lane < kLanes; ++lane) {
             const int move = lane < kDiagonalMoves ? lane : 0;
             const int rows = std::abs(seen.row - kRowStep[move]);
@@ -119,7 +135,10 @@ Inputs::Inputs(const Config& config)
             }
         }
     }
-    for (int lane = 0; lane < kLanes; ++lane) rows_[kStay][lane] = lane == 0;
+    for (int move = 0; move < kDiagonalMoves; ++move) {
+        steps_[move] = kRowStep[move] * (config.fov + 2) + kColStep[move];
+    }
+    rows_[kStay][0] = 1;
 }
 
 void Inputs::gather(const World& world, const Occupancy& occupancy) {
@@ -129,6 +148,12 @@ void Inputs::gather(const World& world, const Occupancy& occupancy) {
         crowd_.gather(world, occupancy);
         const std::vector<int>& living = world.living();
         for (std::size_t i = 0; i < living.size(); ++i) places_[living[i]] = static_cast<int>(i);
+        const int n_pursuers = world.n_living(Team::Pursuer);
+        for (int i = 0; i < kMaxPositions / kPositionPad; ++i) {
+            const int n = std::min(std::max(n_pursuers - i * kPositionPad, 0), kPositionPad);
+            of_team_[0][i] = n < kPositionPad ? (std::uint64_t{1} << n) - 1 : ~std::uint64_t{0};
+            of_team_[1][i] = ~of_team_[0][i];
+        }
     }
     order_ = RightOfWay::order(world.steps());
     if (wants(kAhead)) draw_strides();
@@ -154,22 +179,23 @@ void Inputs::draw_strides() {
 
 // ---- Obstacles ----------------------------------------------------------------------------------
 
-const Inputs::Ground& Inputs::ground(int cell) {
+const Inputs::Ground& Inputs::ground() {
     if (known_.empty()) {
-        survey(cell, ground_[0]);
+        survey(ground_[0]);
         return ground_[0];
     }
-    if (!known_[cell]) survey(cell, ground_[cell]);
-    known_[cell] = 1;
-    return ground_[cell];
+    const int place =
+        terrain_->has_obstacles ? world_->grid().cell(row_, col_) : cases_.number(row_, col_);
+    if (!known_[place]) survey(ground_[place]);
+    known_[place] = 1;
+    return ground_[place];
 }
 
 // What is out of view is not known, and counts as free.
-void Inputs::survey(int cell, Ground& ground) const {
-    const int row = world_->grid().row(cell), col = world_->grid().col(cell);
+void Inputs::survey(Ground& ground) const {
     const Plane& blocked = terrain_->blocked;
     const auto is_blocked = [&](int r, int c) {
-        return std::abs(r) <= half_ && std::abs(c) <= half_ && *blocked.window(row + r, col + c);
+        return std::abs(r) <= half_ && std::abs(c) <= half_ && *blocked.window(row_ + r, col_ + c);
     };
     ground = {};
     for (int move = 0; move < n_moves_; ++move) {
@@ -192,29 +218,48 @@ void Inputs::survey(int cell, Ground& ground) const {
 
 // ---- Agents in view -----------------------------------------------------------------------------
 
-// Up to kMaxPositions agents are compared with the view; with more, its cells are visited.
-int Inputs::list_seen(int agent) {
-    if (config_.n_agents() > kMaxPositions) return list_reserved(agent);
-    return kernels().list_seen(crowd_.positions(), places_[agent], seen_.data());
+// Teammates first, then adversaries. Up to kMaxPositions agents are compared with the view; with more,
+// its cells are visited.
+template <typename OnTeammate, typename OnAdversary>
+void Inputs::see(int agent, const OnTeammate& on_teammate, const OnAdversary& on_adversary) {
+    if (config_.n_agents() > kMaxPositions) {
+        adversaries_.clear();
+        see_reserved(agent, on_teammate);
+        for (const Seen* seen : adversaries_) on_adversary(*seen);
+        return;
+    }
+    const Positions positions = crowd_.positions();
+    const SeenPositions seen = kernels().see(positions, places_[agent]);
+    const Team own = world_->team(agent);
+    const auto each = [&](Team team, const auto& found) {
+        const int first = seen.corner + channel(team) * static_cast<int>(view_.size());
+        for (int i = 0; i * kPositionPad < positions.n_agents; ++i) {
+            std::uint64_t bits = seen.words[i] & of_team_[static_cast<int>(team)][i];
+            for (; bits; bits &= bits - 1) {
+                const int place = i * kPositionPad + lowest_bit(bits);
+                found(view_[positions.cells[place] - first]);
+            }
+        }
+    };
+    each(own, on_teammate);
+    each(opponent(own), on_adversary);
 }
 
-int Inputs::list_reserved(int agent) {
+template <typename OnTeammate>
+void Inputs::see_reserved(int agent, const OnTeammate& on_teammate) {
     const Grid& grid = world_->grid();
     const ReservationTable reservations = occupancy_->reservations();
-    const int fov = config_.fov;
-    int n = 0;
+    const Team own = world_->team(agent);
     for (int r = std::max(-half_, -row_); r <= std::min(half_, grid.rows() - 1 - row_); ++r) {
         for (int c = std::max(-half_, -col_); c <= std::min(half_, grid.cols() - 1 - col_); ++c) {
             const int cell = grid.cell(row_ + r, col_ + c);
             if (reservations.empty(cell)) continue;
-            for (const Team team : {Team::Pursuer, Team::Evader}) {
-                const int self = r == 0 && c == 0 && team == world_->team(agent);
-                if (reservations.at(cell, team).count() <= self) continue;
-                seen_[n++] = (channel(team) * fov + r + half_) * fov + c + half_;
-            }
+            const Seen& seen = view_[(r + half_) * config_.fov + c + half_];
+            const int self = r == 0 && c == 0;
+            if (reservations.at(cell, own).count() > self) on_teammate(seen);
+            if (reservations.at(cell, opponent(own)).count() > 0) adversaries_.push_back(&seen);
         }
     }
-    return n;
 }
 
 template <int n>
@@ -222,90 +267,70 @@ void Inputs::look(int agent) {
     const int cell = world_->cell(agent);
     row_ = world_->grid().row(cell);
     col_ = world_->grid().col(cell);
-    const Ground& ground = this->ground(cell);
-    blocked_ = forbidden_ = ground.blocked;
-
-    const auto nobody = ByMove<n>::of(static_cast<float>(config_.fov));
-    auto adversary = nobody, teammate = nobody;
-    auto pressure = ByMove<n>::of(0), crowd = pressure;
-    adversaries_.clear();
-    teammates_.clear();
-    const int area = static_cast<int>(view_.size());
+    const Ground& ground = this->ground();
     const Team team = world_->team(agent);
-    const int own = channel(team);
     const auto& forbids = forbids_[static_cast<int>(team)][order_];
-    const int n_seen = list_seen(agent);
-    for (int i = 0; i < n_seen; ++i) {
-        const int other = seen_[i] >= area;  // channel
-        const Seen& seen = view_[seen_[i] - other * area];
-        if (other == own) {
+    const bool asks_claims = wants(kUnclaimed), asks_sides = wants(kOpenSide);
+    const bool asks_way = wants(kMustYield);
+    const auto nobody = ByMove<n>::of(static_cast<float>(config_.fov));
+    const auto nothing = ByMove<n>::of(0);
+    auto teammate = nobody, adversary = nobody, unclaimed = nobody, open_side = nobody;
+    auto crowd = nothing, pressure = nothing;
+    std::uint32_t forbidden = ground.blocked;
+    const auto forbid = [&](const Seen& seen, Team by) {
+        if (std::abs(seen.row) > 2 || std::abs(seen.col) > 2) return;
+        forbidden |= forbids[channel(by)][(seen.row + 2) * 5 + seen.col + 2];
+    };
+    const std::uint64_t now = ++n_looks_;
+    const Seen** const teammates = teammates_.data();
+    std::size_t n_teammates = 0;
+    bool any_unclaimed = false;
+    see(
+        agent,
+        [&](const Seen& seen) {
             teammate.least(seen.moves);
             crowd.add(seen.charge);
-            teammates_.push_back(&seen);
-        } else {
+            taken_[seen.place] = now;
+            teammates[n_teammates++] = &seen;
+            if (asks_way) forbid(seen, team);
+        },
+        [&](const Seen& seen) {
             adversary.least(seen.moves);
             pressure.add(seen.charge);
-            adversaries_.push_back(&seen);
-        }
-        if (wants(kMustYield) && std::abs(seen.row) <= 2 && std::abs(seen.col) <= 2) {
-            forbidden_ |= forbids[other][(seen.row + 2) * 5 + seen.col + 2];
-        }
-    }
+            if (asks_claims) {
+                bool claimed = false;
+                for (std::size_t i = 0; i < n_teammates; ++i)
+                    claimed |= moves_between(*teammates[i], seen) < static_cast<int>(seen.moves[0]);
+                if (!claimed) unclaimed.least(seen.moves);
+                any_unclaimed |= !claimed;
+            }
+            for (int side = 1; asks_sides && side < n_moves_; ++side) {
+                const std::uint64_t taken = taken_[seen.place + steps_[side]];
+                if (taken == now || taken == kNotInView) continue;
+                const int row = row_ + seen.row + kRowStep[side];
+                const int col = col_ + seen.col + kColStep[side];
+                if (*terrain_->blocked.window(row, col)) continue;
+                open_side.least((&seen + kRowStep[side] * config_.fov + kColStep[side])->moves);
+            }
+            if (asks_way) forbid(seen, opponent(team));
+        });
+    blocked_ = ground.blocked;
+    forbidden_ = forbidden;
     adversary.write(unit_, rows_[kAdversary]);
     pressure.write(1, rows_[kPressure]);
+    (any_unclaimed ? unclaimed : adversary).write(unit_, rows_[kUnclaimed]);
+    open_side.write(unit_, rows_[kOpenSide]);
     teammate.write(unit_, rows_[kTeammate]);
     crowd.write(1, rows_[kCrowd]);
-    if (wants(kUnclaimed)) find_unclaimed<n>();
-    if (wants(kOpenSide)) find_open_sides<n>();
-    std::memcpy(rows_[kExits], ground.exits, sizeof(Row));
-    std::memcpy(rows_[kRoom], ground.room, sizeof(Row));
-    for (int move = 0; move < n_moves_; ++move) {
-        rows_[kMustYield][move] = static_cast<float>(forbidden_ >> move & 1);
-        rows_[kAhead][move] = move == strides_[agent];
-    }
+    std::memcpy(rows_[kExits], ground.exits, 4 * n * sizeof(float));
+    std::memcpy(rows_[kRoom], ground.room, 4 * n * sizeof(float));
+    spread(forbidden, rows_[kMustYield]);
+    spread(1u << strides_[agent], rows_[kAhead]);
 }
 
 int Inputs::moves_between(const Seen& a, const Seen& b) const {
     const int rows = std::abs(a.row - b.row), cols = std::abs(a.col - b.col);
     return config_.diagonal ? std::max(rows, cols) : rows + cols;
-}
-
-template <int n>
-void Inputs::find_unclaimed() {
-    auto nearest = ByMove<n>::of(static_cast<float>(config_.fov));
-    bool any = false;
-    for (const Seen* adversary : adversaries_) {
-        const int own = static_cast<int>(adversary->moves[0]);
-        const auto is_nearer = [&](const Seen* teammate) {
-            return moves_between(*teammate, *adversary) < own;
-        };
-        if (std::any_of(teammates_.begin(), teammates_.end(), is_nearer)) continue;
-        nearest.least(adversary->moves);
-        any = true;
-    }
-    if (any) {
-        nearest.write(unit_, rows_[kUnclaimed]);
-    } else {
-        std::memcpy(rows_[kUnclaimed], rows_[kAdversary], sizeof(Row));
-    }
-}
-
-template <int n>
-void Inputs::find_open_sides() {
-    auto nearest = ByMove<n>::of(static_cast<float>(config_.fov));
-    for (const Seen* teammate : teammates_) taken_[teammate - view_.data()] = 1;
-    for (const Seen* adversary : adversaries_) {
-        for (int side = 1; side < n_moves_; ++side) {
-            const int row = adversary->row + kRowStep[side], col = adversary->col + kColStep[side];
-            if (std::abs(row) > half_ || std::abs(col) > half_) continue;
-            const Seen* beside = adversary + kRowStep[side] * config_.fov + kColStep[side];
-            if (taken_[beside - view_.data()] || *terrain_->blocked.window(row_ + row, col_ + col))
-                continue;
-            nearest.least(beside->moves);
-        }
-    }
-    for (const Seen* teammate : teammates_) taken_[teammate - view_.data()] = 0;
-    nearest.write(unit_, rows_[kOpenSide]);
 }
 
 void Inputs::write(const World& world, const Occupancy& occupancy, float* out) {

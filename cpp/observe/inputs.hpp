@@ -78,10 +78,11 @@ class Inputs {
 
   private:
     // Of a cell in view, how far it is from the cell of each move.
-    struct Seen {
+    struct alignas(16) Seen {
         int row;  // from the agent
         int col;
-        Row moves;
+        int place;  // in `taken_`
+        alignas(16) Row moves;
         Row charge;  // 1 / (1 + moves)^2, rounded down so that sums are exact in any order
     };
     // What depends on the agent's cell alone.
@@ -94,14 +95,12 @@ class Inputs {
     bool wants(Input input) const { return wanted_ >> input & 1; }
     template <int n>
     void look(int agent);
-    int list_seen(int agent);
-    int list_reserved(int agent);
-    template <int n>
-    void find_unclaimed();
-    template <int n>
-    void find_open_sides();
-    const Ground& ground(int cell);
-    void survey(int cell, Ground& ground) const;
+    template <typename OnTeammate, typename OnAdversary>
+    void see(int agent, const OnTeammate& on_teammate, const OnAdversary& on_adversary);
+    template <typename OnTeammate>
+    void see_reserved(int agent, const OnTeammate& on_teammate);
+    const Ground& ground();
+    void survey(Ground& ground) const;
     void draw_strides();
     int moves_between(const Seen& a, const Seen& b) const;
 
@@ -110,8 +109,10 @@ class Inputs {
     int half_;  // cells from the agent to the end of its view
     float unit_;
     std::uint32_t wanted_ = (1u << kInputs) - 1;
-    std::vector<Seen> view_;           // by cell of the view
-    std::vector<std::uint8_t> taken_;  // by cell of the view: a teammate is there; else zeros
+    std::vector<Seen> view_;  // by cell of the view
+    // By cell of the view and one around it: the look that found a teammate there.
+    std::vector<std::uint64_t> taken_;
+    int steps_[kDiagonalMoves];  // in `taken_`
     // Moves that an agent in view forbids, as bits: by team, order of right of way, channel, and cell
     // at most two rows and columns away.
     std::uint16_t forbids_[kTeams][RightOfWay::kOrders][2][25] = {};
@@ -120,20 +121,23 @@ class Inputs {
     const Occupancy* occupancy_ = nullptr;
     Crowd crowd_;
     int order_ = 0;
-    std::vector<int> places_;            // by agent: its place among the living
-    std::vector<std::uint8_t> strides_;  // by agent
+    std::vector<int> places_;  // by agent: its place among the living
+    std::uint64_t of_team_[kTeams][kMaxPositions / kPositionPad] = {};  // places as bits
+    std::vector<std::uint8_t> strides_;                                 // by agent
     EpisodeKey stride_key_;
     int stride_ = -1;  // number of the stride
 
     std::shared_ptr<const Terrain> terrain_;  // of the ground that is kept
-    std::unique_ptr<Ground[]> ground_;        // by cell; of one cell where it is not kept
-    std::vector<std::uint8_t> known_;         // by cell; empty where nothing is kept
+    // By cell, or without obstacles by what is seen of the border; of one where nothing is kept.
+    std::unique_ptr<Ground[]> ground_;
+    std::vector<std::uint8_t> known_;  // by the same; empty where nothing is kept
+    BorderCases cases_;
 
     int row_ = 0;  // of the agent that looks
     int col_ = 0;
-    std::vector<std::int32_t> seen_;  // places in the flattened view
-    std::vector<const Seen*> adversaries_;
-    std::vector<const Seen*> teammates_;
+    std::uint64_t n_looks_ = 0;
+    std::vector<const Seen*> teammates_;    // room for every cell of the view
+    std::vector<const Seen*> adversaries_;  // among more than kMaxPositions agents
     std::uint32_t blocked_ = 0;
     std::uint32_t forbidden_ = 0;
     alignas(16) Row rows_[kInputs] = {};

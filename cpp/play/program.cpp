@@ -10,7 +10,7 @@ const Operation (&operations()) [kOperators] {
     static const Operation all[kOperators] = {
         {"end", 0}, {"input", 0}, {"constant", 0}, {"add", 2},  {"subtract", 2}, {"multiply", 2},
         {"min", 2}, {"max", 2},   {"negate", 1},   {"less", 2},  // 1 if a < b, else 0
-        {"if", 3},                                               // b if a > 0, else c
+        {"where", 3},                                             // b if a > 0, else c
     };
     return all;
 }

@@ -75,7 +75,7 @@ namespace {
 class RatingNetwork : public MoveRater {
   public:
     explicit RatingNetwork(const RatingShape& shape) : shape_(shape) {
-        std::size_t widest = 0;
+        std::size_t widest = 1;
         for (const int size : shape.hidden) {
             widest = std::max(widest, static_cast<std::size_t>(size));
         }
@@ -83,20 +83,32 @@ class RatingNetwork : public MoveRater {
     }
 
     void load(const float* genome) override {
-        genome_ = genome;
         const int width = shape_.hidden.empty() ? 1 : shape_.hidden.front();
         reads_ = 0;
         used_.clear();
-        for (std::size_t i = 0; i < shape_.inputs.size(); ++i) {
-            const float* const row = genome + i * width;
+        weights_.clear();
+        biases_.clear();
+        int n_in = static_cast<int>(shape_.inputs.size());
+        for (int i = 0; i < n_in; ++i) {
+            const float* const row = genome + static_cast<std::ptrdiff_t>(i) * width;
             if (std::all_of(row, row + width, [](float weight) { return weight == 0; })) continue;
             reads_ |= 1u << shape_.inputs[i];
-            used_.push_back({shape_.inputs[i], static_cast<int>(i)});
+            used_.push_back(shape_.inputs[i]);
+            for (int unit = 0; unit < width; ++unit) weights_.push_back(splat<Vec>(row[unit]));
+        }
+        genome += static_cast<std::ptrdiff_t>(n_in) * width;
+        for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
+            const int n_out = shape_.hidden[layer];
+            biases_.insert(biases_.end(), genome, genome + n_out);
+            genome += n_out;
+            const int next = layer + 1 < shape_.hidden.size() ? shape_.hidden[layer + 1] : 1;
+            for (int i = 0; i < n_out * next; ++i) weights_.push_back(splat<Vec>(genome[i]));
+            genome += static_cast<std::ptrdiff_t>(n_out) * next;
         }
     }
 
     void rate(const Inputs& inputs, Inputs::Row& ratings) override {
-        if (n_words(inputs) == 2) {
+        if (inputs.n_moves() == kCompassMoves) {
             rate<2>(inputs, ratings);
         } else {
             rate<3>(inputs, ratings);
@@ -107,74 +119,79 @@ class RatingNetwork : public MoveRater {
 
   private:
     using Vec = Lanes<float, 4>;
-    struct Used {
-        int input;
-        int place;  // in the genome
-    };
     struct Unit {
         alignas(16) Inputs::Row by_move;
     };
 
-    static int n_words(const Inputs& inputs) { return inputs.n_moves() == kCompassMoves ? 2 : 3; }
-
-    // sum += weight * x for all moves, each product rounded before it is added.
-    template <int n>
-    static void add(float weight, const Inputs::Row& x, Vec (&sum)[n]) {
-        for (int i = 0; i < n; ++i) {
-            Vec part;
-            std::memcpy(&part, x + 4 * i, sizeof(part));
-            sum[i] += part * splat<Vec>(weight);
+    // The sums of kUnits units, for all moves: one after the other they would wait for each other.
+    // Each product is rounded before it is added. `in(i)` is input i of the layer.
+    template <int n, int kUnits, typename In>
+    static void add_up(const In& in, int n_in, const Vec* weights, int n_units, const float* biases,
+                       float least, Unit* out) {
+        Vec sum[kUnits][n];
+        for (int unit = 0; unit < kUnits; ++unit) {
+            for (Vec& part : sum[unit]) part = splat<Vec>(biases ? biases[unit] : 0.0f);
+        }
+        for (int i = 0; i < n_in; ++i, weights += n_units) {
+            Vec x[n];
+            std::memcpy(x, in(i), sizeof(x));
+            for (int unit = 0; unit < kUnits; ++unit) {
+                for (int k = 0; k < n; ++k) sum[unit][k] += x[k] * weights[unit];
+            }
+        }
+        const Vec floor = splat<Vec>(least);
+        for (int unit = 0; unit < kUnits; ++unit) {
+            for (Vec& part : sum[unit]) part = where(part > floor, part, floor);
+            std::memcpy(out[unit].by_move, sum[unit], sizeof(sum[unit]));
         }
     }
 
-    template <int n>
-    static void write(const Vec (&sum)[n], float least, Inputs::Row& out) {
-        for (int i = 0; i < n; ++i) {
-            const Vec floor = splat<Vec>(least);
-            const Vec kept = where(sum[i] > floor, sum[i], floor);
-            std::memcpy(out + 4 * i, &kept, sizeof(kept));
+    template <int n, typename In>
+    static void add_up_all(const In& in, int n_in, const Vec* weights, int n_units,
+                           const float* biases, float least, Unit* out) {
+        constexpr int kUnits = 4;
+        int unit = 0;
+        for (; unit + kUnits <= n_units; unit += kUnits) {
+            add_up<n, kUnits>(in, n_in, weights + unit, n_units, biases + unit, least, out + unit);
+        }
+        for (; unit < n_units; ++unit) {
+            add_up<n, 1>(in, n_in, weights + unit, n_units, biases ? biases + unit : nullptr, least,
+                         out + unit);
         }
     }
 
     template <int n>
     void rate(const Inputs& inputs, Inputs::Row& ratings) {
-        const float* weights = genome_;
-        int n_in = static_cast<int>(shape_.inputs.size());
-        for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
-            const int n_out = shape_.hidden[layer];
-            const float* const biases = weights + static_cast<std::ptrdiff_t>(n_in) * n_out;
-            const std::vector<Unit>& in = units_[(layer + 1) % 2];
-            for (int unit = 0; unit < n_out; ++unit) {
-                Vec sum[n];
-                for (Vec& part : sum) part = splat<Vec>(biases[unit]);
-                if (layer == 0) {
-                    for (const auto& [input, place] : used_)
-                        add<n>(weights[place * n_out + unit], inputs.of(input), sum);
-                } else {
-                    for (int i = 0; i < n_in; ++i)
-                        add<n>(weights[static_cast<std::ptrdiff_t>(i) * n_out + unit],
-                               in[i].by_move, sum);
-                }
-                write<n>(sum, 0, units_[layer % 2][unit].by_move);
+        constexpr float kLowest = std::numeric_limits<float>::lowest();
+        const Vec* weights = weights_.data();
+        const float* biases = biases_.data();
+        int n_in = static_cast<int>(used_.size());
+        Unit* out = units_[0].data();
+        const auto input = [&](int i) { return inputs.of(used_[i]); };
+        for (std::size_t layer = 0; layer <= shape_.hidden.size(); ++layer) {
+            const bool last = layer == shape_.hidden.size();
+            const int n_out = last ? 1 : shape_.hidden[layer];
+            const Unit* const in = units_[(layer + 1) % 2].data();
+            out = units_[layer % 2].data();
+            const auto unit = [&](int i) { return in[i].by_move; };
+            const float least = last ? kLowest : 0;
+            if (layer == 0) {
+                add_up_all<n>(input, n_in, weights, n_out, last ? nullptr : biases, least, out);
+            } else {
+                add_up_all<n>(unit, n_in, weights, n_out, last ? nullptr : biases, least, out);
             }
-            weights = biases + n_out;
+            weights += static_cast<std::ptrdiff_t>(n_in) * n_out;
+            biases += last ? 0 : n_out;
             n_in = n_out;
         }
-        Vec sum[n];
-        for (Vec& part : sum) part = splat<Vec>(0.0f);
-        if (shape_.hidden.empty()) {
-            for (const auto& [input, place] : used_) add<n>(weights[place], inputs.of(input), sum);
-        } else {
-            const std::vector<Unit>& in = units_[(shape_.hidden.size() + 1) % 2];
-            for (int i = 0; i < n_in; ++i) add<n>(weights[i], in[i].by_move, sum);
-        }
-        write<n>(sum, std::numeric_limits<float>::lowest(), ratings);
+        std::memcpy(ratings, out->by_move, sizeof(ratings));
     }
 
     RatingShape shape_;
-    const float* genome_ = nullptr;
     std::uint32_t reads_ = 0;
-    std::vector<Used> used_;      // inputs with a weight that is not 0
+    std::vector<int> used_;       // inputs with a weight that is not 0
+    std::vector<Vec> weights_;    // by layer, input and unit
+    std::vector<float> biases_;   // by layer and unit
     std::vector<Unit> units_[2];  // of layers in turn
 };
 
@@ -206,13 +223,14 @@ int RatingPolicy::list_best(int agent, int* moves) {
                                                                  : inputs_.forbidden();
     float most = ratings_[0];
     for (int move = 1; move < n_moves_; ++move) {
-        const float rating = refused >> move & 1 ? ratings_[0] : ratings_[move];
+        // A refused move becomes one that stays, whose rating counts already.
+        const float rating = ratings_[refused >> move & 1 ? 0 : move];
         most = rating > most ? rating : most;
     }
     int n = 0;
     for (int move = 0; move < n_moves_; ++move) {
         moves[n] = move;
-        n += ratings_[move] == most && !(refused >> move & 1);
+        n += static_cast<int>(ratings_[move] == most) & static_cast<int>(~refused >> move & 1);
     }
     return n;
 }

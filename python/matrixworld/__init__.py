@@ -6,8 +6,8 @@ games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `
 worlds              `World` (one), `Batch` (many)
 environments        `parallel_env`, `aec_env` (PettingZoo), `AgentEnv` (one agent, Gymnasium),
                     `VectorEnv` (many worlds at once), `AgentVectorEnv` (many agents at once)
-policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`,
-                    `NetworkPolicy`, `score_policy`
+policies, matches   `Network`, `Rating`, `Program`, `INPUTS`, `Population`, `SCRIPTS`, `Matches`,
+                    `rollout`, `EpisodeStatistics`, `NetworkPolicy`, `score_policy`
 episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
 evolution           `evolve`, `open_runs`; packages `coevolution`, `analysis` and `plots`

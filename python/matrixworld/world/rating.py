@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import ast
+import operator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -197,7 +199,7 @@ class Rating(_Rates):
         with np.errstate(over="ignore", invalid="ignore"):
             for weights, biases in hidden:
                 x = [
-                    np.maximum(_sum(x, column, bias), np.float32(0))
+                    np.fmax(_sum(x, column, bias), np.float32(0))
                     for column, bias in zip(weights.T, biases, strict=True)
                 ]
             return np.asarray(np.fmax(_sum(x, last[:, 0], np.float32(0)), _LOWEST))
@@ -236,9 +238,255 @@ def _sum_text(weights: _Floats, terms: list[str], start: str = "") -> str:
     return " + ".join(parts or [f"0 * {terms[0]}"]).replace("+ -", "- ")
 
 
+# ---- Programs -----------------------------------------------------------------------------------
+
+OPERATIONS: dict[str, int] = {
+    name: n for name, n in _core.operations() if name not in ("end", "input", "constant")
+}
+"""Operations of programs, and how many arguments each takes."""
+
+_NUMBERS = {name: number for number, (name, _) in enumerate(_core.operations())}
+_SIGNS: dict[type[ast.operator], str] = {
+    ast.Add: "add", ast.Sub: "subtract", ast.Mult: "multiply",
+}  # fmt: skip
+_FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "add": operator.add,
+    "subtract": operator.sub,
+    "multiply": operator.mul,
+    "min": lambda a, b: np.where(a < b, a, b),
+    "max": lambda a, b: np.where(a < b, b, a),
+    "negate": operator.neg,
+    "less": lambda a, b: (a < b).astype(np.float32),
+    "where": lambda a, b, c: np.where(a > 0, b, c),
+}
+_FORMS = {
+    "add": "({}) + ({})",
+    "subtract": "({}) - ({})",
+    "multiply": "({}) * ({})",
+    "min": "min({}, {})",
+    "max": "max({}, {})",
+    "negate": "-({})",
+    "less": "({}) < ({})",
+    "where": "({1}) if {0} else ({2})",
+}
+_FORMS_OF_ARRAYS = _FORMS | {
+    "min": "np.minimum({}, {})",
+    "max": "np.maximum({}, {})",
+    "where": "np.where({0}, {1}, {2})",
+}
+
+Token: TypeAlias = str | float
+"""A name of `INPUTS` or `OPERATIONS`, or a constant."""
+
+
+@dataclass(frozen=True)
+class Program(_Rates):
+    """A policy that rates each move of an agent by a program of named inputs.
+
+    The same program rates all moves. The agent takes the best move that the mask allows; of equal
+    ones any, all equally likely. A genome is the code.
+
+    Parameters
+    ----------
+    inputs, mask, fov, n_actions
+        As in `Rating`.
+    length : int, optional
+        The most instructions of a program.
+
+    Notes
+    -----
+    A program is a sequence of tokens for a stack of at most 32 numbers: a name of an input or a
+    constant puts a number on it, an operation of `OPERATIONS` replaces its arguments by a result.
+    One number is left, the rating. All is float32. ``less(a, b)`` is 1 if a < b, else 0;
+    ``where(a, b, c)`` is b if a > 0, else c.
+
+    A genome, float32, has two numbers for each instruction: the operation (1 an input, 2 a
+    constant, from 3 on those of `OPERATIONS`), and the place of the input in `inputs`, the
+    constant, or 0. Behind the last instruction there are zeros.
+
+    Examples
+    --------
+    >>> from matrixworld import Matches, Population, Program, rollout
+    >>> program = Program(inputs=("adversary", "room"))
+    >>> genome = program.genome("room - 2 * adversary")
+    >>> program.tokens(genome)
+    ['room', 2.0, 'adversary', 'multiply', 'subtract']
+    >>> print(program.expression(genome))
+    room - 2.0 * adversary
+    """
+
+    kind: ClassVar[str] = "program"
+
+    inputs: tuple[str, ...] = tuple(INPUTS)
+    length: int = 40
+    mask: Mask = "obstacles"
+    fov: int = 11
+    n_actions: int = 5
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        length = checks.check_integer("length", self.length, 1, _MAX_LENGTH)
+        object.__setattr__(self, "length", length)
+
+    @property
+    def genome_size(self) -> int:
+        """Numbers in a genome."""
+        return 2 * self.length
+
+    @cached_property
+    def core(self) -> _core.Rating:
+        """The engine's form of this policy."""
+        return self._core_of(length=self.length)
+
+    def check_genomes(self, genomes: _Floats) -> None:
+        """Raise ValueError unless all genomes (n, genome_size) are programs."""
+        self.core.check(genomes)
+
+    def encode(self, tokens: list[Token]) -> _Floats:
+        """Return the genome of a sequence of tokens; ValueError if they are no program."""
+        if len(tokens) > self.length:
+            raise ValueError(f"tokens: expected at most {self.length}, got {len(tokens)}")
+        genome = np.zeros((self.length, 2), np.float32)
+        for row, token in zip(genome, tokens, strict=False):
+            if isinstance(token, str):
+                checks.check_choice("token", token, (*self.inputs, *OPERATIONS))
+                named = token in self.inputs
+                row[0] = _NUMBERS["input" if named else token]
+                row[1] = self.inputs.index(token) if named else 0
+            else:
+                row[:] = _NUMBERS["constant"], checks.check_real("token", token)
+        self.check_genomes(genome.reshape(1, -1))
+        return genome.ravel()
+
+    def tokens(self, genome: _Floats) -> list[Token]:
+        """Return the tokens of a genome."""
+        checks.check_shape("genome", genome, self.genome_size)
+        self.check_genomes(genome[None])
+        names = list(_NUMBERS)
+        found: list[Token] = []
+        for number, operand in genome.reshape(-1, 2):
+            name = names[int(number)]
+            if name == "end":
+                break
+            constant = name == "constant"
+            found.append(
+                float(str(operand)) if constant
+                else self.inputs[int(operand)] if name == "input" else name
+            )  # fmt: skip
+        return found
+
+    def genome(self, expression: str) -> _Floats:
+        """Return the genome of an expression in the syntax of Python.
+
+        It has names of inputs, numbers, ``+``, ``-``, ``*``, ``a < b``, ``b if a > 0 else c``,
+        ``b if a < d else c`` and calls of `OPERATIONS`, such as ``min(a, b)``. So a tree of DEAP
+        with these names is one, as text.
+        """
+        try:
+            tree = ast.parse(expression, mode="eval").body
+        except SyntaxError as error:
+            raise ValueError(f"expression: expected one of Python, got {expression!r}") from error
+        return self.encode(list(_tokens_of(tree)))
+
+    def initial(self, rng: np.random.Generator, depth: int = 3) -> _Floats:
+        """Return the genome of a random program, a tree of at most this depth."""
+        checks.check_instance("rng", rng, np.random.Generator)
+
+        def grow(left: int) -> list[Token]:
+            if left == 0 or rng.random() < 0.3:
+                place = int(rng.integers(len(self.inputs) + 1))
+                constant = float(np.round(rng.normal(), 2))
+                return [constant if place == len(self.inputs) else self.inputs[place]]
+            name = list(OPERATIONS)[rng.integers(len(OPERATIONS))]
+            parts = [grow(left - 1) for _ in range(OPERATIONS[name])]
+            return [*(token for part in parts for token in part), name]
+
+        tokens: list[Token] = grow(checks.check_integer("depth", depth, 0, 20))
+        while len(tokens) > self.length:
+            tokens = grow(depth)
+        return self.encode(tokens)
+
+    def rate(self, genome: _Floats, inputs: _Floats) -> _Floats:
+        """Return ratings, float32 (..., moves), of `inputs` (..., moves, all inputs), in NumPy.
+
+        The numbers are those of the engine, bit by bit.
+        """
+        named = dict(zip(self.inputs, self._columns(inputs), strict=True))
+        stack: list[Any] = []
+        with np.errstate(over="ignore", invalid="ignore"):
+            for token in self.tokens(genome):
+                if isinstance(token, float):
+                    stack.append(np.full(inputs.shape[:-1], token, np.float32))
+                elif token in named:
+                    stack.append(named[token])
+                else:
+                    first = len(stack) - OPERATIONS[token]
+                    stack[first:] = [_FUNCTIONS[token](*stack[first:])]
+            return np.asarray(np.fmax(stack[0], _LOWEST))
+
+    def expression(self, genome: _Floats) -> str:
+        """Return a genome as an expression, of which `genome` makes the same program."""
+        return self._text(genome, _FORMS, "{}", "{}", "{}")
+
+    def to_python(self, genome: _Floats) -> str:
+        """Return a genome as lines of Python that play the same: see `Rating.to_python`."""
+        text = self._text(genome, _FORMS_OF_ARRAYS, "x['{}']", "f({})", "f({})")
+        head = "import numpy as np\n\nf = np.float32\n\n\ndef rate(x):\n"
+        told = '    """Return the rating of each move by its inputs."""\n'
+        return f"{head}{told}    return {text}\n{_CHOICE}"
+
+    def _text(
+        self, genome: _Floats, forms: Mapping[str, str], name: str, constant: str, truth: str
+    ) -> str:
+        """Return an expression by the forms of operations, inputs, constants and comparisons."""
+        stack: list[tuple[str, bool]] = []  # text; whether it is a comparison
+        for token in self.tokens(genome):
+            if isinstance(token, float):
+                stack.append((constant.format(token), False))
+            elif token in self.inputs:
+                stack.append((name.format(token), False))
+            else:
+                first = len(stack) - OPERATIONS[token]
+                parts = [truth.format(text) if less else text for text, less in stack[first:]]
+                if token == "where":
+                    text, less = stack[first]
+                    parts[0] = text if less else f"({text}) > 0"
+                stack[first:] = [(forms[token].format(*parts), token == "less")]
+        text, less = stack[0]
+        whole = ast.parse(truth.format(text) if less else text, mode="eval")
+        return ast.unparse(whole)  # without the parentheses that are not needed
+
+
+def _tokens_of(node: ast.expr) -> Iterator[Token]:
+    match node:
+        case ast.Constant(value=int() | float() as value):
+            yield float(value)
+        case ast.Name(id=name):
+            yield name
+        case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=int() | float() as value)):
+            yield -float(value)
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            yield from (*_tokens_of(operand), "negate")
+        case ast.BinOp(left=left, op=ast.Add() | ast.Sub() | ast.Mult() as sign, right=right):
+            yield from (*_tokens_of(left), *_tokens_of(right), _SIGNS[type(sign)])
+        case ast.Compare(left=left, ops=[ast.Lt()], comparators=[right]):
+            yield from (*_tokens_of(left), *_tokens_of(right), "less")
+        case ast.IfExp(
+            test=ast.Compare(left=test, ops=[ast.Gt()], comparators=[ast.Constant(value=0)])
+            | (ast.Compare(ops=[ast.Lt()]) as test),
+            body=body, orelse=other,
+        ):  # fmt: skip
+            yield from (*_tokens_of(test), *_tokens_of(body), *_tokens_of(other), "where")
+        case ast.Call(func=ast.Name(id=name), args=parts, keywords=[]):
+            yield from (*(token for part in parts for token in _tokens_of(part)), name)
+        case _:
+            expected = "inputs, numbers, +, -, *, <, `b if a > 0 else c` and operations"
+            raise ValueError(f"expression: expected {expected}, got {ast.unparse(node)!r}")
+
+
 def policy_of(plain: Mapping[str, Any]) -> Policy:
     """Return the policy whose `to_json` is given; ValueError or TypeError for other values."""
-    kinds: dict[str, type[Policy]] = {each.kind: each for each in (Network, Rating)}
+    kinds: dict[str, type[Policy]] = {each.kind: each for each in (Network, Rating, Program)}
     values = {name: tuple(v) if isinstance(v, list) else v for name, v in plain.items()}
     kind: Any = values.pop("kind", Network.kind)
     checks.check_choice("kind", kind, kinds)
