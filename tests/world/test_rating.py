@@ -94,12 +94,12 @@ def test_choices_are_those_of_python(name: str, mask: str) -> None:
     for number, team in enumerate(random_policies(config, mask)):
         world.reset(number)
         spoken: dict[str, Any] = {}
-        exec(team.network.to_python(team.genomes[0]), spoken)
+        exec(team.policy.to_python(team.genomes[0]), spoken)
         for actions in random_actions(number, config.n_actions, 4, config.n_agents):
             if world.terminated:
                 break
             inputs, allowed = world.inputs(), allowed_moves(world, mask)
-            ratings = team.network.rate(team.genomes[0], inputs)
+            ratings = team.policy.rate(team.genomes[0], inputs)
             if np.abs(team.genomes).max() < 1e30:  # the text is for finite numbers
                 np.testing.assert_array_equal(spoken["rate"](named(inputs)) + 0 * ratings, ratings)
             chosen = np.full(config.n_agents, -1)

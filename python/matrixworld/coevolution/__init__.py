@@ -27,11 +27,17 @@ from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
 from matrixworld.coevolution.game import Game, check_game
 from matrixworld.coevolution.groups import Comparison, RunGroup, compare, judge, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
-from matrixworld.coevolution.learners import ActorCritic, CmaEs, EvolutionStrategy, GeneticAlgorithm
+from matrixworld.coevolution.learners import (
+    ActorCritic,
+    CmaEs,
+    EvolutionStrategy,
+    GeneticAlgorithm,
+    GeneticProgramming,
+)
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
 from matrixworld.coevolution.own_code import check_learner, check_sampler
 from matrixworld.coevolution.progress import Progress, ProgressBar, StopRun
-from matrixworld.coevolution.pursuit import Cells, Pursuit, Ratings
+from matrixworld.coevolution.pursuit import Cells, Programs, Pursuit, Ratings
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns, available
 from matrixworld.coevolution.run import DisengagementWarning, Run, create, finish
 from matrixworld.coevolution.sections import PluginError
@@ -55,12 +61,14 @@ __all__ = [
     "FitnessSettings",
     "Game",
     "GeneticAlgorithm",
+    "GeneticProgramming",
     "InTurns",
     "Learner",
     "LockedError",
     "OtherVersionError",
     "Payoff",
     "PluginError",
+    "Programs",
     "Progress",
     "ProgressBar",
     "Pursuit",

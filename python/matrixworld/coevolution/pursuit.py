@@ -10,7 +10,7 @@ from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
@@ -34,7 +34,10 @@ from matrixworld.world.policy import CHANNELS as CHANNELS
 from matrixworld.world.policy import GATES, Policy, Population, TeamPolicy
 from matrixworld.world.policy import SCRIPTS as SCRIPTS
 from matrixworld.world.policy import Network as Network
-from matrixworld.world.rating import INPUTS, Rating, policy_of
+from matrixworld.world.rating import INPUTS, Rating
+from matrixworld.world.rating import OPERATIONS as OPERATIONS
+from matrixworld.world.rating import Program as Program
+from matrixworld.world.rating import policy_of as policy_of
 from matrixworld.world.rules import REWARDS, VARIANTS, Outcome, Rules
 from matrixworld.world.rules import Interaction as Interaction
 from matrixworld.world.rules import Rewards as Rewards
@@ -173,6 +176,33 @@ class Ratings(PolicySettings):
         """Return an untrained genome."""
         assert isinstance(policy, Rating)  # as made above
         return policy.initial(rng, weight=self.initial_weight)
+
+
+@sections.documented
+@dataclass(frozen=True)
+class Programs(PolicySettings):
+    """Programs that rate each move by named inputs of the cell that it leads to."""
+
+    kind: ClassVar[str] = "program"
+
+    inputs: tuple[str, ...] = setting(tuple(INPUTS), f"inputs: some of {', '.join(INPUTS)}")
+    length: int = setting(40, "most instructions of a program", least=1)
+    initial_depth: int = setting(3, "most levels of an untrained program")
+    mask: str = _mask("obstacles")
+
+    def policy(self, world: WorldConfig) -> Program:
+        """Return the shape of the programs."""
+        shape: Any = {"inputs": self.inputs, "length": self.length, "mask": self.mask}
+        return Program(fov=world.fov, n_actions=world.n_actions, **shape)
+
+    def initial(self, policy: Policy, rng: Rng) -> Genome:
+        """Return an untrained genome."""
+        assert isinstance(policy, Program)  # as made above
+        return policy.initial(rng, depth=self.initial_depth)
+
+
+AnyPolicy: TypeAlias = Cells | Ratings | Programs
+"""The kinds of policies."""
 
 
 def check_mask(mask: str, world: WorldConfig, learns: bool) -> None:

@@ -18,9 +18,9 @@ from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.learner import Learner, Task
 from matrixworld.coevolution.pursuit import (
+    AnyPolicy,
     Cells,
     Pursuit,
-    Ratings,
     Rewards,
     WorldConfig,
     check_mask,
@@ -55,9 +55,7 @@ class RaceSettings(Section):
         None, "a game of your own, as module:object; default: pursuit and evasion in the world"
     )
     world: WorldConfig = by_race(WorldConfig(), "the world; its max_steps are those of evaluation")
-    policy: Cells | Ratings = by_race(
-        Cells(), f"what decides: {', '.join(sections.kinds_in(Cells | Ratings))}"
-    )
+    policy: AnyPolicy = by_race(Cells(), f"what decides: {', '.join(sections.kinds_in(AnyPolicy))}")
     learner: BuiltInLearner | OwnLearner = setting(
         EvolutionStrategy(),
         f"how teams learn: {', '.join(sections.kinds_in(BuiltInLearner))} or module:object",

@@ -406,6 +406,21 @@ class Program(_Rates):
             tokens = grow(depth)
         return self.encode(tokens)
 
+    def simplified(self, genome: _Floats) -> _Floats:
+        """Return the genome of a shorter program with the same ratings, in float32.
+
+        Operations on numbers become numbers; twice negated, least and greatest of the same, and
+        choices that are known vanish; so do 0 in sums and 1 in products.
+        """
+        stack: list[list[Token]] = []
+        for token in self.tokens(genome):
+            if token not in OPERATIONS:
+                stack.append([token])
+                continue
+            first = len(stack) - OPERATIONS[token]
+            stack[first:] = [_shorter(str(token), stack[first:])]
+        return self.encode(stack[0])
+
     def rate(self, genome: _Floats, inputs: _Floats) -> _Floats:
         """Return ratings, float32 (..., moves), of `inputs` (..., moves, all inputs), in NumPy.
 
@@ -455,6 +470,34 @@ class Program(_Rates):
         text, less = stack[0]
         whole = ast.parse(truth.format(text) if less else text, mode="eval")
         return ast.unparse(whole)  # without the parentheses that are not needed
+
+
+def _shorter(name: str, parts: list[list[Token]]) -> list[Token]:
+    """Return the tokens of an operation on these parts, which are simplified, or shorter ones."""
+    alone = [part[0] if len(part) == 1 else None for part in parts]
+    numbers = [each if isinstance(each, float) else None for each in alone]
+    if None not in numbers:
+        with np.errstate(over="ignore", invalid="ignore"):
+            value = float(_FUNCTIONS[name](*map(np.float32, numbers)))
+        if np.isfinite(value):
+            return [value]
+    first, *others = parts
+    match name, others:
+        case "negate", [] if first[-1] == "negate":
+            return first[:-1]
+        case (("min" | "max"), [other]) if first == other:
+            return first
+        case (("add" | "subtract"), [[0.0]]):
+            return first
+        case "multiply", [[1.0]]:
+            return first
+        case "add", [other] if first == [0.0]:
+            return other
+        case "multiply", [other] if first == [1.0]:
+            return other
+        case "where", [yes, no] if yes == no or numbers[0] is not None:
+            return yes if yes == no or numbers[0] > 0 else no  # type: ignore[operator]
+    return [*(token for part in parts for token in part), name]
 
 
 def _tokens_of(node: ast.expr) -> Iterator[Token]:

@@ -14,6 +14,7 @@ from matrixworld.coevolution.learners.actor_critic import ActorCritic
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
+from matrixworld.coevolution.learners.genetic_programming import GeneticProgramming
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.sections import OwnCode, Section, documented
 
@@ -23,11 +24,14 @@ __all__ = [
     "CmaEs",
     "EvolutionStrategy",
     "GeneticAlgorithm",
+    "GeneticProgramming",
     "Learner",
     "OwnLearner",
 ]
 
-BuiltInLearner: TypeAlias = EvolutionStrategy | GeneticAlgorithm | CmaEs | ActorCritic
+BuiltInLearner: TypeAlias = (
+    EvolutionStrategy | GeneticAlgorithm | CmaEs | GeneticProgramming | ActorCritic
+)
 """The learners of the package."""
 
 

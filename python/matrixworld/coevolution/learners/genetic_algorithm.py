@@ -14,6 +14,7 @@ import numpy as np
 from deap import base
 
 from matrixworld.coevolution.learners import learner
+from matrixworld.coevolution.learners.learner import fittest, select_tournament
 from matrixworld.coevolution.sections import by_race, documented, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
@@ -21,24 +22,10 @@ TOURNAMENT = 5
 """Individuals in a tournament, unless another number is given."""
 
 
-def select_tournament(fitness: FloatArray, k: int, rng: Rng, *, size: int) -> Indices:
-    """Return the parents (k,): each the fittest of `size` random entrants; size 1 is random."""
-    entrants = rng.integers(0, len(fitness), size=(k, size))
-    # Rows are tournaments; of equal fitness the first entrant wins, and their order is random.
-    winners = np.argmax(fitness[entrants], axis=1)
-    selected: Indices = entrants[np.arange(k), winners]
-    return selected
-
-
 def select_truncation(fitness: FloatArray, k: int, rng: Rng, *, fraction: float) -> Indices:
     """Return k parents drawn evenly from the fittest `fraction` of the population, in (0, 1]."""
     survivors = fittest(fitness, max(1, round(fraction * len(fitness))))
     return survivors[rng.integers(0, len(survivors), size=k)]
-
-
-def fittest(fitness: FloatArray, k: int) -> Indices:
-    """Return the k fittest individuals, the fittest first; of equals the first."""
-    return np.argsort(-fitness, kind="stable")[:k]
 
 
 def mate_uniform(

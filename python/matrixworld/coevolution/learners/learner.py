@@ -62,6 +62,11 @@ class Task:
     game: Game
 
     @property
+    def policy(self) -> Any:
+        """What the genomes of the team are genomes of; None in a game of your own."""
+        return getattr(self.game, "policy", None)
+
+    @property
     def mask(self) -> Any:
         """Genes that do not change, and their values; None without any."""
         return self.game.mask(TEAMS[self.team])
@@ -211,6 +216,23 @@ def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
     if not np.isfinite(values).all():
         raise ValueError(f"fitness: expected finite numbers, got {values}")
     return values
+
+
+# Selection:
+
+
+def select_tournament(fitness: FloatArray, k: int, rng: Rng, *, size: int) -> Indices:
+    """Return the parents (k,): each the fittest of `size` random entrants; size 1 is random."""
+    entrants = rng.integers(0, len(fitness), size=(k, size))
+    # Rows are tournaments; of equal fitness the first entrant wins, and their order is random.
+    winners = np.argmax(fitness[entrants], axis=1)
+    selected: Indices = entrants[np.arange(k), winners]
+    return selected
+
+
+def fittest(fitness: FloatArray, k: int) -> Indices:
+    """Return the k fittest individuals, the fittest first; of equals the first."""
+    return np.argsort(-fitness, kind="stable")[:k]
 
 
 def inside_bounds(state: State, genomes: Genomes) -> Genomes:

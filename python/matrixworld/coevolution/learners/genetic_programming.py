@@ -1,0 +1,251 @@
+"""Genetic programming: trees of DEAP over named inputs, which rate the moves of an agent.
+
+A genome is the code of a program (see `matrixworld.Program`). Trees, their types and their nodes
+are those of `deap.gp`; the operators take an explicit generator, where DEAP's own draw from
+Python's global `random`.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, ClassVar, TypeAlias
+
+import numpy as np
+from deap import gp
+
+from matrixworld.coevolution.learners import learner
+from matrixworld.coevolution.learners.learner import fittest, select_tournament
+from matrixworld.coevolution.pursuit import OPERATIONS, Program, policy_of
+from matrixworld.coevolution.sections import by_race, documented, setting
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
+
+Tree: TypeAlias = gp.PrimitiveTree
+
+SHALLOW = 3
+"""Most levels of a tree that is drawn."""
+LEAF = 0.3
+"""Probability that a node of a tree that is drawn is a leaf, where it may be one."""
+NUMBER = 0.2
+"""Probability that a leaf is a number."""
+
+
+class Truth:
+    """The type of a comparison, which only the first argument of ``where`` takes."""
+
+
+@lru_cache(maxsize=8)
+def primitives_of(policy: Program) -> gp.PrimitiveSetTyped:
+    """Return the typed primitives of programs: operations, and inputs by name."""
+    primitives = gp.PrimitiveSetTyped("rating", [float] * len(policy.inputs), float)
+    primitives.renameArguments(**{f"ARG{i}": name for i, name in enumerate(policy.inputs)})
+    for name, arguments in OPERATIONS.items():
+        kinds: list[type] = [float] * arguments
+        if name == "where":
+            kinds[0] = Truth
+        primitives.addPrimitive(None, kinds, Truth if name == "less" else float, name=name)
+    return primitives
+
+
+def tree_of(policy: Program, genome: Genome) -> Tree:
+    """Return a genome as a tree. A number that is tested becomes a comparison, and the reverse."""
+    named = primitives_of(policy).mapping
+    stack: list[list[Any]] = []
+    for token in policy.tokens(genome):
+        if isinstance(token, float):
+            stack.append([_number(token)])
+            continue
+        first = len(stack) - OPERATIONS.get(token, 0)
+        kinds = getattr(named[token], "args", [])
+        parts = [_typed(p, k, named) for p, k in zip(stack[first:], kinds, strict=True)]
+        stack[first:] = [[named[token], *(node for part in parts for node in part)]]
+    return Tree(_typed(stack[0], float, named))
+
+
+def _typed(part: list[Any], kind: type, named: dict[str, Any]) -> list[Any]:
+    """Return the nodes of a part of a tree as those of a type: ``a > 0`` is ``0 < a``."""
+    if part[0].ret is kind:
+        return part
+    if kind is Truth:
+        return [named["less"], _number(0.0), *part]
+    return [named["where"], *part, _number(1.0), _number(0.0)]
+
+
+def genome_of(policy: Program, tree: Tree) -> Genome:
+    """Return a tree as a genome."""
+    return policy.genome(str(tree))
+
+
+def _number(value: float) -> gp.Terminal:
+    return gp.Terminal(float(np.float32(value)), False, float)
+
+
+def drawn(primitives: gp.PrimitiveSetTyped, kind: type, levels: int, rng: Rng) -> list[Any]:
+    """Return the nodes of a random tree of a type, with so many levels below the first at most."""
+    if kind is float and (levels <= 0 or rng.random() < LEAF):
+        leaves = primitives.terminals[float]
+        if rng.random() < NUMBER:
+            return [_number(round(rng.normal(), 2))]
+        return [leaves[rng.integers(len(leaves))]]
+    choices = primitives.primitives[kind]
+    if levels <= 1:  # a comparison inside would need further levels
+        choices = [each for each in choices if Truth not in each.args]
+    node = choices[rng.integers(len(choices))]
+    parts = (drawn(primitives, each, levels - 1, rng) for each in node.args)
+    return [node, *(part for nodes in parts for part in nodes)]
+
+
+def place_in(tree: Tree, rng: Rng, kind: type | None = None) -> int | None:
+    """Return a random node of a tree, of a type if one is given; None if there is none."""
+    places = [i for i, node in enumerate(tree) if kind is None or node.ret is kind]
+    return places[rng.integers(len(places))] if places else None
+
+
+def mate(tree: Tree, other: Tree, rng: Rng) -> Tree:
+    """Return a tree of which a part is replaced by a part of the same type of another tree."""
+    place = place_in(tree, rng)
+    assert place is not None
+    source = place_in(other, rng, tree[place].ret)
+    if source is None:
+        return tree
+    child = Tree(tree)
+    child[tree.searchSubtree(place)] = other[other.searchSubtree(source)]
+    return child
+
+
+def mutate(primitives: gp.PrimitiveSetTyped, tree: Tree, rng: Rng) -> Tree:
+    """Return a tree with one change.
+
+    A part is drawn anew or replaced by a part of itself, a node by another one with the same
+    arguments, or a number is moved.
+    """
+    child = Tree(tree)
+    place = place_in(tree, rng)
+    assert place is not None
+    node, part = tree[place], tree.searchSubtree(place)
+    way = rng.integers(4)
+    if way == 0:
+        child[part] = drawn(primitives, node.ret, SHALLOW - 1, rng)
+    elif way == 1:
+        inner = Tree(tree[part])
+        source = place_in(inner, rng, node.ret)
+        assert source is not None  # at least the part itself
+        child[part] = inner[inner.searchSubtree(source)]
+    elif way == 2 and isinstance(node, gp.Primitive):
+        same = [p for p in primitives.primitives[node.ret] if p.args == node.args]
+        child[place] = same[rng.integers(len(same))]
+    elif isinstance(node, gp.Terminal):
+        if isinstance(node.value, float):
+            child[place] = _number(round(node.value + rng.normal(0.0, 0.5), 2))
+        else:
+            child[place] = drawn(primitives, float, 0, rng)[0]
+    return child
+
+
+def select_twice(
+    fitness: FloatArray, sizes: Indices, k: int, rng: Rng, *, size: int, parsimony: float
+) -> Indices:
+    """Return k parents by double tournament.
+
+    Of two winners of tournaments by fitness the shorter one is taken with the probability
+    `parsimony`, else the longer one.
+
+    References
+    ----------
+    Luke & Panait 2002, "Fighting bloat with nonparametric parsimony pressure", PPSN VII.
+    """
+    pairs = np.stack([select_tournament(fitness, k, rng, size=size) for _ in range(2)])
+    pairs = np.take_along_axis(pairs, np.argsort(sizes[pairs], axis=0, kind="stable"), axis=0)
+    longer = (rng.random(k) >= parsimony).astype(int)
+    chosen: Indices = pairs[longer, np.arange(k)]
+    return chosen
+
+
+@documented
+@dataclass(frozen=True)
+class GeneticProgramming(learner.Learner):
+    """Genetic programming of rating programs.
+
+    ::
+
+        population = random trees
+        in each epoch:
+            scored
+            next = the fittest, kept; then children: a part of a parent is replaced by a part of
+                   another one, or changed at random; parents by double tournament
+
+    References
+    ----------
+    Koza 1992, "Genetic Programming". Montana 1995, "Strongly typed genetic programming",
+    Evolutionary Computation 3(2).
+    """
+
+    kind: ClassVar[str] = "gp"
+    ignores: ClassVar[tuple[str, ...]] = ()
+    policies: ClassVar[tuple[str, ...]] = ("program",)
+
+    population: int = by_race(48, "candidates per epoch", least=2)
+    tournament: int = setting(4, "individuals in a tournament by fitness", least=1)
+    parsimony: float = setting(
+        0.7, "probability that the shorter one of two winners becomes a parent", most=1.0
+    )
+    crossover: float = setting(0.6, "share of children with a part of another parent", most=1.0)
+    elites: int = setting(2, "fittest individuals kept unchanged")
+
+    def check(self) -> None:
+        """Raise ValueError for too many elites."""
+        if self.population is not None and self.elites >= self.population:
+            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
+
+    def start(self, task: learner.Task) -> State:
+        """Return a population that nobody has scored yet."""
+        policy = task.policy
+        return {
+            "population": task.genomes(self.population),
+            "fitness": np.zeros(0),
+            "champion": np.array(0),
+            "policy": np.array(json.dumps(policy.to_json())),
+        }
+
+    def genome(self, state: State) -> Genome:
+        """Return the champion of the last scored population, simplified."""
+        policy: Any = policy_of(json.loads(str(state["policy"])))
+        genome: Genome = policy.simplified(state["population"][int(state["champion"])])
+        return genome
+
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
+        """Return the next population: at first as given, later elites and then children."""
+        population, fitness = state["population"], state["fitness"]
+        if not len(fitness):
+            return population, {**state, "candidates": population}
+        policy: Any = policy_of(json.loads(str(state["policy"])))
+        primitives = primitives_of(policy)
+        trees = [tree_of(policy, genome) for genome in population]
+        count = len(population) - self.elites
+        parents, mates = (
+            select_twice(
+                fitness, np.array([*map(len, trees)]), count, rng,
+                size=self.tournament, parsimony=self.parsimony,
+            )
+            for _ in range(2)
+        )  # fmt: skip
+        children = []
+        for parent, other in zip(parents, mates, strict=True):
+            if rng.random() < self.crossover:
+                child = mate(trees[parent], trees[other], rng)
+            else:
+                child = mutate(primitives, trees[parent], rng)
+            # A child that is too long is its parent.
+            fits = len(child) <= policy.length
+            children.append(genome_of(policy, child) if fits else population[parent])
+        offspring: Genomes = np.stack([*population[fittest(fitness, self.elites)], *children])
+        return offspring, {**state, "candidates": offspring}
+
+    def tell(self, state: State, results: learner.Results) -> State:
+        """Make the candidates the population, with this fitness."""
+        before = {name: value for name, value in state.items() if name != "candidates"}
+        population = state["candidates"]
+        fitness = learner.checked_fitness(results.fitness, len(population))
+        champion = np.array(np.argmax(fitness))
+        return {**before, "population": population, "fitness": fitness, "champion": champion}
