@@ -1,5 +1,6 @@
 """The scripts in evolution/ run, go on where they stopped, and their numbers are correct."""
 
+import random
 import sys
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import common
 import deap_example
 import matrixworld as mw
 import memory
+import readable
 from evolution_scripts import SCRIPTS, read, run_quickly
 from matrixworld import coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun
@@ -162,3 +164,14 @@ def test_the_corridor_without_memory_is_what_is_played_there() -> None:
     played = mw.score_policy(choose, "pursuer", world, opponents={"still": "still"}, episodes=400)
     # Three deviations of 400 episodes.
     assert played.mean().value == pytest.approx(memory.capture_rate(policy), abs=0.075)
+
+
+def test_the_readable_example_evolves_programs_that_beat_untrained_ones() -> None:
+    random.seed(0)
+    champions = readable.co_evolve(3, 3, 20)
+    for team, other in (readable.TEAMS, readable.TEAMS[::-1]):
+        first, *_, last = champions[team]
+        rivals = {"rivals": champions[other], "seeds": range(100, 116)}
+        before, after = readable.play(team, [first, last], **rivals)
+        assert after > before + 0.1
+        assert len(last) <= readable.PROGRAM.length
