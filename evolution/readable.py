@@ -21,9 +21,9 @@ from deap import algorithms, base, gp, tools
 import matrixworld as mw
 from common import script_parser
 
+TEAMS = ("pursuer", "evader")
 WORLD = mw.WorldConfig("O", size=20, n_pursuers=4, n_evaders=4, obstacles=0.1, max_steps=100)
 PROGRAM = mw.Program.for_config(WORLD)
-TEAMS = ("pursuer", "evader")
 
 
 class Fitness(base.Fitness):
@@ -113,8 +113,7 @@ def main():
         again = play(team, champions[team], rivals=champions[other], seeds=range(10**6, 10**6 + 16))
         genome = PROGRAM.genome(str(champions[team][np.argmax(again)]))
         score = mw.score_policy(mw.Population(genome, PROGRAM), team, WORLD, episodes=50)
-        print(f"{team}: {PROGRAM.expression(PROGRAM.simplified(genome))}")
-        print(f"  score {score.means[0]:.2f}")
+        print(f"{team} ({score.means[0]:.2f}): {PROGRAM.expression(PROGRAM.simplified(genome))}")
 
 
 if __name__ == "__main__":
