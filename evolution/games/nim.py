@@ -1,44 +1,40 @@
 """Nim of 13 stones: players take 1 to 3 in turn, and who takes the last one wins.
 
-A genome is a preference for each number of stones that are left and each move. Perfect play leaves
-a multiple of four. Since 13 is none, the first player always wins against all, if it plays so.
+A genome has a preference for each move, by the stones that are left. Perfect play leaves a multiple
+of four. Since 13 is none, a first player who plays so wins against everybody.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
 from matrixworld.coevolution import Game
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, IntArray, Rng
 
 STONES, MOST = 13, 3
 
 
-def moves(genomes: Genomes, left: IntArray) -> IntArray:
+def taken(genomes, left):
     """Return how many stones genomes (M, genes) take of those that are left (M,)."""
     preferences = genomes.reshape(-1, STONES, MOST)[np.arange(len(genomes)), left - 1]
     allowed = np.arange(1, MOST + 1) <= left[:, np.newaxis]
-    return np.asarray(1 + np.argmax(np.where(allowed, preferences, -np.inf), axis=1))
+    return 1 + np.argmax(np.where(allowed, preferences, -np.inf), axis=1)
 
 
-def play(a: Genomes, b: Genomes, rng: Rng) -> FloatArray:
-    """Return 1 where a, which begins, takes the last stone."""
+def play(a, b, rng):
+    """Return 1 where a, who begins, takes the last stone."""
     left, scores = np.full(len(a), STONES), np.empty(len(a))
     for turn in range(STONES):
         going = np.flatnonzero(left)
-        left[going] -= moves((a, b)[turn % 2][going], left[going])
-        scores[going] = (turn + 1) % 2  # the last who moves wins
+        left[going] -= taken((a, b)[turn % 2][going], left[going])
+        scores[going] = 1 - turn % 2  # the last one who moves wins
     return scores
 
 
-def show(a: Genome, b: Genome) -> str:
+def show(a, b):
     """Return the stones that are left after each move."""
-    left, lines = np.array([STONES]), []
-    while left[0]:
-        name = nim.teams[len(lines) % 2]
-        left = left - moves((a, b)[len(lines) % 2][np.newaxis], left)
-        lines.append(f"{name:6} leaves {left[0]:2}")
-    return "\n".join(lines)
+    left = [STONES]
+    while left[-1]:
+        mover = (b, a)[len(left) % 2]
+        left.append(left[-1] - int(taken(mover[np.newaxis], np.array(left[-1:]))[0]))
+    return " ".join(map(str, left))
 
 
-nim = Game(play, STONES * MOST, teams=("first", "second"), deterministic=True, show=show)
+nim = Game(play, genes=STONES * MOST, teams=("first", "second"), deterministic=True, show=show)

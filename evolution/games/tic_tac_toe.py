@@ -1,54 +1,40 @@
-"""Tic-tac-toe on the board of PettingZoo; nobody wins against perfect play.
+"""Tic-tac-toe on the board of PettingZoo: nobody wins against perfect play.
 
-A genome is a linear policy: the value of each square is a weighted sum of the own and the other
-marks, and the free square of the highest value is taken. A draw has a score of 1/2.
+A genome has weights of the own and the other marks for each square; the free one of the largest sum
+is taken. Crosses begin; a draw is a score of 1/2.
 """
-
-from __future__ import annotations
 
 import numpy as np
 from pettingzoo.classic.tictactoe.board import Board
 
 from matrixworld.coevolution import Game
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Rng
 
-SQUARES = 9
-GENES = SQUARES * (2 * SQUARES + 1)
+SQUARES, ROWS = 9, Board().winning_combinations
 
 
-def move(genome: Genome, board: Board, player: int) -> int:
-    """Return the square that a player, 0 or 1, takes."""
-    marks = np.array(board.squares)
-    seen = np.concatenate([marks == 1 + player, marks == 2 - player, [True]])
-    values = genome.reshape(SQUARES, -1) @ seen
-    return int(np.argmax(np.where(marks == 0, values, -np.inf)))
-
-
-def won(board: Board, player: int) -> bool:
-    """Return whether a player has three in a row."""
-    return any({board.squares[i] for i in row} == {1 + player} for row in board.winning_combinations)
-
-
-def match(a: Genome, b: Genome) -> tuple[float, Board]:
-    """Return the score of a, which begins, and the board at the end."""
+def match(a, b):
+    """Return the score of a, and the board at the end."""
     board = Board()
-    for turn in range(SQUARES):
-        player = turn % 2
-        board.play_turn(player, move((a, b)[player], board, player))
-        if won(board, player):
-            return 1.0 - player, board
+    for mover in [0, 1] * 4 + [0]:
+        marks = np.array(board.squares)
+        seen = np.append([marks == 1 + mover, marks == 2 - mover], True)
+        sums = (a, b)[mover].reshape(SQUARES, -1) @ seen
+        board.play_turn(mover, int(np.argmax(np.where(marks == 0, sums, -np.inf))))
+        if any({board.squares[i] for i in row} == {1 + mover} for row in ROWS):
+            return 1.0 - mover, board
     return 0.5, board
 
 
-def play(a: Genomes, b: Genomes, rng: Rng) -> FloatArray:
+def play(a, b, rng):
     """Return the scores of a."""
-    return np.array([match(*pair)[0] for pair in zip(a, b, strict=True)])
+    return [match(*pair)[0] for pair in zip(a, b, strict=True)]
 
 
-def show(a: Genome, b: Genome) -> str:
+def show(a, b):
     """Return the board at the end."""
     marks = np.array([*".XO"])[match(a, b)[1].squares].reshape(3, 3)
     return "\n".join("".join(row) for row in marks.T)
 
 
-tic_tac_toe = Game(play, GENES, teams=("crosses", "noughts"), deterministic=True, show=show)
+TEAMS, GENES = ("crosses", "noughts"), SQUARES * (2 * SQUARES + 1)
+tic_tac_toe = Game(play, GENES, teams=TEAMS, deterministic=True, show=show)
