@@ -291,6 +291,12 @@ class OwnGame(Section):
             for name, value in {**facts, "digest": digest_of(game)}.items():
                 object.__setattr__(self, name, value)
 
+    @property
+    def known(self) -> Game:
+        """What is known of the game without an import: all but its functions."""
+        (one, other), (first, second) = self.genes, self.teams
+        return Game(_not_imported, (one, other), (first, second), deterministic=self.deterministic)
+
     def load(self) -> Game:
         """Return the game.
 
@@ -325,6 +331,10 @@ class OwnGame(Section):
         if not isinstance(game, Game):
             raise ValueError(f"{self.code}: expected a Game, got {checks.shown(game)}")
         return game
+
+
+def _not_imported(a: Genomes, b: Genomes, rng: Rng) -> ArrayLike:
+    raise TypeError("play: expected a game that is imported")
 
 
 def _file_of(module: ModuleType) -> str:
