@@ -38,7 +38,7 @@ RACES = {
     "sampled": {
         **SAMPLED, "schedule.pursuers_meet": "prioritized",
         "schedule.evaders_meet": "newest-and-older",
-        "learner": "ga", "evader_learner": "es", "match_episodes": 2,
+        "learner": "ga", "learner.mutation": 0.3, "evader_learner": "es", "match_episodes": 2,
     },
 }  # fmt: skip
 
