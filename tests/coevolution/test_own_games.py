@@ -20,6 +20,7 @@ from matrixworld.coevolution import (
     finish,
     open_run,
 )
+from matrixworld.coevolution.game import digest_of
 from own_games import chance, coins, fewer, higher, numbers
 from tiny_race import results, straight
 
@@ -170,6 +171,34 @@ def test_a_run_of_a_game_goes_on_with_no_other_one(source, own, tmp_path):
     assert results(directory) == straight(settings)
 
 
+PARTS = """
+from functools import partial
+import numpy as np
+from matrixworld.coevolution import Game
+class Player:
+    def __init__(self, level):
+        self.level = level
+    def __call__(self, a, b, rng):
+        return HELPERS["half"](a) * self.level
+def half(a, factor):
+    return np.full(len(a), factor)
+HELPERS = {"half": partial(half, factor=0.5)}
+play = Player(1.0)
+game = Game(play, genes=3)
+"""
+CHANGES = [("a) * self", "b) * self"), ("len(a)", "len(a) + 0"), ("0.5", "0.25"), ("1.0", "0.9")]
+
+
+@pytest.mark.parametrize("change", [*CHANGES, ("genes=3", "genes=2")])
+def test_a_digest_is_of_all_that_a_game_is_made_of(change, own):
+    def digest(text):
+        own(text)
+        return digest_of(importlib.import_module("mine").game)
+
+    assert digest(PARTS) == digest(PARTS)  # other objects, at other addresses
+    assert digest(PARTS.replace(*change)) != digest(PARTS)
+
+
 def results_of(directory):
     return {path.name: path.read_bytes() for path in directory.iterdir() if path.is_file()}
 
@@ -213,8 +242,8 @@ def counts_its_calls(a, b, rng, calls=[]):  # noqa: B006
     [
         (changed(uses_the_global_generator), "play: expected equal scores from equal generators"),
         (changed(counts_its_calls), "play: expected equal scores from equal generators"),
-        (changed(lambda a, b, rng: a), r"scores of the game: expected \(1,\), got \(1, 2\)"),
-        (changed(lambda a, b, rng: 0.5), r"scores of the game: expected \(1,\), got \(\)"),
+        (changed(lambda a, b, rng: a), r"scores of the game: expected .*\(1,\), got \(1, 2\)"),
+        (changed(lambda a, b, rng: 0.5), r"scores of the game: expected .*\(1,\), got \(\)"),
         (changed(lambda a, b, rng: a[:, 0] * np.nan), r"numbers in \[0, 1\], got nan"),
         (changed(lambda a, b, rng: 1 + b[:, 0] ** 2), r"numbers in \[0, 1\], got 1"),
         (
@@ -246,9 +275,11 @@ def test_a_game_that_keeps_all_promises(game):
     [
         ({"play": 3}, TypeError, "play: expected a function, got 3"),
         ({"genes": 0}, ValueError, "genes: expected .*, got 0"),
+        ({"genes": 2.5}, TypeError, "genes: expected .*, got 2.5"),
         ({"genes": (2, 3, 4)}, ValueError, "genes: expected those of two teams, got 3"),
         ({"teams": ("cats", "cats")}, ValueError, "teams: expected two different words"),
         ({"teams": ("big cats", "mice")}, ValueError, "teams: expected two different words"),
+        ({"bounds": ([0, 0], [1, 1])}, ValueError, "bounds: expected one value, or one for"),
         ({"bounds": (1, 0)}, ValueError, "bounds: expected least < largest value"),
         ({"deterministic": 1}, TypeError, "deterministic: expected "),
         ({"show": "text"}, TypeError, "show: expected a function"),
