@@ -91,9 +91,8 @@ def test_strategies_that_turn_cycle_and_do_not_improve(turns: int, exact: bool) 
     """Each beats those that are up to half a turn older. One turn or less looks like a rise."""
     angles = 2 * np.pi * turns * np.arange(60) / 60
     chance = 0.5 + 0.45 * np.sin(np.subtract.outer(angles, angles))
-    judgement = (
-        judge(analysis.read_payoffs(chance, exact=True)) if exact else of_scores(drawn(chance))
-    )
+    exactly = analysis.read_payoffs(chance, exact=True)
+    judgement = judge(exactly) if exact else of_scores(drawn(chance))
     assert {*CIRCLES} <= {*judgement.present("whole")}
     for window in judgement.windows:
         assert not {*PROGRESS} & {*judgement.present(window)}
