@@ -2,7 +2,9 @@
 
 import importlib
 import linecache
+import os
 import shutil
+import subprocess
 import sys
 from dataclasses import replace
 
@@ -293,6 +295,34 @@ def test_what_is_no_game_is_refused(fields, error, message):
 def test_a_game_that_no_import_finds_is_refused():
     with pytest.raises(ValueError, match="^game: expected a global variable of the module of its"):
         race(game=replace(numbers))
+
+
+SCRIPT = """
+from matrixworld.coevolution import Game, RaceSettings
+def play(a, b, rng):
+    return 0.5 + 0 * a[:, 0]
+game = Game(play, genes=1)
+if __name__ == "__main__":
+    print(RaceSettings.of({"game": game}).game.code)
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "arguments", "name"),
+    [
+        ("a_race.py", ["a_race.py"], "a_race"),
+        ("pack/race.py", ["-m", "pack.race"], "pack.race"),
+        ("a-race.py", ["a-race.py"], "__main__"),  # of no use to other processes
+    ],
+)
+def test_a_script_that_runs_is_named_as_others_import_it(file, arguments, name, tmp_path):
+    (tmp_path / file).parent.mkdir(exist_ok=True)
+    (tmp_path / file).write_text(SCRIPT)
+    done = subprocess.run(
+        [sys.executable, *arguments], cwd=tmp_path, capture_output=True, text=True, check=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )  # fmt: skip
+    assert done.stdout.split() == [f"{name}:game"]
 
 
 def test_matches_are_seen_by_nobody_else(tmp_path):

@@ -7,6 +7,7 @@ and keys of random numbers. `matrixworld.coevolution.pursuit` is the game of the
 from __future__ import annotations
 
 import inspect
+import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -343,9 +344,12 @@ def _not_imported(a: Genomes, b: Genomes, rng: Rng) -> ArrayLike:
 
 
 def _file_of(module: ModuleType) -> str:
-    """Return the name of a script that runs, without its suffix; empty for another module."""
-    path = getattr(module, "__file__", None) if module.__name__ in MAIN else None
-    return Path(path).stem if path else ""
+    """Return by what name other processes import a script that runs; empty without such a name."""
+    if module.__name__ not in MAIN:
+        return ""
+    spec = getattr(module, "__spec__", None)  # python -m package.module
+    name: str = spec.name if spec else Path(getattr(module, "__file__", None) or "").stem
+    return name if re.fullmatch(r"[A-Za-z_][\w.]*", name) else ""
 
 
 MAIN = ("__main__", "__mp_main__")
