@@ -7,7 +7,6 @@ and keys of random numbers. `matrixworld.coevolution.pursuit` is the game of the
 from __future__ import annotations
 
 import inspect
-import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -349,7 +348,7 @@ def _file_of(module: ModuleType) -> str:
         return ""
     spec = getattr(module, "__spec__", None)  # python -m package.module
     name: str = spec.name if spec else Path(getattr(module, "__file__", None) or "").stem
-    return name if re.fullmatch(r"[A-Za-z_][\w.]*", name) else ""
+    return name if all(part.isidentifier() for part in name.split(".")) else ""
 
 
 MAIN = ("__main__", "__mp_main__")
