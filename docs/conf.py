@@ -36,6 +36,7 @@ include_patterns = [
     "docs/**",
     "benchmarks/*.md",
     "evolution/*.md",
+    "evolution/games/*.md",
     "evolution/maps/**",
     "evolution/results/**.md",
     "evolution/results/**.png",

@@ -15,7 +15,7 @@ or call another function of ``deap.algorithms``. Three things are special in co-
 `best_response` shows the opposite direction: a loop of DEAP drives a learner of matrixworld, or
 your own class derived from ``coevolution.Learner``. It measures how far
 the last champions can be beaten by an opponent that trains against them only. With
-``docs/maintainers/how_to_add.md`` a toolbox becomes a learner by name: ``evolve --learner ...``.
+``docs/how_to_add.md`` a toolbox becomes a learner by name: ``evolve --learner ...``.
 
 Method: Fortin et al. (2012), "DEAP: evolutionary algorithms made easy"; (mu + lambda) selection.
 

@@ -85,6 +85,19 @@ def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray) -> None:
             assert found["forgetting"] != PRESENT
 
 
+@pytest.mark.parametrize("exact", [False, True])
+@pytest.mark.parametrize("turns", [2, 3, 4, 6])
+def test_strategies_that_turn_cycle_and_do_not_improve(turns: int, exact: bool) -> None:
+    """Each beats those that are up to half a turn older. One turn or less looks like a rise."""
+    angles = 2 * np.pi * turns * np.arange(60) / 60
+    chance = 0.5 + 0.45 * np.sin(np.subtract.outer(angles, angles))
+    exactly = analysis.read_payoffs(chance, exact=True)
+    judgement = judge(exactly) if exact else of_scores(drawn(chance))
+    assert {*CIRCLES} <= {*judgement.present("whole")}
+    for window in judgement.windows:
+        assert not {*PROGRESS} & {*judgement.present(window)}
+
+
 def test_a_walk_may_rise_without_a_trend() -> None:
     # Two questions: did it become stronger; does a random walk explain that?
     walk = np.random.default_rng(18).normal(0, 0.25, 31).cumsum()

@@ -110,7 +110,7 @@ def test_bad_csv_files_are_refused(tmp_path: Path, text: str | bytes, message: s
 def test_npz_files(tmp_path: Path) -> None:
     path = tmp_path / "payoff.npz"
     scores = np.random.default_rng(1).random((3, 4, 5), dtype=np.float32)
-    np.savez(path, capture_rate=scores.mean(axis=2), capture_rates=scores, lengths=np.ones(3))
+    np.savez(path, mean=scores.mean(axis=2), scores=scores, lengths=np.ones(3))
     found = analysis.read_payoffs(str(path))
     np.testing.assert_array_equal(found.scores, scores[None])
     np.savez(path, capture_rate=MATRIX, lengths=np.ones(3))

@@ -32,7 +32,7 @@ from pages import ROOT, page_id, read
 
 ELSEWHERE = {
     "docs/cluster.md": "needs several processes; tests/cli/test_cluster.py",
-    "docs/maintainers/how_to_add.md": "tests/repository/test_how_to_add.py",
+    "docs/how_to_add.md": "tests/repository/test_how_to_add.py",
     "tutorials/class_tournament/README.md": "the tests beside it",
 }
 """Pages whose examples another test runs."""
@@ -147,7 +147,7 @@ def test_learners_of_other_libraries_run_with_few_steps(program: Path, tmp_path:
 WITH_COMMANDS = sorted(
     {*PAGES, *ROOT.glob("*.md"), *ROOT.glob("*/README.md"), *NOTEBOOKS}
     # The recipes of how_to_add.md add names of their own, and another test follows them.
-    - {ROOT / "docs/maintainers/how_to_add.md", ROOT / "CHANGELOG.md"}
+    - {ROOT / "docs/how_to_add.md", ROOT / "CHANGELOG.md"}
 )
 SHELL = re.compile(r"^```sh\n((?:.*\n)*?)```$", re.M)
 INLINE = re.compile(r"`(matrixworld [^`]+)`")

@@ -1,7 +1,7 @@
 """Toys with known answers: co-evolution in plain NumPy that takes seconds.
 
 They use the schedules, pairings and selection of the real races: what these do here they do there,
-too.
+too. A race in files takes 15 times as long, or more; ``evolution/games`` has such games for it.
 
 >>> from course import toys
 >>> toys.numbers_game("scalar", seed=0).final_objective.round()

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_number, check_real
 from matrixworld.analysis.intervals import BIASED, LEVEL, Estimate, normal_quantile, t_quantile
-from matrixworld.analysis.payoffs import Rates, check_payoff, require
+from matrixworld.analysis.payoffs import EPISODES_TO_RECUR, Rates, check_payoff, require
 
 EPISODES_TO_SUBTRACT_NOISE = 4
 """Fewest episodes for a transitive share without noise: the jackknife leaves out one of them."""
@@ -30,8 +30,6 @@ SORTING = 1.5
 """Share of the noise that sorting hides, in units of (n + m) / (n m). Simulated: 1 to 1.3."""
 BLOCKS = 8
 """Most blocks of episodes in each half from which recurrence is estimated."""
-EPISODES_TO_RECUR = 6
-"""Fewest episodes for recurrence: three in each half, for a jackknife."""
 TOO_FEW_TO_RECUR = (
     f"it takes the single episodes of each pair, at least {EPISODES_TO_RECUR}, to see whether "
     "strategies return"

@@ -33,6 +33,8 @@ GENERATIONS_TO_JUDGE = 6
 """Fewest generations of each team in a window that is judged."""
 EPISODES_TO_JUDGE = 4
 """Fewest episodes of each cell that show their noise: two in each half."""
+EPISODES_TO_RECUR = 6
+"""Fewest episodes for recurrence: three in each half, for a jackknife."""
 
 TEAMS = ("pursuers", "evaders")
 """What the teams are called, unless a game has other names."""
@@ -296,8 +298,8 @@ def read_payoffs(
         payoffs = _payoffs(source, per_episode)
     if exact:
         # What any number of episodes would be.
-        scores = np.repeat(payoffs.matrices[..., np.newaxis], EPISODES_TO_JUDGE, axis=3)
-        payoffs = Payoffs(payoffs.matrices, scores, EPISODES_TO_JUDGE)
+        scores = np.repeat(payoffs.matrices[..., np.newaxis], EPISODES_TO_RECUR, axis=3)
+        payoffs = Payoffs(payoffs.matrices, scores, EPISODES_TO_RECUR)
     if teams != TEAMS:
         payoffs = replace(payoffs, teams=teams)
     if episodes is None:

@@ -11,6 +11,7 @@ import io
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
@@ -125,7 +126,7 @@ class Game:
             if not callable(getattr(self, name) or len):
                 got = checks.shown(getattr(self, name))
                 raise TypeError(f"{name}: expected a function, got {got}")
-        genes = (self.genes, self.genes) if isinstance(self.genes, int) else self.genes
+        genes = self.genes if isinstance(self.genes, tuple | list) else (self.genes, self.genes)
         sizes = tuple(checks.check_integer("genes", n, 1) for n in genes)
         object.__setattr__(self, "genes", sizes)
         names = checks.check_sequence("teams", self.teams, "str")
@@ -137,6 +138,10 @@ class Game:
         checks.check_bool("deterministic", self.deterministic)
         if self.bounds is not None:
             low, high = (checks.check_floats("bounds", each, np.float32) for each in self.bounds)
+            for each in (low, high):
+                if each.ndim and {each.shape} != {(size,) for size in sizes}:
+                    expected = "one value, or one for each gene of both teams"
+                    raise ValueError(f"bounds: expected {expected}, got {each.size} of {sizes}")
             if not (low < high).all():
                 raise ValueError(f"bounds: expected least < largest value, got {low} and {high}")
             object.__setattr__(self, "bounds", (low, high))
@@ -322,6 +327,12 @@ class OwnGame(Section):
             for name, value in {**facts, "digest": digest_of(game)}.items():
                 object.__setattr__(self, name, value)
 
+    @property
+    def known(self) -> Game:
+        """What is known of the game without an import: all but its functions."""
+        (one, other), (first, second) = self.genes, self.teams
+        return Game(_not_imported, (one, other), (first, second), deterministic=self.deterministic)
+
     def load(self) -> Game:
         """Return the game.
 
@@ -358,10 +369,17 @@ class OwnGame(Section):
         return game
 
 
+def _not_imported(a: Genomes, b: Genomes, rng: Rng) -> ArrayLike:
+    raise TypeError("play: expected a game that is imported")
+
+
 def _file_of(module: ModuleType) -> str:
-    """Return the name of a script that runs, without its suffix; empty for another module."""
-    path = getattr(module, "__file__", None) if module.__name__ in MAIN else None
-    return Path(path).stem if path else ""
+    """Return by what name other processes import a script that runs; empty without such a name."""
+    if module.__name__ not in MAIN:
+        return ""
+    spec = getattr(module, "__spec__", None)  # python -m package.module
+    name: str = spec.name if spec else Path(getattr(module, "__file__", None) or "").stem
+    return name if all(part.isidentifier() for part in name.split(".")) else ""
 
 
 MAIN = ("__main__", "__mp_main__")
@@ -371,32 +389,53 @@ MAIN = ("__main__", "__mp_main__")
 def digest_of(game: Game) -> str:
     """Return a digest of what a game is: its fields, and the source of its functions.
 
-    With the source of what these name in their modules: functions, numbers, text and arrays.
+    With what these name in their modules: functions, numbers, text, arrays and what holds them.
     """
     parts: dict[str, str] = {}
+    fields = {name: getattr(game, name) for name in ("genes", "teams", "bounds", "deterministic")}
     for name in ("play", "initial", "show"):
-        _collect(getattr(game, name), parts)
-    bounds = None if game.bounds is None else [np.asarray(each).tolist() for each in game.bounds]
-    facts = repr((game.genes, game.teams, bounds, game.deterministic))
+        function = getattr(game, name)
+        fields[name] = _text_of(function, getattr(function, "__module__", ""), parts)
+    facts = _text_of(fields, "", parts)
     text = "\n".join([facts, *(f"{name}\n{parts[name]}" for name in sorted(parts))])
     return sha256(text.encode()).hexdigest()[:16]
 
 
-def _collect(function: Any, parts: dict[str, str]) -> None:
-    """Add the source of a function and of what it names in its module."""
-    if not isinstance(function, FunctionType) or function.__qualname__ in parts:
-        return
-    try:
-        parts[function.__qualname__] = inspect.getsource(function)
-    except OSError:  # typed at a prompt that keeps no source
+def _text_of(value: Any, module: str, parts: dict[str, str]) -> str:
+    """Return a text of a value, the same in every process.
+
+    The source of functions of the module, and what they name in it, is added to `parts`.
+    """
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return _text_of(list(value.items()), module, parts)
+    if isinstance(value, tuple | list):
+        return f"[{', '.join(_text_of(each, module, parts) for each in value)}]"
+    if isinstance(value, int | float | str | None):
+        return repr(value)
+    if isinstance(value, partial):
+        inner = getattr(value.func, "__module__", "")
+        return _text_of([value.func, value.args, value.keywords], inner, parts)
+    function = inspect.unwrap(getattr(value, "__func__", value))
+    if not isinstance(function, FunctionType):
+        called = getattr(type(value), "__call__", None)  # noqa: B004, of its class
+        if not isinstance(called, FunctionType):
+            return type(value).__qualname__
+        return _text_of([called, vars(value)], module, parts)  # an object that plays
+    name = function.__qualname__
+    if function.__module__ == module and name not in parts:
         code = function.__code__
-        parts[function.__qualname__] = f"{code.co_code.hex()} {code.co_consts} {code.co_names}"
-    for used in _names(function.__code__):
-        value = function.__globals__.get(used)
-        if isinstance(value, FunctionType) and value.__module__ == function.__module__:
-            _collect(value, parts)
-        elif isinstance(value, int | float | str | tuple | list | dict | np.ndarray):
-            parts[used] = repr(value.tolist() if isinstance(value, np.ndarray) else value)
+        try:
+            parts[name] = inspect.getsource(function)
+        except OSError:  # typed at a prompt that keeps no source
+            parts[name] = f"{code.co_code.hex()} {code.co_consts} {code.co_names}"
+        for used in {*_names(code)} & {*function.__globals__}:
+            found = function.__globals__[used]
+            if not isinstance(found, ModuleType | type):
+                text = _text_of(found, module, parts)
+                parts.setdefault(used, text)
+    return name
 
 
 def _names(code: CodeType) -> Iterator[str]:

@@ -341,8 +341,10 @@ def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str,
             kind = name_of(kind)
         if isinstance(kind, str) and PATH.fullmatch(kind):
             return known["own"], {"code": kind}
-        names.append("or module:object")
-    expected = f"one of {', '.join(names)}" if names else known[""].__name__
+        names.append("or module:object" if names else "module:object")
+    expected = ", ".join(names) if names else known[""].__name__
+    if len(names) > 1:
+        expected = f"one of {expected}"
     raise ValueError(f"{name}: expected {expected}, got {checks.shown(kind)}")
 
 

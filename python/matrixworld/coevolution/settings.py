@@ -123,7 +123,8 @@ class RaceSettings(Section):
                 f"policy.mask: expected 'none', got {self.policy.mask!r}; it has no effect with "
                 f"{learner.kind or type(learner).__name__}"
             )
-        learner.check_fits(path, self.evaluation_game)
+        # A run is read without an import of its game.
+        learner.check_fits(path, self.game.known if self.game else self.evaluation_game)
 
     def _defaults(self, learner: Section | None = None) -> dict[str, Any]:
         """Return the defaults that the kind of race and a learner state, by default `learner`."""

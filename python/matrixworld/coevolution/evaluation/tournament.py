@@ -74,7 +74,9 @@ def tournament(
     check_threads(threads)
     size = team_size(first), team_size(second)
     numbers = (range(start, start + n) for start, n in zip(generations, size, strict=True))
-    seeds = np.array([evaluation_seed(seed, g, h) for g, h in product(*numbers)], np.uint64)
+    # A game without chance needs no seeds, which take longer than many a game.
+    exact, pairs = game.deterministic, product(*numbers)
+    seeds = np.array([0 if exact else evaluation_seed(seed, g, h) for g, h in pairs], np.uint64)
     columns, part = np.arange(size[1]), known.matrix.shape if known else (0, 0)
     # One row at a time, so that the progress can be reported.
     blocks, places = [], []

@@ -1,0 +1,1 @@
+"""Games whose right answer is known."""

@@ -1,0 +1,153 @@
+"""Games that come with the package: races of them are resumed, and judged as their answers say."""
+
+import signal
+import sys
+from functools import cache
+from itertools import chain
+from typing import Any
+
+import numpy as np
+import pytest
+
+import killed
+from games.nim import MOST, STONES, nim, taken
+from games.numbers_game import focusing, numbers, relativism
+from games.rock_paper_scissors import rock_paper_scissors
+from games.tic_tac_toe import ROWS, SQUARES, tic_tac_toe
+from matrixworld.analysis import judge, read_payoffs
+from matrixworld.analysis.judgement import ABSENT
+from matrixworld.coevolution import RaceSettings, Run, RunGroup, check_game, create, finish
+from tiny_race import directory_in_memory, results, straight
+
+pytestmark = pytest.mark.filterwarnings("ignore::matrixworld.coevolution.DisengagementWarning")
+
+GAMES = (rock_paper_scissors, numbers, focusing, relativism, nim, tic_tac_toe)
+IN_TURNS: dict[str, Any] = {
+    "schedule": "specialist-specialist", "schedule.pursuer_epochs": 5, "schedule.evader_epochs": 5,
+    "schedule.generations": 20,
+}  # fmt: skip
+HALL: dict[str, Any] = {
+    "schedule": "hall-of-fame", "schedule.joint_epochs": 5, "schedule.generations": 20,
+}  # fmt: skip
+LEARNERS: dict[str, Any] = {
+    "ga": {"learner": "ga", "learner.mutation": 0.5, "learner.population": 12},
+    "es": {"learner": "es", "learner.learning_rate": 0.5, "learner.population": 12},
+}
+RACES = {
+    "rock-paper-scissors": (rock_paper_scissors, "ga", IN_TURNS, 0),
+    "numbers": (numbers, "es", IN_TURNS, 0),
+    "Nim": (nim, "ga", HALL, 7),
+    "tic-tac-toe": (tic_tac_toe, "ga", {**IN_TURNS, "schedule.generations": 8}, 0),
+}
+
+
+CLAIMS = {"arms race", "one-sided progress"}
+
+
+def race(game: Any, learner: str, schedule: dict[str, Any], seed: int) -> RaceSettings:
+    return RaceSettings.of({"game": game, "seed": seed, **LEARNERS[learner], **schedule})
+
+
+@pytest.mark.parametrize("game", GAMES, ids=lambda game: game.play.__name__)
+def test_games_keep_their_promises(game):
+    check_game(game)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals and forks")
+@pytest.mark.parametrize("name", RACES)
+def test_a_race_that_is_killed_in_the_middle_ends_as_if_it_had_not_been(name, tmp_path):
+    settings, directory = race(*RACES[name]), tmp_path / "run"
+    create(settings, directory)
+    child = killed.process(killed.finish_until_killed, directory, 600)
+    child.join()
+    assert child.exitcode == -signal.SIGKILL
+    assert 0 < Run(directory).stage < settings.schedule.n_stages
+    finish(directory)
+    assert results(directory) == straight(settings)
+
+
+def raced(*parts: Any) -> tuple[Any, list[Any], Any]:
+    """Return the payoff matrix, both archives and the judgement of a race."""
+    with directory_in_memory() as place:
+        create(race(*parts), place / "run")
+        run = finish(place / "run")
+        judgement = RunGroup((run.path,), (run,)).judgement
+        return run.payoff().matrix, [*run.archive().values()], judgement
+
+
+def test_teams_that_play_hands_cycle_and_do_not_improve():
+    races = [raced(rock_paper_scissors, "ga", IN_TURNS, seed) for seed in range(3)]
+    together = judge(read_payoffs(np.stack([matrix for matrix, _, _ in races]), exact=True))
+    for judgement in (together, *(judgement for _, _, judgement in races)):
+        assert {"intransitivity", "cycling"} <= {*judgement.present("whole")}
+        assert not CLAIMS & {*chain(*map(judgement.present, judgement.windows))}
+    for matrix, (left, right), _ in races:
+        assert np.ptp(matrix) > 0.5
+        # Nobody beats the equilibrium, whatever has evolved.
+        scores = rock_paper_scissors.play(np.zeros_like(left), right, None)
+        np.testing.assert_allclose(scores, 0.5, atol=1e-6)
+
+
+@pytest.mark.parametrize("learner", LEARNERS)
+def test_larger_numbers_are_an_arms_race_in_which_nothing_cycles(learner):
+    matrix, archives, judgement = raced(numbers, learner, IN_TURNS, 0)
+    for window, findings in judgement.windows.items():
+        assert "arms race" in judgement.present(window)
+        for condition in ("intransitivity", "cycling", "forgetting", "stagnation"):
+            assert findings[condition].verdict == ABSENT
+    hosts, parasites = (archive.sum(axis=1) for archive in archives)
+    assert (matrix[1:, 1:] > 0.5).tolist() == np.greater.outer(hosts, parasites)[1:, 1:].tolist()
+    assert min(hosts[-1], parasites[-1]) > 50
+
+
+def test_teams_progress_less_if_one_number_decides_and_least_if_it_is_the_nearest():
+    """As in Watson & Pollack 2001."""
+    means = []
+    for game in (numbers, focusing, relativism):
+        races = [raced(game, "ga", IN_TURNS, seed) for seed in range(2)]
+        means.append(np.mean([archives for _, archives, _ in races], axis=(0, 1, 3))[-1])
+    assert means[0] > 2 * means[1] > 4 * means[2]
+    for _, _, judgement in races:  # of relativism
+        assert "intransitivity" in judgement.present("whole")
+        assert not CLAIMS & {*judgement.present("whole")}
+
+
+LEFT = np.arange(1, STONES + 1)
+PERFECT = np.eye(MOST, dtype=np.float32)[np.maximum(LEFT % 4, 1) - 1].ravel()
+
+
+def test_a_first_player_of_nim_who_beats_all_that_evolved_loses_to_perfect_play():
+    matrix, (first, second), _ = raced(nim, "ga", HALL, 7)
+    perfect = np.tile(PERFECT, (len(first), 1))
+    assert (nim.play(perfect, second, None) == 1).all()
+    assert (matrix[-1] == 1).all()
+    assert nim.play(first, perfect, None)[-1] == 0
+    assert (taken(perfect[:3], np.array([13, 11, 4])) == [1, 3, 1]).all()
+    assert nim.show(PERFECT, PERFECT) == "13 12 11 8 7 4 3 0"
+
+
+@cache
+def outcome(board: tuple[int, ...], crosses: bytes | None = None) -> float:
+    """Return the score of crosses by perfect play, or of crosses of some genes against it."""
+    marks = np.array(board)
+    won = [mark for mark in (1, 2) if any((marks[[*row]] == mark).all() for row in ROWS)]
+    if won or 0 not in board:
+        return {(1,): 1.0, (2,): 0.0, (): 0.5}[tuple(won)]
+    mark = 1 + np.count_nonzero(marks) % 2
+    squares = [int(square) for square in np.flatnonzero(marks == 0)]
+    if mark == 1 and crosses:
+        seen = np.concatenate([marks == 1, marks == 2, [True]])
+        values = np.frombuffer(crosses, np.float32).reshape(SQUARES, -1) @ seen
+        squares = [max(squares, key=lambda square: values[square])]
+    results = [outcome((*board[:each], mark, *board[each + 1 :]), crosses) for each in squares]
+    return max(results) if mark == 1 else min(results)
+
+
+def test_crosses_that_beat_noughts_do_not_win_against_perfect_ones():
+    matrix, (crosses, _), judgement = raced(tic_tac_toe, "ga", IN_TURNS, 0)
+    assert "arms race" not in judgement.present("whole")
+    assert matrix[-1].mean() > 0.6
+    assert outcome((0,) * SQUARES) == 0.5
+    assert outcome((0,) * SQUARES, crosses[-1].tobytes()) <= 0.5
+    zeros = np.zeros(tic_tac_toe.genome_size("pursuer"), np.float32)
+    assert tic_tac_toe.show(zeros, zeros) == "XOX\nOX.\nXO."
