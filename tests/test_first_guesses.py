@@ -81,7 +81,7 @@ def test_5_a_matrix_and_a_run_are_judged(run: coevolution.SavedRun) -> None:
     matrix = np.linspace(0, 1, 144).reshape(12, 12)
     assert mw.judge(matrix) == mw.analysis.judge(matrix)
     # A payoff keeps the episodes, without which less can be told.
-    rates = run.payoff().capture_rates
+    rates = run.payoff().scores
     expected = mw.analysis.judge(rates, per_episode=True)
     assert mw.judge(run) == mw.judge(run.payoff()) == mw.judge(run.path) == expected
     assert mw.judge([run]) == expected

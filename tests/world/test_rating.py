@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from matrixworld.solve import expected_payoff
+from matrixworld.solver import expected_payoff
 
 import matrixworld as mw
 from inputs import OBSTACLES, all_slow_inputs
