@@ -28,9 +28,10 @@ from tqdm import tqdm
 import _paths  # noqa: F401
 from common import markdown, script_parser, write
 from matrixworld.coevolution import RaceSettings, SavedRun, evolve
+from matrixworld.coevolution.seeding import match_seed
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 from matrixworld.explorer.evolve_page import ES, GA, masks_of, race_of
-from matrixworld.play.rollout import Matches, match_seed, rollout
+from matrixworld.play.rollout import Matches, rollout
 
 PROGRAM = Path(__file__).parents[2] / "web" / "play_races.mjs"
 SEEDS, QUICK_SEEDS = 50, 3

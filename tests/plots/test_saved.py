@@ -75,10 +75,11 @@ def test_titles_name_the_run_its_seed_and_what_was_judged(runs):
 def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
     [group] = open_groups(race)
     payoff, rates = group.runs[0].payoff(), collisions_per_1000(group)
-    row = sum(payoff.collisions[1, h, 0, 0] for h in range(3))
-    assert rates[1, 0, 0] == pytest.approx(1000 * row / payoff.agent_steps[1, :, 0].sum())
-    column = sum(payoff.collisions[g, 2, 1, 1] for g in range(3))
-    assert rates[2, 1, 1] == pytest.approx(1000 * column / payoff.agent_steps[:, 2, 1].sum())
+    collisions, steps = (payoff.extras[name] for name in ("collisions", "agent_steps"))
+    row = sum(collisions[1, h, 0, 0] for h in range(3))
+    assert rates[1, 0, 0] == pytest.approx(1000 * row / steps[1, :, 0].sum())
+    column = sum(collisions[g, 2, 1, 1] for g in range(3))
+    assert rates[2, 1, 1] == pytest.approx(1000 * column / steps[:, 2, 1].sum())
 
 
 def levels(runs: Path, place: str, **baselines: str) -> tuple[dict[str, float], int]:
@@ -94,7 +95,7 @@ def mean_score(race: Path, baseline: Path) -> float:
     [team] = alone.settings.learning_teams
     sides = {**open_run(race).teams, team: alone.last(team)}
     played = {"seed": settings.seed, "episodes": settings.evaluation_episodes}
-    rates = tournament(settings.world, *sides.values(), **played).capture_rate
+    rates = tournament(settings.world, *sides.values(), **played).matrix
     return float(np.mean(rates if team == "pursuer" else 1 - rates))
 
 

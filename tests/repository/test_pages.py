@@ -13,6 +13,7 @@ import matrixworld as mw
 from course.questions import Exercise, exercises
 from matrixworld import analysis
 from matrixworld.coevolution import evolve
+from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import COLUMNS
 from notebooks import NOTEBOOKS
 from pages import DOCS, ROOT, page_id, read
@@ -146,7 +147,8 @@ def check_arrays(
 
 
 def test_the_files_of_a_run(tmp_path: Path) -> None:
-    assert named("### `log.csv`") == {name: kind.__name__ for name, kind in COLUMNS.items()}
+    columns = {**COLUMNS, **Pursuit.columns}
+    assert named("### `log.csv`") == {name: kind.__name__ for name, kind in columns.items()}
     run = tmp_path / "run"
     evolve(tiny_race(), run, threads=1)
     genomes = np.load(run / "pursuers.npy")

@@ -102,7 +102,7 @@ def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
         place = cell["pursuer"], cell["evader"]
         assert cell["capture_rates"] == payoff.scores[place].tolist()
         assert cell["lengths"] == payoff.extras["lengths"][place].tolist()
-        assert np.reshape(cell["means"]["faults"], (2, 3)).tolist() == payoff.faults[place].tolist()
+        assert np.reshape(cell["means"]["faults"], (2, 3)).tolist() == payoff.extras["faults"][place].tolist()
     log = run.log()
     for name in ("opponent", "matches", "steps"):
         assert [row[name] for row in told["rows"]] == log[name].tolist()
@@ -149,7 +149,7 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
         last.world, run.teams["pursuer"], run.teams["evader"], seed=last.seed, episodes=3, threads=1
     )
     for name, found in again.arrays().items():
-        np.testing.assert_array_equal(getattr(payoff, name), found)
+        np.testing.assert_array_equal(payoff.arrays()[name], found)
     assert run.record(1, 3, episode=2).length == payoff.extras["lengths"][1, 3, 2]
     matrix = payoff.matrix
     expected = [

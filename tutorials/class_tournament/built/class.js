@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 6ae834718958f561721e056307a0cf4faa867f13f79692820e208e7b606631a5 */
+/* built from web/ by "npm run build"; sources da027045bad70d587dc1e27d3622aafe70454b913d4aaf34a3a651bd06adcc92 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,gn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

@@ -30,7 +30,7 @@ function stage({ archive, rows, counters }: Finished, number: number): Record<st
     pursuers: genome("pursuer"), evaders: genome("evader"),
     log: { dtype: `|S${Math.max(1, log.length)}`, shape: [], data: log.length ? log : new Uint8Array(1) },
     ...Object.fromEntries(Object.entries(counters[number]!).map(([name, count]) => [name, doubles([count])])),
-    ...(number ? { capture_rate: doubles([mean(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) } : {}),
+    ...(number ? { score: doubles([mean(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) } : {}),
   };
 }
 
@@ -41,17 +41,15 @@ function payoff(race: Finished): Record<string, NpyArray> {
   const episodes = cells[0]!.lengths.length;
   const each = (value: (cell: Cell) => number | readonly number[], ...shape: number[]): NpyArray => doubles(cells.flatMap(value), n, n, ...shape);
   return {
-    capture_rates: { dtype: "<f4", shape: [n, n, episodes], data: Float32Array.from(cells.flatMap(({ capture_rates }) => capture_rates)) },
+    scores: { dtype: "<f4", shape: [n, n, episodes], data: Float32Array.from(cells.flatMap(({ capture_rates }) => capture_rates)) },
+    mean: each(({ capture_rates }) => mean(capture_rates)),
+    std: each(({ capture_rates }) => spread(capture_rates)),
     lengths: { dtype: "<i4", shape: [n, n, episodes], data: Int32Array.from(cells.flatMap(({ lengths }) => lengths)) },
     collisions: each(({ means }) => means.collisions, 2, 3),
     faults: each(({ means }) => means.faults, 2, 3),
     agent_steps: each(({ means }) => means.agent_steps, 2),
     pursuer_survivors: each(({ means }) => means.survivors[0]!),
     evader_survivors: each(({ means }) => means.survivors[1]!),
-    capture_rate: each(({ capture_rates }) => mean(capture_rates)),
-    capture_rate_std: each(({ capture_rates }) => spread(capture_rates)),
-    length: each(({ lengths }) => mean(lengths)),
-    length_std: each(({ lengths }) => spread(lengths)),
   };
 }
 

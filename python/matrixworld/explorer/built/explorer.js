@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 6ae834718958f561721e056307a0cf4faa867f13f79692820e208e7b606631a5 */
+/* built from web/ by "npm run build"; sources da027045bad70d587dc1e27d3622aafe70454b913d4aaf34a3a651bd06adcc92 */
 "use strict";(()=>{var tn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ye={DISAPPEAR:0,REACH:1,BOUNCE:2},rn={OCCUPATION:0,SURROUND:1},nn={FAULT:0,INVOLVED:1};var ar=["obstacle","teammate","adversary"],ir=["vertex","edge","chain"],on=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],lr=["p\
 ursuer_{number}","evader_{number}"],sn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},qe={"both held":"both bounce","both doomed":"\
