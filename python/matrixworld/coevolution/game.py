@@ -7,6 +7,7 @@ and keys of random numbers. `matrixworld.coevolution.pursuit` is the game of the
 from __future__ import annotations
 
 import inspect
+import io
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -17,6 +18,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from PIL import Image
 
 from matrixworld._util import checks
 from matrixworld.coevolution.sections import PATH, Section, documented, imported, setting
@@ -223,6 +225,24 @@ class Game:
     def counted(self, scores: Scores) -> dict[str, int]:
         """Return what matches add to `counters`."""
         return {}
+
+    def shown(self, a: Genome, b: Genome) -> str | bytes:
+        """Return what the game shows of two genomes: text, or the bytes of a PNG file.
+
+        ValueError if it shows nothing, or something else.
+        """
+        if self.show is None:
+            raise ValueError("show: expected a function of the game that shows a match, got none")
+        shown = self.show(a, b)
+        if isinstance(shown, str):
+            return shown
+        image = np.asarray(shown)
+        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3:
+            got = f"{image.dtype} {image.shape}"
+            raise ValueError(f"show: expected text or an image of uint8 (rows, cols, 3), got {got}")
+        buffer = io.BytesIO()
+        Image.fromarray(image).save(buffer, "PNG")
+        return buffer.getvalue()
 
     # What only some games have:
 

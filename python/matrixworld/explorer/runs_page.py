@@ -405,7 +405,7 @@ SHARE = 0.1
 """The most of the time that the page may take from the runs."""
 NOTE = (
     "The runs go on. This page shows what there was at {time}, and loads itself again when nobody "
-    "uses it. A run that has not ended has at most {episodes} episodes of each cell, and no judgement."
+    "uses it. A run that has not ended has at most {episodes} episodes a cell, and no judgement."
 )
 
 
@@ -454,7 +454,9 @@ def extended(run: SavedRun, known: Payoff | None) -> Payoff:
     pursuers, evaders = run.teams.values()
     settings = run.settings
     episodes = min(SO_FAR, settings.evaluation_episodes)
-    play = partial(tournament, settings.evaluation_game, seed=settings.seed, episodes=episodes, threads=1)
+    play = partial(
+        tournament, settings.evaluation_game, seed=settings.seed, episodes=episodes, threads=1
+    )
     if known is None:
         return play(pursuers, evaders)
     g, h = known.matrix.shape
