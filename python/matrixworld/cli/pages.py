@@ -145,7 +145,8 @@ def explore_command(
             expected = "expected a race, got a run of one team"
             raise click.UsageError(f"--figure {figure}: {expected}: {group.name}")
     chosen: Any = {"name": figure, "suffix": suffix or "png", "baselines": baselines, "each": each}
-    files = figures_of([group.inside(root) for group in groups], root, **chosen)
+    with usage_errors():
+        files = figures_of([group.inside(root) for group in groups], root, **chosen)
     if out is not None:
         if figure is None or len(files) != 1:
             got = f"{len(files)} figures" if figure else "no --figure"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import matplotlib as mpl
 import numpy as np
@@ -16,7 +16,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
 from matrixworld._util import colors
-from matrixworld._util.checks import check_instance
+from matrixworld._util.checks import check_instance, check_sequence
 from matrixworld._util.files import replacing
 from matrixworld.analysis.intervals import Band
 from matrixworld.analysis.payoffs import require
@@ -46,6 +46,56 @@ LINES: tuple[tuple[str, Any], ...] = tuple(
 """Colour and dashes of each group of runs, in their order; neighbours differ in grey, too."""
 MOST_LINES = 10
 """With more runs the single ones are not drawn: their lines would hide the band."""
+
+
+class Words(NamedTuple):
+    """What the axes and legends of a game say."""
+
+    teams: tuple[str, str]
+    score: str
+    generations: tuple[str, str]
+    lag: str
+    scale: str
+    of_teams: tuple[str, str]
+
+
+TEAMS, SCORE = ("pursuers", "evaders"), "capture rate"
+PURSUIT = Words(
+    TEAMS,
+    SCORE,
+    ("pursuer generation", "evader generation"),
+    "lag: pursuer minus evader generation",
+    "capture rate\n(0 all escape, 1 all caught)",
+    ("pursuers (score: capture rate)", "evaders (score: 1 - capture rate)"),
+)
+
+
+def words_of(teams: Sequence[str] = TEAMS, score: str = SCORE) -> Words:
+    """Return the words of a game from the names of its teams and of the first one's score."""
+    first, second = names = check_teams(teams)
+    check_instance("score", score, str)
+    if (names, score) == (TEAMS, SCORE):
+        return PURSUIT
+    return Words(
+        names,
+        f"{score} of {first}",
+        (f"generation of {first}", f"generation of {second}"),
+        f"lag: generation of {first} minus that of {second}",
+        f"{score} of {first}\n(0 {second} win, 1 {first} win)",
+        (f"{first} ({score})", f"{second} (1 - {score})"),
+    )
+
+
+def sentence(words: str) -> str:
+    """Return words with a capital in front; those of names stay."""
+    return words[:1].upper() + words[1:]
+
+
+def check_teams(teams: Sequence[str]) -> tuple[str, str]:
+    """Return the names of two teams; TypeError or ValueError for anything else."""
+    names = check_sequence("teams", teams, "two texts")
+    require(len(names) == 2, "names of two teams", names)
+    return names[0], names[1]
 
 
 def new_figure(width: float, height: float) -> Figure:
