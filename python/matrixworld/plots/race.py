@@ -37,35 +37,27 @@ _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
 
 def payoff_heatmap(
-    payoff: ArrayLike,
-    *,
-    teams: Sequence[str] = style.TEAMS,
-    score: str = style.SCORE,
-    title: str | None = None,
+    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str | None = None
 ) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-    teams, score : optional
-        What the game calls its teams, and the score of the first one; by default those of pursuit.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     rows, columns = check_payoff(payoff).shape
-    words = style.words_of(teams, score)
-    title = f"{style.sentence(words.score)}, all against all" if title is None else title
+    words = style.words_of(teams)
+    title = words.begin(", all against all") if title is None else title
     figure, axes = style.single(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0, title)
     figure.colorbar(_draw_heatmap(axes, payoff, words), ax=axes, label=words.scale, shrink=0.9)
     return figure
 
 
 def lag_profile_curve(
-    payoff: ArrayLike,
-    *,
-    teams: Sequence[str] = style.TEAMS,
-    score: str = style.SCORE,
-    title: str = "Lag profile",
+    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str = "Lag profile"
 ) -> Figure:
     """Draw the lag profile: the mean over k of ``payoff[k + d, k]`` for each lag d.
 
@@ -76,12 +68,12 @@ def lag_profile_curve(
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-    teams, score : optional
-        What the game calls its teams, and the score of the first one; by default those of pursuit.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     figure, axes = style.single(6.4, 4.2, title)
-    _draw_lag_profile(axes, payoff, style.words_of(teams, score))
+    _draw_lag_profile(axes, payoff, style.words_of(teams))
     style.legend_below(figure, style.labelled(axes))
     return figure
 
@@ -108,7 +100,7 @@ def ciao_triangles(
         Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
-    triangles, names = analysis.ciao(payoff), style.check_teams(teams)
+    triangles, names = analysis.ciao(payoff), style.words_of(teams).teams
     check_integer("every", every, 1)
     figure = style.new_figure(7.4, 3.8)
     panels = figure.subplots(1, 2)
@@ -137,7 +129,6 @@ def generalization_curves(
     pursuer_baselines: Baselines | None = None,
     evader_baselines: Baselines | None = None,
     teams: Sequence[str] = style.TEAMS,
-    score: str = style.SCORE,
     title: str | None = None,
 ) -> Figure:
     """Draw the mean score of each generation against all opponents, a panel for each race.
@@ -153,8 +144,8 @@ def generalization_curves(
         Mean scores in [0, 1] of teams that were trained in another way, against the opponents of
         each seed, by race and by their name. Each is a level line at its mean, and a band for its
         interval.
-    teams, score : optional
-        What the game calls its teams, and the score of the first one; by default those of pursuit.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     style.check_some(payoffs, "race")
@@ -162,7 +153,7 @@ def generalization_curves(
     baselines = [style.by_name(*each) for each in given.items()]
     for name in [name for team in baselines for name in team if name not in payoffs]:
         raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
-    words = style.words_of(teams, score)
+    words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
     )
@@ -180,7 +171,6 @@ def comparison(
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
     teams: Sequence[str] = style.TEAMS,
-    score: str = style.SCORE,
     title: str | None = None,
 ) -> Figure:
     """Draw single races side by side, on the same scales, at most 3 in a row.
@@ -195,12 +185,12 @@ def comparison(
         `generalization_curves`.
     judgements : mapping of str to Judgement, optional
         Results of :func:`matrixworld.analysis.judge`.
-    teams, score : optional
-        What the game calls its teams, and the score of the first one; by default those of pursuit.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     style.check_some(payoffs, "race")
-    words = style.words_of(teams, score)
+    words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), COLUMNS, width=(1.2, 2.7), height=(0.6, 7.1), heights=(1.7, 0.8, 0.8)
     )
@@ -311,7 +301,7 @@ def _draw_generalization(axes: Axes, payoffs: Payoffs, words: style.Words) -> No
 
 def draw_teams(axes: Axes, bands: Iterable[Band], interval: str, words: style.Words) -> None:
     """Draw the curves of both teams, the second dashed, and the intervals if they have some."""
-    looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), words.of_teams, strict=True)
+    looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), words.scores, strict=True)
     for band, color, line, label in looks:
         style.draw_band(axes, band, color, line, label=label)
     if band.low is not None:

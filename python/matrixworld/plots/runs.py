@@ -200,7 +200,6 @@ def seed_bands(
     judgements: Mapping[str, Judgement] | None = None,
     *,
     teams: Sequence[str] = style.TEAMS,
-    score: str = style.SCORE,
     title: str | None = None,
 ) -> Figure:
     """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
@@ -215,12 +214,12 @@ def seed_bands(
         :func:`matrixworld.analysis.read_payoffs` takes them.
     judgements : mapping of str to Judgement, optional
         Results of :func:`matrixworld.analysis.judge` by the name of the group.
-    teams, score : optional
-        What the game calls its teams, and the score of the first one; by default those of pursuit.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     style.check_some(payoffs)
-    words = style.words_of(teams, score)
+    words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
     )

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -85,7 +84,7 @@ def _training(group: RunGroup, baselines: Baselines) -> Figure:
     [run] = group.runs
     log, schedule, teams = run.log(), run.settings.schedule, run.settings.teams
     evaders = log["team"] == run.settings.keys[1]
-    words, (score, *_) = _words(group), run.settings.kind_of_game.columns
+    score, *_ = run.settings.kind_of_game.columns
     shown, kept = f"{' and '.join(teams)} learn in turn", np.ones(len(evaders), bool)
     if isinstance(schedule, Against):
         shown = f"{teams[TEAMS.index(schedule.team)]} learn"
@@ -97,17 +96,15 @@ def _training(group: RunGroup, baselines: Baselines) -> Figure:
         None if isinstance(schedule, AtOnce) else evaders,
         generations=None if isinstance(schedule, Against) else log["generation"][kept],
         window=curve_window(schedule),
-        title=_title(group, f"{style.sentence(style.words_of(**words).score)} while {shown}"),
-        **words,
+        teams=teams,
+        title=_title(group, style.words_of(teams).begin(f" while {shown}")),
     )
 
 
-def _words(*groups: RunGroup) -> dict[str, Any]:
-    """Return what the game of runs calls its teams and scores, as figures take it."""
-    settings = [group.runs[0].settings for group in groups]
-    found = {(each.teams, each.kind_of_game.score_words[0]) for each in settings}
-    teams, score = found.pop() if len(found) == 1 else (("first teams", "second teams"), "score")
-    return {"teams": teams, "score": score}
+def _teams(*groups: RunGroup) -> tuple[str, str]:
+    """Return what the game of runs calls its teams, of several games what fits all."""
+    found = {group.runs[0].settings.teams for group in groups}
+    return found.pop() if len(found) == 1 else ("first teams", "second teams")
 
 
 def _generalization(group: RunGroup, baselines: Baselines) -> Figure:
@@ -135,7 +132,7 @@ def _drawn(
 ) -> Figure:
     """Draw the payoff of a race, titled by what it is; without words by what was judged."""
     title = _title(group, shown or headline(group.judgement))
-    return draw(group.payoffs.matrices[0], title=title, **_words(group))
+    return draw(group.payoffs.matrices[0], title=title, teams=_teams(group))
 
 
 OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
@@ -159,11 +156,11 @@ def _comparison(groups: Groups, baselines: Baselines) -> Figure:
         for name, group in groups.items()
         for single in group.singles
     }
-    return plots.comparison(_payoffs(singles), _judgements(singles), **_words(*groups.values()))
+    return plots.comparison(_payoffs(singles), _judgements(singles), teams=_teams(*groups.values()))
 
 
 def _seeds(groups: Groups, baselines: Baselines) -> Figure:
-    return plots.seed_bands(_payoffs(groups), _judgements(groups), **_words(*groups.values()))
+    return plots.seed_bands(_payoffs(groups), _judgements(groups), teams=_teams(*groups.values()))
 
 
 def _verdicts(groups: Groups, baselines: Baselines) -> Figure:
@@ -187,7 +184,7 @@ def _generalizations(groups: Groups, baselines: Baselines) -> Figure:
         pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
         evader_baselines={name: each["evader"] for name, each in scores.items()},
         title="Generalization: mean score against all opponents" if len(groups) > 1 else None,
-        **_words(*groups.values()),
+        teams=_teams(*groups.values()),
     )
 
 

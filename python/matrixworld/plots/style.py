@@ -48,54 +48,42 @@ MOST_LINES = 10
 """With more runs the single ones are not drawn: their lines would hide the band."""
 
 
+TEAMS = ("pursuers", "evaders")
+
+
 class Words(NamedTuple):
-    """What the axes and legends of a game say."""
+    """What the axes and legends of a game say; of pursuit by default."""
 
-    teams: tuple[str, str]
-    score: str
-    generations: tuple[str, str]
-    lag: str
-    scale: str
-    of_teams: tuple[str, str]
-
-
-TEAMS, SCORE = ("pursuers", "evaders"), "capture rate"
-PURSUIT = Words(
-    TEAMS,
-    SCORE,
-    ("pursuer generation", "evader generation"),
-    "lag: pursuer minus evader generation",
-    "capture rate\n(0 all escape, 1 all caught)",
-    ("pursuers (score: capture rate)", "evaders (score: 1 - capture rate)"),
-)
-
-
-def words_of(teams: Sequence[str] = TEAMS, score: str = SCORE) -> Words:
-    """Return the words of a game from the names of its teams and of the first one's score."""
-    first, second = names = check_teams(teams)
-    check_instance("score", score, str)
-    if (names, score) == (TEAMS, SCORE):
-        return PURSUIT
-    return Words(
-        names,
-        f"{score} of {first}",
-        (f"generation of {first}", f"generation of {second}"),
-        f"lag: generation of {first} minus that of {second}",
-        f"{score} of {first}\n(0 {second} win, 1 {first} win)",
-        (f"{first} ({score})", f"{second} (1 - {score})"),
+    teams: tuple[str, str] = TEAMS
+    score: str = "capture rate"
+    generations: tuple[str, str] = ("pursuer generation", "evader generation")
+    lag: str = "lag: pursuer minus evader generation"
+    scale: str = "capture rate\n(0 all escape, 1 all caught)"
+    scores: tuple[str, str] = (
+        "pursuers (score: capture rate)",
+        "evaders (score: 1 - capture rate)",
     )
 
+    def begin(self, rest: str) -> str:
+        """Return a title that begins with what the score is."""
+        return f"{self.score[0].upper()}{self.score[1:]}{rest}"
 
-def sentence(words: str) -> str:
-    """Return words with a capital in front; those of names stay."""
-    return words[:1].upper() + words[1:]
 
-
-def check_teams(teams: Sequence[str]) -> tuple[str, str]:
-    """Return the names of two teams; TypeError or ValueError for anything else."""
+def words_of(teams: Sequence[str]) -> Words:
+    """Return the words of a game with these names of its teams."""
     names = check_sequence("teams", teams, "two texts")
     require(len(names) == 2, "names of two teams", names)
-    return names[0], names[1]
+    first, second = names
+    if (first, second) == TEAMS:
+        return Words()
+    return Words(
+        (first, second),
+        f"score of {first}",
+        (f"generation of {first}", f"generation of {second}"),
+        f"lag: generation of {first} minus that of {second}",
+        f"score of {first}\n(0 {second} win, 1 {first} win)",
+        (f"{first} (score)", f"{second} (1 - score)"),
+    )
 
 
 def new_figure(width: float, height: float) -> Figure:

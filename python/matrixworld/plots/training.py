@@ -31,7 +31,6 @@ def training_curve(
     generations: ArrayLike | None = None,
     window: int = 1,
     teams: Sequence[str] = style.TEAMS,
-    score: str = style.SCORE,
     title: str | None = None,
 ) -> Figure:
     """Draw the score over training, coloured by the team that learns.
@@ -48,11 +47,11 @@ def training_curve(
     window : int, optional
         Points of a centred moving average (the paper's figure uses 30). With more than 1 the raw
         curve is drawn thin behind the mean.
-    teams, score : optional
-        What the game calls its teams, and the score of the first one; by default those of pursuit.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
-    words = style.words_of(teams, score)
+    words = style.words_of(teams)
     values = check_rates(rates, ndim=1, what="training capture rates")
     window = check_integer("window", window, 1)
     shades = _shades(learners, len(values))
@@ -72,8 +71,9 @@ def training_curve(
     axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
     if len(values) <= _MARKED:
         axes.scatter(place, smooth, s=14, c=shades, zorder=3)
-    usual = f"{style.sentence(words.score)} while {' and '.join(words.teams)} learn in turn"
-    axes.set_title(style.fitting(figure, usual if title is None else title))
+    if title is None:
+        title = words.begin(f" while {' and '.join(teams)} learn in turn")
+    axes.set_title(style.fitting(figure, title))
     axes.set(xlabel="epoch", xlim=(0.5, len(values) + 0.5))
     axes.set_ylabel(f"{words.score}, mean of {window} epochs" if window > 1 else words.score)
     axes.xaxis.set_major_locator(style.whole_numbers())
