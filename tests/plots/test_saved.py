@@ -1,16 +1,25 @@
 """The figures of saved runs, and ``matrixworld explore --figures``."""
 
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 from command_line import matrixworld_command
 from matrixworld import analysis
 from matrixworld.cli.pages import FIGURES
 from matrixworld.coevolution import evolve, open_groups, open_run, open_runs
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.plots.saved import OF_GROUPS, OF_RUN, collisions_per_1000, figures_of
+from matrixworld.plots.saved import (
+    OF_GROUPS,
+    OF_PURSUIT,
+    OF_RUN,
+    collisions_per_1000,
+    figures_of,
+)  # fmt: skip
+from shown_games import pictures, short_race, words
 from tiny_race import tiny_race, tiny_single
 
 TOGETHER = ["seeds", "verdicts", "held_out"]
@@ -70,6 +79,24 @@ def test_titles_name_the_run_its_seed_and_what_was_judged(runs):
         title = figure.get_suptitle() or figure.axes[0].get_title()
         shown = analysis.headline(group.judgement) if name == "payoff" else ""
         assert title.startswith(f"hall (hall-of-fame), seed 5\n{shown}")
+
+
+def test_figures_of_your_own_game_have_its_words(tmp_path):
+    for seed in (0, 1):
+        evolve(short_race(words, seed=seed), tmp_path / f"words/seed-{seed}", threads=1)
+    evolve(short_race(pictures, schedule="alternating"), tmp_path / "pictures", threads=1)
+    seen = []
+    for places, each in ((("words",), True), (("pictures", "words/seed-0"), False)):
+        figures = figures_of(open_groups(*(tmp_path / p for p in places)), tmp_path, each=each)
+        for file, draw in figures.items():
+            texts = [t.get_text() for t in draw().findobj(Text)]
+            assert not [t for t in texts if re.search("pursue|evade|captur|escap", t)], file
+            assert any("hosts" in t for t in texts) or file.stem == "verdicts"
+            seen.append(file.stem)
+    assert {*seen} == {*OF_RUN, "seeds", "verdicts", "comparison"} - {*OF_PURSUIT}
+    for name in OF_PURSUIT:
+        with pytest.raises(ValueError, match=f"expected one that all games have, got '{name}'"):
+            figures_of(open_groups(tmp_path / "words"), tmp_path, name=name)
 
 
 def test_collisions_are_counted_per_1000_steps_of_an_agent(race):

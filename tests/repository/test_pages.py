@@ -12,8 +12,7 @@ import pytest
 import matrixworld as mw
 from course.questions import Exercise, exercises
 from matrixworld import analysis
-from matrixworld.coevolution import evolve
-from matrixworld.coevolution.pursuit import Pursuit
+from matrixworld.coevolution import Game, Pursuit, evolve
 from matrixworld.coevolution.storage import COLUMNS
 from notebooks import NOTEBOOKS
 from pages import DOCS, ROOT, page_id, read
@@ -147,7 +146,7 @@ def check_arrays(
 
 
 def test_the_files_of_a_run(tmp_path: Path) -> None:
-    columns = {**COLUMNS, **Pursuit.columns}
+    columns = {**COLUMNS, **Pursuit.columns, **Game.columns}
     assert named("### `log.csv`") == {name: kind.__name__ for name, kind in columns.items()}
     run = tmp_path / "run"
     evolve(tiny_race(), run, threads=1)
