@@ -164,7 +164,10 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
         assert np.mean(told["scores"][team]) == pytest.approx(against_scripts(run, team))
     assert judge(payoff.scores, per_episode=True).runs == 1
     assert "pursuer" in explorer_page([run])
-    assert len(run.log()["epoch"]) == len(told["rows"])
+    log = run.log()
+    assert len(log["epoch"]) == len(told["rows"])
+    assert run.newest() == log["stage"].max() == last.schedule.n_stages
+    assert run.matches() == log["matches"][-1]
     with pytest.raises(DamagedFileError):  # Python does not continue it
         evolve(last, unpacked(archive), threads=1)
 

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 8767cfba79555f98334c988843eef753f77a1a1266d4816877c63587efe9edd8 */
+/* built from web/ by "npm run build"; sources 570220e84ffa1686f15cfb756a5feedacd3135d24213e501d6882cfd72fc8199 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,gn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 8767cfba79555f98334c988843eef753f77a1a1266d4816877c63587efe9edd8 */
+/* built from web/ by "npm run build"; sources 570220e84ffa1686f15cfb756a5feedacd3135d24213e501d6882cfd72fc8199 */
 "use strict";(()=>{var Fn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},et={DISAPPEAR:0,REACH:1,BOUNCE:2},Un={OCCUPATION:0,SURROUND:1},Dn={FAULT:0,INVOLVED:1};var Lr=["obstacle","teammate","adversary"],Ir=["vertex","edge","chain"],Wn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Fr=["p\
 ursuer_{number}","evader_{number}"],zn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},tt={"both held":"both bounce","both doomed":"\
@@ -371,7 +371,7 @@ from(t[0][1],(o,a)=>d("div",{class:a===e?"action taken":"action"},d("span",{},ie
 s}function gl(r){let e=d("span",{class:"filled"});return e.style.width=`${100*r}%`,[d("span",{class:"track"},e),d("span",{class:"numbers"},r.toFixed(2))]}function vl(r){
 let e=Array.from(r,t=>{let n=d("span",{title:t.toFixed(2)});return n.style.transform=`scaleY(${t})`,n});return d("div",{class:"units",role:"img","aria-label":Lo},
 ...e)}function Io(r){let e=JSON.stringify(r,(t,n)=>t==="genome"?Array.from(n):n);return d("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var yt="_",bl="n",Nh=2n**64n-1n;var wn={fov:11,maxSteps:500,rewards:"paper"},wl=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+outerHTML}var yt="_",bl="n",Lh=2n**64n-1n;var wn={fov:11,maxSteps:500,rewards:"paper"},wl=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
 "next"];function Do(r,e){let t=i=>i.map(l=>Sl(l,e)).join(""),n=i=>`${Math.floor(i/r.cols)}.${i%r.cols}`,s=xl(r.rewards,e),o=[r.seed,r.episode,r.steps].join("."),a={rules:Uo(
 r.rules,e),others:r.others?Uo(r.others,e):"",rewards:s===wn.rewards?"":s,size:`${r.rows}x${r.cols}`,diagonal:r.diagonal?"1":"",fov:r.fov===wn.fov?"":String(r.fov),
 limit:r.maxSteps===wn.maxSteps?"":String(r.maxSteps),seed:o==="0.0.0"?"":o,ended:r.ended?"1":"",walls:r.walls.map(n).join(yt),pursuers:r.pursuers.map(Fo).join(yt),
@@ -408,7 +408,7 @@ new dr(o=>this.#E(o)),this.actions=d("div",{class:"beside"},d("button",{type:"bu
 this step on (T)",onclick:()=>this.element.dispatchEvent(new Event("takeover"))},"Take over"),n&&Wo(()=>this.shown,n)),this.element=d("section",{class:"card mat\
 ch-card","aria-label":"Match",id:"match"},d("div",{class:"match"},d("header",{class:"match-head"},this.#a,this.#s),this.#m,this.#i,d("div",{class:"stage"},s),d(
 "div",{class:"aside"},this.#u,Ft(),this.actions,this.inspector.element),ur(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&
-this.#e.show(this.recording,this.player.time)),this.player.addEventListener("step",()=>this.#A()),t.on("match",()=>this.#g()),this.#b(),this.#x(0,0)}get#y(){return this.#r[this.#t.
+this.#e.show(this.recording,this.player.time)),this.player.addEventListener("step",()=>this.#A()),t.on("match",()=>this.#g()),this.#b(),this.#S(0,0)}get#y(){return this.#r[this.#t.
 selected.run]}reveal(){(this.#y.game?this.#i:this.#e.canvas).scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#h&&{match:this.match,step:this.
 player.step,champions:this.#h}}start(e){this.#d=e,this.#v()}playSoon(){this.#c=!0,this.#l||this.#f()}goTo(e){this.#p=e,!this.#l&&this.match&&this.#v()}#f(){!this.#c||
 !this.match||(this.#c=!1,this.player.jump(0),ye()||this.player.play())}#g(){this.#b(),clearTimeout(this.#l),this.#l=setTimeout(()=>this.#v(),_l)}#v(){clearTimeout(
@@ -416,15 +416,15 @@ this.#l),this.#l=0,this.player.pause(),this.#b();let{selected:e}=this.#t,{game:t
 this.recording=null,this.#c=!1,this.#w(e);return}let n=Be.map(a=>jt(this.#y,a,e[a])).find(Boolean)??"";if(this.#m.textContent=n,n||!this.#d)return;this.match=Ns(
 this.#d,this.#y,e);let[s,o]=this.names(e);this.#h={pursuer:{name:s,policy:re(this.#y,"pursuer",e.pursuer)},evader:{name:o,policy:re(this.#y,"evader",e.evader)}},
 this.recording=ar(this.match),this.#n.show(this.#y,this.match),this.inspector.show(this.#d,this.#y,this.match,e),this.player.length=this.match.length,this.player.
-marks=er(this.recording),this.#o=this.player.ticks=[],this.player.jump(this.#p),this.#p=0,this.#A(),this.#S(this.#d,this.match),this.#w(e),this.#f()}#w({run:e,pursuer:t,
-evader:n,episode:s,seed:o}){this.element.dataset.played=`${e} ${t} ${n} ${s} ${o??""}`}async#S(e,t){let n=await mr(e,t.config);if(this.match!==t||!n)return;let s=e.
+marks=er(this.recording),this.#o=this.player.ticks=[],this.player.jump(this.#p),this.#p=0,this.#A(),this.#x(this.#d,this.match),this.#w(e),this.#f()}#w({run:e,pursuer:t,
+evader:n,episode:s,seed:o}){this.element.dataset.played=`${e} ${t} ${n} ${s} ${o??""}`}async#x(e,t){let n=await mr(e,t.config);if(this.match!==t||!n)return;let s=e.
 world(t.config);t.seek(s,0),this.#o=pr(n,s,Pl(t)),s.free(),this.player.ticks=fr(this.#o),this.inspector.solution=n,this.#A()}names({run:e,pursuer:t,evader:n}){let s=this.#r[e],
 {teams:o}=s;return[o.pursuer.script??ee(s,"pursuer",t),o.evader.script??ee(s,"evader",n)]}#b(){let{episode:e,seed:t}=this.#t.selected,{game:n,payoff:s}=this.#y;
 this.element.classList.toggle("of-own-game",!!n);let[o,a]=this.names(this.#t.selected),i=t===null?e<s.episodes?`episode ${e+1} of ${s.episodes}`:`episode ${e+1}\
 , not part of the cell`:`seed ${t}`;this.#a.replaceChildren(d("span",{class:"pursuer"},Bt(o))," against ",d("span",{class:"evader"},a),n?"":d("span",{class:"mut\
-ed small"},i))}#A(){let e=this.match;if(!e||!this.recording)return;let t=this.player.step,n=this.recording.moments[t];this.#x(Array.from(n.everCaptured).filter(
+ed small"},i))}#A(){let e=this.match;if(!e||!this.recording)return;let t=this.player.step,n=this.recording.moments[t];this.#S(Array.from(n.everCaptured).filter(
 Boolean).length,t),this.#u.replaceChildren(...this.#o.filter(s=>s.step===t).map(s=>d("li",{class:`loss-${s.team}`},gt(s))),...yr(e,this.recording,t).map(s=>d("l\
-i",{class:s.kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(t),this.#M()}#x(e,t){let{world:n}=this.#y;n&&this.#s.replaceChildren(d("strong",{},
+i",{class:s.kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(t),this.#M()}#S(e,t){let{world:n}=this.#y;n&&this.#s.replaceChildren(d("strong",{},
 e),` of ${n.n_evaders} captured`,d("span",{class:"muted"},` · step ${t}`))}#E(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#M()}#M(){let e=this.inspector.
 agent;for(let t of this.#u.children){let n=t.dataset.agents?.split(" ")??[];t.classList.toggle("about",e!==null&&n.includes(String(e)))}}},Pl=({actions:r,length:e,
 n_agents:t})=>Array.from({length:e},(n,s)=>r.subarray(s*t,(s+1)*t));var $l={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},Nl=5;function qo(r,e,t,n="pursuer"){r.tabIndex=0,r.setAttribute("role","application"),
@@ -445,7 +445,7 @@ let s=d("button",{type:"button",onclick:()=>n({pursuer:e,evader:t})});return ea(
 max(0,Math.min(e-br,r-Math.floor(br/2)));var ne={left:52,bottom:46,top:76,right:84},ue=10,Ul=160,bt=ne.right-ue-14,_e=ne.top-ue-14,wr=class{element;#e;#r;#t=d("canvas",{"aria-hidden":"true"});#n=b("svg",
 {"aria-hidden":"true"});#a=b("g");#s;#u=d("h2");#m=d("strong",{class:"rate numbers"});#i=d("span",{class:"small muted"});#d=d("p",{class:"of-both-teams small mu\
 ted numbers"});#h;#l=null;constructor(e,t){[this.#r,this.#e]=[e,t],this.#s=d("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a \
-match, Enter plays it.",onpointermove:s=>this.#S(s),onpointerleave:()=>t.point({}),onclick:s=>this.#b(s),onkeydown:({key:s})=>s==="Enter"&&this.#x()},this.#t,this.#n);
+match, Enter plays it.",onpointermove:s=>this.#x(s),onpointerleave:()=>t.point({}),onclick:s=>this.#b(s),onkeydown:({key:s})=>s==="Enter"&&this.#S()},this.#t,this.#n);
 let n=d("header",{class:"readout","aria-live":"polite"},d("div",{},this.#u,this.#d),d("div",{class:"of-cell"},this.#m,this.#i));this.#h=Sn(...xe(this.#c).ends),
 this.element=d("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,this.#h),this.#g(),new ResizeObserver(()=>this.#p()).observe(this.#s),
 this.#s.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),qo(this.#s,t,()=>this.#c.
@@ -471,9 +471,9 @@ o.rates.length>1?`, mean of ${o.rates.length} episodes`:"";this.#i.textContent=o
 let n=this.#c.findings?.generalization;if(!n)return"";let s=(a,i)=>Ps(a.mean[i]??null,a.low?.[i]??null,a.high?.[i]??null),{means:o}=xe(this.#c);return`Against a\
 ll: ${o.pursuer} ${s(n.pursuers,e)}, ${o.evader} ${s(n.evaders,t)}`}#w(e){let t=this.#l;if(!t)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.
 clientX-n.left-t.left)/t.cell),o=t.rows-1-Math.floor((e.clientY-n.top-t.top)/t.cell),[a,i]=[o>=0&&o<t.rows,s>=0&&s<t.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&
-i}:null}#S(e){let t=this.#w(e);this.#e.point(t?{pursuer:t.g<0?null:t.g,evader:t.h<0?null:t.h}:{})}#b(e){let t=this.#w(e);if(t){if(t.inside&&ra(this.#l.cell))return this.#A(
-t.g,t.h);this.#e.select({...t.g<0?{}:{pursuer:t.g},...t.h<0?{}:{evader:t.h}}),t.inside&&this.#x()}}#A(e,t){let n=na(this.#c,e,t,s=>{n.remove(),s&&(this.#e.select(
-s),this.#x())});this.#s.append(n)}#x(){this.#s.dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Dl({left:r,top:e,cell:t,rows:n,columns:s},o){let a=b(
+i}:null}#x(e){let t=this.#w(e);this.#e.point(t?{pursuer:t.g<0?null:t.g,evader:t.h<0?null:t.h}:{})}#b(e){let t=this.#w(e);if(t){if(t.inside&&ra(this.#l.cell))return this.#A(
+t.g,t.h);this.#e.select({...t.g<0?{}:{pursuer:t.g},...t.h<0?{}:{evader:t.h}}),t.inside&&this.#S()}}#A(e,t){let n=na(this.#c,e,t,s=>{n.remove(),s&&(this.#e.select(
+s),this.#S())});this.#s.append(n)}#S(){this.#s.dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Dl({left:r,top:e,cell:t,rows:n,columns:s},o){let a=b(
 "g",{class:"axes"}),i=e+n*t,l=c=>ut(0,c-1,Math.min(c,c*t/44),!0);for(let c of l(s))a.append(b("text",{class:"tick",x:r+(c+.5)*t,y:i+16,"text-anchor":"middle"},c));
 for(let c of l(n))a.append(b("text",{class:"tick",x:r-7,y:i-(c+.5)*t,"text-anchor":"end","dominant-baseline":"middle"},c));return a.append(b("text",{class:"labe\
 l of-evaders",x:r+s*t/2,y:i+36,"text-anchor":"middle"},o.evader),b("text",{class:"label of-pursuers",transform:`translate(${r-36} ${e+n*t/2}) rotate(-90)`,"text\
@@ -523,7 +523,7 @@ return wt({format:S(Yl),n_pursuers:v(n.n_pursuers),config:S(JSON.stringify(n)),s
 y)}})}var Kl=[0,1,2,4,8],Mr=class{element;player=new Ee(0,{speed:4,still:ye()});#e;#r;#t=d("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=d("h2");#a=d("p",{
 class:"play-told",role:"status"});#s=fa(e=>this.act(e));#u=se(Kl.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#C());#m=d("input",{type:"checkbox",onchange:()=>this.#A()});#i=d(
 "input",{type:"checkbox",onchange:()=>this.#k()});#d=d("label",{class:"play-choice"},this.#i,"Best move");#h=d("p",{class:"small muted play-keys",id:"play-keys"});#l=d(
-"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#c=ur(this.player);#p=null;#o=null;#y=[];#f=null;#g=null;#v=[];#w=0;#S=0;constructor(e){
+"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#c=ur(this.player);#p=null;#o=null;#y=[];#f=null;#g=null;#v=[];#w=0;#x=0;constructor(e){
 this.#e=e,this.#r=new Me(this.#t,{numbers:!1}),this.#t.setAttribute("role","application"),ya(this.#r,()=>{let t=this.#f!==null&&this.#o&&k(this.#o.recording.moments.
 at(-1),this.#f);return t?{cell:t,diagonal:this.#o.config.diagonal}:null},t=>this.act(t)),this.player.addEventListener("frame",()=>this.#o&&this.#r.show(this.#o.
 recording,this.player.time)),this.player.addEventListener("step",()=>this.#k()),this.element=d("div",{class:"play"},d("header",{class:"play-head"},this.#n,this.#a),
@@ -532,17 +532,17 @@ d("label",{class:"play-choice"},this.#m,d("span",{},"Fog",d("span",{class:"at-le
 {...this.#p.played,moves:this.#y}}get live(){return this.#o}play(e){this.#b(An(this.#e,e.played),e.played.seat,e.title),[this.#p,this.#y,this.#w]=[e,[...e.played.
 moves],0],this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),Ar(this.#o,e.played.seat)&&this.#R()}watch(e,t,n){this.#p=null,this.#b(e,t,n),this.#_()}stop(){
 this.#C(),this.player.pause(),this.#p=null}act(e){let[t,n]=[this.#p,this.#o];if(!t||!n||this.element.dataset.state!=="playing")return;this.#w=e;let s=Number(this.#u.
-value);this.#S||(this.#O(),s&&this.element.dataset.state==="playing"&&(this.#S=setInterval(()=>this.#O(),1e3/s)))}key(e){let{target:t,key:n}=e;if(t instanceof HTMLSelectElement||
+value);this.#x||(this.#O(),s&&this.element.dataset.state==="playing"&&(this.#x=setInterval(()=>this.#O(),1e3/s)))}key(e){let{target:t,key:n}=e;if(t instanceof HTMLSelectElement||
 t instanceof HTMLInputElement&&(t.type==="text"||n===" ")||t instanceof HTMLButtonElement&&(n===" "||n==="Enter")||!this.#o)return!1;if(this.element.dataset.state!==
 "playing")return cr(this.player,e);let o=pa(e,this.#o.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#b(e,t,n){this.#C(),this.player.pause(),[this.#o,
 this.#f]=[e,t],this.#n.textContent=n,this.#t.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#h.replaceChildren(
 d("span",{class:"at-length"},`W A S D or the arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the \
-board: swipe, or tap where to go."),this.#x(e),this.#l.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#A(){this.#r.look={you:this.#f,
-fog:this.#m.checked,viewers:this.#f===null?[]:[this.#f],plan:this.#T()}}#x(e){this.#g=null,this.#v=this.player.ticks=[],this.#d.hidden=this.#i.disabled=!!$t(e.config),
+board: swipe, or tap where to go."),this.#S(e),this.#l.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#A(){this.#r.look={you:this.#f,
+fog:this.#m.checked,viewers:this.#f===null?[]:[this.#f],plan:this.#T()}}#S(e){this.#g=null,this.#v=this.player.ticks=[],this.#d.hidden=this.#i.disabled=!!$t(e.config),
 mr(this.#e,e.config,jo(e.config)).then(t=>{this.#o===e&&(this.#g=t,this.#E(),this.#k())})}#E(){let[e,t]=[this.#o,this.#g];if(!t||this.element.dataset.state==="p\
 laying")return;let n=this.#e.world(e.config);n.reset(e.start),this.#v=pr(t,n,e.actions),n.free(),this.player.ticks=fr(this.#v)}get#M(){return this.#i.checked&&this.#p&&
 this.element.dataset.state==="playing"&&this.#g&&this.#o.game(this.#g)||null}#T(){let[e,t]=[this.#f,this.#f!==null&&this.#M?.marginal(this.#f)];return e!==null&&
-t?Object.assign(Array(e).fill(0),{[e]:t.indexOf(Math.max(...t))}):null}#C(){clearInterval(this.#S),this.#S=0,this.#a.ariaLive=Number(this.#u.value)?"off":"polit\
+t?Object.assign(Array(e).fill(0),{[e]:t.indexOf(Math.max(...t))}):null}#C(){clearInterval(this.#x),this.#x=0,this.#a.ariaLive=Number(this.#u.value)?"off":"polit\
 e"}#O(){let[{policies:e,seat:t},n]=[this.#p.played,this.#o];n.step(e,t,this.#w),this.#y.push(this.#w),this.player.length=n.length,this.player.glide=Math.min(.22,
 .9/(Number(this.#u.value)||4)),this.player.move(n.length-this.player.step),Ar(n,t)&&this.#R()}#R(){this.#C();let[e,t,n]=[this.#p,this.#o,this.played],s=Lt()?e.link(
 n):null,o=`${K(n.seat,t.config.n_pursuers)}-${t.length}-steps.npz`,a=()=>It(o,xa(this.#e,t,n.seat));this.#l.replaceChildren(d("h3",{id:"play-headline"},Jl(t,n.seat)),
@@ -605,17 +605,17 @@ from({length:e},(n,s)=>BigInt(t[2*s])+kn*BigInt(t[2*s+1]))}var Tr=(r,e,t)=>Mt([r
 let e=this.#e+this.#r+this.#n++|0;return this.#e=this.#r^this.#r>>>9,this.#r=this.#t+(this.#t<<3)|0,this.#t=(this.#t<<21|this.#t>>>11)+e|0,e>>>0}#s(){return(this.#a()+
 .5)/2**32}normals(e){let t=new Float32Array(e);for(let n=0;n<e;n+=2){let[s,o]=[Math.sqrt(-2*Math.log(this.#s())),2*Math.PI*this.#s()];t[n]=s*Math.cos(o),n+1<e&&
 (t[n+1]=s*Math.sin(o))}return t}integers(e,t){return Int32Array.from({length:t},()=>Math.floor(this.#s()*e))}permutation(e){return this.choice(e,e)}choice(e,t){
-let n=Int32Array.from({length:e},(s,o)=>o);for(let s=0;s<t;s++){let o=s+Math.floor(this.#s()*(e-s));[n[s],n[o]]=[n[o],n[s]]}return n.slice(0,t)}};var T=Math.fround,nc=5,sc=256,Cr=class{size;sigma;fixed;#e;constructor(e,t,n,s){[this.size,this.sigma,this.fixed]=[e,n,s],this.#e=t.normals((1+sc)*e);for(let o=0;o<
-this.#e.length;o++)this.#e[o]*=T(n)}draw(e,t){let n=t.integers(this.#e.length-this.size+1,e);return Array.from(n,s=>{let o=this.#e.subarray(s,s+this.size);return this.
+let n=Int32Array.from({length:e},(s,o)=>o);for(let s=0;s<t;s++){let o=s+Math.floor(this.#s()*(e-s));[n[s],n[o]]=[n[o],n[s]]}return n.slice(0,t)}};var C=Math.fround,nc=5,sc=256,Cr=class{size;sigma;fixed;#e;constructor(e,t,n,s){[this.size,this.sigma,this.fixed]=[e,n,s],this.#e=t.normals((1+sc)*e);for(let o=0;o<
+this.#e.length;o++)this.#e[o]*=C(n)}draw(e,t){let n=t.integers(this.#e.length-this.size+1,e);return Array.from(n,s=>{let o=this.#e.subarray(s,s+this.size);return this.
 fixed?o.map((a,i)=>this.fixed[i]?0:a):o})}},Pn=class{#e;#r;#t=0;constructor(e){[this.#e,this.#r]=[new Float32Array(e),new Float32Array(e)]}moved(e,t,n){let[s,o,
-a]=[.9,.999,T(1e-8)];this.#t+=1;let[i,l]=[T(1-s),T(1-o)],[c,h]=[T(1-s**this.#t),T(1-o**this.#t)];return e.map((u,m)=>{let p=t[m],y=this.#e[m]+=T(i*T(p-this.#e[m])),
-f=this.#r[m]+=T(l*T(T(p*p)-this.#r[m])),g=T(T(Math.sqrt(T(T(f)/h)))+a);return T(u+T(T(T(n)*T(T(y)/c))/g))})}};function oc(r){let e=Array.from(r).sort((t,n)=>t-n);
+a]=[.9,.999,C(1e-8)];this.#t+=1;let[i,l]=[C(1-s),C(1-o)],[c,h]=[C(1-s**this.#t),C(1-o**this.#t)];return e.map((u,m)=>{let p=t[m],y=this.#e[m]+=C(i*C(p-this.#e[m])),
+f=this.#r[m]+=C(l*C(C(p*p)-this.#r[m])),g=C(C(Math.sqrt(C(C(f)/h)))+a);return C(u+C(C(C(n)*C(C(y)/c))/g))})}};function oc(r){let e=Array.from(r).sort((t,n)=>t-n);
 return r.map(t=>(e.indexOf(t)+e.lastIndexOf(t))/(2*(r.length-1))-.5)}var kr=class{genome;groups;#e;#r;#t;#n=[];constructor(e,t,n){[this.genome,this.#r,this.#e,this.#t]=
 [e,t,n,new Pn(e.length)],this.groups=Int32Array.from({length:n.population},(s,o)=>o%(n.population/2))}get#a(){let{sigma:e,fixed:t}=this.#r,[n,s]=[0,0];return this.
 genome.forEach((o,a)=>{t?.[a]||(n+=o*o,s+=1)}),Math.max(e,this.#e.relative_sigma*Math.sqrt(n/s))}ask(e){let[t,n]=[this.#e.population/2,this.genome.length];this.#n=
-this.#r.draw(t,e);let s=T(this.#a/this.#r.sigma),o=new Float32Array(2*t*n);return this.#n.forEach((a,i)=>{for(let l=0;l<n;l++){let c=T(s*a[l]);o[i*n+l]=this.genome[l]+
-c,o[(t+i)*n+l]=this.genome[l]-c}}),o}tell(e){let[t,n]=[oc(e),this.#n.length],s=new Float32Array(this.genome.length);this.#n.forEach((o,a)=>{let i=T((t[a]-t[n+a])/
-(2*n*this.#r.sigma**2));for(let l=0;l<s.length;l++)s[l]+=T(i*o[l])}),this.genome=this.#t.moved(this.genome,s,this.#e.learning_rate)}},Et=class{population;groups;#e;#r;#t=new Float64Array(
+this.#r.draw(t,e);let s=C(this.#a/this.#r.sigma),o=new Float32Array(2*t*n);return this.#n.forEach((a,i)=>{for(let l=0;l<n;l++){let c=C(s*a[l]);o[i*n+l]=this.genome[l]+
+c,o[(t+i)*n+l]=this.genome[l]-c}}),o}tell(e){let[t,n]=[oc(e),this.#n.length],s=new Float32Array(this.genome.length);this.#n.forEach((o,a)=>{let i=C((t[a]-t[n+a])/
+(2*n*this.#r.sigma**2));for(let l=0;l<s.length;l++)s[l]+=C(i*o[l])}),this.genome=this.#t.moved(this.genome,s,this.#e.learning_rate)}},Et=class{population;groups;#e;#r;#t=new Float64Array(
 0);#n=0;constructor(e,t,n){[this.population,this.#r,this.#e]=[e,t,n],this.groups=new Int32Array(n.population)}get genome(){return this.#a(this.#n).slice()}#a(e){
 let{size:t}=this.#r;return this.population.subarray(e*t,(e+1)*t)}#s(e,t){let n=this.#e.tournament??nc,s=t.integers(this.#t.length,e*n);return Array.from({length:e},
 (o,a)=>s.subarray(a*n,(a+1)*n).reduce((i,l)=>this.#t[l]>this.#t[i]?l:i))}ask(e){if(!this.#t.length)return this.population;let{size:t}=this.#r,{population:n,elites:s}=this.#e,
@@ -628,59 +628,60 @@ from(l.flatMap((u,m)=>i.map(p=>m*o+r[p])))}}function Fa(r,e,t,n){let s=Math.max(
 t)return;let h=r[c]*s+e[c];o[h]+=l,a[h]+=1});let i=o.map((l,c)=>a[c]?l/a[c]:0);return Float64Array.from({length:t},(l,c)=>{let h=i.subarray(c*s,(c+1)*s);return $n(
 h)/a.subarray(c*s,(c+1)*s).filter(Boolean).length})}var ac=128,qe=8;function $n(r){let{length:e}=r;if(e>ac){let m=Math.floor(e/2)-Math.floor(e/2)%qe;return $n(r.
 subarray(0,m))+$n(r.subarray(m))}if(e<qe)return r.reduce((m,p)=>m+p,0);let t=r.slice(0,qe),n=e-e%qe;for(let m=qe;m<n;m++)t[m%qe]+=r[m];let[s,o,a,i,l,c,h,u]=t;return r.
-subarray(n).reduce((m,p)=>m+p,s+o+(a+i)+(l+c+(h+u)))}var C=["pursuer","evader"],$e=r=>r==="pursuer"?"evader":"pursuer";var Ua=({world:r})=>r.rules.teammate==="REACH"?.2:0;var Da=["generation","team","epoch","opponent","fitness_mean","fitness_std","fitness_best","capture_rate","length","pursuer_faults","evader_faults","matches","s\
+subarray(n).reduce((m,p)=>m+p,s+o+(a+i)+(l+c+(h+u)))}var T=["pursuer","evader"],$e=r=>r==="pursuer"?"evader":"pursuer";var Ua=({world:r})=>r.rules.teammate==="REACH"?.2:0;var Da=["generation","team","epoch","opponent","fitness_mean","fitness_std","fitness_best","capture_rate","length","pursuer_faults","evader_faults","matches","s\
 teps"],Rr={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},ic=20,lc=8,cc=-1,_r=({world:r,policy:e},t,n)=>({fov:r.fov,hidden:e.hidden,mask:e.
-mask==="none"?null:t[n]}),Ze=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters=[];#e;#r;#t;#n={};#a=new Set;#s=0;#u=0;#m=0;constructor(e,t,n,s=La(
-t.seed)){[this.#e,this.settings,this.#r,this.#t]=[e,t,n,s];for(let o of C){let{initial_weight:a,initial_head:i}=t.policy,l=s("initial",C.indexOf(o)),c=t.learner.
-kind==="ga"?t.learner.population:1,h=Array.from({length:c},()=>Oa(this.shape(o),l,a,i));this.#d(o,h),this.archive[o].push(this.#n[o].genome)}this.#S()}shape(e){
+mask==="none"?null:t[n]}),Ze=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters={pursuer:[],evader:[]};#e;#r;#t;#n={};#a=new Set;#s=0;#u=0;#m=0;constructor(e,t,n,s=La(
+t.seed)){[this.#e,this.settings,this.#r,this.#t]=[e,t,n,s];for(let o of T){let{initial_weight:a,initial_head:i}=t.policy,l=s("initial",T.indexOf(o)),c=t.learner.
+kind==="ga"?t.learner.population:1,h=Array.from({length:c},()=>Oa(this.shape(o),l,a,i));this.#d(o,h),this.archive[o].push(this.#n[o].genome)}this.#x(...T)}shape(e){
 return _r(this.settings,this.#r,e)}get finished(){return Math.min(this.archive.pursuer.length,this.archive.evader.length)}*run(){yield*this.#b(0);for(let e=1;e<=
-this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let t of C)yield*this.#h(t,e);else yield*this.#l(e);this.#S(),yield*this.#b(
-e)}}change(e){let t=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(t))===JSON.stringify(l(e));this.settings=e;
-let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of C){let c=h=>Ra(h,n[l],this.shape(l));this.archive[l]=this.archive[l].map(c),this.#d(l,this.#i(
-l).map(c))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#a.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:a.
-slice(0,this.finished),evader:i.slice(0,this.finished)}}}#i(e){let t=this.#n[e];if(!(t instanceof Et))return[t.genome];let n=t.genome.length,s=Array.from({length:t.
-population.length/n},(o,a)=>t.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?t.genome:s[a%s.length])}#d(e,t){
-let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sigma],a=Tn(s),i=new Cr(Ke(s),this.#t("noise",C.indexOf(e)),o,a?.fixed??null),l=t.map(
-c=>Cn(c,a));this.#n[e]=n.kind==="ga"?new Et(Or(l),i,n):new kr(l[0],i,n)}*#h(e,t){for(let n=0;n<this.#o(e);n++){let s=this.archive[$e(e)].length,o=this.settings.
-schedule[`${e}s_meet`],a=o==="latest"?s-1:o==="round-robin"?n%s:this.#t("opponents",C.indexOf(e),t,n).choice(s,1)[0],i=e==="pursuer"?[t,a]:[a,t],l=this.#n[e],{groups:c}=l,
-h=Mt([this.settings.seed,...i,On[e],n],Math.max(...c)+1),u=l.ask(this.#t("learn",C.indexOf(e),t,n)),[m,p]=[Int32Array.from(c.keys()),new Int32Array(c.length)],y={
-[e]:u,[$e(e)]:this.archive[$e(e)][a]},f={[e]:m,[$e(e)]:p},g=this.#f(y,f,BigUint64Array.from(c,S=>h[S])),v=this.#v(g,e);this.#w(g,v,{generation:t,team:e,epoch:n,
-opponent:a}),l.tell(v),yield*this.#y(t,n,e)}this.archive[e].push(this.#n[e].genome)}*#l(e){for(let t=0;t<this.#o("pursuer");t++){let{schedule:n,learner:{population:s}}=this.
-settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#c("pursuer",e,t),evader:this.#c("evader",e,t)},l=this.#t("opponen\
-ts",0,e,t),c={pursuer:this.#p(o,l),evader:this.#p(o,l)},h=g=>Or([i[g],...Array.from(c[$e(g)],v=>this.archive[g][v])]),u=[c.evader.length,c.pursuer.length],m=Ia(
-this.#n.pursuer.groups,a,u,l),p=Mt([this.settings.seed,e,e,On.both,t],Math.max(...m.group)+1),y={pursuer:h("pursuer"),evader:h("evader")},f=this.#f(y,m,BigUint64Array.
-from(m.group,g=>p[g]));for(let g of C){let v=Fa(m[g],m[$e(g)],s,this.#v(f,g));this.#w(f,v,{generation:e,team:g,epoch:t,opponent:cc}),this.#n[g].tell(v)}yield*this.#y(
-e,t,"both")}for(let t of C)this.archive[t].push(this.#n[t].genome)}#c(e,t,n){return this.#n[e].ask(this.#t("learn",C.indexOf(e),t,n))}#p(e,t){let n=this.archive.
-pursuer.length;return e?t.choice(n,Math.min(e,n)):new Int32Array(0)}#o(e){let{schedule:t}=this.settings;return t.kind==="hall-of-fame"?t.joint_epochs:t[`${e}_ep\
-ochs`]}*#y(e,t,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#o("pursuer"),0]:[this.#o("pursuer"),this.#o("evader")],a=t+1+(n==="evader"?s:0),i=s+
-o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#f(e,t,n){let s={...this.settings.world,max_steps:this.settings.
-train_steps},o=this.#e.rollouts(s,this.#g("pursuer",e.pursuer),this.#g("evader",e.evader),{...t,seed:n},1);this.#s+=o.length.length;for(let a of o.length)this.#u+=
-Number(a);for(let a of o.agent_steps)this.#m+=Number(a);return o}#g(e,t){return At(this.shape(e),t)}#v({captured_fraction:e,overlap:t},n){let s=Ua(this.settings);
-return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#w(e,t,n){let s=N(t),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),
-this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(N(t.map(a=>(a-s)**2))),fitness_best:Math.max(...t),capture_rate:N(e.capture_rate),length:N(e.length),pursuer_faults:o[0]/
-e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#u})}#S(){this.counters.push({matches:this.#s,steps:this.#u,agent_steps:this.#m})}*#b(e){
-yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-
-1;e>=0;e--){for(let t=e;t>=0;t--)for(let[n,s]of t===e?[[e,e]]:[[e,t],[t,e]]){if(this.cells.has(`${n} ${s}`))continue;let o=this.#A(n,s);this.cells.set(`${n} ${s}`,
-o),yield{type:"cell",cell:o}}this.#a.has(e)||(this.#a.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#x("pursuer",e),evader:this.#x("evader",e)}})}}#A(e,t){
-let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(Tr(o,e,t))},i=C.map(h=>this.#g(
-h,this.archive[h][h==="pursuer"?e:t])),l=this.#e.rollouts(n,...i,a,s),c=h=>{let u=Array.from(l[h],Number),m=u.length/s;return Array.from({length:m},(p,y)=>N(u.filter(
-(f,g)=>g%m===y)))};return{pursuer:e,evader:t,capture_rates:Array.from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:c("collisions"),faults:c("f\
-aults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#x(e,t){let{world:n,seed:s}=this.settings,[o,a]=[this.#g(e,this.archive[e][t]),new Int32Array(1)];
-return N(Rr[e].map((i,l)=>{let c=Mt([s,C.indexOf(e),l,lc],1),h=e==="pursuer"?[o,i]:[i,o],u=N(this.#e.rollouts(n,...h,{pursuer:a,evader:a,seed:c},ic).capture_rate);
-return e==="pursuer"?u:1-u}))}};function Or(r){let e=new Float32Array(r.reduce((n,{length:s})=>n+s,0)),t=0;for(let n of r)e.set(n,t),t+=n.length;return e}var Nn=r=>Array.from({length:r},()=>Array(r)),Pr=class{learning=C;settings=[];training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={
+this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let t of T)yield*this.#h(t,e),this.#x(t);else yield*this.#l(e),this.#x(
+...T);yield*this.#b(e)}}change(e){let t=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(t))===JSON.stringify(l(
+e));this.settings=e;let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of T){let c=h=>Ra(h,n[l],this.shape(l));this.archive[l]=this.archive[l].
+map(c),this.#d(l,this.#i(l).map(c))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#a.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,
+genomes:{pursuer:a.slice(0,this.finished),evader:i.slice(0,this.finished)}}}#i(e){let t=this.#n[e];if(!(t instanceof Et))return[t.genome];let n=t.genome.length,
+s=Array.from({length:t.population.length/n},(o,a)=>t.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?t.genome:
+s[a%s.length])}#d(e,t){let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sigma],a=Tn(s),i=new Cr(Ke(s),this.#t("noise",T.indexOf(e)),
+o,a?.fixed??null),l=t.map(c=>Cn(c,a));this.#n[e]=n.kind==="ga"?new Et(Or(l),i,n):new kr(l[0],i,n)}*#h(e,t){for(let n=0;n<this.#o(e);n++){let s=this.archive[$e(e)].
+length,o=this.settings.schedule[`${e}s_meet`],a=o==="latest"?s-1:o==="round-robin"?n%s:this.#t("opponents",T.indexOf(e),t,n).choice(s,1)[0],i=e==="pursuer"?[t,a]:
+[a,t],l=this.#n[e],{groups:c}=l,h=Mt([this.settings.seed,...i,On[e],n],Math.max(...c)+1),u=l.ask(this.#t("learn",T.indexOf(e),t,n)),[m,p]=[Int32Array.from(c.keys()),
+new Int32Array(c.length)],y={[e]:u,[$e(e)]:this.archive[$e(e)][a]},f={[e]:m,[$e(e)]:p},g=this.#f(y,f,BigUint64Array.from(c,S=>h[S])),v=this.#v(g,e);this.#w(g,v,
+{generation:t,team:e,epoch:n,opponent:a}),l.tell(v),yield*this.#y(t,n,e)}this.archive[e].push(this.#n[e].genome)}*#l(e){for(let t=0;t<this.#o("pursuer");t++){let{
+schedule:n,learner:{population:s}}=this.settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#c("pursuer",e,t),evader:this.#c(
+"evader",e,t)},l=this.#t("opponents",0,e,t),c={pursuer:this.#p(o,l),evader:this.#p(o,l)},h=g=>Or([i[g],...Array.from(c[$e(g)],v=>this.archive[g][v])]),u=[c.evader.
+length,c.pursuer.length],m=Ia(this.#n.pursuer.groups,a,u,l),p=Mt([this.settings.seed,e,e,On.both,t],Math.max(...m.group)+1),y={pursuer:h("pursuer"),evader:h("ev\
+ader")},f=this.#f(y,m,BigUint64Array.from(m.group,g=>p[g]));for(let g of T){let v=Fa(m[g],m[$e(g)],s,this.#v(f,g));this.#w(f,v,{generation:e,team:g,epoch:t,opponent:cc}),
+this.#n[g].tell(v)}yield*this.#y(e,t,"both")}for(let t of T)this.archive[t].push(this.#n[t].genome)}#c(e,t,n){return this.#n[e].ask(this.#t("learn",T.indexOf(e),
+t,n))}#p(e,t){let n=this.archive.pursuer.length;return e?t.choice(n,Math.min(e,n)):new Int32Array(0)}#o(e){let{schedule:t}=this.settings;return t.kind==="hall-o\
+f-fame"?t.joint_epochs:t[`${e}_epochs`]}*#y(e,t,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#o("pursuer"),0]:[this.#o("pursuer"),this.#o("eva\
+der")],a=t+1+(n==="evader"?s:0),i=s+o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#f(e,t,n){let s={...this.settings.
+world,max_steps:this.settings.train_steps},o=this.#e.rollouts(s,this.#g("pursuer",e.pursuer),this.#g("evader",e.evader),{...t,seed:n},1);this.#s+=o.length.length;
+for(let a of o.length)this.#u+=Number(a);for(let a of o.agent_steps)this.#m+=Number(a);return o}#g(e,t){return At(this.shape(e),t)}#v({captured_fraction:e,overlap:t},n){
+let s=Ua(this.settings);return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#w(e,t,n){let s=N(t),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(
+i/3)%2]+=Number(a)),this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(N(t.map(a=>(a-s)**2))),fitness_best:Math.max(...t),capture_rate:N(e.capture_rate),
+length:N(e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#u})}#x(...e){for(let t of e)this.counters[t].
+push({matches:this.#s,steps:this.#u,agent_steps:this.#m})}*#b(e){yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},
+yield*this.catchUp()}*catchUp(){for(let e=this.finished-1;e>=0;e--){for(let t=e;t>=0;t--)for(let[n,s]of t===e?[[e,e]]:[[e,t],[t,e]]){if(this.cells.has(`${n} ${s}`))
+continue;let o=this.#A(n,s);this.cells.set(`${n} ${s}`,o),yield{type:"cell",cell:o}}this.#a.has(e)||(this.#a.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#S(
+"pursuer",e),evader:this.#S("evader",e)}})}}#A(e,t){let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),
+seed:BigUint64Array.of(Tr(o,e,t))},i=T.map(h=>this.#g(h,this.archive[h][h==="pursuer"?e:t])),l=this.#e.rollouts(n,...i,a,s),c=h=>{let u=Array.from(l[h],Number),
+m=u.length/s;return Array.from({length:m},(p,y)=>N(u.filter((f,g)=>g%m===y)))};return{pursuer:e,evader:t,capture_rates:Array.from(l.capture_rate),lengths:Array.
+from(l.length),means:{collisions:c("collisions"),faults:c("faults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#S(e,t){let{world:n,seed:s}=this.settings,
+[o,a]=[this.#g(e,this.archive[e][t]),new Int32Array(1)];return N(Rr[e].map((i,l)=>{let c=Mt([s,T.indexOf(e),l,lc],1),h=e==="pursuer"?[o,i]:[i,o],u=N(this.#e.rollouts(
+n,...h,{pursuer:a,evader:a,seed:c},ic).capture_rate);return e==="pursuer"?u:1-u}))}};function Or(r){let e=new Float32Array(r.reduce((n,{length:s})=>n+s,0)),t=0;
+for(let n of r)e.set(n,t),t+=n.length;return e}var Nn=r=>Array.from({length:r},()=>Array(r)),Pr=class{learning=T;settings=[];training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={
 pursuer:[],evader:[]};#e;#r;#t;constructor(e,t,n,s){[this.#t,this.#e,this.#r,this.name,this.schedule]=[e,t,s,n,n],[this.world,this.seed]=[e.world,String(e.seed)];
 let o=e.schedule.generations+1;this.seeds=Array.from({length:o},(a,i)=>Array.from({length:o},(l,c)=>String(Tr(e.seed,i,c)))),this.payoff=this.#n(),this.teams=this.#a()}get newest(){
 return this.genomes.pursuer.length-1}#n(){let e=this.#t.schedule.generations+1;return{first:[0,0],shape:[e,e],episodes:this.#t.evaluation_episodes,capture_rate:Nn(
 e),capture_rates:Nn(e),lengths:Nn(e)}}#a(){let e=t=>{let n=`${this.#r} ${t}`;Ls(n,Or(this.genomes[t]));let{genome:s,...o}=At(_r(this.#t,this.#e,t),this.genomes[t][0]??
 new Float32Array(0));return{script:null,network:{...o,genome_size:s.length},kept:[...this.genomes[t].keys()],genomes:n}};return{pursuer:e("pursuer"),evader:e("e\
-vader")}}policy(e,t){return At(_r(this.#t,this.#e,e),this.genomes[e][t])}add(e){for(let t of C)this.genomes[t].push(e[t]);this.teams=this.#a()}change(e,t){this.#t=
-e,this.world=e.world;for(let n of C)this.genomes[n]=[...t[n]];[this.payoff,this.teams,this.findings]=[this.#n(),this.#a(),null]}addCell({pursuer:e,evader:t,capture_rates:n,
+vader")}}policy(e,t){return At(_r(this.#t,this.#e,e),this.genomes[e][t])}add(e){for(let t of T)this.genomes[t].push(e[t]);this.teams=this.#a()}change(e,t){this.#t=
+e,this.world=e.world;for(let n of T)this.genomes[n]=[...t[n]];[this.payoff,this.teams,this.findings]=[this.#n(),this.#a(),null]}addCell({pursuer:e,evader:t,capture_rates:n,
 lengths:s}){this.payoff.capture_rate[e][t]=N(n),this.payoff.capture_rates[e][t]=[...n],this.payoff.lengths[e][t]=[...s],this.findings={generalization:this.#s()}}#s(){
 let e=this.payoff.capture_rate,t=o=>({mean:o,low:null,high:null}),n=o=>{let a=o.filter(i=>i!==void 0);return a.length?N(a):null},s=[...this.genomes.pursuer.keys()];
 return{pursuers:t(s.map(o=>n(e[o]))),evaders:t(s.map(o=>n(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Tt=r=>`${Math.round(100*r)} %`,uc=100,hc=0,$r=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#r;#t;#n=d("h2",
 {class:"lane-title"});#a=d("p",{class:"facts numbers"});#s=d("div",{class:"lane-room",hidden:!0});#u=d("section",{class:"card measures",hidden:!0});#m=d("div");#i;#d={
 pursuer:[],evader:[]};#h=new Map;#l;#c;#p=()=>{};#o=0;#y=!0;#f=0;#g=null;constructor(e,t,n,s){super(),[this.#e,this.#r,this.#t,this.settings]=[e,t,n,s],this.newest=
-new xt(()=>this.#x(this.#i.newest)),this.beginning=new xt(()=>this.#x(0)),this.beginning.element.classList.add("beginning");let o=d("div",{class:"boards"},this.
+new xt(()=>this.#S(this.#i.newest)),this.beginning=new xt(()=>this.#S(0)),this.beginning.element.classList.add("beginning");let o=d("div",{class:"boards"},this.
 newest.element,this.beginning.element);this.element=d("section",{class:"lane"},this.#n,this.#a,o,this.#s,this.#u,this.#m),n.onmessage=({data:a})=>this.#w(a),this.
 reset(s)}reset(e){this.#v({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#A();let{archive:t}=new Ze(this.#r,e,this.#e.masks);this.#i.add(
 {pursuer:t.pursuer[0],evader:t.evader[0]}),this.#s.hidden=this.#u.hidden=!0,this.#E(!0),this.#M()}start(){this.#A(),[this.state,this.done]=["evolving",0],this.#s.
@@ -690,20 +691,20 @@ let e=this.#i.newest;this.#c.play({run:0,pursuer:e,evader:e,episode:0,seed:null}
 this.#g=e,this.#v({type:"save"})})}get newestGeneration(){return this.#i.newest}close(){this.#t.terminate(),this.newest.runs=this.beginning.runs=!1}#v(e){this.#t.
 postMessage(e)}#w(e){if(e.type==="generation"){if(this.state!=="evolving")return;this.#i.add(e.genomes),this.#E(e.number===0)}else if(e.type==="cell"){let{pursuer:t,
 evader:n}=e.cell;this.#i.addCell(e.cell),this.#y&&t===n&&t===this.#i.newest&&this.#l.select({pursuer:t,evader:n}),this.#h.set(`${t} ${n}`,e.cell)}else if(e.type===
-"scores")for(let t of C)this.#d[t][e.number]=e.scores[t];else e.type==="anew"?(this.#i.change(e.settings,e.genomes),this.#b(),this.#E(!0)):e.type==="epoch"?this.
+"scores")for(let t of T)this.#d[t][e.number]=e.scores[t];else e.type==="anew"?(this.#i.change(e.settings,e.genomes),this.#b(),this.#E(!0)):e.type==="epoch"?this.
 done=e.done/e.of:e.type==="end"?(this.state==="evolving"&&([this.state,this.seconds,this.done]=["ended",e.seconds,1]),this.#T()):e.type==="saved"?this.#g?.(e.race):
-(this.#a.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#f||(this.#f=setTimeout(()=>requestAnimationFrame(()=>this.#S()),uc))}#S(){this.#f=
+(this.#a.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#f||(this.#f=setTimeout(()=>requestAnimationFrame(()=>this.#x()),uc))}#x(){this.#f=
 0,this.#l.dispatchEvent(new Event("run")),this.#p(),this.#M()}#b(){this.#h=new Map,this.#d={pursuer:[],evader:[]},this.#u.hidden=!0}#A(){let e=`race ${hc++}`,t=Ht(
 this.settings);this.#i=new Pr(this.settings,this.#e.masks,t,e),this.#b(),this.#y=!0,this.#l=new xr({run:0,pursuer:0,evader:0,episode:0,seed:null});let[n,s]=[new wr(
 [this.#i],this.#l),new gr([this.#i],this.#l,null)];n.element.ariaLabel=`Payoff matrix. ${t}`,this.#c=new Er([this.#i],this.#l,s,!1),this.#c.start(this.#r);let o=d(
 "dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>s.player.pause()},d("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element),
 a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#l.selected;this.#y=!1,this.#i.payoff.capture_rate[l][c]!==void 0&&(o.showModal(),a||s.
 start(this.#r),a=!0,s.playSoon())});let i=Vs(`Scores against scripts, by generation: ${Rr.pursuer.join(", ")} and ${Rr.evader.join(", ")}`,(l,c)=>{let h=this.settings.
-schedule.generations,u=js(l,c,{low:0,high:h,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let m of C){let p=Array.from(this.#d[m],y=>y??null);Hs(
+schedule.generations,u=js(l,c,{low:0,high:h,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let m of T){let p=Array.from(this.#d[m],y=>y??null);Hs(
 u,[...p.keys()],p,`of-${m}s`)}return u},()=>{},l=>{let c=Math.min(this.#i.newest,Math.max(0,Math.round(l)));this.#l.select({pursuer:c,evader:c})});this.#p=i.redraw,
 this.#s.replaceChildren(n.element,d("section",{class:"card scores"},d("h3",{},"Against opponents that never change"),d("p",{class:"small muted"},"Captures of ra\
 ndom walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),Gs(["pursuers","of-pursuers"],["evaders","of-evaders"]),i.element)),this.#m.
-replaceChildren(o,this.#c.dialog)}#x(e){let t=this.#i.newest;if(t<0||e<0)return null;let{world:n,payoff:s,seeds:o}=this.#i,a=this.#o++%s.episodes;this.newest.title.
+replaceChildren(o,this.#c.dialog)}#S(e){let t=this.#i.newest;if(t<0||e<0)return null;let{world:n,payoff:s,seeds:o}=this.#i,a=this.#o++%s.episodes;this.newest.title.
 textContent=t?"Newest against newest":"Generation 0: nobody has learned anything yet",this.beginning.title.textContent="Pursuers of generation 0, newest evaders";
 for(let c of[this.newest,this.beginning])c.generation=t;for(let c of[this.newest,this.beginning])c.label=`A match. ${c.title.textContent}`;let[i,l]=[this.#i.policy(
 "pursuer",e),this.#i.policy("evader",t)];return this.#r.match(n,i,l,BigInt(o[e][t]),a)}#E(e){this.newest.renew(e),(this.#i.newest>0||this.state!=="waiting")&&this.
@@ -714,31 +715,32 @@ new Event("state"))}#T(){this.#u.ariaLabel=`What came out. ${Ht(this.settings)}`
 newest+1));if(e.length<2||e.some(n=>Array.from(n).includes(void 0)))return;let t=[["Score against scripts: generation 0",n=>Tt(this.#d[n][0]??0)],["Score agains\
 t scripts: newest generation",n=>Tt(this.#d[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Tt(Ea(e,n))],["Below its own best s\
 o far, in the later half (forgetting)",n=>Tt(Ta(e,n))]];this.#u.replaceChildren(d("h3",{},"What came out"),d("table",{class:"numbers"},d("thead",{},d("tr",{},d(
-"td"),...C.map(n=>d("th",{scope:"col",class:n},`${n}s`)))),d("tbody",{},...t.map(([n,s])=>d("tr",{},d("th",{scope:"row"},n),...C.map(o=>d("td",{},s(o))))))),d("\
+"td"),...T.map(n=>d("th",{scope:"col",class:n},`${n}s`)))),d("tbody",{},...t.map(([n,s])=>d("tr",{},d("th",{scope:"row"},n),...T.map(o=>d("td",{},s(o))))))),d("\
 p",{class:"small muted"},"These are measures without a verdict: one race proves little. Save it, and ",d("code",{},"matrixworld judge")," weighs luck and says w\
-hat happened.")),this.#u.hidden=!1}};function dc({means:{faults:r,agent_steps:e}}){let t=n=>n.reduce((s,o)=>s+o,0);return 1e3*t(r)/Math.max(1,t(e))}var Wa=r=>Ce(JSON.stringify(r,null,2)),Ln=(r,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(r)}),mc=r=>Math.sqrt(N(r.map(e=>(e-N(r))**2)));function pc({archive:r,
-rows:e,counters:t},n){let s=e.filter(({generation:i})=>i===n),o=Ce(s.map(i=>`${[n,...Da.map(l=>i[l])].join(",")}
-`).join("")),a=i=>({dtype:"<f4",shape:[1,r[i][n].length],data:r[i][n]});return{pursuers:a("pursuer"),evaders:a("evader"),log:{dtype:`|S${Math.max(1,o.length)}`,
-shape:[],data:o.length?o:new Uint8Array(1)},...Object.fromEntries(Object.entries(t[n]).map(([i,l])=>[i,Ln([l])])),...n?{score:Ln([N(s.slice(Math.floor(s.length/
-2)).map(i=>i.capture_rate))])}:{}}}function fc(r){let e=r.finished,t=Array.from({length:e*e},(o,a)=>r.cells.get(`${Math.floor(a/e)} ${a%e}`)),n=t[0].lengths.length,
-s=(o,...a)=>Ln(t.flatMap(o),e,e,...a);return{scores:{dtype:"<f4",shape:[e,e,n],data:Float32Array.from(t.flatMap(({capture_rates:o})=>o))},mean:s(({capture_rates:o})=>N(
+hat happened.")),this.#u.hidden=!1}};function dc({means:{faults:r,agent_steps:e}}){let t=n=>n.reduce((s,o)=>s+o,0);return 1e3*t(r)/Math.max(1,t(e))}var Wa=r=>Ce(JSON.stringify(r,null,2)),Ln=(r,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(r)}),mc=r=>Math.sqrt(N(r.map(e=>(e-N(r))**2)));function pc({settings:r,
+finished:e}){let t=r.schedule.kind==="alternating"?T.map(n=>[n]):[T];return Array.from({length:e},(n,s)=>(s?t:[T]).map(o=>[s,o])).flat()}function fc({archive:r,
+rows:e,counters:t},n,[s,o]){let a=e.filter(c=>c.generation===s&&o.includes(c.team)),i=Ce(a.map(c=>`${[n,...Da.map(h=>c[h])].join(",")}
+`).join("")),l=c=>({dtype:"<f4",shape:[1,r[c][s].length],data:r[c][s]});return{...Object.fromEntries(o.map(c=>[`${c}s`,l(c)])),log:{dtype:`|S${Math.max(1,i.length)}`,
+shape:[],data:i.length?i:new Uint8Array(1)},...Object.fromEntries(Object.entries(t[o.at(-1)][s]).map(([c,h])=>[c,Ln([h])])),...n?{score:Ln([N(a.slice(Math.floor(
+a.length/2)).map(c=>c.capture_rate))])}:{}}}function yc(r){let e=r.finished,t=Array.from({length:e*e},(o,a)=>r.cells.get(`${Math.floor(a/e)} ${a%e}`)),n=t[0].lengths.
+length,s=(o,...a)=>Ln(t.flatMap(o),e,e,...a);return{scores:{dtype:"<f4",shape:[e,e,n],data:Float32Array.from(t.flatMap(({capture_rates:o})=>o))},mean:s(({capture_rates:o})=>N(
 o)),std:s(({capture_rates:o})=>mc(o)),lengths:{dtype:"<i4",shape:[e,e,n],data:Int32Array.from(t.flatMap(({lengths:o})=>o))},collisions:s(({means:o})=>o.collisions,
 2,3),faults:s(({means:o})=>o.faults,2,3),agent_steps:s(({means:o})=>o.agent_steps,2),pursuer_survivors:s(({means:o})=>o.survivors[0]),evader_survivors:s(({means:o})=>o.
-survivors[1])}}function yc(r,{format:e,version:t}){let n=r.finished-1,s={...r.settings,schedule:{...r.settings.schedule,generations:n}},o={format:e,matrixworld:t,
-settings:s,drawn_by:"page"},a=Array.from({length:r.finished},(m,p)=>`stage-${String(p).padStart(4,"0")}.npz`),{matches:i,steps:l,agent_steps:c}=r.counters[n],u={
-stages:n,...{training_matches:i,training_steps:l,training_agent_steps:c},disengagement:[],evaluation_matches:r.finished**2*r.settings.evaluation_episodes};return{
-"config.json":Wa(o),...Object.fromEntries(a.map((m,p)=>[m,wt(pc(r,p))])),"payoff.npz":wt(fc(r)),"summary.json":Wa(u)}}function za(r,e){let t=r.flatMap(({name:n,
-race:s})=>Object.entries(yc(s,e)).map(([o,a])=>[r.length>1?`${n}/${o}`:o,a]));return zt(Object.fromEntries(t))}var Ba=r=>r.finished>1&&r.cells.size>=r.finished**
-2&&C.every(e=>r.archive[e].length);var gc=12;function ja(r){let e=new Blob([Ae("script-engine"),`
+survivors[1])}}function gc(r,{format:e,version:t}){let n=r.finished-1,s={...r.settings,schedule:{...r.settings.schedule,generations:n}},o={format:e,matrixworld:t,
+settings:s,drawn_by:"page"},a=pc(r),{matches:i,steps:l,agent_steps:c}=r.counters.evader[n],h={training_matches:i,training_steps:l,training_agent_steps:c},u={stages:a.
+length-1,...h,disengagement:[],evaluation_matches:r.finished**2*r.settings.evaluation_episodes};return{"config.json":Wa(o),...Object.fromEntries(a.map((m,p)=>[`\
+stage-${String(p).padStart(4,"0")}.npz`,wt(fc(r,p,m))])),"payoff.npz":wt(yc(r)),"summary.json":Wa(u)}}function za(r,e){let t=r.flatMap(({name:n,race:s})=>Object.
+entries(gc(s,e)).map(([o,a])=>[r.length>1?`${n}/${o}`:o,a]));return zt(Object.fromEntries(t))}var Ba=r=>r.finished>1&&r.cells.size>=r.finished**2&&T.every(e=>r.
+archive[e].length);var vc=12;function ja(r){let e=new Blob([Ae("script-engine"),`
 `,Ae(`script-${r}`)],{type:"text/javascript"});return new Worker(URL.createObjectURL(e))}function Ha(){let r=h=>postMessage(h),e=Nt(),t=null,n=null,s=0,o=!1,a=new MessageChannel,
-i=()=>{let h=performance.now()+gc;for(;n&&performance.now()<h;){let{value:u,done:m}=n.next();m?(n=null,r({type:"end",seconds:(performance.now()-s)/1e3})):r(u)}!n||
+i=()=>{let h=performance.now()+vc;for(;n&&performance.now()<h;){let{value:u,done:m}=n.next();m?(n=null,r({type:"end",seconds:(performance.now()-s)/1e3})):r(u)}!n||
 o||(o=!0,a.port2.postMessage(null))},l=async h=>{if(h.type==="start")t=new Ze(await e,h.settings,h.masks),[n,s]=[t.run(),performance.now()],i();else if(h.type===
 "stop")n=null;else if(h.type==="change"){let u=t?.change(h.settings);if(u&&r(u),!t||!u||n)return;n=t.catchUp(),i()}else if(t){let{settings:u,archive:m,rows:p,cells:y,
 counters:f,finished:g}=t;r({type:"saved",race:{settings:u,archive:m,rows:p,cells:y,counters:f,finished:g}})}},c=h=>{Promise.resolve().then(h).catch(u=>{n=null,r(
-{type:"failed",message:String(u)})})};a.port1.onmessage=()=>{o=!1,c(i)},globalThis.onmessage=({data:h})=>c(()=>l(h))}var vc=250,In=class{#e;#r;lanes=[];#t=d("div",{class:"lanes"});#n=d("button",{type:"button",class:"evolve",onclick:()=>this.#v()});#a=d("progress",{max:1,value:0,
+{type:"failed",message:String(u)})})};a.port1.onmessage=()=>{o=!1,c(i)},globalThis.onmessage=({data:h})=>c(()=>l(h))}var bc=250,In=class{#e;#r;lanes=[];#t=d("div",{class:"lanes"});#n=d("button",{type:"button",class:"evolve",onclick:()=>this.#v()});#a=d("progress",{max:1,value:0,
 "aria-label":"Progress of the race"});#s=d("p",{class:"small muted numbers",role:"status"});#u=d("button",{type:"button",class:"side",title:"A second race of th\
-e same seed with another schedule",onclick:()=>this.#S()},"Side by side");#m=d("button",{type:"button","aria-pressed":"false",title:"Drag over the board to draw\
- walls, and over walls to remove them",onclick:()=>this.#x()},"Draw walls");#i=d("button",{type:"button",onclick:()=>this.#b({walls:[]})},"No walls");#d=d("butt\
+e same seed with another schedule",onclick:()=>this.#x()},"Side by side");#m=d("button",{type:"button","aria-pressed":"false",title:"Drag over the board to draw\
+ walls, and over walls to remove them",onclick:()=>this.#S()},"Draw walls");#i=d("button",{type:"button",onclick:()=>this.#b({walls:[]})},"No walls");#d=d("butt\
 on",{type:"button",onclick:()=>this.#E()});#h=d("span",{class:"small muted",role:"status"});#l=Ws((e,t)=>this.#b(e,t));#c=d("button",{type:"button",onclick:()=>{
 this.#C()},title:"An archive that matrixworld judge, explore and replay read"},"Save");#p=[];#o;#y=0;constructor(e,t){[this.#e,this.#r,this.#o]=[e,t,Ds(e,location.
 hash)];let n=d("div",{class:"doings",role:"group","aria-label":"What can be done"},this.#u,d("button",{type:"button",class:"to-play",title:"Play an evader again\
@@ -752,12 +754,12 @@ beside]:[]]}#g(){for(let e of this.lanes.splice(0))e.close();for(let e of this.#
 "state",()=>this.#T()),this.lanes.push(t)}this.#p=this.lanes.map(e=>e.newest.drawWalls(([t,n],s)=>this.#A(t,n,s))),this.#m.ariaPressed="false",this.#t.dataset.count=
 String(this.lanes.length),this.#t.replaceChildren(...this.lanes.map(({element:e})=>e)),this.#l.show(this.#o),this.#T()}#v(){this.lanes.some(({state:e})=>e==="ev\
 olving")?this.lanes.forEach(e=>e.stop()):this.#w()}#w(){this.#h.textContent="";for(let[e,t]of this.#f().entries()){let n=this.lanes[e];n.settings=qt(this.#e,this.#o,
-t),n.start()}}#S(){let e=this.#o.schedule==="specialist-specialist"?"generalist-generalist":"specialist-specialist";this.#b({beside:this.#o.beside?null:e},!0)}#b=(e,t=!1)=>{
+t),n.start()}}#x(){let e=this.#o.schedule==="specialist-specialist"?"generalist-generalist":"specialist-specialist";this.#b({beside:this.#o.beside?null:e},!0)}#b=(e,t=!1)=>{
 let n=this.#f().length,s=this.lanes.every(({state:i})=>i==="waiting"),o={...this.#o,...e},a=Zt(o,Kt(this.#e));a||(this.#o=o),this.#l.show(this.#o),this.#h.textContent=
 a,!a&&(Lt()&&history.replaceState(null,"",`#${Us(this.#o)}`),this.#f().length!==n&&this.#g(),t&&!s?this.#w():this.#f().forEach((i,l)=>this.lanes[l].change(qt(this.#e,
 this.#o,i))))};#A(e,t,n){let{rows:s,cols:o}=this.lanes[0].settings.world,a={...this.#o,walls:Ut(this.#o.walls,e*o+t,n)},i=Zt(a,this.lanes[0].settings.world);if(i)
 return i;let{walls:l}=this.#o=a,c=Uint8Array.from({length:s*o},(h,u)=>Number(l.includes(u)));for(let h of this.lanes)h.newest.show(c);return clearTimeout(this.#y),
-this.#y=setTimeout(()=>this.#b({walls:l}),vc),""}#x(){let e=this.#m.ariaPressed!=="true";this.#m.ariaPressed=String(e);for(let t of this.#p)t(e)}#E(){let e=!this.
+this.#y=setTimeout(()=>this.#b({walls:l}),bc),""}#S(){let e=this.#m.ariaPressed!=="true";this.#m.ariaPressed=String(e);for(let t of this.#p)t(e)}#E(){let e=!this.
 lanes[0].newest.runs;for(let{newest:t,beginning:n}of this.lanes)t.runs=n.runs=e;this.#M()}#M(){this.#d.textContent=this.lanes[0].newest.runs?"Pause boards":"Pla\
 y boards"}#T(){if(!this.lanes.length)return;let e=this.lanes.map(({state:a})=>a),t=e.includes("evolving");document.body.dataset.state=e.every(a=>a==="waiting")?
 "waiting":t?"evolving":"ended",this.#n.textContent=t?"Stop":e[0]==="waiting"?"Evolve":"Again",this.#u.ariaPressed=String(this.lanes.length>1),this.#i.hidden=!this.#o.
@@ -765,6 +767,6 @@ walls.length,this.#a.value=Math.min(...this.lanes.map(({done:a})=>a));let n=Math
 this.#s.textContent=t?`Seed ${o}: generation ${this.lanes.map(a=>a.newestGeneration).join(" and ")}`:s?`Seed ${o}: the race took ${n.toFixed(1)} seconds.`:e.includes(
 "stopped")?"Stopped.":""}async#C(){let e=await Promise.all(this.lanes.map(async n=>({name:ke(n.settings),race:await n.saved()})));if(!e.every(({race:n})=>Ba(n))){
 this.#h.textContent="Wait for the next generation, and save then.";return}let t=`${e.map(n=>n.name).join("-and-")}-seed-${this.#o.seed}.zip`;It(t,za(e,this.#e)),
-this.#h.textContent=`Saved as ${t}.`}};async function bc(){let r=new In(Fs(),await Nt());document.addEventListener("keydown",({key:e,target:t,ctrlKey:n,metaKey:s,
+this.#h.textContent=`Saved as ${t}.`}};async function wc(){let r=new In(Fs(),await Nt());document.addEventListener("keydown",({key:e,target:t,ctrlKey:n,metaKey:s,
 altKey:o})=>{let a=t instanceof HTMLInputElement||t instanceof HTMLSelectElement||document.querySelector("dialog[open]");e.toLowerCase()==="d"&&!a&&!n&&!s&&!o&&
-Vr()}),window.addEventListener("hashchange",()=>location.reload()),Object.assign(window,{matrixworldEvolve:r})}typeof document>"u"?Ha():cs(bc());})();
+Vr()}),window.addEventListener("hashchange",()=>location.reload()),Object.assign(window,{matrixworldEvolve:r})}typeof document>"u"?Ha():cs(wc());})();

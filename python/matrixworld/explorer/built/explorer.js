@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 8767cfba79555f98334c988843eef753f77a1a1266d4816877c63587efe9edd8 */
+/* built from web/ by "npm run build"; sources 570220e84ffa1686f15cfb756a5feedacd3135d24213e501d6882cfd72fc8199 */
 "use strict";(()=>{var rn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ze={DISAPPEAR:0,REACH:1,BOUNCE:2},nn={OCCUPATION:0,SURROUND:1},on={FAULT:0,INVOLVED:1};var ir=["obstacle","teammate","adversary"],lr=["vertex","edge","chain"],sn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],cr=["p\
 ursuer_{number}","evader_{number}"],an={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Je={"both held":"both bounce","both doomed":"\

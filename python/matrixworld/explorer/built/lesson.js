@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 8767cfba79555f98334c988843eef753f77a1a1266d4816877c63587efe9edd8 */
+/* built from web/ by "npm run build"; sources 570220e84ffa1686f15cfb756a5feedacd3135d24213e501d6882cfd72fc8199 */
 "use strict";(()=>{var ps={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},vt={DISAPPEAR:0,REACH:1,BOUNCE:2},hs={OCCUPATION:0,SURROUND:1},fs={FAULT:0,INVOLVED:1};var tn=["obstacle","teammate","adversary"],rn=["vertex","edge","chain"],gs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],nn=["p\
 ursuer_{number}","evader_{number}"],ys={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},bt={"both held":"both bounce","both doomed":"\
@@ -94,61 +94,61 @@ n.arrays(r)))}call(e){return ke(this.engine,e),Ye(this.engine)}};function pl(t){
 from(r,s=>s/n)}var mn=class{compiled;constructor(e){this.compiled=e}world(e){return new At(this.compiled,e)}solution(e,r="capture-rate"){return new St(this.compiled,e,r)}match(e,r,n,s,o=0){
 return Ls(this.compiled,{config:e,pursuers:r,evaders:n},s,o)}rollouts(e,r,n,s,o){return Ns(this.compiled,{config:e,pursuers:r,evaders:n},s,o)}},Fs;function er(t=globalThis.
 matrixworldEngine){return Fs??=hl(t),Fs}async function hl(t){if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");
-let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new mn(await t({wasmBinary:e}))}var P=Uint8Array,Q=Uint16Array,xn=Int32Array,rr=new P([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),nr=new P([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
-6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),gn=new P([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Bs=function(t,e){for(var r=new Q(31),n=0;n<31;++n)r[n]=e+=
+let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new mn(await t({wasmBinary:e}))}var L=Uint8Array,Q=Uint16Array,xn=Int32Array,rr=new L([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),nr=new L([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
+6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),gn=new L([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Bs=function(t,e){for(var r=new Q(31),n=0;n<31;++n)r[n]=e+=
 1<<t[n-1];for(var s=new xn(r[30]),n=1;n<30;++n)for(var o=r[n];o<r[n+1];++o)s[o]=o-r[n]<<5|n;return{b:r,r:s}},js=Bs(rr,2),Gs=js.b,yn=js.r;Gs[28]=258,yn[258]=28;var Vs=Bs(
 nr,0),fl=Vs.b,Ds=Vs.r,vn=new Q(32768);for(T=0;T<32768;++T)xe=(T&43690)>>1|(T&21845)<<1,xe=(xe&52428)>>2|(xe&13107)<<2,xe=(xe&61680)>>4|(xe&3855)<<4,vn[T]=((xe&65280)>>
 8|(xe&255)<<8)>>1;var xe,T,le=(function(t,e,r){for(var n=t.length,s=0,o=new Q(e);s<n;++s)t[s]&&++o[t[s]-1];var a=new Q(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-1]<<1;
 var i;if(r){i=new Q(1<<e);var l=15-e;for(s=0;s<n;++s)if(t[s])for(var c=s<<4|t[s],d=e-t[s],m=a[t[s]-1]++<<d,p=m|(1<<d)-1;m<=p;++m)i[vn[m]>>l]=c}else for(i=new Q(
-n),s=0;s<n;++s)t[s]&&(i[s]=vn[a[t[s]-1]++]>>15-t[s]);return i}),Ce=new P(288);for(T=0;T<144;++T)Ce[T]=8;var T;for(T=144;T<256;++T)Ce[T]=9;var T;for(T=256;T<280;++T)
-Ce[T]=7;var T;for(T=280;T<288;++T)Ce[T]=8;var T,Tt=new P(32);for(T=0;T<32;++T)Tt[T]=5;var T,gl=le(Ce,9,0),yl=le(Ce,9,1),vl=le(Tt,5,0),bl=le(Tt,5,1),pn=function(t){
+n),s=0;s<n;++s)t[s]&&(i[s]=vn[a[t[s]-1]++]>>15-t[s]);return i}),Ce=new L(288);for(T=0;T<144;++T)Ce[T]=8;var T;for(T=144;T<256;++T)Ce[T]=9;var T;for(T=256;T<280;++T)
+Ce[T]=7;var T;for(T=280;T<288;++T)Ce[T]=8;var T,Tt=new L(32);for(T=0;T<32;++T)Tt[T]=5;var T,gl=le(Ce,9,0),yl=le(Ce,9,1),vl=le(Tt,5,0),bl=le(Tt,5,1),pn=function(t){
 for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},se=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},hn=function(t,e){var r=e/8|0;return(t[r]|
-t[r+1]<<8|t[r+2]<<16)>>(e&7)},Sn=function(t){return(t+7)/8|0},An=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new P(t.subarray(
+t[r+1]<<8|t[r+2]<<16)>>(e&7)},Sn=function(t){return(t+7)/8|0},An=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new L(t.subarray(
 e,r))};var wl=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],K=function(t,e,r){var n=new Error(e||wl[t]);
 if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,K),!r)throw n;return n},xl=function(t,e,r,n){var s=t.length,o=n?n.length:0;if(!s||e.f&&!e.l)return r||
-new P(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new P(s*3));var c=function(gt){var yt=r.length;if(gt>yt){var Ge=new P(Math.max(yt*2,gt));Ge.set(r),r=Ge}},d=e.f||0,m=e.
+new L(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new L(s*3));var c=function(gt){var yt=r.length;if(gt>yt){var Ge=new L(Math.max(yt*2,gt));Ge.set(r),r=Ge}},d=e.f||0,m=e.
 p||0,p=e.b||0,h=e.l,f=e.d,g=e.m,y=e.n,x=s*8;do{if(!h){d=se(t,m,1);var v=se(t,m+1,3);if(m+=3,v)if(v==1)h=yl,f=bl,g=9,y=5;else if(v==2){var k=se(t,m,31)+257,C=se(
-t,m+10,15)+4,E=k+se(t,m+5,31)+1;m+=14;for(var M=new P(E),D=new P(19),N=0;N<C;++N)D[gn[N]]=se(t,m+N*3,7);m+=C*3;for(var H=pn(D),Ee=(1<<H)-1,J=le(D,H,1),N=0;N<E;){
-var V=J[se(t,m,Ee)];m+=V&15;var w=V>>4;if(w<16)M[N++]=w;else{var U=0,$=0;for(w==16?($=3+se(t,m,3),m+=2,U=M[N-1]):w==17?($=3+se(t,m,7),m+=3):w==18&&($=11+se(t,m,
-127),m+=7);$--;)M[N++]=U}}var q=M.subarray(0,k),W=M.subarray(k);g=pn(q),y=pn(W),h=le(q,g,1),f=le(W,y,1)}else K(1);else{var w=Sn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
+t,m+10,15)+4,E=k+se(t,m+5,31)+1;m+=14;for(var M=new L(E),D=new L(19),N=0;N<C;++N)D[gn[N]]=se(t,m+N*3,7);m+=C*3;for(var H=pn(D),Ee=(1<<H)-1,J=le(D,H,1),N=0;N<E;){
+var V=J[se(t,m,Ee)];m+=V&15;var w=V>>4;if(w<16)M[N++]=w;else{var U=0,_=0;for(w==16?(_=3+se(t,m,3),m+=2,U=M[N-1]):w==17?(_=3+se(t,m,7),m+=3):w==18&&(_=11+se(t,m,
+127),m+=7);_--;)M[N++]=U}}var q=M.subarray(0,k),W=M.subarray(k);g=pn(q),y=pn(W),h=le(q,g,1),f=le(W,y,1)}else K(1);else{var w=Sn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
 s){l&&K(0);break}i&&c(p+S),r.set(t.subarray(w,A),p),e.b=p+=S,e.p=m=A*8,e.f=d;continue}if(m>x){l&&K(0);break}}i&&c(p+131072);for(var ft=(1<<g)-1,te=(1<<y)-1,be=m;;be=
-m){var U=h[hn(t,m)&ft],Z=U>>4;if(m+=U&15,m>x){l&&K(0);break}if(U||K(2),Z<256)r[p++]=Z;else if(Z==256){be=m,h=null;break}else{var X=Z-254;if(Z>264){var N=Z-257,_=rr[N];
-X=se(t,m,(1<<_)-1)+Gs[N],m+=_}var ie=f[hn(t,m)&te],Be=ie>>4;ie||K(3),m+=ie&15;var W=fl[Be];if(Be>3){var _=nr[Be];W+=hn(t,m)&(1<<_)-1,m+=_}if(m>x){l&&K(0);break}
+m){var U=h[hn(t,m)&ft],Z=U>>4;if(m+=U&15,m>x){l&&K(0);break}if(U||K(2),Z<256)r[p++]=Z;else if(Z==256){be=m,h=null;break}else{var X=Z-254;if(Z>264){var N=Z-257,P=rr[N];
+X=se(t,m,(1<<P)-1)+Gs[N],m+=P}var ie=f[hn(t,m)&te],Be=ie>>4;ie||K(3),m+=ie&15;var W=fl[Be];if(Be>3){var P=nr[Be];W+=hn(t,m)&(1<<P)-1,m+=P}if(m>x){l&&K(0);break}
 i&&c(p+131072);var je=p+X;if(p<W){var qt=o-W,Yt=Math.min(W,je);for(qt+p<0&&K(3);p<Yt;++p)r[p]=n[qt+p]}for(;p<je;++p)r[p]=r[p-W]}}e.l=h,e.p=be,e.b=p,e.f=d,h&&(d=
 1,e.m=g,e.d=f,e.n=y)}while(!d);return p!=r.length&&a?An(r,0,p):r.subarray(0,p)},Se=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},Mt=function(t,e,r){
 r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},fn=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var s=r.length,o=r.slice();if(!s)
-return{t:Ys,l:0};if(s==1){var a=new P(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(A,k){return A.f-k.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],c=0,
+return{t:Ys,l:0};if(s==1){var a=new L(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(A,k){return A.f-k.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],c=0,
 d=1,m=2;for(r[0]={s:-1,f:i.f+l.f,l:i,r:l};d!=s-1;)i=r[r[c].f<r[m].f?c++:m++],l=r[c!=d&&r[c].f<r[m].f?c++:m++],r[d++]={s:-1,f:i.f+l.f,l:i,r:l};for(var p=o[0].s,n=1;n<
 s;++n)o[n].s>p&&(p=o[n].s);var h=new Q(p+1),f=bn(r[d-1],h,0);if(f>e){var n=0,g=0,y=f-e,x=1<<y;for(o.sort(function(k,C){return h[C.s]-h[k.s]||k.f-C.f});n<s;++n){
 var v=o[n].s;if(h[v]>e)g+=x-(1<<f-h[v]),h[v]=e;else break}for(g>>=y;g>0;){var w=o[n].s;h[w]<e?g-=1<<e-h[w]++-1:++n}for(;n>=0&&g;--n){var S=o[n].s;h[S]==e&&(--h[S],
-++g)}f=e}return{t:new P(h),l:f}},bn=function(t,e,r){return t.s==-1?Math.max(bn(t.l,e,r+1),bn(t.r,e,r+1)):e[t.s]=r},Us=function(t){for(var e=t.length;e&&!t[--e];)
+++g)}f=e}return{t:new L(h),l:f}},bn=function(t,e,r){return t.s==-1?Math.max(bn(t.l,e,r+1),bn(t.r,e,r+1)):e[t.s]=r},Us=function(t){for(var e=t.length;e&&!t[--e];)
 ;for(var r=new Q(++e),n=0,s=t[0],o=1,a=function(l){r[n++]=l},i=1;i<=e;++i)if(t[i]==s&&i!=e)++o;else{if(!s&&o>2){for(;o>138;o-=138)a(32754);o>2&&(a(o>10?o-11<<5|
 28690:o-3<<5|12305),o=0)}else if(o>3){for(a(s),--o;o>6;o-=6)a(8304);o>2&&(a(o-3<<5|8208),o=0)}for(;o--;)a(s);o=1,s=t[i]}return{c:r.subarray(0,n),n:e}},Et=function(t,e){
 for(var r=0,n=0;n<e.length;++n)r+=t[n]*e[n];return r},qs=function(t,e,r){var n=r.length,s=Sn(e+2);t[s]=n&255,t[s+1]=n>>8,t[s+2]=t[s]^255,t[s+3]=t[s+1]^255;for(var o=0;o<
 n;++o)t[s+o+4]=r[o];return(s+4+n)*8},Ws=function(t,e,r,n,s,o,a,i,l,c,d){Se(e,d++,r),++s[256];for(var m=fn(s,15),p=m.t,h=m.l,f=fn(o,15),g=f.t,y=f.l,x=Us(p),v=x.c,
 w=x.n,S=Us(g),A=S.c,k=S.n,C=new Q(19),E=0;E<v.length;++E)++C[v[E]&31];for(var E=0;E<A.length;++E)++C[A[E]&31];for(var M=fn(C,7),D=M.t,N=M.l,H=19;H>4&&!D[gn[H-1]];--H)
-;var Ee=c+5<<3,J=Et(s,Ce)+Et(o,Tt)+a,V=Et(s,p)+Et(o,g)+a+14+3*H+Et(C,D)+2*C[16]+3*C[17]+7*C[18];if(l>=0&&Ee<=J&&Ee<=V)return qs(e,d,t.subarray(l,l+c));var U,$,q,
-W;if(Se(e,d,1+(V<J)),d+=2,V<J){U=le(p,h,0),$=p,q=le(g,y,0),W=g;var ft=le(D,N,0);Se(e,d,w-257),Se(e,d+5,k-1),Se(e,d+10,H-4),d+=14;for(var E=0;E<H;++E)Se(e,d+3*E,
+;var Ee=c+5<<3,J=Et(s,Ce)+Et(o,Tt)+a,V=Et(s,p)+Et(o,g)+a+14+3*H+Et(C,D)+2*C[16]+3*C[17]+7*C[18];if(l>=0&&Ee<=J&&Ee<=V)return qs(e,d,t.subarray(l,l+c));var U,_,q,
+W;if(Se(e,d,1+(V<J)),d+=2,V<J){U=le(p,h,0),_=p,q=le(g,y,0),W=g;var ft=le(D,N,0);Se(e,d,w-257),Se(e,d+5,k-1),Se(e,d+10,H-4),d+=14;for(var E=0;E<H;++E)Se(e,d+3*E,
 D[gn[E]]);d+=3*H;for(var te=[v,A],be=0;be<2;++be)for(var Z=te[be],E=0;E<Z.length;++E){var X=Z[E]&31;Se(e,d,ft[X]),d+=D[X],X>15&&(Se(e,d,Z[E]>>5&127),d+=Z[E]>>12)}}else
-U=gl,$=Ce,q=vl,W=Tt;for(var E=0;E<i;++E){var _=n[E];if(_>255){var X=_>>18&31;Mt(e,d,U[X+257]),d+=$[X+257],X>7&&(Se(e,d,_>>23&31),d+=rr[X]);var ie=_&31;Mt(e,d,q[ie]),
-d+=W[ie],ie>3&&(Mt(e,d,_>>5&8191),d+=nr[ie])}else Mt(e,d,U[_]),d+=$[_]}return Mt(e,d,U[256]),d+$[256]},Sl=new xn([65540,131080,131088,131104,262176,1048704,1048832,
-2114560,2117632]),Ys=new P(0),Al=function(t,e,r,n,s,o){var a=o.z||t.length,i=new P(n+a+5*(1+Math.ceil(a/7e3))+s),l=i.subarray(n,i.length-s),c=o.l,d=(o.r||0)&7;if(e){
+U=gl,_=Ce,q=vl,W=Tt;for(var E=0;E<i;++E){var P=n[E];if(P>255){var X=P>>18&31;Mt(e,d,U[X+257]),d+=_[X+257],X>7&&(Se(e,d,P>>23&31),d+=rr[X]);var ie=P&31;Mt(e,d,q[ie]),
+d+=W[ie],ie>3&&(Mt(e,d,P>>5&8191),d+=nr[ie])}else Mt(e,d,U[P]),d+=_[P]}return Mt(e,d,U[256]),d+_[256]},Sl=new xn([65540,131080,131088,131104,262176,1048704,1048832,
+2114560,2117632]),Ys=new L(0),Al=function(t,e,r,n,s,o){var a=o.z||t.length,i=new L(n+a+5*(1+Math.ceil(a/7e3))+s),l=i.subarray(n,i.length-s),c=o.l,d=(o.r||0)&7;if(e){
 d&&(l[0]=o.r>>3);for(var m=Sl[e-1],p=m>>13,h=m&8191,f=(1<<r)-1,g=o.p||new Q(32768),y=o.h||new Q(f+1),x=Math.ceil(r/3),v=2*x,w=function(en){return(t[en]^t[en+1]<<
 x^t[en+2]<<v)&f},S=new xn(25e3),A=new Q(288),k=new Q(32),C=0,E=0,M=o.i||0,D=0,N=o.w||0,H=0;M+2<a;++M){var Ee=w(M),J=M&32767,V=y[Ee];if(g[J]=V,y[Ee]=J,N<=M){var U=a-
-M;if((C>7e3||D>24576)&&(U>423||!c)){d=Ws(t,l,0,S,A,k,E,D,H,M-H,d),D=C=E=0,H=M;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)k[$]=0}var q=2,W=0,ft=h,te=J-V&32767;
-if(U>2&&Ee==w(M-te))for(var be=Math.min(p,U)-1,Z=Math.min(32767,M),X=Math.min(258,U);te<=Z&&--ft&&J!=V;){if(t[M+q]==t[M+q-te]){for(var _=0;_<X&&t[M+_]==t[M+_-te];++_)
-;if(_>q){if(q=_,W=te,_>be)break;for(var ie=Math.min(te,_-2),Be=0,$=0;$<ie;++$){var je=M-te+$&32767,qt=g[je],Yt=je-qt&32767;Yt>Be&&(Be=Yt,V=je)}}}J=V,V=g[J],te+=
+M;if((C>7e3||D>24576)&&(U>423||!c)){d=Ws(t,l,0,S,A,k,E,D,H,M-H,d),D=C=E=0,H=M;for(var _=0;_<286;++_)A[_]=0;for(var _=0;_<30;++_)k[_]=0}var q=2,W=0,ft=h,te=J-V&32767;
+if(U>2&&Ee==w(M-te))for(var be=Math.min(p,U)-1,Z=Math.min(32767,M),X=Math.min(258,U);te<=Z&&--ft&&J!=V;){if(t[M+q]==t[M+q-te]){for(var P=0;P<X&&t[M+P]==t[M+P-te];++P)
+;if(P>q){if(q=P,W=te,P>be)break;for(var ie=Math.min(te,P-2),Be=0,_=0;_<ie;++_){var je=M-te+_&32767,qt=g[je],Yt=je-qt&32767;Yt>Be&&(Be=Yt,V=je)}}}J=V,V=g[J],te+=
 J-V&32767}if(W){S[D++]=268435456|yn[q]<<18|Ds[W];var gt=yn[q]&31,yt=Ds[W]&31;E+=rr[gt]+nr[yt],++A[257+gt],++k[yt],N=M+q,++C}else S[D++]=t[M],++A[t[M]]}}for(M=Math.
 max(M,N);M<a;++M)S[D++]=t[M],++A[t[M]];d=Ws(t,l,c,S,A,k,E,D,H,M-H,d),c||(o.r=d&7|l[d/8|0]<<3,d-=7,o.h=y,o.p=g,o.i=M,o.w=N)}else{for(var M=o.w||0;M<a+c;M+=65535){
 var Ge=M+65535;Ge>=a&&(l[d/8|0]=c,Ge=a),d=qs(l,d+1,t.subarray(M,Ge))}o.i=a}return An(i,0,n+Sn(d)+s)},Ml=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){
 for(var r=e,n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),El=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=Ml[r&255^e[n]]^r>>>
-8;t=r},d:function(){return~t}}};var Tl=function(t,e,r,n,s){if(!s&&(s={l:1},e.dictionary)){var o=e.dictionary.subarray(-32768),a=new P(o.length+t.length);a.set(o),a.set(t,o.length),t=a,s.w=o.length}
+8;t=r},d:function(){return~t}}};var Tl=function(t,e,r,n,s){if(!s&&(s={l:1},e.dictionary)){var o=e.dictionary.subarray(-32768),a=new L(o.length+t.length);a.set(o),a.set(t,o.length),t=a,s.w=o.length}
 return Al(t,e.level==null?6:e.level,e.mem==null?s.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,s)},Ks=function(t,e){var r={};for(var n in t)
 r[n]=t[n];for(var n in e)r[n]=e[n];return r};var z=function(t,e,r){for(;r;++e)t[e]=r,r>>>=8};var kl=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&K(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&K(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function Cl(t,e){return Tl(t,e||{},0,0)}function Js(t,e){return xl(t.subarray(kl(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Zs=function(t,e,r,n){for(var s in t){var o=t[s],a=e+s,i=n;Array.isArray(o)&&(i=Ks(n,o[1]),o=o[0]),o instanceof P?r[a]=[o,i]:(r[a+="/"]=[new P(0),i],Zs(o,a,r,
-n))}},zs=typeof TextEncoder<"u"&&new TextEncoder,Ol=typeof TextDecoder<"u"&&new TextDecoder,Rl=0;try{Ol.decode(Ys,{stream:!0}),Rl=1}catch{}function tr(t,e){if(e){for(var r=new P(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(zs)return zs.encode(t);for(var s=t.length,o=new P(t.length+
-(t.length>>1)),a=0,i=function(d){o[a++]=d},n=0;n<s;++n){if(a+5>o.length){var l=new P(a+8+(s-n<<1));l.set(o),o=l}var c=t.charCodeAt(n);c<128||e?i(c):c<2048?(i(192|
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function Cl(t,e){return Tl(t,e||{},0,0)}function Js(t,e){return xl(t.subarray(kl(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Zs=function(t,e,r,n){for(var s in t){var o=t[s],a=e+s,i=n;Array.isArray(o)&&(i=Ks(n,o[1]),o=o[0]),o instanceof L?r[a]=[o,i]:(r[a+="/"]=[new L(0),i],Zs(o,a,r,
+n))}},zs=typeof TextEncoder<"u"&&new TextEncoder,Ol=typeof TextDecoder<"u"&&new TextDecoder,Rl=0;try{Ol.decode(Ys,{stream:!0}),Rl=1}catch{}function tr(t,e){if(e){for(var r=new L(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(zs)return zs.encode(t);for(var s=t.length,o=new L(t.length+
+(t.length>>1)),a=0,i=function(d){o[a++]=d},n=0;n<s;++n){if(a+5>o.length){var l=new L(a+8+(s-n<<1));l.set(o),o=l}var c=t.charCodeAt(n);c<128||e?i(c):c<2048?(i(192|
 c>>6),i(128|c&63)):c>55295&&c<57344?(c=65536+(c&1047552)|t.charCodeAt(++n)&1023,i(240|c>>18),i(128|c>>12&63),i(128|c>>6&63),i(128|c&63)):(i(224|c>>12),i(128|c>>
 6&63),i(128|c&63))}return An(o,0,a)}var wn=function(t){var e=0;if(t)for(var r in t){var n=t[r].length;n>65535&&K(9),e+=n+4}return e},Hs=function(t,e,r,n,s,o,a,i){var l=n.length,c=r.extra,d=i&&i.length,
 m=wn(c);z(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=r.os),t[e]=20,e+=2,t[e++]=r.flag<<1|(o<0&&8),t[e++]=s&&8,t[e++]=r.compression&255,t[e++]=
@@ -157,7 +157,7 @@ getHours()<<11|p.getMinutes()<<5|p.getSeconds()>>1),e+=4,o!=-1&&(z(t,e,r.crc),z(
 d),z(t,e+6,r.attrs),z(t,e+10,a),e+=14),t.set(n,e),e+=l,m)for(var f in c){var g=c[f],y=g.length;z(t,e,+f),z(t,e+2,y),t.set(g,e+4),e+=4+y}return d&&(t.set(i,e),e+=
 d),e},$l=function(t,e,r,n,s){z(t,e,101010256),z(t,e+8,r),z(t,e+10,r),z(t,e+12,n),z(t,e+16,s)};function Xs(t,e){e||(e={});var r={},n=[];Zs(t,"",r,e);var s=0,o=0;for(var a in r){var i=r[a],l=i[0],c=i[1],d=c.level==0?0:8,m=tr(a),p=m.length,h=c.comment,f=h&&
 tr(h),g=f&&f.length,y=wn(c.extra);p>65535&&K(11);var x=d?Cl(l,c):l,v=x.length,w=El();w.p(l),n.push(Ks(c,{size:l.length,crc:w.d(),c:x,f:m,m:f,u:p!=a.length||f&&h.
-length!=g,o:s,compression:d})),s+=30+p+y+v,o+=76+2*(p+y)+(g||0)+v}for(var S=new P(o+22),A=s,k=o-s,C=0;C<n.length;++C){var m=n[C];Hs(S,m.o,m,m.f,m.u,m.c.length);
+length!=g,o:s,compression:d})),s+=30+p+y+v,o+=76+2*(p+y)+(g||0)+v}for(var S=new L(o+22),A=s,k=o-s,C=0;C<n.length;++C){var m=n[C];Hs(S,m.o,m,m.f,m.u,m.c.length);
 var E=30+m.f.length+wn(m.extra);S.set(m.c,m.o+E),Hs(S,s,m,m.f,m.u,m.c.length,m.o,m.m),s+=16+E+(m.m?m.m.length:0)}return $l(S,s,n.length,k,A),S}var _l="http://www.w3.org/2000/svg";function u(t,e={},...r){return Qs(document.createElement(t),e,r)}function b(t,e={},...r){return Qs(document.createElementNS(
 _l,t),e,r)}function Qs(t,e,r){for(let[s,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(s.slice(2),o):t.setAttribute(s,o===!0?"":
 String(o)));let n=r.filter(s=>s!=null&&s!==!1);return t.append(...n.map(s=>typeof s=="number"?String(s):s)),t}function sr(t,e){let r=u("select",{onchange:()=>e(
@@ -228,45 +228,46 @@ from(l.flatMap((m,p)=>i.map(h=>p*o+t[h])))}}function bo(t,e,r,n){let s=Math.max(
 r)return;let d=t[c]*s+e[c];o[d]+=l,a[d]+=1});let i=o.map((l,c)=>a[c]?l/a[c]:0);return Float64Array.from({length:r},(l,c)=>{let d=i.subarray(c*s,(c+1)*s);return Nn(
 d)/a.subarray(c*s,(c+1)*s).filter(Boolean).length})}var Hl=128,Qe=8;function Nn(t){let{length:e}=t;if(e>Hl){let p=Math.floor(e/2)-Math.floor(e/2)%Qe;return Nn(t.
 subarray(0,p))+Nn(t.subarray(p))}if(e<Qe)return t.reduce((p,h)=>p+h,0);let r=t.slice(0,Qe),n=e-e%Qe;for(let p=Qe;p<n;p++)r[p%Qe]+=t[p];let[s,o,a,i,l,c,d,m]=r;return t.
-subarray(n).reduce((p,h)=>p+h,s+o+(a+i)+(l+c+(d+m)))}var L=["pursuer","evader"],Ne=t=>t==="pursuer"?"evader":"pursuer";var wo=({world:t})=>t.rules.teammate==="REACH"?.2:0;var dr={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},Bl=20,jl=8,Gl=-1,mr=({world:t,policy:e},r,n)=>({fov:t.fov,hidden:e.hidden,mask:e.mask===
-"none"?null:r[n]}),et=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters=[];#e;#t;#r;#n={};#o=new Set;#s=0;#u=0;#h=0;constructor(e,r,n,s=co(
-r.seed)){[this.#e,this.settings,this.#t,this.#r]=[e,r,n,s];for(let o of L){let{initial_weight:a,initial_head:i}=r.policy,l=s("initial",L.indexOf(o)),c=r.learner.
-kind==="ga"?r.learner.population:1,d=Array.from({length:c},()=>go(this.shape(o),l,a,i));this.#d(o,d),this.archive[o].push(this.#n[o].genome)}this.#S()}shape(e){
-return mr(this.settings,this.#t,e)}get finished(){return Math.min(this.archive.pursuer.length,this.archive.evader.length)}*run(){yield*this.#w(0);for(let e=1;e<=
-this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let r of L)yield*this.#p(r,e);else yield*this.#c(e);this.#S(),yield*this.#w(
-e)}}change(e){let r=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(r))===JSON.stringify(l(e));this.settings=e;
-let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of L){let c=d=>yo(d,n[l],this.shape(l));this.archive[l]=this.archive[l].map(c),this.#d(l,this.#a(
-l).map(c))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#o.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:a.
-slice(0,this.finished),evader:i.slice(0,this.finished)}}}#a(e){let r=this.#n[e];if(!(r instanceof Ot))return[r.genome];let n=r.genome.length,s=Array.from({length:r.
-population.length/n},(o,a)=>r.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?r.genome:s[a%s.length])}#d(e,r){
-let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sigma],a=Pn(s),i=new lr(Xe(s),this.#r("noise",L.indexOf(e)),o,a?.fixed??null),l=r.map(
-c=>Ln(c,a));this.#n[e]=n.kind==="ga"?new Ot(ur(l),i,n):new cr(l[0],i,n)}*#p(e,r){for(let n=0;n<this.#i(e);n++){let s=this.archive[Ne(e)].length,o=this.settings.
-schedule[`${e}s_meet`],a=o==="latest"?s-1:o==="round-robin"?n%s:this.#r("opponents",L.indexOf(e),r,n).choice(s,1)[0],i=e==="pursuer"?[r,a]:[a,r],l=this.#n[e],{groups:c}=l,
-d=Ct([this.settings.seed,...i,On[e],n],Math.max(...c)+1),m=l.ask(this.#r("learn",L.indexOf(e),r,n)),[p,h]=[Int32Array.from(c.keys()),new Int32Array(c.length)],f={
-[e]:m,[Ne(e)]:this.archive[Ne(e)][a]},g={[e]:p,[Ne(e)]:h},y=this.#g(f,g,BigUint64Array.from(c,v=>d[v])),x=this.#y(y,e);this.#b(y,x,{generation:r,team:e,epoch:n,
-opponent:a}),l.tell(x),yield*this.#f(r,n,e)}this.archive[e].push(this.#n[e].genome)}*#c(e){for(let r=0;r<this.#i("pursuer");r++){let{schedule:n,learner:{population:s}}=this.
-settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#l("pursuer",e,r),evader:this.#l("evader",e,r)},l=this.#r("opponen\
-ts",0,e,r),c={pursuer:this.#m(o,l),evader:this.#m(o,l)},d=y=>ur([i[y],...Array.from(c[Ne(y)],x=>this.archive[y][x])]),m=[c.evader.length,c.pursuer.length],p=vo(
-this.#n.pursuer.groups,a,m,l),h=Ct([this.settings.seed,e,e,On.both,r],Math.max(...p.group)+1),f={pursuer:d("pursuer"),evader:d("evader")},g=this.#g(f,p,BigUint64Array.
-from(p.group,y=>h[y]));for(let y of L){let x=bo(p[y],p[Ne(y)],s,this.#y(g,y));this.#b(g,x,{generation:e,team:y,epoch:r,opponent:Gl}),this.#n[y].tell(x)}yield*this.#f(
-e,r,"both")}for(let r of L)this.archive[r].push(this.#n[r].genome)}#l(e,r,n){return this.#n[e].ask(this.#r("learn",L.indexOf(e),r,n))}#m(e,r){let n=this.archive.
-pursuer.length;return e?r.choice(n,Math.min(e,n)):new Int32Array(0)}#i(e){let{schedule:r}=this.settings;return r.kind==="hall-of-fame"?r.joint_epochs:r[`${e}_ep\
-ochs`]}*#f(e,r,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i("pursuer"),0]:[this.#i("pursuer"),this.#i("evader")],a=r+1+(n==="evader"?s:0),i=s+
-o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#g(e,r,n){let s={...this.settings.world,max_steps:this.settings.
-train_steps},o=this.#e.rollouts(s,this.#v("pursuer",e.pursuer),this.#v("evader",e.evader),{...r,seed:n},1);this.#s+=o.length.length;for(let a of o.length)this.#u+=
-Number(a);for(let a of o.agent_steps)this.#h+=Number(a);return o}#v(e,r){return $t(this.shape(e),r)}#y({captured_fraction:e,overlap:r},n){let s=wo(this.settings);
-return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(r[2*a+1]))}#b(e,r,n){let s=B(r),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),
-this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(B(r.map(a=>(a-s)**2))),fitness_best:Math.max(...r),capture_rate:B(e.capture_rate),length:B(e.length),pursuer_faults:o[0]/
-e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#u})}#S(){this.counters.push({matches:this.#s,steps:this.#u,agent_steps:this.#h})}*#w(e){
-yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-
-1;e>=0;e--){for(let r=e;r>=0;r--)for(let[n,s]of r===e?[[e,e]]:[[e,r],[r,e]]){if(this.cells.has(`${n} ${s}`))continue;let o=this.#A(n,s);this.cells.set(`${n} ${s}`,
-o),yield{type:"cell",cell:o}}this.#o.has(e)||(this.#o.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#x("pursuer",e),evader:this.#x("evader",e)}})}}#A(e,r){
-let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(ir(o,e,r))},i=L.map(d=>this.#v(
-d,this.archive[d][d==="pursuer"?e:r])),l=this.#e.rollouts(n,...i,a,s),c=d=>{let m=Array.from(l[d],Number),p=m.length/s;return Array.from({length:p},(h,f)=>B(m.filter(
-(g,y)=>y%p===f)))};return{pursuer:e,evader:r,capture_rates:Array.from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:c("collisions"),faults:c("f\
-aults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#x(e,r){let{world:n,seed:s}=this.settings,[o,a]=[this.#v(e,this.archive[e][r]),new Int32Array(1)];
-return B(dr[e].map((i,l)=>{let c=Ct([s,L.indexOf(e),l,jl],1),d=e==="pursuer"?[o,i]:[i,o],m=B(this.#e.rollouts(n,...d,{pursuer:a,evader:a,seed:c},Bl).capture_rate);
-return e==="pursuer"?m:1-m}))}};function ur(t){let e=new Float32Array(t.reduce((n,{length:s})=>n+s,0)),r=0;for(let n of t)e.set(n,r),r+=n.length;return e}var Vl=12;function xo(t){let e=new Blob([Ae("script-engine"),`
+subarray(n).reduce((p,h)=>p+h,s+o+(a+i)+(l+c+(d+m)))}var R=["pursuer","evader"],Ne=t=>t==="pursuer"?"evader":"pursuer";var wo=({world:t})=>t.rules.teammate==="REACH"?.2:0;var dr={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},Bl=20,jl=8,Gl=-1,mr=({world:t,policy:e},r,n)=>({fov:t.fov,hidden:e.hidden,mask:e.mask===
+"none"?null:r[n]}),et=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters={pursuer:[],evader:[]};#e;#t;#r;#n={};#o=new Set;#s=0;#u=0;#h=0;constructor(e,r,n,s=co(
+r.seed)){[this.#e,this.settings,this.#t,this.#r]=[e,r,n,s];for(let o of R){let{initial_weight:a,initial_head:i}=r.policy,l=s("initial",R.indexOf(o)),c=r.learner.
+kind==="ga"?r.learner.population:1,d=Array.from({length:c},()=>go(this.shape(o),l,a,i));this.#d(o,d),this.archive[o].push(this.#n[o].genome)}this.#w(...R)}shape(e){
+return mr(this.settings,this.#t,e)}get finished(){return Math.min(this.archive.pursuer.length,this.archive.evader.length)}*run(){yield*this.#x(0);for(let e=1;e<=
+this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let r of R)yield*this.#p(r,e),this.#w(r);else yield*this.#c(e),this.#w(
+...R);yield*this.#x(e)}}change(e){let r=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(r))===JSON.stringify(l(
+e));this.settings=e;let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of R){let c=d=>yo(d,n[l],this.shape(l));this.archive[l]=this.archive[l].
+map(c),this.#d(l,this.#a(l).map(c))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#o.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,
+genomes:{pursuer:a.slice(0,this.finished),evader:i.slice(0,this.finished)}}}#a(e){let r=this.#n[e];if(!(r instanceof Ot))return[r.genome];let n=r.genome.length,
+s=Array.from({length:r.population.length/n},(o,a)=>r.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?r.genome:
+s[a%s.length])}#d(e,r){let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sigma],a=Pn(s),i=new lr(Xe(s),this.#r("noise",R.indexOf(e)),
+o,a?.fixed??null),l=r.map(c=>Ln(c,a));this.#n[e]=n.kind==="ga"?new Ot(ur(l),i,n):new cr(l[0],i,n)}*#p(e,r){for(let n=0;n<this.#i(e);n++){let s=this.archive[Ne(e)].
+length,o=this.settings.schedule[`${e}s_meet`],a=o==="latest"?s-1:o==="round-robin"?n%s:this.#r("opponents",R.indexOf(e),r,n).choice(s,1)[0],i=e==="pursuer"?[r,a]:
+[a,r],l=this.#n[e],{groups:c}=l,d=Ct([this.settings.seed,...i,On[e],n],Math.max(...c)+1),m=l.ask(this.#r("learn",R.indexOf(e),r,n)),[p,h]=[Int32Array.from(c.keys()),
+new Int32Array(c.length)],f={[e]:m,[Ne(e)]:this.archive[Ne(e)][a]},g={[e]:p,[Ne(e)]:h},y=this.#g(f,g,BigUint64Array.from(c,v=>d[v])),x=this.#y(y,e);this.#b(y,x,
+{generation:r,team:e,epoch:n,opponent:a}),l.tell(x),yield*this.#f(r,n,e)}this.archive[e].push(this.#n[e].genome)}*#c(e){for(let r=0;r<this.#i("pursuer");r++){let{
+schedule:n,learner:{population:s}}=this.settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#l("pursuer",e,r),evader:this.#l(
+"evader",e,r)},l=this.#r("opponents",0,e,r),c={pursuer:this.#m(o,l),evader:this.#m(o,l)},d=y=>ur([i[y],...Array.from(c[Ne(y)],x=>this.archive[y][x])]),m=[c.evader.
+length,c.pursuer.length],p=vo(this.#n.pursuer.groups,a,m,l),h=Ct([this.settings.seed,e,e,On.both,r],Math.max(...p.group)+1),f={pursuer:d("pursuer"),evader:d("ev\
+ader")},g=this.#g(f,p,BigUint64Array.from(p.group,y=>h[y]));for(let y of R){let x=bo(p[y],p[Ne(y)],s,this.#y(g,y));this.#b(g,x,{generation:e,team:y,epoch:r,opponent:Gl}),
+this.#n[y].tell(x)}yield*this.#f(e,r,"both")}for(let r of R)this.archive[r].push(this.#n[r].genome)}#l(e,r,n){return this.#n[e].ask(this.#r("learn",R.indexOf(e),
+r,n))}#m(e,r){let n=this.archive.pursuer.length;return e?r.choice(n,Math.min(e,n)):new Int32Array(0)}#i(e){let{schedule:r}=this.settings;return r.kind==="hall-o\
+f-fame"?r.joint_epochs:r[`${e}_epochs`]}*#f(e,r,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i("pursuer"),0]:[this.#i("pursuer"),this.#i("eva\
+der")],a=r+1+(n==="evader"?s:0),i=s+o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#g(e,r,n){let s={...this.settings.
+world,max_steps:this.settings.train_steps},o=this.#e.rollouts(s,this.#v("pursuer",e.pursuer),this.#v("evader",e.evader),{...r,seed:n},1);this.#s+=o.length.length;
+for(let a of o.length)this.#u+=Number(a);for(let a of o.agent_steps)this.#h+=Number(a);return o}#v(e,r){return $t(this.shape(e),r)}#y({captured_fraction:e,overlap:r},n){
+let s=wo(this.settings);return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(r[2*a+1]))}#b(e,r,n){let s=B(r),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(
+i/3)%2]+=Number(a)),this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(B(r.map(a=>(a-s)**2))),fitness_best:Math.max(...r),capture_rate:B(e.capture_rate),
+length:B(e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#u})}#w(...e){for(let r of e)this.counters[r].
+push({matches:this.#s,steps:this.#u,agent_steps:this.#h})}*#x(e){yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},
+yield*this.catchUp()}*catchUp(){for(let e=this.finished-1;e>=0;e--){for(let r=e;r>=0;r--)for(let[n,s]of r===e?[[e,e]]:[[e,r],[r,e]]){if(this.cells.has(`${n} ${s}`))
+continue;let o=this.#A(n,s);this.cells.set(`${n} ${s}`,o),yield{type:"cell",cell:o}}this.#o.has(e)||(this.#o.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#S(
+"pursuer",e),evader:this.#S("evader",e)}})}}#A(e,r){let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),
+seed:BigUint64Array.of(ir(o,e,r))},i=R.map(d=>this.#v(d,this.archive[d][d==="pursuer"?e:r])),l=this.#e.rollouts(n,...i,a,s),c=d=>{let m=Array.from(l[d],Number),
+p=m.length/s;return Array.from({length:p},(h,f)=>B(m.filter((g,y)=>y%p===f)))};return{pursuer:e,evader:r,capture_rates:Array.from(l.capture_rate),lengths:Array.
+from(l.length),means:{collisions:c("collisions"),faults:c("faults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#S(e,r){let{world:n,seed:s}=this.settings,
+[o,a]=[this.#v(e,this.archive[e][r]),new Int32Array(1)];return B(dr[e].map((i,l)=>{let c=Ct([s,R.indexOf(e),l,jl],1),d=e==="pursuer"?[o,i]:[i,o],m=B(this.#e.rollouts(
+n,...d,{pursuer:a,evader:a,seed:c},Bl).capture_rate);return e==="pursuer"?m:1-m}))}};function ur(t){let e=new Float32Array(t.reduce((n,{length:s})=>n+s,0)),r=0;
+for(let n of t)e.set(n,r),r+=n.length;return e}var Vl=12;function xo(t){let e=new Blob([Ae("script-engine"),`
 `,Ae(`script-${t}`)],{type:"text/javascript"});return new Worker(URL.createObjectURL(e))}function So(){let t=d=>postMessage(d),e=er(),r=null,n=null,s=0,o=!1,a=new MessageChannel,
 i=()=>{let d=performance.now()+Vl;for(;n&&performance.now()<d;){let{value:m,done:p}=n.next();p?(n=null,t({type:"end",seconds:(performance.now()-s)/1e3})):t(m)}!n||
 o||(o=!0,a.port2.postMessage(null))},l=async d=>{if(d.type==="start")r=new et(await e,d.settings,d.masks),[n,s]=[r.run(),performance.now()],i();else if(d.type===
@@ -277,21 +278,21 @@ counters:g,finished:y}=r;t({type:"saved",race:{settings:m,archive:p,rows:h,cells
 u"){let t=matchMedia("(prefers-color-scheme: dark)");t.addEventListener("change",()=>_t(t.matches)),_t(t.matches);let e=!1;addEventListener("beforeprint",()=>{e=
 Mo(),_t(!1)}),addEventListener("afterprint",()=>_t(e))}function Eo(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:ql},
 "◐")}var pr=(t,e,...r)=>u("header",{class:"top"},u("div",{},u("h1",{},t),e?u("p",{class:"lead"},e):null),u("div",{class:"tools"},...r,Eo()));var hr=t=>t!==void 0&&"predict"in t,fr=({sections:t})=>new Map(t.flatMap(({parts:e})=>e.filter(hr).map(r=>[r.predict,r]))),To=()=>JSON.parse(Ae("data"));var rt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function ko(t,e,r){let[n,s]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(s)?s=0:r||
-(n=0),rt.findIndex(([o,a])=>o===Math.sign(n)&&a===Math.sign(s))}var Ie=(t,e)=>e<t.nPursuers,R=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],In=({rows:t,cols:e},[
+(n=0),rt.findIndex(([o,a])=>o===Math.sign(n)&&a===Math.sign(s))}var Ie=(t,e)=>e<t.nPursuers,$=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],In=({rows:t,cols:e},[
 r,n])=>r>=0&&n>=0&&r<t&&n<e,Fn=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),Dn=(t,e)=>Fn(t.fault,e),Co=(t,e)=>!Dn(t,e)&&Fn(t.involved,e,2);function gr(t,e,r){
-let[n,s]=[R(t,r),R(e,r)],o=n[0]!==s[0]||n[1]!==s[1],a=e.involved===void 0||Fn(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!o&&a)}function yr(t,e,r){let[n,
-s]=R(t,r),[o,a]=rt[e.actions?.[r]??0];return[n+o,s+a]}function Pt(t,e,r){return Array.from({length:r.everCaptured.length},(s,o)=>o).filter(s=>r.everCaptured[s]&&
+let[n,s]=[$(t,r),$(e,r)],o=n[0]!==s[0]||n[1]!==s[1],a=e.involved===void 0||Fn(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!o&&a)}function yr(t,e,r){let[n,
+s]=$(t,r),[o,a]=rt[e.actions?.[r]??0];return[n+o,s+a]}function Pt(t,e,r){return Array.from({length:r.everCaptured.length},(s,o)=>o).filter(s=>r.everCaptured[s]&&
 !e.everCaptured[s]).map(s=>t.nPursuers+s)}var vr=t=>t.moments.flatMap((e,r)=>r&&Pt(t,t.moments[r-1],e).length?[r]:[]);function br(t,e){return Array.from({length:e.
 alive.length},(n,s)=>s).filter(n=>t.alive[n]&&!e.alive[n])}var Oo=[-.31,0,.31],Ro=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:Oo.flatMap(t=>Oo.map(e=>[e,t]))}],Yl=.3,Kl=.35,Jl=.55;function Lt(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
-alive[n])continue;let[s,o]=R(e,n),a=s*t.cols+o,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function $o(t,e){let r=Array.from(e.alive,(n,s)=>{let[o,a]=R(e,s);return{
+alive[n])continue;let[s,o]=$(e,n),a=s*t.cols+o,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function $o(t,e){let r=Array.from(e.alive,(n,s)=>{let[o,a]=$(e,s);return{
 x:a+.5,y:o+.5,size:1,alpha:0}});for(let n of Lt(t,e).values()){let s=Ro[Math.min(n.length,Ro.length)-1];n.forEach((o,a)=>{let[i,l]=s.at[Math.min(a,s.at.length-1)],
 c=r[o];c.x+=i,c.y+=l,c.size=s.size,c.alpha=1})}return r}var _o=t=>t*t*(3-2*t),nt=(t,e,r)=>t+(e-t)*r,Po=t=>Math.min(1,Math.max(0,t));function Lo(t,e,r,n){let s={
 SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(s===1)return _o(n);let o=s===r?e:+!Ie(t,e),a=Math.max(1/s,Kl);return _o(Po((n-o/(s-1)*(1-a))/a))}function wr(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),s=t.moments[n],o=$o(t,s);if(n===r||e===n)return o;let a=t.moments[n+1],i=$o(t,a);return o.map((l,c)=>{let d=Lo(
 t,c,o.length,e-n);return Zl(s,a,c,l,i[c],d)})}function Un(t,e,r){let n=t.moments.length-1,s=Math.min(Math.floor(r),n),[o,a]=[t.moments[s],t.moments[Math.min(s+1,
-n)]],i=Lo(t,e,o.alive.length,r-s),[[l,c],[d,m]]=[R(o,e),R(a,e)];return[nt(c,m,i)+.5,nt(l,d,i)+.5]}function Zl(t,e,r,n,s,o){let a=n.alpha>s.alpha,i={x:nt(n.x,s.x,
-o),y:nt(n.y,s.y,o),size:a?n.size:nt(n.size,s.size,o),alpha:a?Po((1-o)/(1-Jl)):nt(n.alpha,s.alpha,o)};if(gr(t,e,r)){let[l,c]=R(t,r),[d,m]=yr(t,e,r),p=Yl*Math.sin(
+n)]],i=Lo(t,e,o.alive.length,r-s),[[l,c],[d,m]]=[$(o,e),$(a,e)];return[nt(c,m,i)+.5,nt(l,d,i)+.5]}function Zl(t,e,r,n,s,o){let a=n.alpha>s.alpha,i={x:nt(n.x,s.x,
+o),y:nt(n.y,s.y,o),size:a?n.size:nt(n.size,s.size,o),alpha:a?Po((1-o)/(1-Jl)):nt(n.alpha,s.alpha,o)};if(gr(t,e,r)){let[l,c]=$(t,r),[d,m]=yr(t,e,r),p=Yl*Math.sin(
 Math.PI*o);i.x+=(m-c)*p,i.y+=(d-l)*p}return i}var No=2*Math.PI;function Fe(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,No)}function xr(t,e,r,n){let s=n/2,o=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*s,r+i*
 s]);t.beginPath(),t.moveTo((o[2][0]+o[0][0])/2,(o[2][1]+o[0][1])/2),o.forEach(([a,i],l)=>{let[c,d]=o[(l+1)%3];t.arcTo(a,i,c,d,n*.09)}),t.closePath()}function Io(t,e,r,n){
 let s=n*.32;t.beginPath(),t.moveTo(e-s,r-s),t.lineTo(e+s,r+s),t.moveTo(e+s,r-s),t.lineTo(e-s,r+s)}function Fo(t,e,r,n){t.beginPath();for(let s=0;s<16;s++){let o=n/
@@ -315,10 +316,10 @@ max(2,2.5*s),o.stroke();let m=Math.max(11*s,Math.min(18*s,a.cell*.5)),p=d-l/2<m*
 Math.max(1,a.cell/24),o.strokeRect(...i),o.globalAlpha=1}function Ko(t,e,r,n,s){let{ctx:o,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];o.
 lineCap="round",o.lineWidth=Math.min(rc,Math.max(1,a.cell*tc));for(let c=Math.max(1,Math.floor(r-n)+1);c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(
 0,Math.min(1,(r-c)/n));o.globalAlpha=Wo+(sc-Wo)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&r<i;if(!d.alive[h]||!(l.alive[h]||f))continue;let g=(Ie(e,h)?-1:
-1)*nc,[y,x]=R(d,h),[v,w]=R(m,h);if(y===v&&x===w)continue;let S=f?s[h].x:w+.5,A=f?s[h].y:v+.5;o.strokeStyle=st(t,e,h),o.beginPath(),o.moveTo(j(a,x+.5+g),G(a,y+.5+
+1)*nc,[y,x]=$(d,h),[v,w]=$(m,h);if(y===v&&x===w)continue;let S=f?s[h].x:w+.5,A=f?s[h].y:v+.5;o.strokeStyle=st(t,e,h),o.beginPath(),o.moveTo(j(a,x+.5+g),G(a,y+.5+
 g)),o.lineTo(j(a,S+g),G(a,A+g)),o.stroke()}}o.globalAlpha=1}function Jo(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let s=Math.max(1,n-Uo+1);s<=n;s++){
-let[o,a]=[e.moments[s-1],e.moments[s]],i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/Uo,l=Pt(e,o,a);for(let c of br(o,a))l.includes(c)||ac(t,R(a,c),i);for(let c of l)oc(t,
-R(a,c),i)}t.ctx.globalAlpha=1}function oc({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Fo(t,j(e,s+.5),G(e,n+.5),Math.max(8,e.cell*Xl)),t.fillStyle=r.capture,
+let[o,a]=[e.moments[s-1],e.moments[s]],i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/Uo,l=Pt(e,o,a);for(let c of br(o,a))l.includes(c)||ac(t,$(a,c),i);for(let c of l)oc(t,
+$(a,c),i)}t.ctx.globalAlpha=1}function oc({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Fo(t,j(e,s+.5),G(e,n+.5),Math.max(8,e.cell*Xl)),t.fillStyle=r.capture,
 t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function ac({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Io(t,j(
 e,s+.5),G(e,n+.5),Math.max(7,e.cell*Ql)),t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Zo({ctx:t,grid:e,colors:r},n,s){
 let o=Math.max(1,e.cell*.07);t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<
@@ -329,7 +330,7 @@ Wn&&mc(t,n[a[Wn-1]],a.length-Wn+1)}function dc(t,e,r,n,s,o,a){let{ctx:i,grid:l,c
 ic)),f=st(t,e,n),g=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=s.alpha,(d?xr:Fe)(i,m,p,h),h>uc*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,h*.1),i.stroke()),
 i.fillStyle=g?c.paper:f,i.fill(),g&&(Fe(i,m,p,h*.82),i.strokeStyle=f,i.lineWidth=h*.18,i.stroke()),!o||h<cc*a)return;let y=String(d?n:n-e.nPursuers),x=h*(d?.4:.5)*
 (y.length>1?.8:1);Sr(t,y,m,p+h*(d?.17:.03),x,g?f:c.paper)}function mc(t,e,r){let{cell:n}=t.grid;Sr(t,`+${r}`,j(t.grid,e.x),G(t.grid,e.y),n*.3,t.colors.ink,n*.1)}var pc=.46,hc=.86,fc=.66,ea=.48,gc=.78,yc=.58;function ta(t,e,r,n){let[s,o]=[e.moments[r-1],e.moments[r]];if(!s)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<o.alive.length;c++)gr(s,o,c)&&vc(t,e,R(s,c),yr(s,o,c));a.globalAlpha=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<o.alive.length;c++)gr(s,o,c)&&vc(t,e,$(s,c),yr(s,o,c));a.globalAlpha=
 1}function vc({ctx:t,grid:e},r,n,s){let[o,a]=[s[1]-n[1],s[0]-n[0]],i=m=>j(e,n[1]+.5+o*m),l=m=>G(e,n[0]+.5+a*m),c=In(r,s)?gc:yc;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(ea),l(ea)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(o,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
 o*d),t.lineTo(i(c)+a*d,l(c)-o*d),t.stroke()}function ra(t,e,r,n,s,o){let a=rt[o];if(!o||!a)return;let{ctx:i,grid:l,colors:c}=t,d=In(e,[n[0]+a[0],n[1]+a[1]])?hc:
@@ -338,7 +339,7 @@ h*2.1],[st(t,e,r),h]])i.strokeStyle=f,i.lineWidth=g,Do(i,...p,l.cell*.2),i.strok
 Math.ceil(r),e.moments.length-1),c=e.moments[l],d=r===l,m=wr(e,r),p=d?1:Math.max(0,1-2*(l-r));o.clearRect(0,0,o.canvas.width,o.canvas.height),zo(t);for(let g of n.
 viewers)m[g]?.alpha&&Yo(t,e,g,...Un(e,g,r));Ho(t,e),n.axes&&jo(t,s),Ko(t,e,r,n.trail,m),Zo(t,c.contested??[],p),Jo(t,e,r),ta(t,e,l,p),m.forEach(({x:g,y,size:x},v)=>{
 let w=Co(c,v)?.4:0,S=Dn(c,v)?1:w;S&&Xo(t,g,y,x,S*p)});let h=d?c:e.moments[Math.max(0,l-1)];if(Qo(t,e,h,m,n.numbers,s),d&&n.plan)for(let[g,y]of m.entries())y.alpha&&
-ra(t,e,g,R(c,g),y,n.plan[g]??0);n.you!==null&&(n.fog&&Vo(t,e,...Un(e,n.you,r)),qo(t,m[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=i.focus;let f=n.selected===
+ra(t,e,g,$(c,g),y,n.plan[g]??0);n.you!==null&&(n.fog&&Vo(t,e,...Un(e,n.you,r)),qo(t,m[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=i.focus;let f=n.selected===
 null?void 0:m[n.selected];f?.alpha&&na(t,f.x,f.y,f.size*.96),n.cursor&&(o.setLineDash([a.cell*.12,a.cell*.08]),na(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),o.setLineDash(
 []))}function na({ctx:t,grid:e},r,n,s){let o=s*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-o/2,e.top+n*e.cell-o/2,o,o,o*.1),t.stroke()}var aa=(t,e)=>(e+.24)/(t+.24);function ia(t,e,r,n,s,o){let a=r?28*o:0,i=(c,d)=>(c-a)/(d+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(s,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((s-t*l+a)/2)}}function la(t,e,r){let n=Math.floor((r-t.top)/t.cell),s=Math.floor((e-t.left)/t.cell);return n>=
@@ -601,23 +602,23 @@ new Wr(o=>this.#E(o)),this.actions=u("div",{class:"beside"},u("button",{type:"bu
 this step on (T)",onclick:()=>this.element.dispatchEvent(new Event("takeover"))},"Take over"),n&&ai(()=>this.shown,n)),this.element=u("section",{class:"card mat\
 ch-card","aria-label":"Match",id:"match"},u("div",{class:"match"},u("header",{class:"match-head"},this.#o,this.#s),this.#h,this.#a,u("div",{class:"stage"},s),u(
 "div",{class:"aside"},this.#u,Ir(),this.actions,this.inspector.element),$e(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&
-this.#e.show(this.recording,this.player.time)),this.player.addEventListener("step",()=>this.#A()),r.on("match",()=>this.#v()),this.#w(),this.#x(0,0)}get#f(){return this.#t[this.#r.
+this.#e.show(this.recording,this.player.time)),this.player.addEventListener("step",()=>this.#A()),r.on("match",()=>this.#v()),this.#x(),this.#S(0,0)}get#f(){return this.#t[this.#r.
 selected.run]}reveal(){(this.#f.game?this.#a:this.#e.canvas).scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#p&&{match:this.match,step:this.
 player.step,champions:this.#p}}start(e){this.#d=e,this.#y()}playSoon(){this.#l=!0,this.#c||this.#g()}goTo(e){this.#m=e,!this.#c&&this.match&&this.#y()}#g(){!this.#l||
-!this.match||(this.#l=!1,this.player.jump(0),oe()||this.player.play())}#v(){this.#w(),clearTimeout(this.#c),this.#c=setTimeout(()=>this.#y(),cu)}#y(){clearTimeout(
-this.#c),this.#c=0,this.player.pause(),this.#w();let{selected:e}=this.#r,{game:r}=this.#f;if(this.#a.replaceChildren(...r?ro(this.#f,r,e,this.#r):[]),r){this.match=
+!this.match||(this.#l=!1,this.player.jump(0),oe()||this.player.play())}#v(){this.#x(),clearTimeout(this.#c),this.#c=setTimeout(()=>this.#y(),cu)}#y(){clearTimeout(
+this.#c),this.#c=0,this.player.pause(),this.#x();let{selected:e}=this.#r,{game:r}=this.#f;if(this.#a.replaceChildren(...r?ro(this.#f,r,e,this.#r):[]),r){this.match=
 this.recording=null,this.#l=!1,this.#b(e);return}let n=Ze.map(a=>or(this.#f,a,e[a])).find(Boolean)??"";if(this.#h.textContent=n,n||!this.#d)return;this.match=ar(
 this.#d,this.#f,e);let[s,o]=this.names(e);this.#p={pursuer:{name:s,policy:re(this.#f,"pursuer",e.pursuer)},evader:{name:o,policy:re(this.#f,"evader",e.evader)}},
 this.recording=Fr(this.match),this.#n.show(this.#f,this.match),this.inspector.show(this.#d,this.#f,this.match,e),this.player.length=this.match.length,this.player.
-marks=vr(this.recording),this.#i=this.player.ticks=[],this.player.jump(this.#m),this.#m=0,this.#A(),this.#S(this.#d,this.match),this.#b(e),this.#g()}#b({run:e,pursuer:r,
-evader:n,episode:s,seed:o}){this.element.dataset.played=`${e} ${r} ${n} ${s} ${o??""}`}async#S(e,r){let n=await zr(e,r.config);if(this.match!==r||!n)return;let s=e.
+marks=vr(this.recording),this.#i=this.player.ticks=[],this.player.jump(this.#m),this.#m=0,this.#A(),this.#w(this.#d,this.match),this.#b(e),this.#g()}#b({run:e,pursuer:r,
+evader:n,episode:s,seed:o}){this.element.dataset.played=`${e} ${r} ${n} ${s} ${o??""}`}async#w(e,r){let n=await zr(e,r.config);if(this.match!==r||!n)return;let s=e.
 world(r.config);r.seek(s,0),this.#i=Hr(n,s,uu(r)),s.free(),this.player.ticks=Br(this.#i),this.inspector.solution=n,this.#A()}names({run:e,pursuer:r,evader:n}){let s=this.#t[e],
-{teams:o}=s;return[o.pursuer.script??ee(s,"pursuer",r),o.evader.script??ee(s,"evader",n)]}#w(){let{episode:e,seed:r}=this.#r.selected,{game:n,payoff:s}=this.#f;
+{teams:o}=s;return[o.pursuer.script??ee(s,"pursuer",r),o.evader.script??ee(s,"evader",n)]}#x(){let{episode:e,seed:r}=this.#r.selected,{game:n,payoff:s}=this.#f;
 this.element.classList.toggle("of-own-game",!!n);let[o,a]=this.names(this.#r.selected),i=r===null?e<s.episodes?`episode ${e+1} of ${s.episodes}`:`episode ${e+1}\
 , not part of the cell`:`seed ${r}`;this.#o.replaceChildren(u("span",{class:"pursuer"},ce(o))," against ",u("span",{class:"evader"},a),n?"":u("span",{class:"mut\
-ed small"},i))}#A(){let e=this.match;if(!e||!this.recording)return;let r=this.player.step,n=this.recording.moments[r];this.#x(Array.from(n.everCaptured).filter(
+ed small"},i))}#A(){let e=this.match;if(!e||!this.recording)return;let r=this.player.step,n=this.recording.moments[r];this.#S(Array.from(n.everCaptured).filter(
 Boolean).length,r),this.#u.replaceChildren(...this.#i.filter(s=>s.step===r).map(s=>u("li",{class:`loss-${s.team}`},jt(s))),...jr(e,this.recording,r).map(s=>u("l\
-i",{class:s.kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(r),this.#M()}#x(e,r){let{world:n}=this.#f;n&&this.#s.replaceChildren(u("strong",{},
+i",{class:s.kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(r),this.#M()}#S(e,r){let{world:n}=this.#f;n&&this.#s.replaceChildren(u("strong",{},
 e),` of ${n.n_evaders} captured`,u("span",{class:"muted"},` · step ${r}`))}#E(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#M()}#M(){let e=this.inspector.
 agent;for(let r of this.#u.children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}},uu=({actions:t,length:e,
 n_agents:r})=>Array.from({length:e},(n,s)=>t.subarray(s*r,(s+1)*r));var du={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},mu=5;function fi(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
@@ -630,7 +631,7 @@ let s=u("button",{type:"button",onclick:()=>n({pursuer:e,evader:r})});return Or(
 max(0,Math.min(e-Gr,t-Math.floor(Gr/2)));var ne={left:52,bottom:46,top:76,right:84},ye=10,fu=160,Gt=ne.right-ye-14,He=ne.top-ye-14,mt=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
 {"aria-hidden":"true"});#o=b("g");#s;#u=u("h2");#h=u("strong",{class:"rate numbers"});#a=u("span",{class:"small muted"});#d=u("p",{class:"of-both-teams small mu\
 ted numbers"});#p;#c=null;constructor(e,r){[this.#t,this.#e]=[e,r],this.#s=u("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a \
-match, Enter plays it.",onpointermove:s=>this.#S(s),onpointerleave:()=>r.point({}),onclick:s=>this.#w(s),onkeydown:({key:s})=>s==="Enter"&&this.#x()},this.#r,this.#n);
+match, Enter plays it.",onpointermove:s=>this.#w(s),onpointerleave:()=>r.point({}),onclick:s=>this.#x(s),onkeydown:({key:s})=>s==="Enter"&&this.#S()},this.#r,this.#n);
 let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#u,this.#d),u("div",{class:"of-cell"},this.#h,this.#a));this.#p=Me(...ue(this.#l).ends),
 this.element=u("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,this.#p),this.#v(),new ResizeObserver(()=>this.#m()).observe(this.#s),
 this.#s.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),fi(this.#s,r,()=>this.#l.
@@ -656,9 +657,9 @@ o.rates.length>1?`, mean of ${o.rates.length} episodes`:"";this.#a.textContent=o
 let n=this.#l.findings?.generalization;if(!n)return"";let s=(a,i)=>to(a.mean[i]??null,a.low?.[i]??null,a.high?.[i]??null),{means:o}=ue(this.#l);return`Against a\
 ll: ${o.pursuer} ${s(n.pursuers,e)}, ${o.evader} ${s(n.evaders,r)}`}#b(e){let r=this.#c;if(!r)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.
 clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((e.clientY-n.top-r.top)/r.cell),[a,i]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&
-i}:null}#S(e){let r=this.#b(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#b(e);if(r){if(r.inside&&yi(this.#c.cell))return this.#A(
-r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#x()}}#A(e,r){let n=vi(this.#l,e,r,s=>{n.remove(),s&&(this.#e.select(
-s),this.#x())});this.#s.append(n)}#x(){this.#s.dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function gu({left:t,top:e,cell:r,rows:n,columns:s},o){let a=b(
+i}:null}#w(e){let r=this.#b(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#x(e){let r=this.#b(e);if(r){if(r.inside&&yi(this.#c.cell))return this.#A(
+r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#S()}}#A(e,r){let n=vi(this.#l,e,r,s=>{n.remove(),s&&(this.#e.select(
+s),this.#S())});this.#s.append(n)}#S(){this.#s.dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function gu({left:t,top:e,cell:r,rows:n,columns:s},o){let a=b(
 "g",{class:"axes"}),i=e+n*r,l=c=>kt(0,c-1,Math.min(c,c*r/44),!0);for(let c of l(s))a.append(b("text",{class:"tick",x:t+(c+.5)*r,y:i+16,"text-anchor":"middle"},c));
 for(let c of l(n))a.append(b("text",{class:"tick",x:t-7,y:i-(c+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},c));return a.append(b("text",{class:"labe\
 l of-evaders",x:t+s*r/2,y:i+36,"text-anchor":"middle"},o.evader),b("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text\
@@ -708,26 +709,26 @@ return Ii({format:v(Mu),n_pursuers:x(n.n_pursuers),config:v(JSON.stringify(n)),s
 f)}})}var Eu=[0,1,2,4,8],Yr=class{element;player=new de(0,{speed:4,still:oe()});#e;#t;#r=u("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=u("h2");#o=u("p",{
 class:"play-told",role:"status"});#s=Ri(e=>this.act(e));#u=sr(Eu.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#T());#h=u("input",{type:"checkbox",onchange:()=>this.#A()});#a=u(
 "input",{type:"checkbox",onchange:()=>this.#k()});#d=u("label",{class:"play-choice"},this.#a,"Best move");#p=u("p",{class:"small muted play-keys",id:"play-keys"});#c=u(
-"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#l=$e(this.player);#m=null;#i=null;#f=[];#g=null;#v=null;#y=[];#b=0;#S=0;constructor(e){
-this.#e=e,this.#t=new Re(this.#r,{numbers:!1}),this.#r.setAttribute("role","application"),$i(this.#t,()=>{let r=this.#g!==null&&this.#i&&R(this.#i.recording.moments.
+"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#l=$e(this.player);#m=null;#i=null;#f=[];#g=null;#v=null;#y=[];#b=0;#w=0;constructor(e){
+this.#e=e,this.#t=new Re(this.#r,{numbers:!1}),this.#r.setAttribute("role","application"),$i(this.#t,()=>{let r=this.#g!==null&&this.#i&&$(this.#i.recording.moments.
 at(-1),this.#g);return r?{cell:r,diagonal:this.#i.config.diagonal}:null},r=>this.act(r)),this.player.addEventListener("frame",()=>this.#i&&this.#t.show(this.#i.
 recording,this.player.time)),this.player.addEventListener("step",()=>this.#k()),this.element=u("div",{class:"play"},u("header",{class:"play-head"},this.#n,this.#o),
 u("div",{class:"play-stage"},this.#r),u("div",{class:"play-side"},this.#c,this.#s.element,u("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#u),
 u("label",{class:"play-choice"},this.#h,u("span",{},"Fog",u("span",{class:"at-length"},": see only what it sees"))),this.#d,this.#p),this.#l)}get played(){return this.#m&&
-{...this.#m.played,moves:this.#f}}get live(){return this.#i}play(e){this.#w(as(this.#e,e.played),e.played.seat,e.title),[this.#m,this.#f,this.#b]=[e,[...e.played.
-moves],0],this.element.dataset.state="playing",this.#r.focus({preventScroll:!0}),qr(this.#i,e.played.seat)&&this.#R()}watch(e,r,n){this.#m=null,this.#w(e,r,n),this.#$()}stop(){
+{...this.#m.played,moves:this.#f}}get live(){return this.#i}play(e){this.#x(as(this.#e,e.played),e.played.seat,e.title),[this.#m,this.#f,this.#b]=[e,[...e.played.
+moves],0],this.element.dataset.state="playing",this.#r.focus({preventScroll:!0}),qr(this.#i,e.played.seat)&&this.#R()}watch(e,r,n){this.#m=null,this.#x(e,r,n),this.#$()}stop(){
 this.#T(),this.player.pause(),this.#m=null}act(e){let[r,n]=[this.#m,this.#i];if(!r||!n||this.element.dataset.state!=="playing")return;this.#b=e;let s=Number(this.#u.
-value);this.#S||(this.#O(),s&&this.element.dataset.state==="playing"&&(this.#S=setInterval(()=>this.#O(),1e3/s)))}key(e){let{target:r,key:n}=e;if(r instanceof HTMLSelectElement||
+value);this.#w||(this.#O(),s&&this.element.dataset.state==="playing"&&(this.#w=setInterval(()=>this.#O(),1e3/s)))}key(e){let{target:r,key:n}=e;if(r instanceof HTMLSelectElement||
 r instanceof HTMLInputElement&&(r.type==="text"||n===" ")||r instanceof HTMLButtonElement&&(n===" "||n==="Enter")||!this.#i)return!1;if(this.element.dataset.state!==
-"playing")return Tr(this.player,e);let o=Oi(e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#w(e,r,n){this.#T(),this.player.pause(),[this.#i,
+"playing")return Tr(this.player,e);let o=Oi(e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#x(e,r,n){this.#T(),this.player.pause(),[this.#i,
 this.#g]=[e,r],this.#n.textContent=n,this.#r.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#p.replaceChildren(
 u("span",{class:"at-length"},`W A S D or the arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the \
-board: swipe, or tap where to go."),this.#x(e),this.#c.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#A(){this.#t.look={you:this.#g,
-fog:this.#h.checked,viewers:this.#g===null?[]:[this.#g],plan:this.#C()}}#x(e){this.#v=null,this.#y=this.player.ticks=[],this.#d.hidden=this.#a.disabled=!!Qt(e.config),
+board: swipe, or tap where to go."),this.#S(e),this.#c.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#k()}#A(){this.#t.look={you:this.#g,
+fog:this.#h.checked,viewers:this.#g===null?[]:[this.#g],plan:this.#C()}}#S(e){this.#v=null,this.#y=this.player.ticks=[],this.#d.hidden=this.#a.disabled=!!Qt(e.config),
 zr(this.#e,e.config,ci(e.config)).then(r=>{this.#i===e&&(this.#v=r,this.#E(),this.#k())})}#E(){let[e,r]=[this.#i,this.#v];if(!r||this.element.dataset.state==="p\
 laying")return;let n=this.#e.world(e.config);n.reset(e.start),this.#y=Hr(r,n,e.actions),n.free(),this.player.ticks=Br(this.#y)}get#M(){return this.#a.checked&&this.#m&&
 this.element.dataset.state==="playing"&&this.#v&&this.#i.game(this.#v)||null}#C(){let[e,r]=[this.#g,this.#g!==null&&this.#M?.marginal(this.#g)];return e!==null&&
-r?Object.assign(Array(e).fill(0),{[e]:r.indexOf(Math.max(...r))}):null}#T(){clearInterval(this.#S),this.#S=0,this.#o.ariaLive=Number(this.#u.value)?"off":"polit\
+r?Object.assign(Array(e).fill(0),{[e]:r.indexOf(Math.max(...r))}):null}#T(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#u.value)?"off":"polit\
 e"}#O(){let[{policies:e,seat:r},n]=[this.#m.played,this.#i];n.step(e,r,this.#b),this.#f.push(this.#b),this.player.length=n.length,this.player.glide=Math.min(.22,
 .9/(Number(this.#u.value)||4)),this.player.move(n.length-this.player.step),qr(n,r)&&this.#R()}#R(){this.#T();let[e,r,n]=[this.#m,this.#i,this.played],s=eo()?e.link(
 n):null,o=`${Y(n.seat,r.config.n_pursuers)}-${r.length}-steps.npz`,a=()=>tt(o,Fi(this.#e,r,n.seat));this.#c.replaceChildren(u("h3",{id:"play-headline"},Cu(r,n.seat)),
@@ -740,9 +741,9 @@ r)),o=this.#m&&n===0,a=o?[Tu(e.config,r),this.#m.about??""]:[`Step ${n} of ${e.c
 ...this.#y.filter(l=>l.step===n).map(jt));let i=n===e.length&&r!==null?this.#M:null;i&&a.push(`Perfect play: ${pi(i,r)||"decided in its turn"}; ${mi(this.#v,i,n)}`),
 this.#A(),this.#o.textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function Tu(t,e){let r=t.rules.capture==="SURROUND";return ve(t,e)==="evader"?`Run a\
 way: you win if ${r?"the pursuers do not surround you":"no pursuer reaches your cell"} in ${t.max_steps} steps`:`Capture evaders: ${r?"surround them with your t\
-eam":"move onto their cells"}`}function ku({config:t,recording:e},r,n){let s=e.moments[r],a=ve(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=R(
-s,n),l=m=>{let[p,h]=R(s,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>ve(t,m)===a&&s.alive[m]&&
-!s.captured[m-t.n_pursuers]&&2*l(m)<t.fov);if(!c.length)return`No ${a} in view`;let d=c.reduce((m,p)=>l(p)<l(m)?p:m);return`Nearest ${a}: ${_i(i,R(s,d))}`}function Cu(t,e){
+eam":"move onto their cells"}`}function ku({config:t,recording:e},r,n){let s=e.moments[r],a=ve(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=$(
+s,n),l=m=>{let[p,h]=$(s,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>ve(t,m)===a&&s.alive[m]&&
+!s.captured[m-t.n_pursuers]&&2*l(m)<t.fov);if(!c.length)return`No ${a} in view`;let d=c.reduce((m,p)=>l(p)<l(m)?p:m);return`Nearest ${a}: ${_i(i,$(s,d))}`}function Cu(t,e){
 let[{lasted:r,out:n,captured:s},{config:o}]=[ht(t,e),t];return ve(o,e)==="pursuer"?`Your team captured ${s} of ${Ou(o)} in ${r} steps.`:n?`You lasted ${r} of ${o.
 max_steps} steps.`:`You escaped: ${r} steps.`}var Ou=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Ru(t,e){let r=Ao("Link to this match");r.value=e,t.replaceWith(
 r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var $u=2n**64n-1n;function Di(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),s=(c,d,m)=>{let p=n.get(c)??"";return/^\d{1,9}$/.test(p)&&Number(p)<d?Number(
@@ -756,20 +757,20 @@ let[n,s]=[this.#o,this.#e[e.run]],{world:o}=s;if(!n||!o||Ze.some(x=>or(s,x,e[x])
 kept.map(x=>({name:s.teams[m].script??`generation ${x}`,text:"",policy:()=>re(s,m,x)}));this.view||(this.view=new Yr(n),this.dialog.append(u("button",{type:"but\
 ton",class:"leave",onclick:()=>this.dialog.close()},"Close"),this.view.element)),this.dialog.open||this.dialog.showModal();let h=`You are ${Y(r.seat,o.n_pursuers)}\
 : ${this.#r.names(e).join(" against ")}`,f={pursuer:re(s,"pursuer",i),evader:re(s,"evader",l)},g={config:o,seed:BigInt(d??s.seeds[i][l]),episode:c,policies:f,...r},
-y={run:a,pursuers:i,evaders:l,episode:c,...d===null?{}:{seed:d}};is(n,this.view,h,g,p,this.#n?y:null)}};var cs=t=>Array.from({length:t},()=>Array(t)),Jr=class{learning=L;settings=[];training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={
+y={run:a,pursuers:i,evaders:l,episode:c,...d===null?{}:{seed:d}};is(n,this.view,h,g,p,this.#n?y:null)}};var cs=t=>Array.from({length:t},()=>Array(t)),Jr=class{learning=R;settings=[];training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={
 pursuer:[],evader:[]};#e;#t;#r;constructor(e,r,n,s){[this.#r,this.#e,this.#t,this.name,this.schedule]=[e,r,s,n,n],[this.world,this.seed]=[e.world,String(e.seed)];
 let o=e.schedule.generations+1;this.seeds=Array.from({length:o},(a,i)=>Array.from({length:o},(l,c)=>String(ir(e.seed,i,c)))),this.payoff=this.#n(),this.teams=this.#o()}get newest(){
 return this.genomes.pursuer.length-1}#n(){let e=this.#r.schedule.generations+1;return{first:[0,0],shape:[e,e],episodes:this.#r.evaluation_episodes,capture_rate:cs(
 e),capture_rates:cs(e),lengths:cs(e)}}#o(){let e=r=>{let n=`${this.#t} ${r}`;no(n,ur(this.genomes[r]));let{genome:s,...o}=$t(mr(this.#r,this.#e,r),this.genomes[r][0]??
 new Float32Array(0));return{script:null,network:{...o,genome_size:s.length},kept:[...this.genomes[r].keys()],genomes:n}};return{pursuer:e("pursuer"),evader:e("e\
-vader")}}policy(e,r){return $t(mr(this.#r,this.#e,e),this.genomes[e][r])}add(e){for(let r of L)this.genomes[r].push(e[r]);this.teams=this.#o()}change(e,r){this.#r=
-e,this.world=e.world;for(let n of L)this.genomes[n]=[...r[n]];[this.payoff,this.teams,this.findings]=[this.#n(),this.#o(),null]}addCell({pursuer:e,evader:r,capture_rates:n,
+vader")}}policy(e,r){return $t(mr(this.#r,this.#e,e),this.genomes[e][r])}add(e){for(let r of R)this.genomes[r].push(e[r]);this.teams=this.#o()}change(e,r){this.#r=
+e,this.world=e.world;for(let n of R)this.genomes[n]=[...r[n]];[this.payoff,this.teams,this.findings]=[this.#n(),this.#o(),null]}addCell({pursuer:e,evader:r,capture_rates:n,
 lengths:s}){this.payoff.capture_rate[e][r]=B(n),this.payoff.capture_rates[e][r]=[...n],this.payoff.lengths[e][r]=[...s],this.findings={generalization:this.#s()}}#s(){
 let e=this.payoff.capture_rate,r=o=>({mean:o,low:null,high:null}),n=o=>{let a=o.filter(i=>i!==void 0);return a.length?B(a):null},s=[...this.genomes.pursuer.keys()];
 return{pursuers:r(s.map(o=>n(e[o]))),evaders:r(s.map(o=>n(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Vt=t=>`${Math.round(100*t)} %`,_u=100,Pu=0,Zr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#t;#r;#n=u("h2",
 {class:"lane-title"});#o=u("p",{class:"facts numbers"});#s=u("div",{class:"lane-room",hidden:!0});#u=u("section",{class:"card measures",hidden:!0});#h=u("div");#a;#d={
 pursuer:[],evader:[]};#p=new Map;#c;#l;#m=()=>{};#i=0;#f=!0;#g=0;#v=null;constructor(e,r,n,s){super(),[this.#e,this.#t,this.#r,this.settings]=[e,r,n,s],this.newest=
-new ze(()=>this.#x(this.#a.newest)),this.beginning=new ze(()=>this.#x(0)),this.beginning.element.classList.add("beginning");let o=u("div",{class:"boards"},this.
+new ze(()=>this.#S(this.#a.newest)),this.beginning=new ze(()=>this.#S(0)),this.beginning.element.classList.add("beginning");let o=u("div",{class:"boards"},this.
 newest.element,this.beginning.element);this.element=u("section",{class:"lane"},this.#n,this.#o,o,this.#s,this.#u,this.#h),n.onmessage=({data:a})=>this.#b(a),this.
 reset(s)}reset(e){this.#y({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#A();let{archive:r}=new et(this.#t,e,this.#e.masks);this.#a.add(
 {pursuer:r.pursuer[0],evader:r.evader[0]}),this.#s.hidden=this.#u.hidden=!0,this.#E(!0),this.#M()}start(){this.#A(),[this.state,this.done]=["evolving",0],this.#s.
@@ -779,20 +780,20 @@ let e=this.#a.newest;this.#l.play({run:0,pursuer:e,evader:e,episode:0,seed:null}
 this.#v=e,this.#y({type:"save"})})}get newestGeneration(){return this.#a.newest}close(){this.#r.terminate(),this.newest.runs=this.beginning.runs=!1}#y(e){this.#r.
 postMessage(e)}#b(e){if(e.type==="generation"){if(this.state!=="evolving")return;this.#a.add(e.genomes),this.#E(e.number===0)}else if(e.type==="cell"){let{pursuer:r,
 evader:n}=e.cell;this.#a.addCell(e.cell),this.#f&&r===n&&r===this.#a.newest&&this.#c.select({pursuer:r,evader:n}),this.#p.set(`${r} ${n}`,e.cell)}else if(e.type===
-"scores")for(let r of L)this.#d[r][e.number]=e.scores[r];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#w(),this.#E(!0)):e.type==="epoch"?this.
+"scores")for(let r of R)this.#d[r][e.number]=e.scores[r];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#x(),this.#E(!0)):e.type==="epoch"?this.
 done=e.done/e.of:e.type==="end"?(this.state==="evolving"&&([this.state,this.seconds,this.done]=["ended",e.seconds,1]),this.#C()):e.type==="saved"?this.#v?.(e.race):
-(this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#g||(this.#g=setTimeout(()=>requestAnimationFrame(()=>this.#S()),_u))}#S(){this.#g=
-0,this.#c.dispatchEvent(new Event("run")),this.#m(),this.#M()}#w(){this.#p=new Map,this.#d={pursuer:[],evader:[]},this.#u.hidden=!0}#A(){let e=`race ${Pu++}`,r=Dr(
-this.settings);this.#a=new Jr(this.settings,this.#e.masks,r,e),this.#w(),this.#f=!0,this.#c=new pt({run:0,pursuer:0,evader:0,episode:0,seed:null});let[n,s]=[new mt(
+(this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#g||(this.#g=setTimeout(()=>requestAnimationFrame(()=>this.#w()),_u))}#w(){this.#g=
+0,this.#c.dispatchEvent(new Event("run")),this.#m(),this.#M()}#x(){this.#p=new Map,this.#d={pursuer:[],evader:[]},this.#u.hidden=!0}#A(){let e=`race ${Pu++}`,r=Dr(
+this.settings);this.#a=new Jr(this.settings,this.#e.masks,r,e),this.#x(),this.#f=!0,this.#c=new pt({run:0,pursuer:0,evader:0,episode:0,seed:null});let[n,s]=[new mt(
 [this.#a],this.#c),new dt([this.#a],this.#c,null)];n.element.ariaLabel=`Payoff matrix. ${r}`,this.#l=new Kr([this.#a],this.#c,s,!1),this.#l.start(this.#t);let o=u(
 "dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>s.player.pause()},u("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element),
 a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#c.selected;this.#f=!1,this.#a.payoff.capture_rate[l][c]!==void 0&&(o.showModal(),a||s.
 start(this.#t),a=!0,s.playSoon())});let i=he(`Scores against scripts, by generation: ${dr.pursuer.join(", ")} and ${dr.evader.join(", ")}`,(l,c)=>{let d=this.settings.
-schedule.generations,m=me(l,c,{low:0,high:d,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let p of L){let h=Array.from(this.#d[p],f=>f??null);pe(
+schedule.generations,m=me(l,c,{low:0,high:d,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let p of R){let h=Array.from(this.#d[p],f=>f??null);pe(
 m,[...h.keys()],h,`of-${p}s`)}return m},()=>{},l=>{let c=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#c.select({pursuer:c,evader:c})});this.#m=i.redraw,
 this.#s.replaceChildren(n.element,u("section",{class:"card scores"},u("h3",{},"Against opponents that never change"),u("p",{class:"small muted"},"Captures of ra\
 ndom walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),ot(["pursuers","of-pursuers"],["evaders","of-evaders"]),i.element)),this.#h.
-replaceChildren(o,this.#l.dialog)}#x(e){let r=this.#a.newest;if(r<0||e<0)return null;let{world:n,payoff:s,seeds:o}=this.#a,a=this.#i++%s.episodes;this.newest.title.
+replaceChildren(o,this.#l.dialog)}#S(e){let r=this.#a.newest;if(r<0||e<0)return null;let{world:n,payoff:s,seeds:o}=this.#a,a=this.#i++%s.episodes;this.newest.title.
 textContent=r?"Newest against newest":"Generation 0: nobody has learned anything yet",this.beginning.title.textContent="Pursuers of generation 0, newest evaders";
 for(let c of[this.newest,this.beginning])c.generation=r;for(let c of[this.newest,this.beginning])c.label=`A match. ${c.title.textContent}`;let[i,l]=[this.#a.policy(
 "pursuer",e),this.#a.policy("evader",r)];return this.#t.match(n,i,l,BigInt(o[e][r]),a)}#E(e){this.newest.renew(e),(this.#a.newest>0||this.state!=="waiting")&&this.
@@ -803,7 +804,7 @@ new Event("state"))}#C(){this.#u.ariaLabel=`What came out. ${Dr(this.settings)}`
 newest+1));if(e.length<2||e.some(n=>Array.from(n).includes(void 0)))return;let r=[["Score against scripts: generation 0",n=>Vt(this.#d[n][0]??0)],["Score agains\
 t scripts: newest generation",n=>Vt(this.#d[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Vt(mo(e,n))],["Below its own best s\
 o far, in the later half (forgetting)",n=>Vt(po(e,n))]];this.#u.replaceChildren(u("h3",{},"What came out"),u("table",{class:"numbers"},u("thead",{},u("tr",{},u(
-"td"),...L.map(n=>u("th",{scope:"col",class:n},`${n}s`)))),u("tbody",{},...r.map(([n,s])=>u("tr",{},u("th",{scope:"row"},n),...L.map(o=>u("td",{},s(o))))))),u("\
+"td"),...R.map(n=>u("th",{scope:"col",class:n},`${n}s`)))),u("tbody",{},...r.map(([n,s])=>u("tr",{},u("th",{scope:"row"},n),...R.map(o=>u("td",{},s(o))))))),u("\
 p",{class:"small muted"},"These are measures without a verdict: one race proves little. Save it, and ",u("code",{},"matrixworld judge")," weighs luck and says w\
 hat happened.")),this.#u.hidden=!1}};function Lu({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(t)/Math.max(1,r(e))}function Nu(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var Iu={present:"●",
 absent:"○","cannot tell":"?"};function Ui(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,i,l],c)=>{let d=Fu(e.reasons[c]??
