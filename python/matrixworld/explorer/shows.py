@@ -26,7 +26,7 @@ WHY_NOT = {
 
 
 def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str, Any] | None:
-    """Return teams of a game of your own, and what it shows of some cells; None of pursuit.
+    """Return facts of a game of your own, and what it shows of some cells; None of pursuit.
 
     The page is one of `share` runs with such games. Cells are keys such as ``"12 7"``.
     """
@@ -37,7 +37,8 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
     if game.show is not None and ended:
         shows = shows_of(game, [*run.archive().values()], MOST_SHOWN // share, MOST_BYTES // share)
     why = WHY_NOT["none" if game.show is None else "few" if ended else "later"]
-    return {"teams": list(own.teams), "shows": shows, "missing": why.format(n=len(shows))}
+    facts = {"teams": list(own.teams), "exact": own.deterministic}
+    return {**facts, "shows": shows, "missing": why.format(n=len(shows))}
 
 
 def shows_of(

@@ -23,7 +23,7 @@ export function checkerboardPanel(run: Run, store: Store, play: () => void): Pan
       boards.length
         ? html("div", { class: "boards" }, ...boards)
         : html("p", {}, `No four cells differ by more than ${findings.margin} in this way.`),
-      boards.length ? html("p", { class: "small muted" }, "The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes.") : null),
+      boards.length && !run.game?.exact ? html("p", { class: "small muted" }, "The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes.") : null),
   };
 }
 

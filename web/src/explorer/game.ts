@@ -11,6 +11,8 @@ type OfTeams = Readonly<Record<Team, string>>;
 /** A game of one's own, which the page does not play. */
 export interface OwnGame {
   readonly teams: readonly [string, string];
+  /** Whether its scores have no noise. */
+  readonly exact: boolean;
   /** By the generations of both teams, such as "12 7". */
   readonly shows: Readonly<Record<string, { readonly text?: string; readonly image?: string }>>;
   /** Why nothing is shown of other pairs. */

@@ -21,7 +21,7 @@ const keysOf = (run: Run): Keys => [
   [["O"], "the cell's own seed again"],
   [["P"], `next ${gameWords(run).generation.pursuer}; with Shift the one before`],
   [["E"], `next ${gameWords(run).generation.evader}; with Shift the one before`],
-  [["M"], "to the matrix: arrow keys choose a match, Enter plays it"],
+  [["M"], `to the matrix: arrow keys choose a ${run.game ? "pair, Enter shows it" : "match, Enter plays it"}`],
   [["A"], "next agent: what it sees; with Shift the one before"],
   [["Esc"], "no agent"],
   [["T"], "take over the chosen agent, or an evader, from this step on"],

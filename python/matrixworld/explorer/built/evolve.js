@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 570220e84ffa1686f15cfb756a5feedacd3135d24213e501d6882cfd72fc8199 */
+/* built from web/ by "npm run build"; sources faf7e48a64928e0a6c75a0ef5a90fa36f4f81aad5ef2de721cfdc7dd7e568c13 */
 "use strict";(()=>{var Fn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},et={DISAPPEAR:0,REACH:1,BOUNCE:2},Un={OCCUPATION:0,SURROUND:1},Dn={FAULT:0,INVOLVED:1};var Lr=["obstacle","teammate","adversary"],Ir=["vertex","edge","chain"],Wn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Fr=["p\
 ursuer_{number}","evader_{number}"],zn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},tt={"both held":"both bounce","both doomed":"\

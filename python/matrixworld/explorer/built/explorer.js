@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 570220e84ffa1686f15cfb756a5feedacd3135d24213e501d6882cfd72fc8199 */
+/* built from web/ by "npm run build"; sources faf7e48a64928e0a6c75a0ef5a90fa36f4f81aad5ef2de721cfdc7dd7e568c13 */
 "use strict";(()=>{var rn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ze={DISAPPEAR:0,REACH:1,BOUNCE:2},nn={OCCUPATION:0,SURROUND:1},on={FAULT:0,INVOLVED:1};var ir=["obstacle","teammate","adversary"],lr=["vertex","edge","chain"],sn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],cr=["p\
 ursuer_{number}","evader_{number}"],an={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Je={"both held":"both bounce","both doomed":"\
@@ -232,19 +232,19 @@ p("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.map(m=>_(t
 evader??r.selected.evader;l.hidden=d>=n||h>=o,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-d-.5)*a}px`}}}var ni=t=>t.teams.pursuer.script??t.teams.evader.script??
 "another run";function Pr(t,e,r){let[n,o]=t.payoff.shape,{pursuer:s,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(s,n-1),evader:Math.min(a,o-1)})}var oi=t=>[[["Space"],"play or pause"],[["←","→"],"step back or forward; with Shift ten steps"],[["Home","End"],"first or last step"],[["+","−"],"faster o\
 r slower"],[["N"],"next episode of the same pair; with Shift the one before"],[["R"],"another seed, not one of the evaluation"],[["O"],"the cell's own seed agai\
-n"],[["P"],`next ${_(t).generation.pursuer}; with Shift the one before`],[["E"],`next ${_(t).generation.evader}; with Shift the one before`],[["M"],"to the matr\
-ix: arrow keys choose a match, Enter plays it"],[["A"],"next agent: what it sees; with Shift the one before"],[["Esc"],"no agent"],[["T"],"take over the chosen \
-agent, or an evader, from this step on"],[["G"],"this step in the playground: any other rules, actions and places"],[["1","9"],"first to ninth run"],[["D"],"lig\
-ht or dark"],[["?"],"this list"]],si=["P","E","M","1","D","?"],ai="The page holds the genomes and the engine of this run. A click on a cell plays that very matc\
-h: same seed, same moves. ";function fo(t){let e=t.find(({game:n})=>!n),r=oi(e??t[0]).filter(([[n]])=>e||si.includes(n));return ao("Keys","help",io(r),p("p",{class:"\
-muted small"},`${e?ai:""}The page loads nothing from elsewhere; share the file as it is.`))}function yo(t,e,r,n,o,s){let a=(l,c)=>()=>{let u=t[e.selected.run].payoff.
-shape[l==="pursuer"?0:1];e.select({[l]:Math.min(u-1,Math.max(0,e.selected[l]+c))})},i={n:()=>e.select({episode:e.selected.episode+1}),N:()=>e.select({episode:Math.
-max(0,e.selected.episode-1)}),r:()=>e.select({seed:String(crypto.getRandomValues(new BigUint64Array(1))[0]),episode:0}),o:()=>e.select({seed:null,episode:0}),p:a(
-"pursuer",1),P:a("pursuer",-1),e:a("evader",1),E:a("evader",-1),m:()=>document.getElementById("matrix")?.focus(),a:()=>r.inspector.next(1),A:()=>r.inspector.next(
--1),Escape:()=>r.inspector.choose(null),t:o,g:s,d:vr,"?":()=>n.showModal()};document.addEventListener("keydown",l=>{let c=l.target instanceof HTMLSelectElement||
-l.target instanceof HTMLInputElement,u=l.target instanceof HTMLButtonElement&&(l.key===" "||l.key==="Enter");if(document.querySelector("dialog[open]")||c||u||l.
-defaultPrevented||l.ctrlKey||l.metaKey||l.altKey)return;let m=i[l.key]??i[l.key.toLowerCase()],d=Number(l.key)-1;if(Fe(r.player,l)||m)m?.();else if(t[d])Pr(t[d],
-d,e);else return;l.preventDefault()})}var De=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function go(t,e,r){let[n,o]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(o)?o=0:r||
+n"],[["P"],`next ${_(t).generation.pursuer}; with Shift the one before`],[["E"],`next ${_(t).generation.evader}; with Shift the one before`],[["M"],`to the matr\
+ix: arrow keys choose a ${t.game?"pair, Enter shows it":"match, Enter plays it"}`],[["A"],"next agent: what it sees; with Shift the one before"],[["Esc"],"no ag\
+ent"],[["T"],"take over the chosen agent, or an evader, from this step on"],[["G"],"this step in the playground: any other rules, actions and places"],[["1","9"],
+"first to ninth run"],[["D"],"light or dark"],[["?"],"this list"]],si=["P","E","M","1","D","?"],ai="The page holds the genomes and the engine of this run. A cli\
+ck on a cell plays that very match: same seed, same moves. ";function fo(t){let e=t.find(({game:n})=>!n),r=oi(e??t[0]).filter(([[n]])=>e||si.includes(n));return ao(
+"Keys","help",io(r),p("p",{class:"muted small"},`${e?ai:""}The page loads nothing from elsewhere; share the file as it is.`))}function yo(t,e,r,n,o,s){let a=(l,c)=>()=>{
+let u=t[e.selected.run].payoff.shape[l==="pursuer"?0:1];e.select({[l]:Math.min(u-1,Math.max(0,e.selected[l]+c))})},i={n:()=>e.select({episode:e.selected.episode+
+1}),N:()=>e.select({episode:Math.max(0,e.selected.episode-1)}),r:()=>e.select({seed:String(crypto.getRandomValues(new BigUint64Array(1))[0]),episode:0}),o:()=>e.
+select({seed:null,episode:0}),p:a("pursuer",1),P:a("pursuer",-1),e:a("evader",1),E:a("evader",-1),m:()=>document.getElementById("matrix")?.focus(),a:()=>r.inspector.
+next(1),A:()=>r.inspector.next(-1),Escape:()=>r.inspector.choose(null),t:o,g:s,d:vr,"?":()=>n.showModal()};document.addEventListener("keydown",l=>{let c=l.target instanceof
+HTMLSelectElement||l.target instanceof HTMLInputElement,u=l.target instanceof HTMLButtonElement&&(l.key===" "||l.key==="Enter");if(document.querySelector("dialo\
+g[open]")||c||u||l.defaultPrevented||l.ctrlKey||l.metaKey||l.altKey)return;let m=i[l.key]??i[l.key.toLowerCase()],d=Number(l.key)-1;if(Fe(r.player,l)||m)m?.();else if(t[d])
+Pr(t[d],d,e);else return;l.preventDefault()})}var De=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function go(t,e,r){let[n,o]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(o)?o=0:r||
 (n=0),De.findIndex(([s,a])=>s===Math.sign(n)&&a===Math.sign(o))}var Ee=(t,e)=>e<t.nPursuers,k=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Lr=({rows:t,cols:e},[
 r,n])=>r>=0&&n>=0&&r<t&&n<e,Nr=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),Ir=(t,e)=>Nr(t.fault,e),vo=(t,e)=>!Ir(t,e)&&Nr(t.involved,e,2);function It(t,e,r){
 let[n,o]=[k(t,r),k(e,r)],s=n[0]!==o[0]||n[1]!==o[1],a=e.involved===void 0||Nr(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!s&&a)}function Ut(t,e,r){let[n,
@@ -488,11 +488,11 @@ function ml(t){let[,e=""]=t.split(/, because (.*)/s);return ge(e.replace(/\.$/,"
 heard"},"Settings other than the default"),...n),s=ve("Settings",`${e}, seed ${r}; all others are the defaults of matrixworld evolve.`,n.length?p("div",{class:"\
 wide-table"},o):null);return s.classList.add("settings"),{element:s}}function _s(t,e,r){let{findings:n}=t,{teams:o,click:s}=_(t);if(!n?.table.length)return null;let a=n.checkerboards.map(i=>pl(t,i,(l,c)=>{e.select({pursuer:l,evader:c}),
 r()}));return{element:ve("Checkerboards",`Two generations of each team: each generation of the ${o.pursuer} is better against another one of the ${o.evader}. Cl\
-ick a cell to ${s}.`,a.length?p("div",{class:"boards"},...a):p("p",{},`No four cells differ by more than ${n.margin} in this way.`),a.length?p("p",{class:"small\
- muted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes."):null)}}function pl(t,{
-pursuers:e,evaders:r},n){let o=(s,a)=>{let i=p("button",{type:"button",class:"cell",onclick:()=>n(s,a)});return Nt(i,t.payoff.capture_rate[s][a],`${B(t,"pursuer",
-s)} against ${B(t,"evader",a)}`),i};return p("div",{class:"miniature numbers"},p("span"),...r.map(s=>p("span",{class:"evader"},s)),...e.flatMap(s=>[p("span",{class:"\
-pursuer"},s),...r.map(a=>o(s,a))]))}var Qt={pursuer:"evader",evader:"pursuer"};function Ps(t,e){let r=t.findings?.ciao;if(!r)return null;let n=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=r[`${o}\
+ick a cell to ${s}.`,a.length?p("div",{class:"boards"},...a):p("p",{},`No four cells differ by more than ${n.margin} in this way.`),a.length&&!t.game?.exact?p("\
+p",{class:"small muted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise make\
+s."):null)}}function pl(t,{pursuers:e,evaders:r},n){let o=(s,a)=>{let i=p("button",{type:"button",class:"cell",onclick:()=>n(s,a)});return Nt(i,t.payoff.capture_rate[s][a],
+`${B(t,"pursuer",s)} against ${B(t,"evader",a)}`),i};return p("div",{class:"miniature numbers"},p("span"),...r.map(s=>p("span",{class:"evader"},s)),...e.flatMap(
+s=>[p("span",{class:"pursuer"},s),...r.map(a=>o(s,a))]))}var Qt={pursuer:"evader",evader:"pursuer"};function Ps(t,e){let r=t.findings?.ciao;if(!r)return null;let n=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=r[`${o}\
 s`],l=`fading ${L(s)}, stripes ${L(a)}${i===null?"":` every ${i} generations`}`;return dl(t,o,l,e)});return{element:ve("CIAO: current individuals against ancest\
 ral opponents","The team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier str\
 ategies is recurrence, under What happened. Darker away from the diagonal: forgetting.",p("div",{class:"triangles"},...n.map(o=>o.element)),ut("0 loses","1 wins")),
