@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources faf7e48a64928e0a6c75a0ef5a90fa36f4f81aad5ef2de721cfdc7dd7e568c13 */
+/* built from web/ by "npm run build"; sources c5a95fe3a004d169923cbb5169ffed4ea856e5554092dbc969a9bf4432a8b4b4 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,gn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

@@ -27,6 +27,8 @@ interface GameWords {
   /** What a cell has, and what the means of both teams are. */
   readonly score: string;
   readonly means: OfTeams;
+  /** The same beside the curves, where there is little room. */
+  readonly curves: OfTeams;
   /** The ends of the scale of colours. */
   readonly ends: readonly [low: string, high: string];
   readonly lead: string;
@@ -39,6 +41,7 @@ const PURSUIT: GameWords = {
   generation: { pursuer: "pursuer generation", evader: "evader generation" },
   score: "capture rate",
   means: { pursuer: "captures", evader: "escapes" },
+  curves: { pursuer: "captures", evader: "escapes" },
   ends: ["0 all escape", "1 all caught"],
   lead: "Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to watch it.",
   click: "watch its match",
@@ -49,6 +52,7 @@ const ofOwn = ([first, second]: OwnGame["teams"]): GameWords => ({
   generation: { pursuer: `generation of ${first}`, evader: `generation of ${second}` },
   score: `score of the ${first}`,
   means: { pursuer: first, evader: second },
+  curves: { pursuer: "scores", evader: "scores" },
   ends: [`0 the ${second} win`, `1 the ${first} win`],
   lead: `Each cell is a pair of generations: the brighter, the higher the score of the ${first}. Click one to see more of it.`,
   click: "see more of it",

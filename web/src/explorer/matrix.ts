@@ -115,7 +115,7 @@ export class MatrixPanel {
     const scores = this.#run.findings?.generalization;
     if (!scores) return [];
     const { left, top, cell, rows, columns } = places;
-    const { means } = gameWords(this.#run);
+    const { curves } = gameWords(this.#run);
     const [right, above] = [left + columns * cell + GAP, top - GAP];
     const box = { class: "side" };
     return [
@@ -127,8 +127,8 @@ export class MatrixPanel {
       svg("text", { class: "tick", x: right + WIDE, y: top + rows * cell + 16, "text-anchor": "end" }, "1"),
       svg("text", { class: "tick", x: left - 6, y: above - 4, "text-anchor": "end" }, "0"),
       svg("text", { class: "tick", x: left - 6, y: above - HIGH + 8, "text-anchor": "end" }, "1"),
-      svg("text", { class: "label of-pursuers", x: right + WIDE, y: top + rows * cell + 34, "text-anchor": "end" }, means.pursuer),
-      svg("text", { class: "label of-evaders", x: left + columns * cell + GAP, y: above - HIGH + 10, "text-anchor": "start" }, means.evader),
+      svg("text", { class: "label of-pursuers", x: right + WIDE, y: top + rows * cell + 34, "text-anchor": "end" }, curves.pursuer),
+      svg("text", { class: "label of-evaders", x: left + columns * cell + GAP, y: above - HIGH + 10, "text-anchor": "start" }, curves.evader),
     ];
   }
 

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources faf7e48a64928e0a6c75a0ef5a90fa36f4f81aad5ef2de721cfdc7dd7e568c13 */
+/* built from web/ by "npm run build"; sources c5a95fe3a004d169923cbb5169ffed4ea856e5554092dbc969a9bf4432a8b4b4 */
 "use strict";(()=>{var Fn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},et={DISAPPEAR:0,REACH:1,BOUNCE:2},Un={OCCUPATION:0,SURROUND:1},Dn={FAULT:0,INVOLVED:1};var Lr=["obstacle","teammate","adversary"],Ir=["vertex","edge","chain"],Wn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Fr=["p\
 ursuer_{number}","evader_{number}"],zn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},tt={"both held":"both bounce","both doomed":"\
@@ -175,16 +175,17 @@ Ce(p),f=y&&y.length,g=rn(c.extra);m>65535&&q(11);var v=h?Ti(l,c):l,S=v.length,w=
 length!=f,o:s,compression:h})),s+=30+m+g+S,o+=76+2*(m+g)+(f||0)+S}for(var M=new P(o+22),O=s,L=o-s,$=0;$<n.length;++$){var u=n[$];Ss(M,u.o,u,u.f,u.u,u.c.length);
 var A=30+u.f.length+rn(u.extra);M.set(u.c,u.o+A),Ss(M,s,u,u.f,u.u,u.c.length,u.o,u.m),s+=16+A+(u.m?u.m.length:0)}return Oi(M,s,n.length,L,O),M}var j=(r,e=2)=>r==null?"-":r.toFixed(e);function Ps(r,e,t){return e===null||t===null?j(r):`${j(r)} (${j(e)} to ${j(t)})`}var Bt=r=>r.charAt(0).toUpperCase()+r.slice(1);function ut(r,e,t,n=!1){let s=(e-r)/Math.max(1,t),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
 c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(r/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(c,h)=>(i+h)*a)}var Ri={teams:{pursuer:"pursuers",evader:"evaders"},generation:{pursuer:"pursuer generation",evader:"evader generation"},score:"capture rate",means:{pursuer:"ca\
-ptures",evader:"escapes"},ends:["0 all escape","1 all caught"],lead:"Each cell is a match between two generations: the brighter, the more evaders are captured. \
-Click one to watch it.",click:"watch its match"},_i=([r,e])=>({teams:{pursuer:r,evader:e},generation:{pursuer:`generation of ${r}`,evader:`generation of ${e}`},
-score:`score of the ${r}`,means:{pursuer:r,evader:e},ends:[`0 the ${e} win`,`1 the ${r} win`],lead:`Each cell is a pair of generations: the brighter, the higher\
- the score of the ${r}. Click one to see more of it.`,click:"see more of it"}),xe=({game:r})=>r?_i(r.teams):Ri,ee=(r,e,t)=>`${xe(r).teams[e]} of generation ${t}`,
-Pi=200;function $s(r,e,{pursuer:t,evader:n},s){let{text:o,image:a}=e.shows[`${t} ${n}`]??{},i=Se(r,t,n)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length}\
- episodes: ${i.map(c=>j(c)).join(", ")}`;return[o===void 0?null:d("pre",{tabindex:0,"aria-label":"What the game shows of this pair"},o),a===void 0?null:d("img",
-{src:a,alt:"What the game shows of this pair",onload:({target:c})=>c.classList.toggle("pixels",c.naturalWidth<Pi)}),...(o??a)===void 0?[d("p",{class:"muted"},e.
-missing),$i(r,e,t,n,s)]:[],i.length>1?d("p",{class:"small numbers"},l):null].filter(c=>c!==null)}function $i(r,e,t,n,s){let o=Object.keys(e.shows).map(h=>h.split(
-" ").map(Number)),a=([h,u])=>(h-t)**2+(u-n)**2,[i,l]=o.sort((h,u)=>a(h)-a(u))[0]??[];if(i===void 0||l===void 0)return null;let c=`${ee(r,"pursuer",i)} against ${ee(
-r,"evader",l)}`;return d("p",{},d("button",{type:"button",onclick:()=>s.select({pursuer:i,evader:l})},`Nearest: ${c}`))}var Be=["pursuer","evader"];function Se(r,e,t){let[n,s]=[e-r.payoff.first[0],t-r.payoff.first[1]],o=r.payoff.capture_rate[n]?.[s];return o===void 0?null:{rate:o,rates:r.payoff.capture_rates[n][s],
+ptures",evader:"escapes"},curves:{pursuer:"captures",evader:"escapes"},ends:["0 all escape","1 all caught"],lead:"Each cell is a match between two generations: \
+the brighter, the more evaders are captured. Click one to watch it.",click:"watch its match"},_i=([r,e])=>({teams:{pursuer:r,evader:e},generation:{pursuer:`gene\
+ration of ${r}`,evader:`generation of ${e}`},score:`score of the ${r}`,means:{pursuer:r,evader:e},curves:{pursuer:"scores",evader:"scores"},ends:[`0 the ${e} wi\
+n`,`1 the ${r} win`],lead:`Each cell is a pair of generations: the brighter, the higher the score of the ${r}. Click one to see more of it.`,click:"see more of \
+it"}),xe=({game:r})=>r?_i(r.teams):Ri,ee=(r,e,t)=>`${xe(r).teams[e]} of generation ${t}`,Pi=200;function $s(r,e,{pursuer:t,evader:n},s){let{text:o,image:a}=e.shows[`${t}\
+ ${n}`]??{},i=Se(r,t,n)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length} episodes: ${i.map(c=>j(c)).join(", ")}`;return[o===void 0?null:d("pre",{tabindex:0,
+"aria-label":"What the game shows of this pair"},o),a===void 0?null:d("img",{src:a,alt:"What the game shows of this pair",onload:({target:c})=>c.classList.toggle(
+"pixels",c.naturalWidth<Pi)}),...(o??a)===void 0?[d("p",{class:"muted"},e.missing),$i(r,e,t,n,s)]:[],i.length>1?d("p",{class:"small numbers"},l):null].filter(c=>c!==
+null)}function $i(r,e,t,n,s){let o=Object.keys(e.shows).map(h=>h.split(" ").map(Number)),a=([h,u])=>(h-t)**2+(u-n)**2,[i,l]=o.sort((h,u)=>a(h)-a(u))[0]??[];if(i===
+void 0||l===void 0)return null;let c=`${ee(r,"pursuer",i)} against ${ee(r,"evader",l)}`;return d("p",{},d("button",{type:"button",onclick:()=>s.select({pursuer:i,
+evader:l})},`Nearest: ${c}`))}var Be=["pursuer","evader"];function Se(r,e,t){let[n,s]=[e-r.payoff.first[0],t-r.payoff.first[1]],o=r.payoff.capture_rate[n]?.[s];return o===void 0?null:{rate:o,rates:r.payoff.capture_rates[n][s],
 lengths:r.payoff.lengths[n]?.[s]??[]}}function jt(r,e,t){let{script:n,network:s,kept:o,genomes:a}=r.teams[e];if(n!==null||s===null)return"";if(!o.includes(t))return`\
 The page holds no genome of ${ee(r,e,t)}: it would be too large. Choose a generation of ${o.join(", ")}.`;let i=o.length*s.genome_size;return Is(a,s.genome_size).
 length===i?"":`The page is damaged: it does not hold the ${i} numbers of the ${e}s' genomes. Write it again from its run.`}function re(r,e,t){let{script:n,network:s,
@@ -457,7 +458,7 @@ this.#t.style.setProperty(h,`${100*u/m}%`);this.#s.style.setProperty("--shape",`
 Dl(c,xe(this.#c).generation),...Wl(c),...this.#y(c),this.#a),this.#f()}#o(e){let t=this.#c.findings?.generalization;if(!t)return[];let{selected:n,hover:s}=this.#e,
 [o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=sa(e,t.pursuers.mean[o]??0,o),[c,h]=oa(e,t.evaders.mean[a]??0,a);return[b("circle",{class:"dot of-pursuers",
 cx:i,cy:l,r:5}),b("circle",{class:"dot of-evaders",cx:c,cy:h,r:5})]}#y(e){let t=this.#c.findings?.generalization;if(!t)return[];let{left:n,top:s,cell:o,rows:a,columns:i}=e,
-{means:l}=xe(this.#c),[c,h]=[n+i*o+ue,s-ue],u={class:"side"};return[b("rect",{...u,x:c,y:s,width:bt,height:a*o}),b("rect",{...u,x:n,y:h-_e,width:i*o,height:_e}),
+{curves:l}=xe(this.#c),[c,h]=[n+i*o+ue,s-ue],u={class:"side"};return[b("rect",{...u,x:c,y:s,width:bt,height:a*o}),b("rect",{...u,x:n,y:h-_e,width:i*o,height:_e}),
 ...aa(t.pursuers,(m,p)=>sa(e,m,p),"of-pursuers"),...aa(t.evaders,(m,p)=>oa(e,m,p),"of-evaders"),b("text",{class:"tick",x:c,y:s+a*o+16,"text-anchor":"start"},"0"),
 b("text",{class:"tick",x:c+bt,y:s+a*o+16,"text-anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:h-4,"text-anchor":"end"},"0"),b("text",{class:"tick",x:n-6,y:h-
 _e+8,"text-anchor":"end"},"1"),b("text",{class:"label of-pursuers",x:c+bt,y:s+a*o+34,"text-anchor":"end"},l.pursuer),b("text",{class:"label of-evaders",x:n+i*o+

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources faf7e48a64928e0a6c75a0ef5a90fa36f4f81aad5ef2de721cfdc7dd7e568c13 */
+/* built from web/ by "npm run build"; sources c5a95fe3a004d169923cbb5169ffed4ea856e5554092dbc969a9bf4432a8b4b4 */
 "use strict";(()=>{var rn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ze={DISAPPEAR:0,REACH:1,BOUNCE:2},nn={OCCUPATION:0,SURROUND:1},on={FAULT:0,INVOLVED:1};var ir=["obstacle","teammate","adversary"],lr=["vertex","edge","chain"],sn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],cr=["p\
 ursuer_{number}","evader_{number}"],an={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Je={"both held":"both bounce","both doomed":"\
@@ -179,16 +179,17 @@ length!=f,o,compression:u})),o+=30+d+g+b,s+=76+2*(d+g)+(f||0)+b}for(var S=new O(
 m.f.length+Er(m.extra);S.set(m.c,m.o+A),Hn(S,o,m,m.f,m.u,m.c.length,m.o,m.m),o+=16+A+(m.m?m.m.length:0)}return Ka(S,o,n.length,P,T),S}var L=(t,e=2)=>t==null?"-":t.toFixed(e);function eo(t,e,r){return e===null||r===null?L(t):`${L(t)} (${L(e)} to ${L(r)})`}var to=t=>t.toLocaleString("en-GB"),ge=t=>t.
 charAt(0).toUpperCase()+t.slice(1);function it(t,e,r,n=!1){let o=(e-t)/Math.max(1,r),s=10**Math.floor(Math.log10(o||1)),a=[1,2,5,10].map(c=>c*s).find(c=>c>=o)??
 10*s;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(c,u)=>(i+u)*a)}var Ya={teams:{pursuer:"pursuers",evader:"evaders"},generation:{pursuer:"pursuer generation",evader:"evader generation"},score:"capture rate",means:{pursuer:"ca\
-ptures",evader:"escapes"},ends:["0 all escape","1 all caught"],lead:"Each cell is a match between two generations: the brighter, the more evaders are captured. \
-Click one to watch it.",click:"watch its match"},qa=([t,e])=>({teams:{pursuer:t,evader:e},generation:{pursuer:`generation of ${t}`,evader:`generation of ${e}`},
-score:`score of the ${t}`,means:{pursuer:t,evader:e},ends:[`0 the ${e} win`,`1 the ${t} win`],lead:`Each cell is a pair of generations: the brighter, the higher\
- the score of the ${t}. Click one to see more of it.`,click:"see more of it"}),_=({game:t})=>t?qa(t.teams):Ya,B=(t,e,r)=>`${_(t).teams[e]} of generation ${r}`,Za=200;
-function ro(t,e,{pursuer:r,evader:n},o){let{text:s,image:a}=e.shows[`${r} ${n}`]??{},i=Me(t,r,n)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length} episod\
-es: ${i.map(c=>L(c)).join(", ")}`;return[s===void 0?null:p("pre",{tabindex:0,"aria-label":"What the game shows of this pair"},s),a===void 0?null:p("img",{src:a,
-alt:"What the game shows of this pair",onload:({target:c})=>c.classList.toggle("pixels",c.naturalWidth<Za)}),...(s??a)===void 0?[p("p",{class:"muted"},e.missing),
-Ja(t,e,r,n,o)]:[],i.length>1?p("p",{class:"small numbers"},l):null].filter(c=>c!==null)}function Ja(t,e,r,n,o){let s=Object.keys(e.shows).map(u=>u.split(" ").map(
-Number)),a=([u,m])=>(u-r)**2+(m-n)**2,[i,l]=s.sort((u,m)=>a(u)-a(m))[0]??[];if(i===void 0||l===void 0)return null;let c=`${B(t,"pursuer",i)} against ${B(t,"evad\
-er",l)}`;return p("p",{},p("button",{type:"button",onclick:()=>o.select({pursuer:i,evader:l})},`Nearest: ${c}`))}var ae=["pursuer","evader"],oo=()=>JSON.parse($t("data"));function Me(t,e,r){let[n,o]=[e-t.payoff.first[0],r-t.payoff.first[1]],s=t.payoff.capture_rate[n]?.[o];
+ptures",evader:"escapes"},curves:{pursuer:"captures",evader:"escapes"},ends:["0 all escape","1 all caught"],lead:"Each cell is a match between two generations: \
+the brighter, the more evaders are captured. Click one to watch it.",click:"watch its match"},qa=([t,e])=>({teams:{pursuer:t,evader:e},generation:{pursuer:`gene\
+ration of ${t}`,evader:`generation of ${e}`},score:`score of the ${t}`,means:{pursuer:t,evader:e},curves:{pursuer:"scores",evader:"scores"},ends:[`0 the ${e} wi\
+n`,`1 the ${t} win`],lead:`Each cell is a pair of generations: the brighter, the higher the score of the ${t}. Click one to see more of it.`,click:"see more of \
+it"}),_=({game:t})=>t?qa(t.teams):Ya,B=(t,e,r)=>`${_(t).teams[e]} of generation ${r}`,Za=200;function ro(t,e,{pursuer:r,evader:n},o){let{text:s,image:a}=e.shows[`${r}\
+ ${n}`]??{},i=Me(t,r,n)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length} episodes: ${i.map(c=>L(c)).join(", ")}`;return[s===void 0?null:p("pre",{tabindex:0,
+"aria-label":"What the game shows of this pair"},s),a===void 0?null:p("img",{src:a,alt:"What the game shows of this pair",onload:({target:c})=>c.classList.toggle(
+"pixels",c.naturalWidth<Za)}),...(s??a)===void 0?[p("p",{class:"muted"},e.missing),Ja(t,e,r,n,o)]:[],i.length>1?p("p",{class:"small numbers"},l):null].filter(c=>c!==
+null)}function Ja(t,e,r,n,o){let s=Object.keys(e.shows).map(u=>u.split(" ").map(Number)),a=([u,m])=>(u-r)**2+(m-n)**2,[i,l]=s.sort((u,m)=>a(u)-a(m))[0]??[];if(i===
+void 0||l===void 0)return null;let c=`${B(t,"pursuer",i)} against ${B(t,"evader",l)}`;return p("p",{},p("button",{type:"button",onclick:()=>o.select({pursuer:i,
+evader:l})},`Nearest: ${c}`))}var ae=["pursuer","evader"],oo=()=>JSON.parse($t("data"));function Me(t,e,r){let[n,o]=[e-t.payoff.first[0],r-t.payoff.first[1]],s=t.payoff.capture_rate[n]?.[o];
 return s===void 0?null:{rate:s,rates:t.payoff.capture_rates[n][o],lengths:t.payoff.lengths[n]?.[o]??[]}}function kt(t,e,r){let{script:n,network:o,kept:s,genomes:a}=t.
 teams[e];if(n!==null||o===null)return"";if(!s.includes(r))return`The page holds no genome of ${B(t,e,r)}: it would be too large. Choose a generation of ${s.join(
 ", ")}.`;let i=s.length*o.genome_size;return so(a,o.genome_size).length===i?"":`The page is damaged: it does not hold the ${i} numbers of the ${e}s' genomes. Wr\
@@ -452,7 +453,7 @@ this.#t.style.setProperty(u,`${100*m/d}%`);this.#s.style.setProperty("--shape",`
 ll(c,_(this.#i).generation),...cl(c),...this.#h(c),this.#a),this.#y()}#o(e){let r=this.#i.findings?.generalization;if(!r)return[];let{selected:n,hover:o}=this.#e,
 [s,a]=[o.pursuer??n.pursuer,o.evader??n.evader],[i,l]=Cs(e,r.pursuers.mean[s]??0,s),[c,u]=ks(e,r.evaders.mean[a]??0,a);return[x("circle",{class:"dot of-pursuers",
 cx:i,cy:l,r:5}),x("circle",{class:"dot of-evaders",cx:c,cy:u,r:5})]}#h(e){let r=this.#i.findings?.generalization;if(!r)return[];let{left:n,top:o,cell:s,rows:a,columns:i}=e,
-{means:l}=_(this.#i),[c,u]=[n+i*s+me,o-me],m={class:"side"};return[x("rect",{...m,x:c,y:o,width:yt,height:a*s}),x("rect",{...m,x:n,y:u-Re,width:i*s,height:Re}),
+{curves:l}=_(this.#i),[c,u]=[n+i*s+me,o-me],m={class:"side"};return[x("rect",{...m,x:c,y:o,width:yt,height:a*s}),x("rect",{...m,x:n,y:u-Re,width:i*s,height:Re}),
 ...Rs(r.pursuers,(d,h)=>Cs(e,d,h),"of-pursuers"),...Rs(r.evaders,(d,h)=>ks(e,d,h),"of-evaders"),x("text",{class:"tick",x:c,y:o+a*s+16,"text-anchor":"start"},"0"),
 x("text",{class:"tick",x:c+yt,y:o+a*s+16,"text-anchor":"end"},"1"),x("text",{class:"tick",x:n-6,y:u-4,"text-anchor":"end"},"0"),x("text",{class:"tick",x:n-6,y:u-
 Re+8,"text-anchor":"end"},"1"),x("text",{class:"label of-pursuers",x:c+yt,y:o+a*s+34,"text-anchor":"end"},l.pursuer),x("text",{class:"label of-evaders",x:n+i*s+

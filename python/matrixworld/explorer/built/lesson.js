@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources faf7e48a64928e0a6c75a0ef5a90fa36f4f81aad5ef2de721cfdc7dd7e568c13 */
+/* built from web/ by "npm run build"; sources c5a95fe3a004d169923cbb5169ffed4ea856e5554092dbc969a9bf4432a8b4b4 */
 "use strict";(()=>{var ps={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},vt={DISAPPEAR:0,REACH:1,BOUNCE:2},hs={OCCUPATION:0,SURROUND:1},fs={FAULT:0,INVOLVED:1};var tn=["obstacle","teammate","adversary"],rn=["vertex","edge","chain"],gs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],nn=["p\
 ursuer_{number}","evader_{number}"],ys={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},bt={"both held":"both bounce","both doomed":"\
@@ -165,16 +165,17 @@ r.value)},...t.map(([n,s])=>u("option",{value:n},s)));return r}async function Mn
 prepend(u("p",{class:"card problem",role:"alert"},`The page could not start: ${String(e)}`)),e}finally{document.body.dataset.ready="true"}}var eo=()=>["file:","\
 http:","https:"].includes(location.protocol);var F=(t,e=2)=>t==null?"-":t.toFixed(e);function to(t,e,r){return e===null||r===null?F(t):`${F(t)} (${F(e)} to ${F(r)})`}var ce=t=>t.charAt(0).toUpperCase()+t.slice(1);function kt(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
 c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(c,d)=>(i+d)*a)}var Pl={teams:{pursuer:"pursuers",evader:"evaders"},generation:{pursuer:"pursuer generation",evader:"evader generation"},score:"capture rate",means:{pursuer:"ca\
-ptures",evader:"escapes"},ends:["0 all escape","1 all caught"],lead:"Each cell is a match between two generations: the brighter, the more evaders are captured. \
-Click one to watch it.",click:"watch its match"},Ll=([t,e])=>({teams:{pursuer:t,evader:e},generation:{pursuer:`generation of ${t}`,evader:`generation of ${e}`},
-score:`score of the ${t}`,means:{pursuer:t,evader:e},ends:[`0 the ${e} win`,`1 the ${t} win`],lead:`Each cell is a pair of generations: the brighter, the higher\
- the score of the ${t}. Click one to see more of it.`,click:"see more of it"}),ue=({game:t})=>t?Ll(t.teams):Pl,ee=(t,e,r)=>`${ue(t).teams[e]} of generation ${r}`,
-Nl=200;function ro(t,e,{pursuer:r,evader:n},s){let{text:o,image:a}=e.shows[`${r} ${n}`]??{},i=Oe(t,r,n)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length}\
- episodes: ${i.map(c=>F(c)).join(", ")}`;return[o===void 0?null:u("pre",{tabindex:0,"aria-label":"What the game shows of this pair"},o),a===void 0?null:u("img",
-{src:a,alt:"What the game shows of this pair",onload:({target:c})=>c.classList.toggle("pixels",c.naturalWidth<Nl)}),...(o??a)===void 0?[u("p",{class:"muted"},e.
-missing),Il(t,e,r,n,s)]:[],i.length>1?u("p",{class:"small numbers"},l):null].filter(c=>c!==null)}function Il(t,e,r,n,s){let o=Object.keys(e.shows).map(d=>d.split(
-" ").map(Number)),a=([d,m])=>(d-r)**2+(m-n)**2,[i,l]=o.sort((d,m)=>a(d)-a(m))[0]??[];if(i===void 0||l===void 0)return null;let c=`${ee(t,"pursuer",i)} against ${ee(
-t,"evader",l)}`;return u("p",{},u("button",{type:"button",onclick:()=>s.select({pursuer:i,evader:l})},`Nearest: ${c}`))}var Ze=["pursuer","evader"];function Oe(t,e,r){let[n,s]=[e-t.payoff.first[0],r-t.payoff.first[1]],o=t.payoff.capture_rate[n]?.[s];return o===void 0?null:{rate:o,rates:t.payoff.capture_rates[n][s],
+ptures",evader:"escapes"},curves:{pursuer:"captures",evader:"escapes"},ends:["0 all escape","1 all caught"],lead:"Each cell is a match between two generations: \
+the brighter, the more evaders are captured. Click one to watch it.",click:"watch its match"},Ll=([t,e])=>({teams:{pursuer:t,evader:e},generation:{pursuer:`gene\
+ration of ${t}`,evader:`generation of ${e}`},score:`score of the ${t}`,means:{pursuer:t,evader:e},curves:{pursuer:"scores",evader:"scores"},ends:[`0 the ${e} wi\
+n`,`1 the ${t} win`],lead:`Each cell is a pair of generations: the brighter, the higher the score of the ${t}. Click one to see more of it.`,click:"see more of \
+it"}),ue=({game:t})=>t?Ll(t.teams):Pl,ee=(t,e,r)=>`${ue(t).teams[e]} of generation ${r}`,Nl=200;function ro(t,e,{pursuer:r,evader:n},s){let{text:o,image:a}=e.shows[`${r}\
+ ${n}`]??{},i=Oe(t,r,n)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length} episodes: ${i.map(c=>F(c)).join(", ")}`;return[o===void 0?null:u("pre",{tabindex:0,
+"aria-label":"What the game shows of this pair"},o),a===void 0?null:u("img",{src:a,alt:"What the game shows of this pair",onload:({target:c})=>c.classList.toggle(
+"pixels",c.naturalWidth<Nl)}),...(o??a)===void 0?[u("p",{class:"muted"},e.missing),Il(t,e,r,n,s)]:[],i.length>1?u("p",{class:"small numbers"},l):null].filter(c=>c!==
+null)}function Il(t,e,r,n,s){let o=Object.keys(e.shows).map(d=>d.split(" ").map(Number)),a=([d,m])=>(d-r)**2+(m-n)**2,[i,l]=o.sort((d,m)=>a(d)-a(m))[0]??[];if(i===
+void 0||l===void 0)return null;let c=`${ee(t,"pursuer",i)} against ${ee(t,"evader",l)}`;return u("p",{},u("button",{type:"button",onclick:()=>s.select({pursuer:i,
+evader:l})},`Nearest: ${c}`))}var Ze=["pursuer","evader"];function Oe(t,e,r){let[n,s]=[e-t.payoff.first[0],r-t.payoff.first[1]],o=t.payoff.capture_rate[n]?.[s];return o===void 0?null:{rate:o,rates:t.payoff.capture_rates[n][s],
 lengths:t.payoff.lengths[n]?.[s]??[]}}function or(t,e,r){let{script:n,network:s,kept:o,genomes:a}=t.teams[e];if(n!==null||s===null)return"";if(!o.includes(r))return`\
 The page holds no genome of ${ee(t,e,r)}: it would be too large. Choose a generation of ${o.join(", ")}.`;let i=o.length*s.genome_size;return so(a,s.genome_size).
 length===i?"":`The page is damaged: it does not hold the ${i} numbers of the ${e}s' genomes. Write it again from its run.`}function re(t,e,r){let{script:n,network:s,
@@ -643,7 +644,7 @@ this.#r.style.setProperty(d,`${100*m/p}%`);this.#s.style.setProperty("--shape",`
 gu(c,ue(this.#l).generation),...yu(c),...this.#f(c),this.#o),this.#g()}#i(e){let r=this.#l.findings?.generalization;if(!r)return[];let{selected:n,hover:s}=this.#e,
 [o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=bi(e,r.pursuers.mean[o]??0,o),[c,d]=wi(e,r.evaders.mean[a]??0,a);return[b("circle",{class:"dot of-pursuers",
 cx:i,cy:l,r:5}),b("circle",{class:"dot of-evaders",cx:c,cy:d,r:5})]}#f(e){let r=this.#l.findings?.generalization;if(!r)return[];let{left:n,top:s,cell:o,rows:a,columns:i}=e,
-{means:l}=ue(this.#l),[c,d]=[n+i*o+ye,s-ye],m={class:"side"};return[b("rect",{...m,x:c,y:s,width:Gt,height:a*o}),b("rect",{...m,x:n,y:d-He,width:i*o,height:He}),
+{curves:l}=ue(this.#l),[c,d]=[n+i*o+ye,s-ye],m={class:"side"};return[b("rect",{...m,x:c,y:s,width:Gt,height:a*o}),b("rect",{...m,x:n,y:d-He,width:i*o,height:He}),
 ...xi(r.pursuers,(p,h)=>bi(e,p,h),"of-pursuers"),...xi(r.evaders,(p,h)=>wi(e,p,h),"of-evaders"),b("text",{class:"tick",x:c,y:s+a*o+16,"text-anchor":"start"},"0"),
 b("text",{class:"tick",x:c+Gt,y:s+a*o+16,"text-anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:d-4,"text-anchor":"end"},"0"),b("text",{class:"tick",x:n-6,y:d-
 He+8,"text-anchor":"end"},"1"),b("text",{class:"label of-pursuers",x:c+Gt,y:s+a*o+34,"text-anchor":"end"},l.pursuer),b("text",{class:"label of-evaders",x:n+i*o+
