@@ -11,7 +11,7 @@ import numpy as np
 
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import TEAMS, Genome, Genomes
+from matrixworld.coevolution.types import TEAMS, Genomes
 
 MOST_SHOWN = 200
 """The most cells of a page whose pairs are shown."""
@@ -44,16 +44,22 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
 def shows_of(
     game: Game, archives: list[Genomes], cells: int, most: int
 ) -> dict[str, dict[str, str]]:
-    """Return what a game shows of some cells, the newest first, within `most` bytes."""
+    """Return what a game shows of some cells, the newest first, within `most` bytes.
+
+    ``text``, or an ``image`` as a data URI.
+    """
     pairs = zip(TEAMS, archives, strict=True)
     first, second = (game.population(team, genomes).genomes for team, genomes in pairs)
     found: dict[str, dict[str, str]] = {}
     for g, h in shown_cells(len(first), len(second), cells):
-        shown = plain_show(game, first[g], second[h])
-        most -= sum(len(each.encode()) for each in shown.values())
+        shown = game.shown(first[g], second[h])
+        kind = "text" if isinstance(shown, str) else "image"
+        if isinstance(shown, bytes):
+            shown = f"data:image/png;base64,{base64.b64encode(shown).decode()}"
+        most -= len(shown.encode())
         if most < 0:
             break
-        found[f"{g} {h}"] = shown
+        found[f"{g} {h}"] = {kind: shown}
     return found
 
 
@@ -66,11 +72,3 @@ def shown_cells(rows: int, columns: int, most: int) -> list[tuple[int, int]]:
     last = [range(n - 1, max(-1, n - 1 - side), -1) for n in (rows, columns)]
     even = [np.linspace(n - 1, 0, min(n, side)).round().astype(int) for n in (rows, columns)]
     return [*dict.fromkeys((int(g), int(h)) for two in (last, even) for g, h in product(*two))]
-
-
-def plain_show(game: Game, a: Genome, b: Genome) -> dict[str, str]:
-    """Return the ``text`` or the ``image``, a data URI, that a game shows of two genomes."""
-    shown = game.shown(a, b)
-    if isinstance(shown, str):
-        return {"text": shown}
-    return {"image": f"data:image/png;base64,{base64.b64encode(shown).decode()}"}
