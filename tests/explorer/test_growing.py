@@ -94,10 +94,10 @@ def test_cells_are_the_first_episodes_of_the_evaluation(job: Path, name: str) ->
         grown.teams = teams
         known = extended(grown, known)
     final = run.payoff()
-    shape = final.capture_rate.shape  # of one team alone, the last generation only
-    for field in ("capture_rates", "lengths"):
-        shown = getattr(known, field)[-shape[0] :, -shape[1] :]
-        np.testing.assert_array_equal(shown, getattr(final, field)[:, :, :SO_FAR])
+    shape = final.matrix.shape  # of one team alone, the last generation only
+    for field in ("scores", "lengths"):
+        shown = known.arrays()[field][-shape[0] :, -shape[1] :]
+        np.testing.assert_array_equal(shown, final.arrays()[field][:, :, :SO_FAR])
 
 
 def first_of(team: Population | str, most: int) -> Population | str:

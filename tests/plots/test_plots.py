@@ -304,7 +304,7 @@ def test_what_cannot_be_drawn_is_refused(draw: Callable[[], object], message: st
         lambda: plots.seed_scores({"a": [[0.5]]}),
         lambda: plots.verdict_strip({"a": scores}, {"a": {3, 1, 2}}),  # in which order?
         lambda: plots.verdict_strip({"a": "judgement"}, {"a": [1]}),
-        lambda: plots.ciao_triangles(SQUARE, names={"a", "b"}),
+        lambda: plots.ciao_triangles(SQUARE, teams={"a", "b"}),
         lambda: plots.payoff_heatmap(SQUARE, title=3),
         lambda: plots.save_figure("figure", "x.png"),
     ],

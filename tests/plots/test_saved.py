@@ -1,16 +1,25 @@
 """The figures of saved runs, and ``matrixworld explore --figures``."""
 
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 from command_line import matrixworld_command
 from matrixworld import analysis
 from matrixworld.cli.pages import FIGURES
 from matrixworld.coevolution import evolve, open_groups, open_run, open_runs
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.plots.saved import OF_GROUPS, OF_RUN, collisions_per_1000, figures_of
+from matrixworld.plots.saved import (
+    OF_GROUPS,
+    OF_PURSUIT,
+    OF_RUN,
+    collisions_per_1000,
+    figures_of,
+)  # fmt: skip
+from shown_games import pictures, short_race, words
 from tiny_race import tiny_race, tiny_single
 
 TOGETHER = ["seeds", "verdicts", "held_out"]
@@ -72,13 +81,32 @@ def test_titles_name_the_run_its_seed_and_what_was_judged(runs):
         assert title.startswith(f"hall (hall-of-fame), seed 5\n{shown}")
 
 
+def test_figures_of_your_own_game_have_its_words(tmp_path):
+    for seed in (0, 1):
+        evolve(short_race(words, seed=seed), tmp_path / f"words/seed-{seed}", threads=1)
+    evolve(short_race(pictures, schedule="alternating"), tmp_path / "pictures", threads=1)
+    seen = []
+    for places, each in ((("words",), True), (("pictures", "words/seed-0"), False)):
+        figures = figures_of(open_groups(*(tmp_path / p for p in places)), tmp_path, each=each)
+        for file, draw in figures.items():
+            texts = [t.get_text() for t in draw().findobj(Text)]
+            assert not [t for t in texts if re.search("pursue|evade|captur|escap", t)], file
+            assert any("hosts" in t for t in texts) or file.stem == "verdicts"
+            seen.append(file.stem)
+    assert {*seen} == {*OF_RUN, "seeds", "verdicts", "comparison"} - {*OF_PURSUIT}
+    for name in OF_PURSUIT:
+        with pytest.raises(ValueError, match=f"expected one that all games have, got '{name}'"):
+            figures_of(open_groups(tmp_path / "words"), tmp_path, name=name)
+
+
 def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
     [group] = open_groups(race)
     payoff, rates = group.runs[0].payoff(), collisions_per_1000(group)
-    row = sum(payoff.collisions[1, h, 0, 0] for h in range(3))
-    assert rates[1, 0, 0] == pytest.approx(1000 * row / payoff.agent_steps[1, :, 0].sum())
-    column = sum(payoff.collisions[g, 2, 1, 1] for g in range(3))
-    assert rates[2, 1, 1] == pytest.approx(1000 * column / payoff.agent_steps[:, 2, 1].sum())
+    collisions, steps = (payoff.extras[name] for name in ("collisions", "agent_steps"))
+    row = sum(collisions[1, h, 0, 0] for h in range(3))
+    assert rates[1, 0, 0] == pytest.approx(1000 * row / steps[1, :, 0].sum())
+    column = sum(collisions[g, 2, 1, 1] for g in range(3))
+    assert rates[2, 1, 1] == pytest.approx(1000 * column / steps[:, 2, 1].sum())
 
 
 def levels(runs: Path, place: str, **baselines: str) -> tuple[dict[str, float], int]:
@@ -94,7 +122,7 @@ def mean_score(race: Path, baseline: Path) -> float:
     [team] = alone.settings.learning_teams
     sides = {**open_run(race).teams, team: alone.last(team)}
     played = {"seed": settings.seed, "episodes": settings.evaluation_episodes}
-    rates = tournament(settings.world, *sides.values(), **played).capture_rate
+    rates = tournament(settings.world, *sides.values(), **played).matrix
     return float(np.mean(rates if team == "pursuer" else 1 - rates))
 
 

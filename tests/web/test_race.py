@@ -102,7 +102,10 @@ def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
         place = cell["pursuer"], cell["evader"]
         assert cell["capture_rates"] == payoff.scores[place].tolist()
         assert cell["lengths"] == payoff.extras["lengths"][place].tolist()
-        assert np.reshape(cell["means"]["faults"], (2, 3)).tolist() == payoff.faults[place].tolist()
+        assert (
+            np.reshape(cell["means"]["faults"], (2, 3)).tolist()
+            == payoff.extras["faults"][place].tolist()
+        )
     log = run.log()
     for name in ("opponent", "matches", "steps"):
         assert [row[name] for row in told["rows"]] == log[name].tolist()
@@ -149,7 +152,7 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
         last.world, run.teams["pursuer"], run.teams["evader"], seed=last.seed, episodes=3, threads=1
     )
     for name, found in again.arrays().items():
-        np.testing.assert_array_equal(getattr(payoff, name), found)
+        np.testing.assert_array_equal(payoff.arrays()[name], found)
     assert run.record(1, 3, episode=2).length == payoff.extras["lengths"][1, 3, 2]
     matrix = payoff.matrix
     expected = [
@@ -161,7 +164,10 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
         assert np.mean(told["scores"][team]) == pytest.approx(against_scripts(run, team))
     assert judge(payoff.scores, per_episode=True).runs == 1
     assert "pursuer" in explorer_page([run])
-    assert len(run.log()["epoch"]) == len(told["rows"])
+    log = run.log()
+    assert len(log["epoch"]) == len(told["rows"])
+    assert run.newest() == log["stage"].max() == last.schedule.n_stages
+    assert run.matches() == log["matches"][-1]
     with pytest.raises(DamagedFileError):  # Python does not continue it
         evolve(last, unpacked(archive), threads=1)
 

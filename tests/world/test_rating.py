@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from matrixworld.solver import expected_payoff
 
 import matrixworld as mw
 from inputs import OBSTACLES, all_slow_inputs
 from matrixworld import _core
+from matrixworld.solver import expected_payoff
 from reference import MOVES
 from right_of_way import ROWS
 from rows import NAMES, config_of, random_actions

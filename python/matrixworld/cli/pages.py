@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import click
 
 from matrixworld.cli import options
-from matrixworld.cli.console import note, print_wrapped, say
+from matrixworld.cli.console import note, print_wrapped, say, warnings_as_notes
 from matrixworld.cli.replay import source_of
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import SavedRun, open_run, open_runs
@@ -109,7 +109,8 @@ def explore_command(
 
     RUN is the directory of a job or of a run. The page is a single file that needs no network and
     no installation. It holds the genomes and the engine: a click on a cell of the payoff matrix
-    plays that very match. Of many runs, the page shows the first seeds of each group.
+    plays that very match. Of a game of your own it holds what the game shows of some matches. Of
+    many runs, the page shows the first seeds of each group.
 
     With --figures the figures of each run go into its directory. Races of one seed are also drawn
     side by side; of several seeds all are drawn together, and single runs only with --each.
@@ -127,7 +128,8 @@ def explore_command(
                 raise click.UsageError(f"{option}: expected --figures or --figure beside it")
         page = out or root / PAGE
         options.check_outputs(page, force=force)
-        write_explorer(groups, page)
+        with warnings_as_notes(), usage_errors():
+            write_explorer(groups, page)
         say(page)
         open_page(page, opens)
         return
@@ -145,7 +147,8 @@ def explore_command(
             expected = "expected a race, got a run of one team"
             raise click.UsageError(f"--figure {figure}: {expected}: {group.name}")
     chosen: Any = {"name": figure, "suffix": suffix or "png", "baselines": baselines, "each": each}
-    files = figures_of([group.inside(root) for group in groups], root, **chosen)
+    with usage_errors():
+        files = figures_of([group.inside(root) for group in groups], root, **chosen)
     if out is not None:
         if figure is None or len(files) != 1:
             got = f"{len(files)} figures" if figure else "no --figure"

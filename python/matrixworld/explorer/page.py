@@ -38,6 +38,7 @@ def render_page(
     *,
     opens: Sequence[str] = (),
     works: bool = False,
+    engine: bool = True,
     folder: Path = BUILT,
 ) -> str:
     """Return a page as HTML: one of `PAGES`, or one whose script and style sheet are in `folder`.
@@ -45,7 +46,7 @@ def render_page(
     The page's script reads `data`, plain values that JSON can hold, and decodes of `blobs`, large
     data by identifier, what it needs. Pages that it makes and opens are under its policy, too: they
     are named in `opens`. A page that `works` computes in a worker, which it makes of its own
-    scripts. ValueError if a number is not finite.
+    scripts. A page that plays no matches needs no `engine`. ValueError if a number is not finite.
     """
     # Jinja takes 0.1 s to import, which commands without pages need not wait for.
     from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -67,7 +68,7 @@ def render_page(
         title=title,
         version=__version__,
         policy=policy,
-        scripts={name: scripts[name] for name in (ENGINE, page)},
+        scripts={name: scripts[name] for name in (*([ENGINE] if engine else []), page)},
         style=styles[page],
         data=data,
         blobs={name: base64.b64encode(blob).decode() for name, blob in (blobs or {}).items()},

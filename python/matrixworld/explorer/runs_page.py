@@ -19,7 +19,6 @@ import os
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -50,15 +49,16 @@ from matrixworld.explorer.page import (
     write_page,
 )
 from matrixworld.explorer.playground import page_data, playground_page
+from matrixworld.explorer.shows import plain_game
 from matrixworld.explorer.teams import MOST_BYTES, plain_team, step_of
 from matrixworld.version import __version__
 from matrixworld.world.render import png
-from matrixworld.world.rules import variant_name
 
 PAGE = "explorer.html"
 """Name of the page in a run directory, or beside several."""
 MOST_RUNS = 12
 """The most runs of a page."""
+CHANGED = "The source of the game {} has changed since it was raced."
 
 
 @dataclass(frozen=True, repr=False)
@@ -70,7 +70,8 @@ class Explorer:
     path : Path
         The file.
     picture : bytes, optional
-        A match as a PNG file: what a notebook shows where it shows no frame. The default is none.
+        A match of pursuit as a PNG file: what a notebook shows where it shows no frame. The default
+        is none.
     """
 
     path: Path
@@ -102,7 +103,7 @@ def explore(
     Raises
     ------
     ValueError
-        If the number of runs is another one.
+        If the number of runs is another one, or a game of your own cannot be imported.
     FileNotFoundError
         If a directory holds no finished run.
     FileExistsError
@@ -117,7 +118,7 @@ def explore(
     page = _common(paths) / PAGE if file is None else Path(file)
     check_new(page, force)
     write_page(page, explorer_page(saved))
-    return Explorer(page, png(scene(saved[0].record())))
+    return Explorer(page, b"" if saved[0].settings.game else png(scene(saved[0].record())))
 
 
 def _common(paths: Sequence[Path]) -> Path:
@@ -132,7 +133,7 @@ def explorer_page(
 
     A `note` says what the page does not show, such as further runs of the job. The page of runs
     that go on has their payoffs `so_far`, by directory, and loads itself again. FileNotFoundError
-    if another run is not finished.
+    if another run is not finished; ValueError or PluginError if a game cannot be imported.
     """
     paths = [run.path.absolute() for run in runs]
     common = _common(paths)
@@ -140,27 +141,37 @@ def explorer_page(
     names = [path.name if path == common else path.relative_to(common).as_posix() for path in paths]
     title = names[0] if len(names) == 1 else common.name
     named = [*zip(names, runs, strict=True)]
-    plain, genomes = runs_data(named, so_far=so_far or {})
+    plain, blobs = runs_data(named, so_far=so_far)
+    games = {run.settings.game for run in runs}
+    notes = [note, *(CHANGED.format(game.code) for game in games if game and game.changed())]
+    pursuit = None in games
+    if pursuit:
+        blobs["playground"] = without_engine(playground_page()).encode()
     data = {
         "version": __version__,
         "title": title,
         "heading": heading(runs),
-        "note": note,
+        "note": " ".join(filter(None, notes)),
         "growing": so_far is not None,
-        "playground": page_data(),
+        "playground": page_data() if pursuit else None,
         "runs": plain,
     }
-    playground = without_engine(playground_page()).encode()
-    blobs = {**genomes, "playground": playground}
-    return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
+    opens, head = ["playground"] if pursuit else [], f"{title} - matrixworld"
+    return render_page("explorer", head, data, blobs, opens=opens, engine=pursuit)
 
 
 def heading(runs: Sequence[SavedRun]) -> str:
     """Return what a page shows in words, such as "3 races of pursuers and evaders, variant O"."""
-    kind = "race" if all(run.settings.is_race for run in runs) else "run"
-    words = f"{len(runs)} {kind}{'s' if len(runs) > 1 else ''} of pursuers and evaders"
-    games = {variant_name(run.settings.world.rules) for run in runs} - {""}
-    return f"{words}, variant {games.pop()}" if len(games) == 1 else words
+    settings = [run.settings for run in runs]
+    kind = "race" if all(each.is_race for each in settings) else "run"
+    words = f"{len(runs)} {kind}{'s' if len(runs) > 1 else ''} of "
+    teams = {each.teams for each in settings}
+    games = {each.variant for each in settings}
+    if len(teams) > 1:
+        return f"{words}{len(games)} games"
+    words += " and ".join(*teams)
+    what, names = "game" if settings[0].game else "variant", games - {"own-rules"}
+    return f"{words}, {what} {names.pop()}" if len(names) == 1 else words
 
 
 # ---- Runs ----------------------------------------------------------------------------------------
@@ -173,21 +184,24 @@ def runs_data(
     runs: Sequence[tuple[str, SavedRun]],
     *,
     most: int = MOST_BYTES,
-    so_far: Mapping[Path, Payoff] = {},
+    so_far: Mapping[Path, Payoff] | None = None,
 ) -> tuple[list[dict[str, Any]], dict[str, bytes]]:
     """Return what a page shows of runs, given with their names, and genomes by identifier.
 
-    There are genomes of as many generations as fit into `most` bytes.
+    There are genomes of as many generations as fit into `most` bytes. While runs go on, which have
+    a payoff `so_far`, the page does not take the time of what games of your own show.
     """
     step = step_of([run for _, run in runs], most)
     plain, genomes = [], dict[str, bytes]()
+    own_games = sum(run.settings.game is not None for _, run in runs)
     for n, (name, run) in enumerate(runs):
-        shown = run_data(name, run, so_far.get(run.path))
+        shown = run_data(name, run, (so_far or {}).get(run.path))
         teams = {
-            team: plain_team(run.teams[team], f"genomes-{n}-{team}", step, genomes)
-            for team in TEAMS
+            team: plain_team(each, f"genomes-{n}-{team}", step, genomes)
+            for team, each in zip(TEAMS, run.teams.values(), strict=True)
         }
-        plain.append({**shown, "teams": teams})
+        game = plain_game(run, own_games, ended=so_far is None)
+        plain.append({**shown, "teams": teams, "game": game})
     return plain, genomes
 
 
@@ -197,8 +211,7 @@ def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str
     A race is judged, unless it goes on: then its payoff so far is given.
     """
     settings, payoff = run.settings, so_far or run.payoff()
-    teams = [run.teams[team] for team in TEAMS]
-    shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in teams)
+    shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in run.teams.values())
     found = None
     if settings.is_race:
         found = so_far_found(payoff) if so_far else findings(payoff)
@@ -207,7 +220,7 @@ def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str
         "schedule": settings.schedule.name if settings.is_race else "one team",
         "learning": list(settings.learning_teams),
         "seed": str(settings.seed),
-        "world": settings.world.to_json(),
+        "world": settings.world.to_json() if settings.world else None,
         "settings": plain_settings(settings),
         "training": training_curve(run.log(), settings),
         "payoff": plain_payoff(payoff, shape),
@@ -240,17 +253,18 @@ def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
             [[float(f"{rate:.9g}") for rate in cell] for cell in row]
             for row in payoff.scores.tolist()
         ],
-        "lengths": payoff.extras["lengths"].tolist(),
+        "lengths": payoff.extras.get("lengths", np.empty(0)).tolist(),
     }
 
 
 def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> dict[str, Any]:
-    """Return the capture rate over training, in lists of equal lengths.
+    """Return the score of the first team over training, in lists of equal lengths.
 
     The learner is 0 for the pursuers, 1 for the evaders and 2 for both. A point is the mean of so
     many ``epochs``; ``window`` has the points of a moving average.
     """
-    learner = (log["team"] == "evader").astype(int)
+    learner = (log["team"] == settings.keys[1]).astype(int)
+    score, *_ = settings.kind_of_game.columns
     if isinstance(settings.schedule, AtOnce):
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
@@ -259,7 +273,7 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
     starts = np.arange(0, len(learner), every)
     counts = np.diff([*starts, len(learner)])
     return {
-        "capture_rate": np.round(np.add.reduceat(log["capture_rate"], starts) / counts, 4).tolist(),
+        "capture_rate": np.round(np.add.reduceat(log[score], starts) / counts, 4).tolist(),
         "generation": log["generation"][starts].tolist(),
         "learner": learner[starts].tolist(),
         "epochs": every,
@@ -271,11 +285,14 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
 def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
     """Return path, value and meaning of each setting that differs from the default."""
     usual = values_of(_usual(settings))
-    return [
+    different = [
         {"name": path, "value": _shown(plain_values(value)), "help": text}
         for path, value, text in leaves(settings)
         if value != usual.get(path)
     ]
+    if settings.game is None:
+        return different
+    return [{"name": "game", "value": settings.game.code, "help": "a game of your own"}, *different]
 
 
 def _usual(settings: RaceSettings) -> RaceSettings:
@@ -283,9 +300,9 @@ def _usual(settings: RaceSettings) -> RaceSettings:
     schedule = settings.schedule
     if isinstance(schedule, Against):
         alone = Against(team=schedule.team, opponent=schedule.opponent)
-        return RaceSettings(schedule=alone, seed=settings.seed)
+        return RaceSettings(game=settings.game, schedule=alone, seed=settings.seed)
     named: Any = schedule.name  # a text stands for a section
-    return RaceSettings(schedule=named, seed=settings.seed)
+    return RaceSettings(game=settings.game, schedule=named, seed=settings.seed)
 
 
 def _shown(value: Any) -> str:
@@ -367,7 +384,7 @@ def _with_bands(
 def too_few_episodes(payoff: Payoff) -> str:
     """Return what a small number of episodes means for the judgement; empty if they are enough."""
     episodes = payoff.scores.shape[2]
-    if episodes >= EPISODES_TO_JUDGE:
+    if episodes >= EPISODES_TO_JUDGE or payoff.exact:
         return ""
     return (
         f"Each cell has {episodes} episode{'' if episodes == 1 else 's'}; it takes at least "
@@ -385,7 +402,7 @@ SHARE = 0.1
 """The most of the time that the page may take from the runs."""
 NOTE = (
     "The runs go on. This page shows what there was at {time}, and loads itself again when nobody "
-    "uses it. A run that has not ended has {episodes} episodes of each cell, and no judgement."
+    "uses it. A run that has not ended has at most {episodes} episodes a cell, and no judgement."
 )
 
 
@@ -431,8 +448,15 @@ class GrowingPage:
 
 def extended(run: SavedRun, known: Payoff | None) -> Payoff:
     """Return the payoff of all generations of a run; what is known of them is not played again."""
-    pursuers, evaders = (run.teams[team] for team in TEAMS)
+    pursuers, evaders = run.teams.values()
     settings = run.settings
     episodes = min(SO_FAR, settings.evaluation_episodes)
-    play = partial(tournament, settings.world, seed=settings.seed, episodes=episodes, threads=1)
-    return play(pursuers, evaders, known=known)
+    return tournament(
+        settings.evaluation_game,
+        pursuers,
+        evaders,
+        seed=settings.seed,
+        episodes=episodes,
+        threads=1,
+        known=known,
+    )

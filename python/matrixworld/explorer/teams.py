@@ -22,7 +22,7 @@ def step_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> int:
     It is the same for all runs, so that linked generations exist everywhere.
     """
     learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
-    longest = max(len(team.genomes) for team in learned)
+    longest = max((len(team.genomes) for team in learned), default=1)
 
     def size(step: int) -> int:
         kept = (len(kept_generations(len(team.genomes), step)) for team in learned)
@@ -39,9 +39,13 @@ def kept_generations(count: int, step: int) -> list[int]:
 def plain_team(
     team: TeamPolicy, identifier: str, step: int, genomes: dict[str, bytes]
 ) -> dict[str, Any]:
-    """Return a team as plain values, and add its genomes to the others."""
-    if isinstance(team, str):
-        return {"script": team, "network": None, "kept": [0], "genomes": ""}
+    """Return a team as plain values, and add its genomes to the others.
+
+    Of a game of your own, which the page does not play, there are none.
+    """
+    if not isinstance(team, Population):
+        script = team if isinstance(team, str) else None
+        return {"script": script, "network": None, "kept": [0], "genomes": ""}
     kept = kept_generations(len(team.genomes), step)
     genomes[identifier] = packed(team.genomes[kept])
     return {"script": None, "network": plain_network(team), "kept": kept, "genomes": identifier}

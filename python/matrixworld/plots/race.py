@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld._util.checks import check_integer, check_sequence
+from matrixworld._util.checks import check_integer
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, check_rates, require
 from matrixworld.plots import style
@@ -34,26 +34,31 @@ COLUMNS = 3
 SMALL = 0.83
 """Size of judgements above heat maps, as a multiple of the type."""
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
-_SCALE = "capture rate\n(0 all escape, 1 all caught)"
-_LAG = "lag: pursuer minus evader generation"
-_SCORES = ("pursuers (score: capture rate)", "evaders (score: 1 - capture rate)")
 
 
-def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against all") -> Figure:
+def payoff_heatmap(
+    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str | None = None
+) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     rows, columns = check_payoff(payoff).shape
+    words = style.words_of(teams)
+    title = words.begin(", all against all") if title is None else title
     figure, axes = style.single(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0, title)
-    figure.colorbar(_draw_heatmap(axes, payoff), ax=axes, label=_SCALE, shrink=0.9)
+    figure.colorbar(_draw_heatmap(axes, payoff, words), ax=axes, label=words.scale, shrink=0.9)
     return figure
 
 
-def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figure:
+def lag_profile_curve(
+    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str = "Lag profile"
+) -> Figure:
     """Draw the lag profile: the mean over k of ``payoff[k + d, k]`` for each lag d.
 
     A flat curve with a notch at 0 means specialists, which win against their own opponents only. A
@@ -63,10 +68,12 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     figure, axes = style.single(6.4, 4.2, title)
-    _draw_lag_profile(axes, payoff)
+    _draw_lag_profile(axes, payoff, style.words_of(teams))
     style.legend_below(figure, style.labelled(axes))
     return figure
 
@@ -75,7 +82,7 @@ def ciao_triangles(
     payoff: ArrayLike,
     *,
     every: int = 1,
-    names: Sequence[str] = ("pursuers", "evaders"),
+    teams: Sequence[str] = style.TEAMS,
     title: str = "CIAO: current individuals against ancestral opponents",
 ) -> Figure:
     """Draw the CIAO plots of both teams: current individuals against ancestral opponents.
@@ -89,12 +96,11 @@ def ciao_triangles(
     payoff : array_like of float, shape (n, m)
     every : int, optional
         Generations from one row to the next, and from one column to the next.
-    names : sequence of str, optional
+    teams : sequence of str, optional
         Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
-    triangles, names = analysis.ciao(payoff), check_sequence("names", names, "two texts")
-    require(len(names) == 2, "names of two teams", names)
+    triangles, names = analysis.ciao(payoff), style.words_of(teams).teams
     check_integer("every", every, 1)
     figure = style.new_figure(7.4, 3.8)
     panels = figure.subplots(1, 2)
@@ -122,6 +128,7 @@ def generalization_curves(
     *,
     pursuer_baselines: Baselines | None = None,
     evader_baselines: Baselines | None = None,
+    teams: Sequence[str] = style.TEAMS,
     title: str | None = None,
 ) -> Figure:
     """Draw the mean score of each generation against all opponents, a panel for each race.
@@ -137,6 +144,8 @@ def generalization_curves(
         Mean scores in [0, 1] of teams that were trained in another way, against the opponents of
         each seed, by race and by their name. Each is a level line at its mean, and a band for its
         interval.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     style.check_some(payoffs, "race")
@@ -144,11 +153,12 @@ def generalization_curves(
     baselines = [style.by_name(*each) for each in given.items()]
     for name in [name for team in baselines for name in team if name not in payoffs]:
         raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
+    words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
     )
     for number, ([axes], (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        _draw_generalization(axes, analysis.read_payoffs(source))
+        _draw_generalization(axes, analysis.read_payoffs(source), words)
         _draw_baselines(axes, *(style.by_name(name, team.get(name)) for team in baselines))
         head = style.wrapped(name, style.room(figure, columns, 1.2))
         axes.set_title(head, size="medium", fontweight="bold")
@@ -160,6 +170,7 @@ def comparison(
     payoffs: Mapping[str, Source],
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
+    teams: Sequence[str] = style.TEAMS,
     title: str | None = None,
 ) -> Figure:
     """Draw single races side by side, on the same scales, at most 3 in a row.
@@ -174,9 +185,12 @@ def comparison(
         `generalization_curves`.
     judgements : mapping of str to Judgement, optional
         Results of :func:`matrixworld.analysis.judge`.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     style.check_some(payoffs, "race")
+    words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), COLUMNS, width=(1.2, 2.7), height=(0.6, 7.1), heights=(1.7, 0.8, 0.8)
     )
@@ -187,13 +201,13 @@ def comparison(
         race = analysis.read_payoffs(source)
         require(len(race) == 1, f"one run of {name}", len(race))
         [matrix] = race.matrices
-        _draw_heatmap(heatmap, matrix)
-        _draw_lag_profile(lags, matrix)
-        _draw_generalization(scores, race)
+        _draw_heatmap(heatmap, matrix, words)
+        _draw_lag_profile(lags, matrix, words)
+        _draw_generalization(scores, race, words)
         lags.set_title("lag profile", size="medium")
         scores.set_title("generalization", size="medium")
         scores.set_ylabel("mean score")
-        lags.set_xlabel("lag: pursuer minus\nevader generation")
+        lags.set_xlabel(words.lag.replace("minus ", "minus\n"))
         judged = analysis.headline(known[name]) if name in known else ""
         heads[name] = textwrap.wrap(judged, int(width / SMALL))
     _write_heads([heatmap for heatmap, *_ in panels], heads, width)
@@ -202,7 +216,7 @@ def comparison(
         # The bar of a shorter row would be in the middle, and push the other rows apart.
         if len(row) == columns:
             heatmaps = [column[0] for column in row]
-            figure.colorbar(heatmaps[0].images[0], ax=heatmaps, label=_SCALE, shrink=0.9)
+            figure.colorbar(heatmaps[0].images[0], ax=heatmaps, label=words.scale, shrink=0.9)
         # The scales are shared, so one label per row is enough.
         for axes in [axes for column in row[1:] for axes in column]:
             axes.set_ylabel("")
@@ -229,7 +243,7 @@ def _write_heads(heatmaps: Sequence[Axes], heads: Mapping[str, list[str]], width
         )  # fmt: skip
 
 
-def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
+def _draw_heatmap(axes: Axes, payoff: ArrayLike, words: style.Words) -> AxesImage:
     matrix = check_payoff(payoff)
     image = _draw_cells(axes, matrix)
     # A line above and a line below the cells of equal generations, which stay visible.
@@ -239,7 +253,7 @@ def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
     outline = [Stroke(linewidth=1.9 * width, foreground=colors.INK), Normal()]
     for x, y in ((early, late), (late, early)):
         axes.plot(x, y, color=colors.PAPER, linewidth=width, path_effects=outline)
-    axes.set(xlabel="evader generation", ylabel="pursuer generation")
+    axes.set(xlabel=words.generations[1], ylabel=words.generations[0])
     axes.set(xlim=(-0.5, matrix.shape[1] - 0.5), ylim=(-0.5, matrix.shape[0] - 0.5))
     return image
 
@@ -250,7 +264,7 @@ def _draw_cells(axes: Axes, cells: Rates, **look: Any) -> AxesImage:
     return axes.imshow(cells, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP, **look)
 
 
-def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:
+def _draw_lag_profile(axes: Axes, payoff: ArrayLike, words: style.Words) -> None:
     profile = analysis.lag_profile(payoff)
     # In a small matrix no lag has FEWEST_CELLS cells; the middle half of its lags is solid then.
     cells = min(FEWEST_CELLS, (profile.cells.max() + 1) // 2)
@@ -259,12 +273,12 @@ def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:
     axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.3, linewidth=1.0, label=faint)
     axes.plot(profile.lags[solid], profile.means[solid], color=colors.INK, linewidth=1.8)
     mark_lag_0(axes)
-    axes.set(xlabel=_LAG, ylabel="mean capture rate")
+    axes.set(xlabel=words.lag, ylabel=f"mean {words.score}")
     style.generation_axis(axes)
     style.unit_axis(axes)
     aside: dict[str, Any] = {"color": colors.MUTED, "size": "small", "transform": axes.transAxes}
-    axes.text(0.02, 0.97, "later evaders", ha="left", va="top", **aside)
-    axes.text(0.98, 0.03, "later pursuers", ha="right", va="bottom", **aside)
+    axes.text(0.02, 0.97, f"later {words.teams[1]}", ha="left", va="top", **aside)
+    axes.text(0.98, 0.03, f"later {words.teams[0]}", ha="right", va="bottom", **aside)
 
 
 def mark_lag_0(axes: Axes) -> None:
@@ -272,7 +286,7 @@ def mark_lag_0(axes: Axes) -> None:
     axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
 
 
-def _draw_generalization(axes: Axes, payoffs: Payoffs) -> None:
+def _draw_generalization(axes: Axes, payoffs: Payoffs, words: style.Words) -> None:
     """Draw the mean scores of both teams, with bands over seeds, or over episodes of one run."""
     if len(payoffs) == 1 and payoffs.scores is not None and payoffs.has_episodes:
         bands: Iterable[Band] = generalization_over_episodes(payoffs.scores[0])
@@ -281,13 +295,13 @@ def _draw_generalization(axes: Axes, payoffs: Payoffs) -> None:
         teams = zip(*map(analysis.generalization, payoffs.matrices), strict=True)
         bands = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
         interval = OVER_SEEDS
-    draw_teams(axes, bands, interval)
+    draw_teams(axes, bands, interval, words)
     style.unit_axis(axes)
 
 
-def draw_teams(axes: Axes, bands: Iterable[Band], interval: str) -> None:
-    """Draw the curves of both teams, evaders dashed, and the intervals if they have some."""
-    looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), _SCORES, strict=True)
+def draw_teams(axes: Axes, bands: Iterable[Band], interval: str, words: style.Words) -> None:
+    """Draw the curves of both teams, the second dashed, and the intervals if they have some."""
+    looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), words.scores, strict=True)
     for band, color, line, label in looks:
         style.draw_band(axes, band, color, line, label=label)
     if band.low is not None:

@@ -199,6 +199,7 @@ def seed_bands(
     payoffs: Mapping[str, Source],
     judgements: Mapping[str, Judgement] | None = None,
     *,
+    teams: Sequence[str] = style.TEAMS,
     title: str | None = None,
 ) -> Figure:
     """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
@@ -213,9 +214,12 @@ def seed_bands(
         :func:`matrixworld.analysis.read_payoffs` takes them.
     judgements : mapping of str to Judgement, optional
         Results of :func:`matrixworld.analysis.judge` by the name of the group.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     style.check_some(payoffs)
+    words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
     )
@@ -223,12 +227,12 @@ def seed_bands(
     known = style.by_name("judgements", judgements)
     for number, (column, (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
         matrices = analysis.read_payoffs(source).matrices
-        _draw_group(column, matrices)
+        _draw_group(column, matrices, words)
         counted = "1 seed: no band" if len(matrices) == 1 else f"{len(matrices)} seeds"
         judged = analysis.headline(known[name]) if name in known else ""
         head = [style.wrapped(name, width), counted, *textwrap.wrap(judged, width)]
         column[0].set_title("\n".join(head), size="medium")
-        names = ("mean score", "Elo rating (points)", "mean capture rate")
+        names = ("mean score", "Elo rating (points)", f"mean {words.score}")
         style.label_first(column, names, is_first=number % columns == 0)
     ends = [column[1].get_ylim() for column in panels]
     for column in panels:  # all groups have the same scale of ratings
@@ -237,7 +241,7 @@ def seed_bands(
     return style.finished(figure, entries, title, columns=2 if columns < 3 else 4)
 
 
-def _draw_group(column: Sequence[Axes], matrices: Rates) -> None:
+def _draw_group(column: Sequence[Axes], matrices: Rates, words: style.Words) -> None:
     """Draw the three panels of a group."""
     bands = race_bands(matrices)
     few = len(matrices) <= style.MOST_LINES
@@ -247,13 +251,13 @@ def _draw_group(column: Sequence[Axes], matrices: Rates) -> None:
         names = [f"{team}_{number}" for team in TEAMS]
         for name, color in zip(names, colors.TEAMS, strict=True):
             _draw_singles(axes, singles, name, color)
-        draw_teams(axes, (bands[name] for name in names), OVER_SEEDS)
+        draw_teams(axes, (bands[name] for name in names), OVER_SEEDS, words)
     if singles:
         scores.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
     _draw_singles(lags, singles, "lag_profile", colors.INK)
     style.draw_band(lags, bands["lag_profile"], colors.INK, "-")
     mark_lag_0(lags)
-    lags.set_xlabel("lag: pursuer minus\nevader generation")
+    lags.set_xlabel(words.lag.replace("minus ", "minus\n"))
     for axes in column:
         style.generation_axis(axes)
         style.plain_axis(axes)

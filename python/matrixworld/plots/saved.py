@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from matrixworld import plots
 from matrixworld._util.checks import check_choice
@@ -22,7 +22,7 @@ from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.plots.style import FORMATS
+from matrixworld.plots import style
 
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
@@ -45,14 +45,17 @@ def figures_of(
     """
     if name is not None:
         check_choice("name", name, {**OF_RUN, **OF_GROUPS})
-    check_choice("suffix", suffix, FORMATS)
+    of_pursuit = [group for group in groups if group.runs[0].settings.game is None]
+    if name in OF_PURSUIT and len(of_pursuit) < len(groups):
+        raise ValueError(f"figure: expected one that all games have, got {name!r}")
+    check_choice("suffix", suffix, style.FORMATS)
     baselines = baselines or {}
     races = [group for group in groups if group.is_race]
     seeds = [group for group in races if group.several]
     if name in OF_GROUPS and name not in OF_RUN:
         together: list[str] = [name]
     elif seeds:
-        together = ["seeds", "verdicts", "held_out"]
+        together = ["seeds", "verdicts", *(["held_out"] if len(of_pursuit) == len(groups) else [])]
         together += ["generalization"] if name == "generalization" or baselines else []
     else:
         together = ["comparison"] if len(races) > 1 else []
@@ -63,7 +66,8 @@ def figures_of(
     for single in [single for group in alone for single in group.singles]:
         for figure in OF_RUN:
             # A run of one team alone has the curve of its training only.
-            if single.is_race or figure == "training":
+            missing = figure in OF_PURSUIT and single.runs[0].settings.game is not None
+            if (single.is_race and not missing) or figure == "training":
                 file = single.runs[0].path / f"{figure}.{suffix}"
                 found[file] = partial(OF_RUN[figure], single, baselines)
     drawn = {group.name: group for group in seeds or races}
@@ -78,30 +82,33 @@ def _title(group: RunGroup, shown: str) -> str:
 
 def _training(group: RunGroup, baselines: Baselines) -> Figure:
     [run] = group.runs
-    log, schedule = run.log(), run.settings.schedule
-    evaders = log["team"] == "evader"
-    shown, kept = "pursuers and evaders learn in turn", np.ones(len(evaders), bool)
+    log, schedule, teams = run.log(), run.settings.schedule, run.settings.teams
+    evaders = log["team"] == run.settings.keys[1]
+    score, *_ = run.settings.kind_of_game.columns
+    shown, kept = f"{' and '.join(teams)} learn in turn", np.ones(len(evaders), bool)
     if isinstance(schedule, Against):
-        shown = f"{schedule.team}s learn"
+        shown = f"{teams[TEAMS.index(schedule.team)]} learn"
     elif isinstance(schedule, AtOnce):
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
         shown, kept = "both teams learn", ~evaders
     return plots.training_curve(
-        log["capture_rate"][kept],
+        log[score][kept],
         None if isinstance(schedule, AtOnce) else evaders,
         generations=None if isinstance(schedule, Against) else log["generation"][kept],
         window=curve_window(schedule),
-        title=_title(group, f"Capture rate while {shown}"),
+        teams=teams,
+        title=_title(group, style.words_of(teams).begin(f" while {shown}")),
     )
+
+
+def _teams(*groups: RunGroup) -> tuple[str, str]:
+    """Return what the game of runs calls its teams, of several games what fits all."""
+    found = {group.runs[0].settings.teams for group in groups}
+    return found.pop() if len(found) == 1 else ("first teams", "second teams")
 
 
 def _generalization(group: RunGroup, baselines: Baselines) -> Figure:
     return _generalizations({_title(group, "Mean score against all opponents"): group}, baselines)
-
-
-def _matrix(group: RunGroup) -> ArrayLike:
-    matrix: ArrayLike = group.payoffs.matrices[0]
-    return matrix
 
 
 def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
@@ -115,27 +122,29 @@ def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
     return 1000 * np.stack([pursuers, evaders], axis=1)
 
 
+def _collisions(group: RunGroup, baselines: Baselines) -> Figure:
+    title = _title(group, "Collisions per 1000 agent-steps")
+    return plots.collision_rates(collisions_per_1000(group), title=title)
+
+
 def _drawn(
-    draw: Callable[..., Figure],
-    numbers: Callable[[RunGroup], ArrayLike],
-    shown: str,
-    group: RunGroup,
-    baselines: Baselines,
+    draw: Callable[..., Figure], shown: str, group: RunGroup, baselines: Baselines
 ) -> Figure:
-    """Draw numbers of a race, titled by what they are; without words by what was judged."""
-    return draw(numbers(group), title=_title(group, shown or headline(group.judgement)))
+    """Draw the payoff of a race, titled by what it is; without words by what was judged."""
+    title = _title(group, shown or headline(group.judgement))
+    return draw(group.payoffs.matrices[0], title=title, teams=_teams(group))
 
 
 OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
     "training": _training,
-    "payoff": partial(_drawn, plots.payoff_heatmap, _matrix, ""),
+    "payoff": partial(_drawn, plots.payoff_heatmap, ""),
     "generalization": _generalization,
-    "lag_profile": partial(_drawn, plots.lag_profile_curve, _matrix, "Lag profile"),
-    "collisions": partial(
-        _drawn, plots.collision_rates, collisions_per_1000, "Collisions per 1000 agent-steps"
-    ),
+    "lag_profile": partial(_drawn, plots.lag_profile_curve, "Lag profile"),
+    "collisions": _collisions,
 }
 """Figures of a race. A run of one team has the first one only."""
+OF_PURSUIT = ("collisions", "held_out")
+"""Figures that games of your own have not."""
 
 
 Groups = Mapping[str, RunGroup]
@@ -147,11 +156,11 @@ def _comparison(groups: Groups, baselines: Baselines) -> Figure:
         for name, group in groups.items()
         for single in group.singles
     }
-    return plots.comparison(_payoffs(singles), _judgements(singles))
+    return plots.comparison(_payoffs(singles), _judgements(singles), teams=_teams(*groups.values()))
 
 
 def _seeds(groups: Groups, baselines: Baselines) -> Figure:
-    return plots.seed_bands(_payoffs(groups), _judgements(groups))
+    return plots.seed_bands(_payoffs(groups), _judgements(groups), teams=_teams(*groups.values()))
 
 
 def _verdicts(groups: Groups, baselines: Baselines) -> Figure:
@@ -175,6 +184,7 @@ def _generalizations(groups: Groups, baselines: Baselines) -> Figure:
         pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
         evader_baselines={name: each["evader"] for name, each in scores.items()},
         title="Generalization: mean score against all opponents" if len(groups) > 1 else None,
+        teams=_teams(*groups.values()),
     )
 
 
@@ -213,10 +223,10 @@ def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[st
 
 def _mean_score(race: SavedRun, team: Team, trained: SavedRun) -> float:
     """Return the mean score of the last genome of a team against all opponents of a race."""
-    sides = {**race.teams, team: trained.last(team)}
     settings, episodes = race.settings, race.settings.evaluation_episodes
-    teams = sides["pursuer"], sides["evader"]
-    payoff = tournament(settings.world, *teams, seed=settings.seed, episodes=episodes)
+    key = settings.keys[TEAMS.index(team)]
+    sides = {**race.teams, key: trained.last(key)}.values()
+    payoff = tournament(settings.evaluation_game, *sides, seed=settings.seed, episodes=episodes)
     rates = payoff.matrix.ravel()
     return float((rates if team == "pursuer" else 1 - rates).mean())
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import matplotlib as mpl
 import numpy as np
@@ -16,7 +16,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
 from matrixworld._util import colors
-from matrixworld._util.checks import check_instance
+from matrixworld._util.checks import check_instance, check_sequence
 from matrixworld._util.files import replacing
 from matrixworld.analysis.intervals import Band
 from matrixworld.analysis.payoffs import require
@@ -46,6 +46,44 @@ LINES: tuple[tuple[str, Any], ...] = tuple(
 """Colour and dashes of each group of runs, in their order; neighbours differ in grey, too."""
 MOST_LINES = 10
 """With more runs the single ones are not drawn: their lines would hide the band."""
+
+
+TEAMS = ("pursuers", "evaders")
+
+
+class Words(NamedTuple):
+    """What the axes and legends of a game say; of pursuit by default."""
+
+    teams: tuple[str, str] = TEAMS
+    score: str = "capture rate"
+    generations: tuple[str, str] = ("pursuer generation", "evader generation")
+    lag: str = "lag: pursuer minus evader generation"
+    scale: str = "capture rate\n(0 all escape, 1 all caught)"
+    scores: tuple[str, str] = (
+        "pursuers (score: capture rate)",
+        "evaders (score: 1 - capture rate)",
+    )
+
+    def begin(self, rest: str) -> str:
+        """Return a title that begins with what the score is."""
+        return f"{self.score[0].upper()}{self.score[1:]}{rest}"
+
+
+def words_of(teams: Sequence[str]) -> Words:
+    """Return the words of a game with these names of its teams."""
+    names = check_sequence("teams", teams, "two texts")
+    require(len(names) == 2, "names of two teams", names)
+    first, second = names
+    if (first, second) == TEAMS:
+        return Words()
+    return Words(
+        (first, second),
+        f"score of {first}",
+        (f"generation of {first}", f"generation of {second}"),
+        f"lag: generation of {first} minus that of {second}",
+        f"score of {first}\n(0 {second} win, 1 {first} win)",
+        (f"{first} (score)", f"{second} (1 - score)"),
+    )
 
 
 def new_figure(width: float, height: float) -> Figure:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,6 @@ from matrixworld.analysis.payoffs import check_finite, check_rates, require
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
-_TEAMS = ("pursuers", "evaders")
 ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))  # distances of ticks
 _SHADE = "#E4F0F8"  # a pale tone of the evaders, light in grey, too
 _MARKED = 100  # curves with up to this many points have a marker at each
@@ -30,23 +30,28 @@ def training_curve(
     *,
     generations: ArrayLike | None = None,
     window: int = 1,
-    title: str = "Capture rate while pursuers and evaders learn in turn",
+    teams: Sequence[str] = style.TEAMS,
+    title: str | None = None,
 ) -> Figure:
-    """Draw the capture rate over training, coloured by the team that learns.
+    """Draw the score over training, coloured by the team that learns.
 
     Parameters
     ----------
     rates : array_like of float, shape (T,)
-        Capture rate at each epoch.
+        Score of the first team at each epoch, of pursuit the capture rate.
     learners : array_like of int, shape (T,), or None
-        0 where the pursuers learn, 1 where the evaders learn. None if both learn all the time.
+        0 where the first team learns, 1 where the second one learns. None if both learn all the
+        time.
     generations : array_like of int, shape (T,), optional
         Generation of each point, for a second axis on top.
     window : int, optional
         Points of a centred moving average (the paper's figure uses 30). With more than 1 the raw
         curve is drawn thin behind the mean.
+    teams : sequence of str, optional
+        Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
+    words = style.words_of(teams)
     values = check_rates(rates, ndim=1, what="training capture rates")
     window = check_integer("window", window, 1)
     shades = _shades(learners, len(values))
@@ -66,9 +71,11 @@ def training_curve(
     axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
     if len(values) <= _MARKED:
         axes.scatter(place, smooth, s=14, c=shades, zorder=3)
+    if title is None:
+        title = words.begin(f" while {' and '.join(teams)} learn in turn")
     axes.set_title(style.fitting(figure, title))
     axes.set(xlabel="epoch", xlim=(0.5, len(values) + 0.5))
-    axes.set_ylabel(f"capture rate, mean of {window} epochs" if window > 1 else "capture rate")
+    axes.set_ylabel(f"{words.score}, mean of {window} epochs" if window > 1 else words.score)
     axes.xaxis.set_major_locator(style.whole_numbers())
     style.unit_axis(axes)
     if generations is not None:
@@ -76,7 +83,7 @@ def training_curve(
     entries: dict[str, Any] = {
         f"{team} learn": (*behind, Line2D([], [], color=color))
         for team, color, behind in zip(
-            _TEAMS, colors.TEAMS, ((), (Patch(color=_SHADE),)), strict=True
+            words.teams, colors.TEAMS, ((), (Patch(color=_SHADE),)), strict=True
         )
         if color in shades
     }
@@ -103,7 +110,7 @@ def collision_rates(
     figure = style.new_figure(8.4, 3.8)
     panels = figure.subplots(1, 2, sharey=True)
     for team, axes in enumerate(panels):
-        _draw_collisions(axes, values[:, team], _TEAMS[team], colors.TEAMS[team])
+        _draw_collisions(axes, values[:, team], style.TEAMS[team], colors.TEAMS[team])
     panels[0].set_ylabel("collisions per 1000 agent-steps")
     panels[0].set_ylim(bottom=0.0)
     return style.finished(figure, style.labelled(panels[0]), title, columns=3)

@@ -65,8 +65,8 @@ export class Race {
   readonly archive: Record<Team, Float32Array[]> = { pursuer: [], evader: [] };
   readonly rows: Row[] = [];
   readonly cells = new Map<string, Cell>();
-  /** Episodes, world steps and steps of living agents until the end of each generation. */
-  readonly counters: { matches: number; steps: number; agent_steps: number }[] = [];
+  /** Episodes, world steps and steps of living agents until the end of each generation of a team. */
+  readonly counters: Record<Team, Record<"matches" | "steps" | "agent_steps", number>[]> = { pursuer: [], evader: [] };
   readonly #engine: Engine;
   readonly #masks: OfTeams<Mask>;
   readonly #source: Source;
@@ -86,7 +86,7 @@ export class Race {
       this.#newLearner(team, genomes);
       this.archive[team].push(this.#learners[team].genome);
     }
-    this.#count();
+    this.#count(...TEAMS);
   }
 
   /** The network of a team. */
@@ -104,11 +104,14 @@ export class Race {
     yield* this.#tell(0);
     for (let generation = 1; generation <= this.settings.schedule.generations; generation++) {
       if (this.settings.schedule.kind === "alternating") {
-        for (const team of TEAMS) yield* this.#learn(team, generation);
+        for (const team of TEAMS) {
+          yield* this.#learn(team, generation);
+          this.#count(team);
+        }
       } else {
         yield* this.#learnAtOnce(generation);
+        this.#count(...TEAMS);
       }
-      this.#count();
       yield* this.#tell(generation);
     }
   }
@@ -268,8 +271,8 @@ export class Race {
     });
   }
 
-  #count(): void {
-    this.counters.push({ matches: this.#matches, steps: this.#steps, agent_steps: this.#agentSteps });
+  #count(...teams: Team[]): void {
+    for (const team of teams) this.counters[team].push({ matches: this.#matches, steps: this.#steps, agent_steps: this.#agentSteps });
   }
 
   // ---- Evaluation -------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ import { mean } from "./measures.ts";
 import { COLUMNS } from "./race.ts";
 import type { Cell, Race } from "./race.ts";
 import { TEAMS } from "./settings.ts";
-import type { RaceSettings } from "./settings.ts";
+import type { RaceSettings, Team } from "./settings.ts";
 
 /** What Python calls the format of a run's files, and its version. */
 type Format = Pick<EvolveData, "format" | "version">;
@@ -21,16 +21,25 @@ const json = (values: object): Uint8Array => strToU8(JSON.stringify(values, null
 const doubles = (data: readonly number[], ...shape: number[]): NpyArray => ({ dtype: "<f8", shape, data: Float64Array.from(data) });
 const spread = (values: readonly number[]): number => Math.sqrt(mean(values.map((each) => (each - mean(values)) ** 2)));
 
-/** Return what a generation has added; each is a stage. */
-function stage({ archive, rows, counters }: Finished, number: number): Record<string, NpyArray> {
-  const own = rows.filter(({ generation }) => generation === number);
+/** What the stages of a race are: a generation of one team, or of both if they learn at once. */
+type Stage = readonly [generation: number, teams: readonly Team[]];
+
+function stagesOf({ settings, finished }: Finished): Stage[] {
+  const phases: (readonly Team[])[] = settings.schedule.kind === "alternating" ? TEAMS.map((team) => [team]) : [TEAMS];
+  return Array.from({ length: finished }, (_, generation) =>
+    (generation ? phases : [TEAMS]).map((teams): Stage => [generation, teams])).flat();
+}
+
+/** Return what a stage has added. */
+function stage({ archive, rows, counters }: Finished, number: number, [generation, teams]: Stage): Record<string, NpyArray> {
+  const own = rows.filter((row) => row.generation === generation && teams.includes(row.team));
   const log = strToU8(own.map((row) => `${[number, ...COLUMNS.map((name) => row[name])].join(",")}\n`).join(""));
-  const genome = (team: "pursuer" | "evader"): NpyArray => ({ dtype: "<f4", shape: [1, archive[team][number]!.length], data: archive[team][number]! });
+  const genome = (team: Team): NpyArray => ({ dtype: "<f4", shape: [1, archive[team][generation]!.length], data: archive[team][generation]! });
   return {
-    pursuers: genome("pursuer"), evaders: genome("evader"),
+    ...Object.fromEntries(teams.map((team) => [`${team}s`, genome(team)])),
     log: { dtype: `|S${Math.max(1, log.length)}`, shape: [], data: log.length ? log : new Uint8Array(1) },
-    ...Object.fromEntries(Object.entries(counters[number]!).map(([name, count]) => [name, doubles([count])])),
-    ...(number ? { capture_rate: doubles([mean(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) } : {}),
+    ...Object.fromEntries(Object.entries(counters[teams.at(-1)!][generation]!).map(([name, count]) => [name, doubles([count])])),
+    ...(number ? { score: doubles([mean(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) } : {}),
   };
 }
 
@@ -41,17 +50,15 @@ function payoff(race: Finished): Record<string, NpyArray> {
   const episodes = cells[0]!.lengths.length;
   const each = (value: (cell: Cell) => number | readonly number[], ...shape: number[]): NpyArray => doubles(cells.flatMap(value), n, n, ...shape);
   return {
-    capture_rates: { dtype: "<f4", shape: [n, n, episodes], data: Float32Array.from(cells.flatMap(({ capture_rates }) => capture_rates)) },
+    scores: { dtype: "<f4", shape: [n, n, episodes], data: Float32Array.from(cells.flatMap(({ capture_rates }) => capture_rates)) },
+    mean: each(({ capture_rates }) => mean(capture_rates)),
+    std: each(({ capture_rates }) => spread(capture_rates)),
     lengths: { dtype: "<i4", shape: [n, n, episodes], data: Int32Array.from(cells.flatMap(({ lengths }) => lengths)) },
     collisions: each(({ means }) => means.collisions, 2, 3),
     faults: each(({ means }) => means.faults, 2, 3),
     agent_steps: each(({ means }) => means.agent_steps, 2),
     pursuer_survivors: each(({ means }) => means.survivors[0]!),
     evader_survivors: each(({ means }) => means.survivors[1]!),
-    capture_rate: each(({ capture_rates }) => mean(capture_rates)),
-    capture_rate_std: each(({ capture_rates }) => spread(capture_rates)),
-    length: each(({ lengths }) => mean(lengths)),
-    length_std: each(({ lengths }) => spread(lengths)),
   };
 }
 
@@ -60,16 +67,17 @@ function filesOf(race: Finished, { format, version }: Format): Record<string, Ui
   const generations = race.finished - 1;
   const settings: RaceSettings = { ...race.settings, schedule: { ...race.settings.schedule, generations } };
   const config = { format, matrixworld: version, settings, drawn_by: "page" };
-  const stages = Array.from({ length: race.finished }, (_, number) => `stage-${String(number).padStart(4, "0")}.npz`);
-  const { matches, steps, agent_steps } = race.counters[generations]!;
+  const stages = stagesOf(race);
+  const { matches, steps, agent_steps } = race.counters.evader[generations]!;
   const counted = { training_matches: matches, training_steps: steps, training_agent_steps: agent_steps };
   const summary = {
-    stages: generations, ...counted, disengagement: [],
+    stages: stages.length - 1, ...counted, disengagement: [],
     evaluation_matches: race.finished ** 2 * race.settings.evaluation_episodes,
   };
   return {
     "config.json": json(config),
-    ...Object.fromEntries(stages.map((name, number) => [name, writeNpz(stage(race, number))])),
+    ...Object.fromEntries(stages.map((each, number) =>
+      [`stage-${String(number).padStart(4, "0")}.npz`, writeNpz(stage(race, number, each))])),
     "payoff.npz": writeNpz(payoff(race)),
     "summary.json": json(summary),
   };

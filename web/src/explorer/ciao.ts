@@ -4,6 +4,7 @@ import { html, svg } from "../page/dom.ts";
 import { listenToArrows } from "./arrow_keys.ts";
 import type { Run, Team } from "./data.ts";
 import { rate } from "./format.ts";
+import { gameWords } from "./game.ts";
 import { cellsOf, scaleOfRates } from "./heatmap.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
@@ -28,6 +29,7 @@ export function ciaoPanel(run: Run, store: Store): Panel | null {
 
 function triangle(run: Run, team: Team, numbers: string, store: Store): { element: HTMLElement; update(): void } {
   const own = team === "pursuer" ? 0 : 1;
+  const words = gameWords(run);
   const [rows, columns] = [run.payoff.shape[own], run.payoff.shape[1 - own]!];
   const rates = run.payoff.capture_rate;
   const scores = Array.from({ length: rows }, (_, row) => Array.from({ length: Math.min(row + 1, columns) }, (_none, column) =>
@@ -37,7 +39,7 @@ function triangle(run: Run, team: Team, numbers: string, store: Store): { elemen
   const under = svg("rect", { class: "chosen under", width: 1, height: 1 });
   const overlay = svg("svg", { viewBox: `0 0 ${columns} ${rows}`, preserveAspectRatio: "none", "aria-hidden": "true" }, under, place);
   const frame = html("div", {
-    class: "triangle", "aria-label": `CIAO of the ${team}s: ${numbers}. Arrow keys choose a match.`,
+    class: "triangle", "aria-label": `CIAO of the ${words.teams[team]}: ${numbers}. Arrow keys choose a match.`,
     onpointermove: (event: PointerEvent) => store.point(at(event) ?? {}),
     onpointerleave: () => store.point({}),
     onclick: (event: MouseEvent) => at(event) && store.select(at(event)!),
@@ -60,9 +62,9 @@ function triangle(run: Run, team: Team, numbers: string, store: Store): { elemen
     }
   };
   const element = html("figure", {},
-    html("figcaption", { class: "small" }, html("span", { class: team }, `${team}s`)),
+    html("figcaption", { class: "small" }, html("span", { class: team }, words.teams[team])),
     frame,
-    html("p", { class: "small muted" }, `horizontal: ${OTHER[team]} generation; vertical: ${team} generation`),
+    html("p", { class: "small muted" }, `horizontal: ${words.generation[OTHER[team]]}; vertical: ${words.generation[team]}`),
     html("p", { class: "small numbers" }, numbers));
   return { element, update };
 }

@@ -4,7 +4,8 @@ import { listenToArrows } from "./arrow_keys.ts";
 import { band, chart, frame, legend, line, mark } from "./chart.ts";
 import { TEAMS } from "./data.ts";
 import type { Run, Team } from "./data.ts";
-import { rate, thousands } from "./format.ts";
+import { capital, rate, thousands } from "./format.ts";
+import { gameWords } from "./game.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
@@ -13,11 +14,11 @@ const LEARNERS = ["of-pursuers", "of-evaders", "of-both"] as const;
 /** More points than that fill the chart with thick lines. */
 const MANY = 2500;
 const KEYS = "Arrow keys choose generations.";
-const RATE = { low: 0, high: 1, label: "capture rate" };
 
-/** Capture rate over training, in the colour of the team that learns. */
+/** The score over training, in the colour of the team that learns. */
 export function trainingPanel(run: Run, store: Store): Panel {
   const { training } = run;
+  const { score, teams } = gameWords(run);
   const { capture_rate, generation, learner, epochs } = training;
   const epoch = capture_rate.map((_, i) => (i + 1) * epochs);
   const smooth = movingMean(capture_rate, training.window);
@@ -27,8 +28,8 @@ export function trainingPanel(run: Run, store: Store): Panel {
     const inside = generation.flatMap((each, i) => (each === chosen && (learner[i] === team || learner[i] === 2) ? [i] : []));
     return inside.length ? [epoch[inside[0]!]!, epoch[inside.at(-1)!]!] : null;
   };
-  const made = chart(`Capture rate in ${last} epochs of training. ${KEYS}`, (width, height) => {
-    const into = frame(width, height, { low: 0, high: last, label: "epoch", whole: true }, RATE);
+  const made = chart(`${capital(score)} in ${last} epochs of training. ${KEYS}`, (width, height) => {
+    const into = frame(width, height, { low: 0, high: last, label: "epoch", whole: true }, { low: 0, high: 1, label: score });
     for (const [style, values] of [["raw", capture_rate], [dense, smooth]] as const) {
       for (const [team, name] of LEARNERS.entries()) {
         // A piece of the curve has the colour of the team that learned on the way to its end.
@@ -48,7 +49,7 @@ export function trainingPanel(run: Run, store: Store): Panel {
   });
   listenToArrows(made.element, store, () => run.payoff.shape);
   const learning = [...new Set(learner)].sort().map((team) =>
-    [["pursuers learn", "evaders learn", "both teams learn"][team]!, LEARNERS[team]!] as const);
+    [`${[teams.pursuer, teams.evader, "both teams"][team]!} learn`, LEARNERS[team]!] as const);
   return {
     element: card("Training", `${thousands(training.matches)} training matches. Lines: the generations that are selected.`,
       legend(...learning), made.element),
@@ -66,6 +67,7 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const room = 0.06 * (high - low || 1);
   const last = Math.max(...run.payoff.shape) - 1;
+  const { teams } = gameWords(run);
   const made = chart(`Elo ratings by generation. ${KEYS}`, (width, height) => {
     const into = frame(width, height, { low: 0, high: last, label: "generation", whole: true }, { low: low - room, high: high + room, label: "Elo points" });
     for (const team of TEAMS) {
@@ -87,8 +89,8 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
   });
   listenToArrows(made.element, store, () => run.payoff.shape);
   return {
-    element: card("Ratings", `One number for each generation, which cycles do not fit, with 95 % intervals over episodes. The game itself: ${rate(ratings.offset, 0)} points for the pursuers.`,
-      legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]), made.element),
+    element: card("Ratings", `One number for each generation, which cycles do not fit${bands.pursuer.low ? ", with 95 % intervals over episodes" : ""}. The game itself: ${rate(ratings.offset, 0)} points for the ${teams.pursuer}.`,
+      legend([teams.pursuer, "of-pursuers"], [teams.evader, "of-evaders"]), made.element),
     update: made.update,
   };
 }

@@ -1,10 +1,11 @@
 // What the page holds of its runs; `matrixworld.explorer.runs_page` writes it.
 
 import { unzlibSync } from "fflate";
-import { generationName } from "../page/names.ts";
 import type { PageData } from "../playground/data.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import { generationName } from "./game.ts";
+import type { OwnGame } from "./game.ts";
 import type { Selection } from "./store.ts";
 
 export type Team = "pursuer" | "evader";
@@ -74,7 +75,10 @@ export interface Run {
   readonly schedule: string;
   readonly learning: readonly Team[];
   readonly seed: string;
-  readonly world: WorldConfig;
+  /** Of pursuit alone. */
+  readonly world: WorldConfig | null;
+  /** A game of one's own. */
+  readonly game?: OwnGame | null;
   readonly settings: readonly Readonly<Record<"name" | "value" | "help", string>>[];
   readonly training: Training;
   readonly payoff: Payoff;
@@ -92,7 +96,8 @@ export interface Data {
   readonly note: string;
   /** Whether the runs go on. */
   readonly growing: boolean;
-  readonly playground: PageData;
+  /** Of a page with runs of pursuit. */
+  readonly playground: PageData | null;
   readonly runs: readonly Run[];
 }
 
@@ -104,7 +109,7 @@ export function cellOf(run: Run, g: number, h: number): { rate: number; rates: r
   const [row, column] = [g - run.payoff.first[0], h - run.payoff.first[1]];
   const rate = run.payoff.capture_rate[row]?.[column];
   if (rate === undefined) return null;
-  return { rate, rates: run.payoff.capture_rates[row]![column]!, lengths: run.payoff.lengths[row]![column]! };
+  return { rate, rates: run.payoff.capture_rates[row]![column]!, lengths: run.payoff.lengths[row]?.[column] ?? [] };
 }
 
 /** Return why the page cannot play a generation of a team; empty if it can. */
@@ -112,7 +117,7 @@ export function whyNot(run: Run, team: Team, generation: number): string {
   const { script, network, kept, genomes } = run.teams[team];
   if (script !== null || network === null) return "";
   if (!kept.includes(generation)) {
-    return `The page holds no genome of ${generationName(team, generation)}: it would be too large. Choose a generation of ${kept.join(", ")}.`;
+    return `The page holds no genome of ${generationName(run, team, generation)}: it would be too large. Choose a generation of ${kept.join(", ")}.`;
   }
   const expected = kept.length * network.genome_size;
   if (genomesOf(genomes, network.genome_size).length === expected) return "";
@@ -135,7 +140,7 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
 export function playedMatch(engine: Engine, run: Run, { pursuer, evader, episode, seed }: Selection): Match {
   const own = run.seeds[pursuer]![evader]!;
   return engine.match(
-    run.world, policyOf(run, "pursuer", pursuer), policyOf(run, "evader", evader), BigInt(seed ?? own), episode,
+    run.world!, policyOf(run, "pursuer", pursuer), policyOf(run, "evader", evader), BigInt(seed ?? own), episode,
   );
 }
 

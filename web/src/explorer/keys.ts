@@ -6,11 +6,12 @@ import type { Keys } from "../page/dialog.ts";
 import { html } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import type { Run } from "./data.ts";
+import { gameWords } from "./game.ts";
 import type { MatchPanel } from "./match.ts";
 import { choose } from "./races.ts";
 import type { Store } from "./store.ts";
 
-const KEYS: Keys = [
+const keysOf = (run: Run): Keys => [
   [["Space"], "play or pause"],
   [["←", "→"], "step back or forward; with Shift ten steps"],
   [["Home", "End"], "first or last step"],
@@ -18,9 +19,9 @@ const KEYS: Keys = [
   [["N"], "next episode of the same pair; with Shift the one before"],
   [["R"], "another seed, not one of the evaluation"],
   [["O"], "the cell's own seed again"],
-  [["P"], "next pursuer generation; with Shift the one before"],
-  [["E"], "next evader generation; with Shift the one before"],
-  [["M"], "to the matrix: arrow keys choose a match, Enter plays it"],
+  [["P"], `next ${gameWords(run).generation.pursuer}; with Shift the one before`],
+  [["E"], `next ${gameWords(run).generation.evader}; with Shift the one before`],
+  [["M"], `to the matrix: arrow keys choose a ${run.game ? "pair, Enter shows it" : "match, Enter plays it"}`],
   [["A"], "next agent: what it sees; with Shift the one before"],
   [["Esc"], "no agent"],
   [["T"], "take over the chosen agent, or an evader, from this step on"],
@@ -30,10 +31,17 @@ const KEYS: Keys = [
   [["?"], "this list"],
 ];
 
+/** Keys of a page that plays no matches. */
+const OF_OWN_GAMES = ["P", "E", "M", "1", "D", "?"];
+const HOLDS = "The page holds the genomes and the engine of this run. A click on a cell plays that very match: same seed, same moves. ";
+
 /** Return the dialog that lists the keys. */
-export const helpDialog = (): HTMLDialogElement => dialog("Keys", "help", keyList(KEYS),
-  html("p", { class: "muted small" },
-    "The page holds the genomes and the engine of this run. A click on a cell plays that very match: same seed, same moves. The page loads nothing from elsewhere; share the file as it is."));
+export function helpDialog(runs: readonly Run[]): HTMLDialogElement {
+  const played = runs.find(({ game }) => !game);
+  const keys = keysOf(played ?? runs[0]!).filter(([[name]]) => played || OF_OWN_GAMES.includes(name!));
+  return dialog("Keys", "help", keyList(keys),
+    html("p", { class: "muted small" }, `${played ? HOLDS : ""}The page loads nothing from elsewhere; share the file as it is.`));
+}
 
 /** Listen to the keys of the page. */
 export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPanel, help: HTMLDialogElement, takeOver: () => void, playground: () => void): void {

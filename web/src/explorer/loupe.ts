@@ -1,9 +1,9 @@
 // The loupe: where fingers miss a cell of the matrix, a tap shows the cells around it in the size of a finger.
 
 import { html } from "../page/dom.ts";
-import { generationName } from "../page/names.ts";
 import { cellOf } from "./data.ts";
 import type { Run } from "./data.ts";
+import { generationName } from "./game.ts";
 import { showRate } from "./heatmap.ts";
 
 /** Pixels of a cell that a finger hits. */
@@ -36,7 +36,7 @@ function cellButton(
   run: Run, pursuer: number, evader: number, choose: (cell: { pursuer: number; evader: number }) => void,
 ): HTMLElement {
   const button = html("button", { type: "button", onclick: () => choose({ pursuer, evader }) });
-  showRate(button, cellOf(run, pursuer, evader)?.rate, `${generationName("pursuer", pursuer)} against ${generationName("evader", evader)}`);
+  showRate(button, cellOf(run, pursuer, evader)?.rate, `${generationName(run, "pursuer", pursuer)} against ${generationName(run, "evader", evader)}`);
   return button;
 }
 

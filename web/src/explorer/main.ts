@@ -7,6 +7,7 @@ import { html, started } from "../page/dom.ts";
 import { top } from "../page/top.ts";
 import { followAddress, placeOf, reloadWhileGrowing } from "./address.ts";
 import { playedMatch, readData } from "./data.ts";
+import { gameWords } from "./game.ts";
 import { helpDialog, listenToKeys } from "./keys.ts";
 import { MatchPanel } from "./match.ts";
 import { MatrixPanel } from "./matrix.ts";
@@ -25,23 +26,25 @@ const store = new Store(selected);
 const match = new MatchPanel(runs, store, data.playground);
 const matrix = new MatrixPanel(runs, store);
 const takeOver = new TakeOver(runs, store, match);
-const help = helpDialog();
+const help = helpDialog(runs);
 const address = location.hash; // `followAddress` writes another one
 let engine: Engine | null = null;
 
 /** What happened in the race that is shown. */
 const told = html("span", { class: "told", "aria-live": "polite" });
-const tell = (): void => void (told.textContent = runs[store.selected.run]!.findings?.sentence ?? "");
+const lead = html("span", { class: "small muted" });
+const tell = (): void => {
+  const run = runs[store.selected.run]!;
+  [told.textContent, lead.textContent] = [run.findings?.sentence ?? "", gameWords(run).lead];
+};
 store.on("run", tell);
 tell();
 const playHere = (): void => {
   match.playSoon();
   match.reveal();
 };
-const LEAD = "Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to watch it.";
-
 document.getElementById("page")!.replaceWith(
-  top(data.heading, html("span", {}, told, html("span", { class: "small muted" }, LEAD)),
+  top(data.heading, html("span", {}, told, lead),
     html("button", { type: "button", class: "keys-button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: () => help.showModal() }, "?")),
   ...(data.note ? [html("aside", { class: "note small muted" }, data.note)] : []),
   raceTabs(runs, store),
@@ -65,13 +68,15 @@ matrix.element.addEventListener("play", playHere);
 match.goTo(step);
 if (!step) match.playSoon();
 followAddress(runs, store, match);
-listenToKeys(runs, store, match, help, () => takeOver.open(), () => openPlayground(match.shown, data.playground));
+listenToKeys(runs, store, match, help, () => takeOver.open(), () => data.playground && openPlayground(match.shown, data.playground));
 window.addEventListener("hashchange", ({ newURL }) => engine && takeOver.start(engine, new URL(newURL).hash));
 if (data.growing) reloadWhileGrowing(runs, store, () => match.player.playing || document.querySelector("dialog[open]") !== null);
 
+async function begin(): Promise<void> {
+  engine = data.playground && await loadEngine(); // pages of other games have none
+  match.start(engine);
+  if (engine) takeOver.start(engine, address);
+}
+
 // The page is drawn before the engine is compiled.
-requestAnimationFrame(() => setTimeout(() => started(loadEngine().then((loaded) => {
-  engine = loaded;
-  match.start(loaded);
-  takeOver.start(loaded, address);
-}))));
+requestAnimationFrame(() => setTimeout(() => started(begin())));

@@ -1,4 +1,5 @@
-// The selected match: played by the engine in the page, drawn, and told in words step by step.
+// The selected match: played by the engine in the page, drawn, and told in words step by step; of a game
+// of one's own what the game shows of it.
 
 import { Board, stillMotion } from "../board/board.ts";
 import { recordingOf } from "../board/from_engine.ts";
@@ -9,12 +10,12 @@ import { captureSteps } from "../board/recording.ts";
 import type { Recording } from "../board/recording.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
-import { generationName } from "../page/names.ts";
 import type { Champions, PageData } from "../playground/data.ts";
 import { TEAMS, playedMatch, policyOf, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";
 import { EpisodeStrip } from "./episodes.ts";
 import { capital } from "./format.ts";
+import { generationName, shownPair } from "./game.ts";
 import { Inspector } from "./inspector.ts";
 import type { Selection, Store } from "./store.ts";
 import { playgroundButton } from "./to_playground.ts";
@@ -43,6 +44,8 @@ export class MatchPanel {
   readonly #tally = html("p", { class: "tally numbers" });
   readonly #words = html("ol", { class: "words", tabindex: 0, "aria-live": "off", "aria-label": "What happened in this step" });
   readonly #problem = html("p", { class: "problem", role: "alert" });
+  /** What a game of one's own shows. */
+  readonly #shown = html("div", { class: "shown", "aria-live": "polite" });
   #engine: Engine | null = null;
   #champions: Champions | null = null;
   #due = 0;
@@ -66,7 +69,7 @@ export class MatchPanel {
       "section", { class: "card match-card", "aria-label": "Match", id: "match" },
       html("div", { class: "match" },
         html("header", { class: "match-head" }, this.#title, this.#tally),
-        this.#problem,
+        this.#problem, this.#shown,
         html("div", { class: "stage" }, canvas),
         html("div", { class: "aside" }, this.#words, legend(), this.actions, this.inspector.element),
         playerBar(this.player),
@@ -85,7 +88,7 @@ export class MatchPanel {
 
   /** Bring the board into view; on a narrow page it is below what was clicked. */
   reveal(): void {
-    this.#board.canvas.scrollIntoView({ block: "nearest" });
+    (this.#run.game ? this.#shown : this.#board.canvas).scrollIntoView({ block: "nearest" });
   }
 
   /** The match and its step that is shown. */
@@ -93,8 +96,8 @@ export class MatchPanel {
     return this.match && this.#champions && { match: this.match, step: this.player.step, champions: this.#champions };
   }
 
-  /** Begin to play matches. */
-  start(engine: Engine): void {
+  /** Begin to play matches; there is no engine in a page of other games. */
+  start(engine: Engine | null): void {
     this.#engine = engine;
     this.#load();
   }
@@ -131,6 +134,14 @@ export class MatchPanel {
     this.player.pause();
     this.#entitle();
     const { selected } = this.#store;
+    const { game } = this.#run;
+    this.#shown.replaceChildren(...(game ? shownPair(this.#run, game, selected, this.#store) : []));
+    if (game) {
+      this.match = this.recording = null;
+      this.#plays = false;
+      this.#say(selected);
+      return;
+    }
     const problem = TEAMS.map((team) => whyNot(this.#run, team, selected[team])).find(Boolean) ?? "";
     this.#problem.textContent = problem;
     if (problem || !this.#engine) return;
@@ -150,8 +161,13 @@ export class MatchPanel {
     this.#goal = 0;
     this.#tell();
     void this.#solve(this.#engine, this.match);
-    this.element.dataset["played"] = `${selected.run} ${selected.pursuer} ${selected.evader} ${selected.episode} ${selected.seed ?? ""}`;
+    this.#say(selected);
     this.#begin();
+  }
+
+  /** Tell tests what is shown. */
+  #say({ run, pursuer, evader, episode, seed }: Selection): void {
+    this.element.dataset["played"] = `${run} ${pursuer} ${evader} ${episode} ${seed ?? ""}`;
   }
 
   /** Show what the teams lose, and perfect play beside the network's, as soon as the world is solved. */
@@ -169,20 +185,22 @@ export class MatchPanel {
 
   /** Return the names of what plays for the teams of a match. */
   names({ run, pursuer, evader }: Selection): [pursuers: string, evaders: string] {
-    const { teams } = this.#runs[run]!;
-    return [teams.pursuer.script ?? generationName("pursuer", pursuer), teams.evader.script ?? generationName("evader", evader)];
+    const shown = this.#runs[run]!;
+    const { teams } = shown;
+    return [teams.pursuer.script ?? generationName(shown, "pursuer", pursuer), teams.evader.script ?? generationName(shown, "evader", evader)];
   }
 
   #entitle(): void {
     const { episode, seed } = this.#store.selected;
-    const { payoff } = this.#run;
+    const { game, payoff } = this.#run;
+    this.element.classList.toggle("of-own-game", Boolean(game));
     const [pursuers, evaders] = this.names(this.#store.selected);
     const place = seed === null
       ? episode < payoff.episodes ? `episode ${episode + 1} of ${payoff.episodes}` : `episode ${episode + 1}, not part of the cell`
       : `seed ${seed}`;
     this.#title.replaceChildren(
       html("span", { class: "pursuer" }, capital(pursuers)), " against ",
-      html("span", { class: "evader" }, evaders), html("span", { class: "muted small" }, place),
+      html("span", { class: "evader" }, evaders), game ? "" : html("span", { class: "muted small" }, place),
     );
   }
 
@@ -200,8 +218,8 @@ export class MatchPanel {
   }
 
   #count(captured: number, step: number): void {
-    this.#tally.replaceChildren(
-      html("strong", {}, captured), ` of ${this.#run.world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
+    const { world } = this.#run;
+    if (world) this.#tally.replaceChildren(html("strong", {}, captured), ` of ${world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
   }
 
   #look(agent: number | null): void {

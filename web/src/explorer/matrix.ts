@@ -2,11 +2,11 @@
 // sides the mean score of each generation against all opponents.
 
 import { html, svg } from "../page/dom.ts";
-import { generationName } from "../page/names.ts";
 import { listenToArrows } from "./arrow_keys.ts";
 import { cellOf } from "./data.ts";
-import type { Band, Run } from "./data.ts";
+import type { Band, Run, Team } from "./data.ts";
 import { capital, interval, rate, ticks } from "./format.ts";
+import { gameWords, generationName } from "./game.ts";
 import { drawCells, scaleOfRates } from "./heatmap.ts";
 import { loupe, needsLoupe } from "./loupe.ts";
 import type { Store } from "./store.ts";
@@ -37,6 +37,7 @@ export class MatrixPanel {
   readonly #rate = html("strong", { class: "rate numbers" });
   readonly #more = html("span", { class: "small muted" });
   readonly #all = html("p", { class: "of-both-teams small muted numbers" });
+  #scale: HTMLElement;
   #places: Places | null = null;
 
   constructor(runs: readonly Run[], store: Store) {
@@ -51,7 +52,8 @@ export class MatrixPanel {
     const readout = html("header", { class: "readout", "aria-live": "polite" },
       html("div", {}, this.#pair, this.#all),
       html("div", { class: "of-cell" }, this.#rate, this.#more));
-    this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, readout, this.#room, scaleOfRates("0 all escape", "1 all caught"));
+    this.#scale = scaleOfRates(...gameWords(this.#run).ends);
+    this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, readout, this.#room, this.#scale);
     this.#say();
     new ResizeObserver(() => this.#draw()).observe(this.#room);
     // A click gives the keys to the player, also those of a button that was pressed before; Tab and M
@@ -61,7 +63,12 @@ export class MatrixPanel {
       if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     });
     listenToArrows(this.#room, store, () => this.#run.payoff.shape);
-    store.on("run", () => this.#draw());
+    store.on("run", () => {
+      const scale = scaleOfRates(...gameWords(this.#run).ends);
+      this.#scale.replaceWith(scale);
+      this.#scale = scale;
+      this.#draw();
+    });
     store.on("match hover", () => this.#mark());
   }
 
@@ -86,7 +93,7 @@ export class MatrixPanel {
     }
     this.#room.style.setProperty("--shape", `${width} / ${height}`);
     this.#overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.#overlay.replaceChildren(axes(places), ...diagonal(places), ...this.#curves(places), this.#marks);
+    this.#overlay.replaceChildren(axes(places, gameWords(this.#run).generation), ...diagonal(places), ...this.#curves(places), this.#marks);
     this.#mark();
   }
 
@@ -108,6 +115,7 @@ export class MatrixPanel {
     const scores = this.#run.findings?.generalization;
     if (!scores) return [];
     const { left, top, cell, rows, columns } = places;
+    const { curves } = gameWords(this.#run);
     const [right, above] = [left + columns * cell + GAP, top - GAP];
     const box = { class: "side" };
     return [
@@ -119,8 +127,8 @@ export class MatrixPanel {
       svg("text", { class: "tick", x: right + WIDE, y: top + rows * cell + 16, "text-anchor": "end" }, "1"),
       svg("text", { class: "tick", x: left - 6, y: above - 4, "text-anchor": "end" }, "0"),
       svg("text", { class: "tick", x: left - 6, y: above - HIGH + 8, "text-anchor": "end" }, "1"),
-      svg("text", { class: "label of-pursuers", x: right + WIDE, y: top + rows * cell + 34, "text-anchor": "end" }, "captures"),
-      svg("text", { class: "label of-evaders", x: left + columns * cell + GAP, y: above - HIGH + 10, "text-anchor": "start" }, "escapes"),
+      svg("text", { class: "label of-pursuers", x: right + WIDE, y: top + rows * cell + 34, "text-anchor": "end" }, curves.pursuer),
+      svg("text", { class: "label of-evaders", x: left + columns * cell + GAP, y: above - HIGH + 10, "text-anchor": "start" }, curves.evader),
     ];
   }
 
@@ -150,9 +158,10 @@ export class MatrixPanel {
     const h = hover.evader ?? selected.evader;
     const cell = cellOf(this.#run, g, h);
     this.#pair.replaceChildren(
-      html("span", { class: "pursuer" }, capital(generationName("pursuer", g))), " against ", html("span", { class: "evader" }, generationName("evader", h)));
+      html("span", { class: "pursuer" }, capital(generationName(this.#run, "pursuer", g))), " against ", html("span", { class: "evader" }, generationName(this.#run, "evader", h)));
     this.#rate.textContent = cell ? rate(cell.rate, 3) : "-";
-    this.#more.textContent = cell ? `capture rate, mean of ${cell.rates.length} episodes` : "no episodes were played";
+    const mean = cell && cell.rates.length > 1 ? `, mean of ${cell.rates.length} episodes` : "";
+    this.#more.textContent = cell ? gameWords(this.#run).score + mean : "no episodes were played";
     this.#all.textContent = this.#scores(g, h);
   }
 
@@ -160,7 +169,8 @@ export class MatrixPanel {
     const scores = this.#run.findings?.generalization;
     if (!scores) return "";
     const one = (band: Band, at: number): string => interval(band.mean[at] ?? null, band.low?.[at] ?? null, band.high?.[at] ?? null);
-    return `Against all: captures ${one(scores.pursuers, g)}, escapes ${one(scores.evaders, h)}`;
+    const { means } = gameWords(this.#run);
+    return `Against all: ${means.pursuer} ${one(scores.pursuers, g)}, ${means.evader} ${one(scores.evaders, h)}`;
   }
 
   #under(event: PointerEvent | MouseEvent): { g: number; h: number; inside: boolean } | null {
@@ -201,7 +211,7 @@ export class MatrixPanel {
   }
 }
 
-function axes({ left, top, cell, rows, columns }: Places): SVGElement {
+function axes({ left, top, cell, rows, columns }: Places, generation: Readonly<Record<Team, string>>): SVGElement {
   const made = svg("g", { class: "axes" });
   const bottom = top + rows * cell;
   const every = (count: number): number[] => ticks(0, count - 1, Math.min(count, (count * cell) / 44), true);
@@ -212,8 +222,8 @@ function axes({ left, top, cell, rows, columns }: Places): SVGElement {
     made.append(svg("text", { class: "tick", x: left - 7, y: bottom - (g + 0.5) * cell, "text-anchor": "end", "dominant-baseline": "middle" }, g));
   }
   made.append(
-    svg("text", { class: "label of-evaders", x: left + (columns * cell) / 2, y: bottom + 36, "text-anchor": "middle" }, "evader generation"),
-    svg("text", { class: "label of-pursuers", transform: `translate(${left - 36} ${top + (rows * cell) / 2}) rotate(-90)`, "text-anchor": "middle" }, "pursuer generation"),
+    svg("text", { class: "label of-evaders", x: left + (columns * cell) / 2, y: bottom + 36, "text-anchor": "middle" }, generation.evader),
+    svg("text", { class: "label of-pursuers", transform: `translate(${left - 36} ${top + (rows * cell) / 2}) rotate(-90)`, "text-anchor": "middle" }, generation.pursuer),
   );
   return made;
 }

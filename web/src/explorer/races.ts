@@ -2,6 +2,7 @@
 
 import { html } from "../page/dom.ts";
 import type { Run } from "./data.ts";
+import { gameWords } from "./game.ts";
 import { drawCells } from "./heatmap.ts";
 import type { Store } from "./store.ts";
 
@@ -32,7 +33,7 @@ function tab(run: Run, number: number, store: Store): { button: HTMLButtonElemen
     html("span", { class: "small-matrix" }, canvas, mark),
     html("span", { class: "race-text" },
       html("strong", {}, named ? run.name : run.schedule),
-      html("span", { class: "small" }, run.findings ? run.findings.headline : `${run.learning.join(" and ")}s against ${scriptOf(run)}`),
+      html("span", { class: "small" }, run.findings ? run.findings.headline : `${run.learning.map((team) => gameWords(run).teams[team]).join(" and ")} against ${scriptOf(run)}`),
       html("span", { class: "small muted" }, `${named ? `${run.schedule}, ` : ""}seed ${run.seed}`)),
   );
   const update = (selected: boolean): void => {

@@ -36,7 +36,8 @@ export class TakeOver {
   start(engine: Engine, address = ""): void {
     this.#engine = engine;
     const place = placeOf(address, this.#runs, this.#store.selected);
-    const moves = movesOf(new URLSearchParams(address.replace(/^#/, "")), this.#runs[place.run]!.world);
+    const { world } = this.#runs[place.run]!;
+    const moves = world && movesOf(new URLSearchParams(address.replace(/^#/, "")), world);
     if (moves) this.play(place, moves);
   }
 
@@ -59,9 +60,10 @@ export class TakeOver {
   /** Let a person play on in a match, from moves in it. */
   play(place: Selection, moves: Moves): void {
     const [engine, run] = [this.#engine, this.#runs[place.run]!];
-    if (!engine || TEAMS.some((each) => whyNot(run, each, place[each]))) return;
+    const { world } = run;
+    if (!engine || !world || TEAMS.some((each) => whyNot(run, each, place[each]))) return;
     const { run: number, pursuer, evader, episode, seed } = place;
-    const team = teamOf(run.world, moves.seat);
+    const team = teamOf(world, moves.seat);
     const players = run.teams[team].kept.map((generation) => ({
       name: run.teams[team].script ?? `generation ${generation}`, text: "", policy: () => policyOf(run, team, generation),
     }));
@@ -70,9 +72,9 @@ export class TakeOver {
       this.dialog.append(html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"), this.view.element);
     }
     if (!this.dialog.open) this.dialog.showModal();
-    const title = `You are ${agentName(moves.seat, run.world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`;
+    const title = `You are ${agentName(moves.seat, world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`;
     const policies = { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) };
-    const played = { config: run.world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
+    const played = { config: world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
     const address = { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) };
     playOn(engine, this.view, title, played, players, this.#linked ? address : null);
   }

@@ -89,7 +89,7 @@ export function explorer({ runs, playground }: Lesson, engine: Promise<Engine>):
     match.reveal();
   });
   void engine.then((loaded) => match.start(loaded));
-  const { seed, world } = runs[0]!;
+  const [{ seed }, world] = [runs[0]!, runs[0]!.world!];
   return html("div", { class: "widget wide" }, raceTabs(runs, store), html("div", { class: "stages" }, matrix.element, match.element),
     html("p", { class: "small muted" }, "Three races of ", html("code", {}, `matrixworld evolve --seed ${seed}`),
       `: ${world.n_pursuers} pursuers and ${world.n_evaders} evaders on ${world.rows} x ${world.cols} cells.`));

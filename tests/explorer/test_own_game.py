@@ -1,0 +1,175 @@
+"""The page of races of games of your own: their words, and what they show of pairs."""
+
+import base64
+import io
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import shown_games
+from browser import PHONE, Browser, data_of
+from matrixworld.coevolution import SavedRun, evolve
+from matrixworld.explorer import explore, runs_page, shows
+from matrixworld.explorer.runs_page import SO_FAR, GrowingPage, explorer_page
+from shown_games import short_race
+from tiny_race import tiny_race
+
+Job = dict[str, SavedRun]
+OF_PURSUIT = re.compile("pursuer|evader|captur|escap|caught", re.IGNORECASE)
+SHOWN = "document.querySelector('.shown').textContent"
+PLAYED = "document.querySelector('#match').dataset.played"
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
+    settings = {
+        "pursuit": tiny_race(),
+        "words": short_race(shown_games.words, generations=15),
+        "pictures": short_race(shown_games.pictures),
+        "silent": short_race(shown_games.silent),
+    }
+    runs = evolve(settings, tmp_path_factory.mktemp("job"), threads=1)
+    return dict(zip(settings, runs, strict=True))
+
+
+def data(*runs: SavedRun) -> dict[str, Any]:
+    found = re.search(r'id="data">(.*?)</script>', explorer_page(runs))
+    assert found
+    plain: dict[str, Any] = json.loads(found[1])
+    return plain
+
+
+def test_what_is_shown_is_what_the_game_returns(job: Job) -> None:
+    run = job["words"]
+    hosts, parasites = run.archive().values()
+    [plain] = data(run)["runs"]
+    told = plain["game"]["shows"]
+    for key, shown in told.items():
+        g, h = map(int, key.split())
+        assert shown == {"text": shown_games.told(hosts[g], parasites[h])}
+    # 16 x 16 cells: the last 10 x 10, and a grid that reaches all corners.
+    assert {f"{g} {h}" for g in range(6, 16) for h in range(6, 16)} <= told.keys()
+    assert {"0 0", "0 15", "15 0"} <= told.keys()
+    assert 100 < len(told) <= shows.MOST_SHOWN
+    assert f"the page has {len(told)} pairs" in plain["game"]["missing"]
+    drawn = data(job["pictures"])["runs"][0]["game"]["shows"]
+    assert len(drawn) == 16  # of a small matrix all cells
+    hosts, parasites = job["pictures"].archive().values()
+    picture = base64.b64decode(drawn["3 1"]["image"].removeprefix("data:image/png;base64,"))
+    with Image.open(io.BytesIO(picture)) as image:
+        assert np.array_equal(np.asarray(image), shown_games.drawn(hosts[3], parasites[1]))
+
+
+def test_a_page_holds_few_cells_and_bytes_of_all_its_runs(
+    job: Job, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    both = data(job["words"], job["words"])["runs"]
+    assert sum(len(run["game"]["shows"]) for run in both) <= shows.MOST_SHOWN
+    monkeypatch.setattr(shows, "MOST_BYTES", 300)
+    [run] = data(job["words"])["runs"]
+    texts = [each["text"] for each in run["game"]["shows"].values()]
+    assert 3 <= len(texts) <= sum(map(len, texts)) <= 300
+    assert next(iter(run["game"]["shows"])) == "15 15"
+
+
+def test_the_page_has_no_engine_no_genomes_and_no_playground(job: Job) -> None:
+    page = explorer_page([job["words"], job["pictures"]])
+    for part in ("script-engine", "playground", "genomes-0-pursuer"):
+        assert f'id="{part}"' not in page
+    assert 'id="script-engine"' in explorer_page([job["words"], job["pursuit"]])
+
+
+def test_headings_and_settings_name_the_game(job: Job) -> None:
+    plain = data(job["words"])
+    assert plain["heading"] == "1 race of hosts and parasites, game words"
+    shown = {each["name"]: each["value"] for each in plain["runs"][0]["settings"]}
+    assert shown["game"] == "shown_games:words"
+    assert not [name for name in shown if re.search(r"game\.|world|policy|train_steps", name)]
+    assert data(job["words"], job["silent"])["heading"] == "2 races of hosts and parasites"
+    assert data(job["words"], job["pursuit"])["heading"] == "2 races of 2 games"
+    curve = plain["runs"][0]["training"]
+    log = job["words"].log()
+    hosts = log["team"] == "hosts"
+    np.testing.assert_allclose(curve["capture_rate"], log["score"][hosts], atol=1e-4)
+
+
+def test_another_source_is_told_and_a_game_that_is_not_there_refused(tmp_path: Path) -> None:
+    run = evolve(short_race(shown_games.words), tmp_path / "run", threads=1)
+    config = tmp_path / "run" / "config.json"
+    text = config.read_text(encoding="utf-8")
+    assert run.settings.game
+    config.write_text(text.replace(run.settings.game.digest, "0" * 16), encoding="utf-8")
+    with pytest.warns(UserWarning, match="got a changed one"):
+        page = explore(tmp_path / "run")
+    assert data_of(page.path)["note"] == (
+        "The source of the game shown_games:words has changed since it was raced."
+    )
+    assert page._repr_mimebundle_().keys() == {"text/html"}  # no picture of a chase
+    config.write_text(text.replace("shown_games:", "no_such_games:"), encoding="utf-8")
+    page.path.unlink()
+    with pytest.raises(ValueError, match="no_such_games:words: expected a module"):
+        explore(tmp_path / "run")
+    assert not page.path.exists()
+
+
+def test_the_page_grows_and_shows_pairs_at_the_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(runs_page, "SECONDS", 0.0)
+    monkeypatch.setattr(runs_page, "SHARE", np.inf)
+    page, seen = GrowingPage(tmp_path, ["run"]), list[Any]()
+
+    def look(progress: object) -> None:
+        page.write()
+        seen.append(data_of(tmp_path / "explorer.html")["runs"][0])
+
+    run = evolve(short_race(shown_games.words), tmp_path / "run", threads=1, report=look)
+    assert not any(each["game"]["shows"] for each in seen)
+    assert seen[-1]["findings"]["table"]  # it has ended
+    before = [each["payoff"] for each in seen if each["payoff"]["episodes"] == SO_FAR]
+    assert [before[0]["shape"], before[-1]["shape"]] == [[1, 1], [4, 4]]
+    assert before[-1]["capture_rates"] == run.payoff().scores[:, :, :SO_FAR].tolist()
+    assert seen[-1]["game"]["missing"].endswith("when the run has ended.")
+    explore(tmp_path / "run", file=tmp_path / "explorer.html", force=True)
+    assert len(data_of(tmp_path / "explorer.html")["runs"][0]["game"]["shows"]) == 16
+
+
+@pytest.mark.slow
+def test_a_click_shows_the_pair_in_the_words_of_the_game(
+    browser: Browser, job: Job, tmp_path: Path
+) -> None:
+    own = [job[name].path for name in ("words", "pictures", "silent")]
+    hosts, parasites = job["words"].archive().values()
+    page = explore(*own, file=tmp_path / "own.html").path
+    browser.open(page)
+    assert not OF_PURSUIT.search(browser.js("document.body.innerText"))
+    browser.wait(f"{PLAYED} === '0 15 15 0 '")
+    assert browser.js(SHOWN).startswith(shown_games.told(hosts[15], parasites[15]))
+    browser.js("location.hash = '#run=0&pursuers=1&evaders=2'")
+    browser.wait(f"{SHOWN}.includes('was not computed')")
+    browser.click(".shown button")  # the nearest pair that is
+    browser.wait(f"!{SHOWN}.includes('was not computed')")
+    g, h = map(int, browser.js(PLAYED).split()[1:3])
+    assert browser.js(SHOWN).startswith(shown_games.told(hosts[g], parasites[h]))
+    browser.click(".race:nth-child(2)")
+    browser.wait("document.querySelector('.shown img')?.naturalWidth === 3")
+    browser.click(".race:nth-child(3)")
+    browser.wait(f"{SHOWN}.startsWith('The game has no function show(a, b)')")
+    assert browser.errors() == []
+    # Beside a race of pursuit, which the engine plays.
+    browser.open(explore(job["pursuit"].path, own[0], file=tmp_path / "both.html").path, PHONE)
+    browser.wait(f"{PLAYED} === '0 2 2 0 '")
+    assert browser.js("document.querySelector('.scale-of-rates').textContent").startswith("0 all")
+    browser.click(".race:nth-child(2)")
+    browser.wait(f"{PLAYED} === '1 2 2 0 ' && {SHOWN}.length > 9")
+    assert browser.js("document.querySelector('.stage').offsetParent") is None
+    browser.click(".race:nth-child(1)")
+    browser.wait(f"{PLAYED} === '0 2 2 0 ' && document.querySelector('.stage').offsetParent")
+    assert browser.js(SHOWN) == ""
+    assert browser.js("document.documentElement.scrollWidth") <= PHONE[0]
+    assert browser.errors() == []
