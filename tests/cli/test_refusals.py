@@ -72,7 +72,7 @@ EVOLVE = [
     (["--config", "q.toml"], 2, "--variant: expected one of D, R, B, O, S, SB"),
     (["--set", "learner.sigma"], 2, "expected PATH=VALUE, such as learner.sigma=0.1, got 'learner"),
     (["--set", "learner.sigmma=1"], 2, "; did you mean learner.sigma?"),
-    (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, gp, actor-critic, or module:obje"),
+    (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, gp, actor-critic, or mod"),
     (["--learner", "nowhere:Learner"], 2, "nowhere:Learner: expected a module that can be impo"),
     (["--set", "learner.mutation=0.1"], 2, "; it is a setting of learner=ga"),
     (["--set", "schedule.team=evader"], 2, "; it is a setting of schedule=against"),

@@ -75,7 +75,7 @@ def judge(
     }
     return Judgement(
         len(payoffs), payoffs.shape, payoffs.episodes, level, payoffs.late.name, windows,
-        payoffs.teams,
+        payoffs.teams, payoffs.exact,
     )  # fmt: skip
 
 

@@ -54,6 +54,8 @@ class Judgement(Readable):
         Findings on the whole race, its first half and its last half, by condition.
     teams : tuple of str, optional
         What the teams are called.
+    exact : bool, optional
+        Whether the game has no chance: then the episodes are equal.
     """
 
     runs: int
@@ -63,6 +65,7 @@ class Judgement(Readable):
     window: str
     windows: Mapping[str, Findings]
     teams: tuple[str, str] = TEAMS
+    exact: bool = False
 
     def _parts(self) -> Parts:
         return [*summary(self), judgement_cells(self)]

@@ -79,13 +79,15 @@ class Payoffs(Readable):
     """Payoff matrices (runs, n, m) of independent runs, and their episodes if known.
 
     `scores` (runs, n, m, episodes): the capture rate of each of the `episodes` behind each cell.
-    `teams`: what the teams are called in words.
+    `teams`: what the teams are called in words. `exact`: the game has no chance, and the episodes
+    are all equal.
     """
 
     matrices: Rates
     scores: Rates | None = None
     episodes: int | None = None
     teams: tuple[str, str] = TEAMS
+    exact: bool = False
 
     def __len__(self) -> int:
         return len(self.matrices)
@@ -111,12 +113,12 @@ class Payoffs(Readable):
         scores = [None] * len(self) if self.scores is None else self.scores[:, None]
         matrices = self.matrices[:, None]
         parts = zip(matrices, scores, strict=True)
-        return [Payoffs(*run, self.episodes, self.teams) for run in parts]
+        return [replace(self, matrices=matrix, scores=score) for matrix, score in parts]
 
     def select(self, runs: list[int]) -> Payoffs:
         """Return the payoffs of some of the runs."""
         scores = None if self.scores is None else self.scores[runs]
-        chosen = Payoffs(self.matrices[runs], scores, self.episodes, self.teams)
+        chosen = replace(self, matrices=self.matrices[runs], scores=scores)
         # What is known of single runs stays known.
         vars(chosen)["_runs"] = [self.runs[run] for run in runs]
         return chosen
@@ -299,7 +301,7 @@ def read_payoffs(
     if exact:
         # What any number of episodes would be.
         scores = np.repeat(payoffs.matrices[..., np.newaxis], EPISODES_TO_RECUR, axis=3)
-        payoffs = Payoffs(payoffs.matrices, scores, EPISODES_TO_RECUR)
+        payoffs = Payoffs(payoffs.matrices, scores, EPISODES_TO_RECUR, exact=True)
     if teams != TEAMS:
         payoffs = replace(payoffs, teams=teams)
     if episodes is None:

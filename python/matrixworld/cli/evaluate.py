@@ -117,6 +117,8 @@ def print_judgement(judgement: analysis.Judgement) -> None:
     runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
     pursuers, evaders = judgement.shape
     played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
+    if judgement.exact:
+        played = ", exact scores"
     if judgement.teams == TEAMS:
         counted = f"{pursuers} pursuer and {evaders} evader generations"
     else:

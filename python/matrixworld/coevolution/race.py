@@ -34,6 +34,7 @@ import numpy as np
 
 from matrixworld._util.checks import check_choice, check_integer
 from matrixworld.analysis.intervals import does_not_vary, t_ends
+from matrixworld.analysis.payoffs import in_words_of
 from matrixworld.coevolution import types
 from matrixworld.coevolution.opponents import (
     AnyOpponents,
@@ -119,7 +120,9 @@ class Race(Section):
 
     def summary(self, run: Run, payoff: Payoff) -> dict[str, Any]:
         """Return what summary.json holds besides counts."""
-        return {"disengagement": [str(stretch) for stretch in run.disengagements()]}
+        teams = run.settings.teams
+        stretches = [in_words_of(teams, str(stretch)) for stretch in run.disengagements()]
+        return {"disengagement": stretches}
 
     @property
     def n_stages(self) -> int:

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_floats, check_instance, check_integer, check_threads
 from matrixworld.analysis import disengagements
+from matrixworld.analysis.payoffs import in_words_of
 from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution import storage, types
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
@@ -323,7 +324,8 @@ class Run:
         for stretch in self.disengagements() if not left else ():
             # Equal, not at least: a longer stretch has been reported before.
             if stretch.last == generation and len(stretch) == PATIENCE:
-                warnings.warn(str(stretch), DisengagementWarning, stacklevel=3)
+                told = in_words_of(self.settings.teams, str(stretch))
+                warnings.warn(told, DisengagementWarning, stacklevel=3)
 
     def disengagements(self) -> tuple[Disengagement, ...]:
         """Return the stretches of finished generations in which one team won everything."""

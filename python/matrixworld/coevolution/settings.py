@@ -18,6 +18,7 @@ from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.learner import Learner, Task
 from matrixworld.coevolution.pursuit import (
+    SCRIPTS,
     AnyPolicy,
     Cells,
     Pursuit,
@@ -154,6 +155,10 @@ class RaceSettings(Section):
             given.append("fitness.measure")
         if self.fitness.cost_limit is not None:
             given.append("fitness.cost_limit")
+        if isinstance(self.schedule, Against) and self.schedule.opponent in SCRIPTS:
+            expected = f"a run directory of the game {self.game.code}"
+            got = self.schedule.opponent
+            raise ValueError(f"schedule.opponent: expected {expected}, got the script {got}")
         once = ("match_episodes", "evaluation_episodes") if self.game.deterministic else ()
         given += [name for name in once if getattr(self, name) not in (None, 1)]
         if given:
