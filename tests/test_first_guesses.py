@@ -127,14 +127,14 @@ class Climber:
 
 
 def test_8_a_learner_of_ones_own_is_derived_from_learner(tmp_path: Path) -> None:
-    call = "class derived from Learner (docs/maintainers/how_to_add.md)"
+    call = "class derived from Learner (docs/how_to_add.md)"
     for learner in (Climber, Climber(3, 0)):
         names_the_call(
             lambda learner=learner: mw.evolve("O", tmp_path / "a", learner=learner), TypeError, call
         )
     assert list(tmp_path.iterdir()) == []
     assert "## A learner" in (
-        Path(__file__).parents[1] / "docs/maintainers/how_to_add.md"
+        Path(__file__).parents[1] / "docs/how_to_add.md"
     ).read_text(encoding="utf-8")
 
 

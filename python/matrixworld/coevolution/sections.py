@@ -27,7 +27,7 @@ import numpy as np
 
 from matrixworld._util import checks
 
-RECIPES = "docs/maintainers/how_to_add.md"
+RECIPES = "docs/how_to_add.md"
 AnySection = TypeVar("AnySection", bound="Section")
 
 
