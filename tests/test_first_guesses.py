@@ -133,9 +133,9 @@ def test_8_a_learner_of_ones_own_is_derived_from_learner(tmp_path: Path) -> None
             lambda learner=learner: mw.evolve("O", tmp_path / "a", learner=learner), TypeError, call
         )
     assert list(tmp_path.iterdir()) == []
-    assert "## A learner" in (
-        Path(__file__).parents[1] / "docs/how_to_add.md"
-    ).read_text(encoding="utf-8")
+    assert "## A learner" in (Path(__file__).parents[1] / "docs/how_to_add.md").read_text(
+        encoding="utf-8"
+    )
 
 
 def test_9_a_race_goes_on(run: coevolution.SavedRun) -> None:

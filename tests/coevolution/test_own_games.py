@@ -186,7 +186,7 @@ def half(a, factor):
     return np.full(len(a), factor)
 HELPERS = {"half": partial(half, factor=0.5)}
 play = Player(1.0)
-game = Game(play, genes=3)
+game = Game(play, genes=3, teams=("ones", "others"))
 """
 CHANGES = [("a) * self", "b) * self"), ("len(a)", "len(a) + 0"), ("0.5", "0.25"), ("1.0", "0.9")]
 
@@ -227,7 +227,7 @@ def test_settings_that_a_game_has_not_are_refused():
 
 
 def changed(play=higher, genes=2, **fields):
-    return Game(play, genes, **fields)
+    return Game(play, genes, **{"teams": ("ones", "others"), **fields})
 
 
 def uses_the_global_generator(a, b, rng):
@@ -301,7 +301,7 @@ SCRIPT = """
 from matrixworld.coevolution import Game, RaceSettings
 def play(a, b, rng):
     return 0.5 + 0 * a[:, 0]
-game = Game(play, genes=1)
+game = Game(play, genes=1, teams=("ones", "others"))
 if __name__ == "__main__":
     print(RaceSettings.of({"game": game}).game.code)
 """

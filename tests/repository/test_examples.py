@@ -18,6 +18,7 @@ from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import click
@@ -83,7 +84,8 @@ def test_examples_run_and_print_what_is_shown(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    names: dict[str, Any] = {"__name__": "__main__"}
+    script = ModuleType("__main__")  # as a program that runs
+    monkeypatch.setitem(sys.modules, "__main__", script)
     missing: set[str] = set()
     for example in examples_of(page):
         if absent := [*filter(is_absent, example.needs)]:
@@ -92,7 +94,7 @@ def test_examples_run_and_print_what_is_shown(
         with warnings.catch_warnings():
             if example.needs:  # the warnings of other libraries are not ours
                 warnings.simplefilter("ignore")
-            exec(compile(example.code, page, "exec"), names)
+            exec(compile(example.code, page, "exec"), vars(script))
         printed = capsys.readouterr().out
         if example.shown and page == "docs/analysis.md":
             check_nearly_same(printed, example.shown)

@@ -72,7 +72,7 @@ class Game:
         b (M, genes), in [0, 1]; b has 1 - score. Random numbers come from `rng` alone.
     genes : int or tuple of two ints
         Length of the genomes, of both teams or of each.
-    teams : tuple of two str, optional
+    teams : tuple of two str
         Names of the teams, in the plural.
     initial : callable, optional
         ``initial(rng)`` returns an untrained genome, with teams of different lengths
@@ -105,7 +105,7 @@ class Game:
 
     play: Play
     genes: int | tuple[int, int]
-    teams: tuple[str, str] = ("pursuers", "evaders")
+    teams: tuple[str, str]
     initial: Callable[..., ArrayLike] | None = None
     bounds: tuple[ArrayLike, ArrayLike] | None = None
     deterministic: bool = False
@@ -471,7 +471,8 @@ def check_game(game: Game) -> None:
     Examples
     --------
     >>> import matrixworld as mw
-    >>> mw.coevolution.check_game(mw.Game(lambda a, b, rng: (a > b).mean(1), genes=3))
+    >>> larger = mw.Game(lambda a, b, rng: (a > b).mean(1), genes=3, teams=("ones", "others"))
+    >>> mw.coevolution.check_game(larger)
     """
     checks.check_instance("game", game, Game)
     rng = np.random.default_rng(0)

@@ -50,7 +50,7 @@ def check_learner(learner: Learner) -> None:
     check_instance("learner", learner, Learner)
     # Genomes far apart, so that mutants of any usual size are better now and then: a learner shows
     # what it does only where it moves.
-    game = Game(lambda a, b, rng: np.full(len(a), 0.5), GENES)
+    game = Game(lambda a, b, rng: np.full(len(a), 0.5), GENES, ("learners", "others"))
     # What is None a run fills in.
     usual = {
         name: item.metadata["default"]

@@ -252,7 +252,8 @@ class Pursuit(Game):
     """
 
     play: Any = rollout
-    genes: Any = ()  # those of the network
+    genes: Any = ()  # those of the policy
+    teams: tuple[str, str] = ("pursuers", "evaders")
     world: WorldConfig = DEFAULT_WORLD
     settings: PolicySettings = DEFAULT_POLICY
     penalty: float = 0.0

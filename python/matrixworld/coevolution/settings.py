@@ -287,7 +287,7 @@ class RaceSettings(Section):
     @property
     def teams(self) -> tuple[str, str]:
         """What the teams are called."""
-        first, second = Game.teams if self.game is None else self.game.teams
+        first, second = Pursuit.teams if self.game is None else self.game.teams
         return first, second
 
     @property

@@ -44,7 +44,9 @@ def task(genes=SIZE, epochs=100, begin=None):
     def untrained(rng):
         return begin if begin.ndim == 1 else rng.standard_normal(genes, np.float32)
 
-    return Task(99, 0, epochs, untrained, None, Game(lambda a, b, rng: a[:, 0], genes))
+    return Task(
+        99, 0, epochs, untrained, None, Game(lambda a, b, rng: a[:, 0], genes, ("ones", "others"))
+    )
 
 
 RANDOM = np.zeros((1, 1))
