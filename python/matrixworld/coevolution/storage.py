@@ -48,7 +48,7 @@ from matrixworld._util.readable import called, html_of
 from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.progress import Report, silent
-from matrixworld.coevolution.pursuit import NetworkPolicy, Pursuit
+from matrixworld.coevolution.pursuit import Pursuit, acting
 from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
@@ -387,11 +387,11 @@ class SavedRun:
         *,
         sampled: bool | None = None,
         seed: int | None = None,
-    ) -> NetworkPolicy:
-        """Return a genome of the run as a policy that acts on observations.
+    ) -> Any:
+        """Return a genome of the run as a policy that acts on observations, or on named inputs.
 
-        It also plays as a built-in team of an environment, and exports its network to PyTorch and
-        ONNX.
+        It is a `NetworkPolicy`, or a `RatingPolicy`. It also plays as a built-in team of an
+        environment, and is what is exported to other libraries.
 
         Parameters
         ----------
@@ -400,7 +400,7 @@ class SavedRun:
         generation : int, optional
             The generation; negative numbers count from the end. The default is the last one.
         sampled, seed : optional
-            As for `NetworkPolicy`.
+            As for these; `sampled` is for networks alone.
 
         Raises
         ------
@@ -413,7 +413,7 @@ class SavedRun:
         if isinstance(policy, str):
             raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
         genome = policy.genomes[self.generation(team, generation, "generation")]
-        return NetworkPolicy(policy.policy, genome, sampled=sampled, seed=seed)
+        return acting(policy.policy, genome, sampled=sampled, seed=seed)
 
     def extend(
         self, generations: int, *, threads: int | None = None, report: Report = silent
