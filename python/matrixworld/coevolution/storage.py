@@ -465,6 +465,39 @@ class SavedRun:
         side = cast(Team, team)
         return self.policy(side, self._best.get(side, -1), sampled=sampled, seed=seed)
 
+    def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
+        """Return what a generation of a team does, in words and numbers: an `Explanation`.
+
+        Of a policy that rates moves it has a sentence, and of each input the weight, how far it
+        moves ratings, and what leaving it out costs in matches. Of a network over cells it has a
+        decision tree that imitates it (extra ``explain``), with the tree's own score in matches:
+        high agreement is not an equal score.
+
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team.
+        generation : int, optional
+            The generation; negative numbers count from the end. The default is the last one.
+        episodes : int, optional
+            Episodes against each held-out opponent, at least 2. The default is 40.
+        seed : int, optional
+            Seed of all random numbers, by default 0. No other matches are those of a seed here.
+        depth : int, optional
+            Most levels of a tree, 3 to 6. The default is 4.
+        threads, report
+            As for `Run`.
+
+        Raises
+        ------
+        IndexError, ValueError, MissingExtraError
+            If there is no such generation or team, a script plays for it, it has memory, or a tree
+            needs scikit-learn.
+        """
+        from matrixworld.coevolution.evaluation.explanation import explain_run
+
+        return explain_run(self, team, generation, **options)
+
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.
 

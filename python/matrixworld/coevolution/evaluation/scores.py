@@ -374,14 +374,22 @@ def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig)
     generations = [*range(len(archive.genomes))]
     if generation is not None:
         generations = [run.generation(team, generation, "generation")]
+    opponents, left_out = opponents_in(run, team, world)
+    chosen = Population(archive.genomes[generations], archive.policy)
+    return _Side(team, chosen, generations, opponents, left_out)
+
+
+def opponents_in(
+    run: SavedRun, team: Team, world: WorldConfig
+) -> tuple[dict[str, TeamPolicy], str]:
+    """Return what `opponents_of` returns, without an opponent that the run trained against."""
     opponents, left_out = opponents_of(team, world)
     schedule = run.settings.schedule
     if isinstance(schedule, Against) and schedule.opponent in opponents:
         del opponents[schedule.opponent]
         seen = f"not {schedule.opponent}: the run trained against it"
         left_out = f"{seen}; {left_out}" if left_out else seen
-    chosen = Population(archive.genomes[generations], archive.policy)
-    return _Side(team, chosen, generations, opponents, left_out)
+    return opponents, left_out
 
 
 def best_generations(run: SavedRun) -> dict[Team, int]:
