@@ -21,7 +21,6 @@ from __future__ import annotations
 
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.evaluation.explanation import Explanation, explain
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
@@ -52,7 +51,6 @@ __all__ = [
     "DamagedFileError",
     "DisengagementWarning",
     "EvolutionStrategy",
-    "Explanation",
     "FailedRunsError",
     "FitnessSettings",
     "Game",
@@ -83,7 +81,6 @@ __all__ = [
     "competitive_sharing",
     "create",
     "evolve",
-    "explain",
     "finish",
     "held_out",
     "judge",

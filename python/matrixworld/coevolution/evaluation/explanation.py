@@ -30,7 +30,7 @@ from matrixworld.coevolution.evaluation.scores import (
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import TEAMS, FloatArray, Team
+from matrixworld.coevolution.types import FloatArray, Team
 from matrixworld.episodes.record import record
 from matrixworld.play.policies import GenomePolicy, NetworkPolicy, RatingPolicy
 from matrixworld.version import imported
@@ -94,8 +94,9 @@ class Term(NamedTuple):
     effect: float
     """How far the input moves a rating: the slope of `dependence`, multiplied by the standard
     deviation of the input among the moves that an agent can choose from."""
-    dependence: dict[float, float]
-    """Partial dependence: mean rating of the moves seen, if all had this value of the input."""
+    dependence: tuple[tuple[float, float], ...]
+    """Partial dependence: values of the input, and the mean rating of the moves seen, if all had
+    this value."""
     cost: Estimate | None = None
     """Score lost if the input is left out: all weights that it enters by are 0."""
 
@@ -157,11 +158,11 @@ class Explanation(Readable):
         return plain
 
 
-def _curve(dependence: Mapping[float, float]) -> str:
+def _curve(dependence: Sequence[tuple[float, float]]) -> str:
     """Return how a rating goes as an input grows, as bars of eight heights."""
-    low, high = min(dependence.values()), max(dependence.values())
-    steps = (round(7 * (y - low) / (high - low)) if high > low else 0 for y in dependence.values())
-    return "".join("▁▂▃▄▅▆▇█"[step] for step in steps)
+    ratings = [rating for _, rating in dependence]
+    low, wide = min(ratings), (max(ratings) - min(ratings)) or 1.0
+    return "".join("▁▂▃▄▅▆▇█"[round(7 * (rating - low) / wide)] for rating in ratings)
 
 
 def _told(cost: Estimate) -> str:
@@ -192,15 +193,15 @@ def _listed(parts: Sequence[str]) -> str:
 
 @dataclass(frozen=True)
 class _Matches:
-    """What plays for a team, against whom, and what is counted of the work."""
+    """What plays for a team, against whom, and how; `number` tells sets of matches apart."""
 
     acts: GenomePolicy
     team: Team
     world: WorldConfig
     opponents: Mapping[str, TeamPolicy]
-    episodes: int
     seed: int
-    threads: int | None
+    depth: int
+    play: Mapping[str, Any]
     report: Report
 
     def seed_of(self, number: int) -> int:
@@ -208,22 +209,16 @@ class _Matches:
         return match_seed(self.seed, int(Phase.EXPLAIN), number)
 
     def rates(
-        self, policy: Any, number: int, part: tuple[int, int] = (0, 1), episodes: int = 0
+        self, policy: Any, number: int, part: int = 0, of: int = 1, **play: Any
     ) -> FloatArray:
-        """Return scores of a policy (genomes, opponents, episodes) in a set of matches."""
+        """Return scores (genomes, opponents, episodes): a part of the whole work."""
 
         def told(one: Progress) -> None:
-            done = part[0] * one.total + one.done
-            self.report(Progress(f"{self.team}s explained", done, part[1] * one.total))
+            done, total = part * one.total + one.done, of * one.total
+            self.report(Progress(f"{self.team}s explained", done, total))
 
-        play: Any = {"opponents": self.opponents, "threads": self.threads, "report": told}
-        play |= {"episodes": episodes or self.episodes, "seed": self.seed_of(number)}
-        return score_policy(policy, self.team, self.world, **play).rates
-
-    @property
-    def agents(self) -> int:
-        """Agents of the team."""
-        return self.world.n_pursuers if self.team == "pursuer" else self.world.n_evaders
+        play = {**self.play, "seed": self.seed_of(number), "report": told, **play}
+        return score_policy(policy, self.team, self.world, opponents=self.opponents, **play).rates
 
 
 def _score(rates: FloatArray) -> Estimate:
@@ -242,20 +237,19 @@ def _difference(one: FloatArray, another: FloatArray) -> Estimate:
 
 def _inputs_seen(matches: _Matches) -> NDArray[np.float32]:
     """Return inputs (n, moves, inputs) of living agents, of one episode against each opponent."""
-    world, seen = World(matches.world), []
-    first = 0 if matches.team == "pursuer" else matches.world.n_pursuers
-    agents = slice(first, first + matches.agents)
+    world, seen, first = World(matches.world), [], matches.team == "pursuer"
+    n = matches.world.n_pursuers
+    agents = slice(n) if first else slice(n, None)
     for number, opponent in enumerate(matches.opponents.values()):
-        sides = matches.acts.population(), opponent
-        played: Any = {"seed": matches.seed_of(1), "episode": number}
-        episode = record(world.config, *sides[:: 1 if first == 0 else -1], **played)
-        world.reset(**played)
+        sides: Any = matches.acts, opponent
+        match: Any = {"seed": matches.seed_of(1), "episode": number}
+        episode = record(world.config, *sides[:: 1 if first else -1], **match)
+        world.reset(**match)
         for actions in episode.actions:
             seen.append(world.inputs()[agents][world.alive[agents]])
             world.step(actions)
     every = np.concatenate(seen)
-    kept = np.random.default_rng(matches.seed_of(1)).permutation(len(every))[:STATES]
-    return every[np.sort(kept)]
+    return every[np.random.default_rng(matches.seed_of(1)).permutation(len(every))[:STATES]]
 
 
 def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
@@ -269,36 +263,30 @@ def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
         mean = (x * allowed).sum(axis=1) / count
         variance = ((x - mean[:, None]) ** 2 * allowed).sum(axis=1) / count
         spread, ends = float(np.sqrt(variance.mean())), (x[allowed].min(), x[allowed].max())
-        dependence = {}
+        points: list[tuple[float, float]] = []
         for value in np.linspace(*ends, POINTS) if spread else ends[:1]:
             changed = seen.copy()
             changed[..., column] = value
-            dependence[float(value)] = float(acts.rate(changed)[allowed].mean(dtype=np.float64))
-        curve = [*dependence], [*dependence.values()]
-        slope = float(np.polyfit(*curve, 1)[0]) if spread else 0.0
+            points.append((float(value), float(acts.rate(changed)[allowed].mean(dtype=float))))
+        slope = float(np.polyfit(*zip(*points, strict=True), 1)[0]) if spread else 0.0
         weight = float(acts.genome[place]) if linear else None
-        terms.append(Term(name, weight, slope * spread, dependence))
+        terms.append(Term(name, weight, slope * spread, tuple(points)))
     return sorted(terms, key=lambda term: -abs(term.effect))
 
 
-def _by_inputs(matches: _Matches, depth: int, *, costs: bool) -> dict[str, Any]:
+def _by_inputs(matches: _Matches, *, costs: bool) -> dict[str, Any]:
     """Explain what rates moves; with `costs` of leaving inputs out."""
     acts = matches.acts
     assert isinstance(acts, RatingPolicy)
     terms = terms_of(acts, _inputs_seen(matches))
     left_out = [acts.policy.without(acts.genome, term.input) for term in terms if costs]
     team = Population(np.stack([acts.genome, *left_out]), acts.policy)
-    full, *others = matches.rates(team, 0)
-    if costs:
-        each = zip(terms, others, strict=True)
-        terms = [term._replace(cost=_difference(full, other)) for term, other in each]
+    own, *others = matches.rates(team, 0)
+    for number, other in enumerate(others):
+        terms[number] = terms[number]._replace(cost=_difference(own, other))
     told = sentence(matches.team, {term.input: term.effect for term in terms})
-    return {
-        "score": _score(full),
-        "sentence": told,
-        "terms": tuple(terms),
-        "text": "" if costs else acts.to_python(),
-    }
+    found = {"score": _score(own), "sentence": told, "terms": tuple(terms)}
+    return found if costs else {**found, "text": acts.to_python()}
 
 
 # Networks over cells:
@@ -307,53 +295,49 @@ def _by_inputs(matches: _Matches, depth: int, *, costs: bool) -> dict[str, Any]:
 def features(views: NDArray[Any], team: Team) -> dict[str, NDArray[np.float32]]:
     """Return what a tree knows of views (n, 3, fov, fov): by name one number of each, (n,).
 
-    Of the nearest adversary and the nearest teammate how far to the south and to the east it is,
-    and in how many moves; how many are in view by direction; and free cells by direction. Without
-    anybody in view the first two are 0, and the moves are as many as the view is wide.
+    How far to the south and to the east the nearest adversary and the nearest teammate are, and in
+    how many moves; how many are in view; and free cells by direction. Without anybody in view the
+    first two are 0, and the moves are as many as the view is wide.
     """
     own, foes = (1, 0) if team == "pursuer" else (0, 1)
     n, fov, half = len(views), views.shape[-1], views.shape[-1] // 2
     south, east = (axis.ravel() for axis in np.mgrid[-half : half + 1, -half : half + 1])
     moves = abs(south) + abs(east)
-    sectors = {
-        "north": (south < 0) & (abs(east) <= -south), "east": (east > 0) & (abs(south) <= east),
-        "south": (south > 0) & (abs(east) <= south), "west": (east < 0) & (abs(south) <= -east),
-    }  # fmt: skip
     found: dict[str, NDArray[Any]] = {}
-    for channel, name, many in (
-        (foes, "adversary", "adversaries"), (own, "teammate", "teammates"),
-    ):  # fmt: skip
+    for channel, name, many in ((foes, "adversary", "adversaries"), (own, "teammate", "teammates")):
         seen = views[:, channel].reshape(n, -1) > 0
         seen = seen & (moves > 0) if channel == own else seen  # without the agent itself
         nearest, some = np.where(seen, moves, fov).argmin(axis=1), seen.any(axis=1)
         found[f"{name} south"] = south[nearest] * some
         found[f"{name} east"] = east[nearest] * some
         found[f"{name} moves"] = np.where(some, moves[nearest], fov)
-        for direction, cells in sectors.items():
-            found[f"{many} {direction}"] = seen[:, cells].sum(axis=1)
-    centre = views[:, 2]
+        found[many] = seen.sum(axis=1)
+    column, row = views[:, 2, :, half] > 0, views[:, 2, half] > 0
     rays = {
-        "north": centre[:, half - 1 :: -1, half], "east": centre[:, half, half + 1 :],
-        "south": centre[:, half + 1 :, half], "west": centre[:, half, half - 1 :: -1],
+        "north": column[:, :half][:, ::-1], "east": row[:, half + 1 :],
+        "south": column[:, half + 1 :], "west": row[:, :half][:, ::-1],
     }  # fmt: skip
     for direction, ray in rays.items():
-        blocked = np.pad(ray[:, :half] > 0, ((0, 0), (0, 1)), constant_values=True)
-        found[f"free cells {direction}"] = blocked.argmax(axis=1)
+        found[f"free cells {direction}"] = np.pad(
+            ray, ((0, 0), (0, 1)), constant_values=True
+        ).argmax(axis=1)
     return {name: each.astype(np.float32) for name, each in found.items()}
 
 
-def _by_tree(matches: _Matches, depth: int) -> dict[str, Any]:
+def _by_tree(matches: _Matches) -> dict[str, Any]:
     """Explain a network by a tree that imitates it, also where only the tree would go."""
     trees: Any = imported("sklearn.tree", "explain")
-    acts, team = matches.acts, matches.team
+    acts, team, world = matches.acts, matches.team, matches.world
     assert isinstance(acts, NetworkPolicy)
     if acts.policy.memory != "none":
         raise ValueError("policy: expected one without memory, which no tree imitates, got gru")
-    rng, n_actions = np.random.default_rng(matches.seed_of(1)), acts.policy.n_actions
+    tree = trees.DecisionTreeClassifier(
+        max_depth=matches.depth, min_samples_leaf=20, random_state=0
+    )
+    rng, n_actions, parts = np.random.default_rng(matches.seed_of(1)), world.n_actions, ROUNDS + 4
     # Of each rollout about as many states are kept, whatever the size of the world.
-    most = 2 * len(matches.opponents) * matches.world.max_steps * matches.agents
-    share, parts = min(1.0, STATES / most), ROUNDS + 4
-    tree = trees.DecisionTreeClassifier(max_depth=depth, min_samples_leaf=20, random_state=0)
+    agents = world.n_pursuers if team == "pursuer" else world.n_evaders
+    share = STATES / (2 * len(matches.opponents) * world.max_steps * agents)
 
     def table(views: NDArray[Any]) -> NDArray[np.float32]:
         return np.stack([*features(views, team).values()], axis=1)
@@ -364,9 +348,10 @@ def _by_tree(matches: _Matches, depth: int) -> dict[str, Any]:
 
     def imitate(views: NDArray[Any]) -> NDArray[np.int64]:
         chances = tree.predict_proba(table(views))
+        if not acts.policy.sampled:
+            return np.asarray(chances.argmax(axis=1))
         drawn = chances.cumsum(axis=1) < rng.random((len(chances), 1))
-        best = drawn.sum(axis=1).clip(0, n_actions - 1) if acts.policy.sampled else None
-        return np.asarray(chances.argmax(axis=1) if best is None else best)
+        return np.asarray(drawn.sum(axis=1).clip(0, n_actions - 1))
 
     def states(policy: Callable[..., Any], number: int) -> NDArray[Any]:
         kept = []
@@ -375,12 +360,12 @@ def _by_tree(matches: _Matches, depth: int) -> dict[str, Any]:
             kept.append(views[rng.random(len(views)) < share])
             return policy(views)
 
-        matches.rates(watched, 1 + number, (number, parts), episodes=2)
+        matches.rates(watched, 1 + number, number, parts, episodes=2)
         return np.concatenate(kept)
 
     def fit(data: NDArray[Any]) -> None:
-        moves = np.tile(np.arange(n_actions), len(data))
         rows = np.repeat(table(data), n_actions, axis=0)
+        moves = np.tile(np.arange(n_actions), len(data))
         tree.fit(rows, moves, sample_weight=wanted(data).ravel())
 
     data = states(acts, 0)
@@ -390,15 +375,10 @@ def _by_tree(matches: _Matches, depth: int) -> dict[str, Any]:
     fit(data)
     tests = states(acts, ROUNDS + 1)
     same = tree.predict_proba(table(tests)).argmax(axis=1) == wanted(tests).argmax(axis=1)
-    [own] = matches.rates(acts, 0, (parts - 2, parts))
-    [its] = matches.rates(imitate, 0, (parts - 1, parts))
-    found = Tree(
-        tree.get_depth(),
-        tree.get_n_leaves(),
-        float(same.mean()),
-        _score(its),
-        _difference(own, its),
-    )
+    [own] = matches.rates(acts, 0, parts - 2, parts)
+    [its] = matches.rates(imitate, 0, parts - 1, parts)
+    size = int(tree.get_depth()), int(tree.get_n_leaves())
+    found = Tree(*size, float(same.mean()), _score(its), _difference(own, its))
     rules, _ = _rules(tree.tree_, [*features(tests[:1], team)])
     return {"score": _score(own), "sentence": IMITATED, "tree": found, "text": "\n".join(rules)}
 
@@ -419,8 +399,8 @@ def _rules(tree: Any, names: Sequence[str], node: int = 0) -> tuple[list[str], s
     if len(first | second) == 1:
         return leaf[0], first
     test = f"if {names[tree.feature[node]]} <= {tree.threshold[node]:g}:"
-    inside = ([f"    {line}" for line in lines] for lines in (low, high))
-    return [test, *next(inside), "else:", *next(inside)], first | second
+    rest = [f"el{high[0]}", *high[1:]] if len(high) > 1 else ["else:", f"    {high[0]}"]
+    return [test, *(f"    {line}" for line in low), *rest], first | second
 
 
 KINDS: dict[str, Callable[..., dict[str, Any]]] = {
@@ -444,37 +424,17 @@ def explain(
     threads: int | None = None,
     report: Report = silent,
 ) -> Explanation:
-    """Explain what a policy does for a team, as `SavedRun.explain` does.
-
-    Parameters
-    ----------
-    policy : NetworkPolicy or RatingPolicy
-        The policy. A network with memory is refused.
-    team : {"pursuer", "evader"}
-        The team that it plays for.
-    config : WorldConfig
-        The world.
-    generation : int, optional
-        A number to tell it by.
-    opponents : mapping of str to policy, optional
-        Opponents by name. By default the held-out opponents that fit the world.
-    episodes, seed, depth, threads, report
-        As in `SavedRun.explain`.
-    """
-    checks.check_instance("policy", policy, GenomePolicy)
-    checks.check_choice("team", team, TEAMS)
-    checks.check_integer("depth", depth, DEPTHS[0], DEPTHS[-1])
+    """Explain what a policy does for a team; arguments as those of `SavedRun.explain`."""
     checks.check_integer("seed", seed, 0, checks.SEED_MAX)
+    checks.check_integer("depth", depth, DEPTHS[0], DEPTHS[-1])
     against = opponents_of(team, config)[0] if opponents is None else opponents
-    episodes = checks.check_integer("episodes", episodes, 2)
-    matches = _Matches(policy, team, config, against, episodes, seed, threads, report)
-    return Explanation(team, generation, **KINDS[policy.policy.kind](matches, depth))
+    play = {"episodes": checks.check_integer("episodes", episodes, 2), "threads": threads}
+    matches = _Matches(policy, team, config, against, seed, depth, play, report)
+    return Explanation(team, generation, **KINDS[policy.policy.kind](matches))
 
 
 def explain_run(run: SavedRun, team: Team, generation: int = -1, **options: Any) -> Explanation:
     """Explain a generation of a run: `SavedRun.explain`."""
-    policy = run.policy(team, generation, seed=0)
-    world = run.pursuit.world
-    options["opponents"] = opponents_in(run, team, world)[0]
-    number = run.generation(team, generation)
-    return explain(policy, team, world, generation=number, **options)
+    policy, world = run.policy(team, generation, seed=options.get("seed", 0)), run.pursuit.world
+    options |= {"opponents": opponents_in(run, team, world)[0]}
+    return explain(policy, team, world, generation=run.generation(team, generation), **options)
