@@ -209,7 +209,7 @@ def test_the_command_says_what_the_run_says(tmp_path: Path, monkeypatch: Any) ->
     assert isinstance(run.best("evader"), mw.RatingPolicy)
     with pytest.raises(ValueError, match="sampled: expected no value for a rating policy, got Tru"):
         run.policy("pursuer", sampled=True)
-    with pytest.raises(ValueError, match="depth: expected an integer from 3 to 6, got 7"):
+    with pytest.raises(ValueError, match="depth: expected 3 to 6, got 7"):
         run.explain("pursuer", depth=7)
 
 

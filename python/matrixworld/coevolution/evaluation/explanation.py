@@ -268,7 +268,8 @@ def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
             changed = seen.copy()
             changed[..., column] = value
             points.append((float(value), float(acts.rate(changed)[allowed].mean(dtype=float))))
-        slope = float(np.polyfit(*zip(*points, strict=True), 1)[0]) if spread else 0.0
+        values, ratings = np.transpose(points)
+        slope = float(np.polyfit(values, ratings, 1)[0]) if spread else 0.0
         weight = float(acts.genome[place]) if linear else None
         terms.append(Term(name, weight, slope * spread, tuple(points)))
     return sorted(terms, key=lambda term: -abs(term.effect))
