@@ -74,7 +74,7 @@ def test_a_chaser_and_a_fleer_are_told(team: Any, weight: float, said: int) -> N
     assert adversary.cost.sign == 1  # without it, any move is as good
     assert stay.cost is not None
     assert stay.cost.ends == (0.0, 0.0)
-    table = str(told).splitlines()[-2]
+    table = str(told).splitlines()[-1]
     assert re.match(rf"adversary +{weight}.000 .*[+-]█{{10}} ", table)
 
 

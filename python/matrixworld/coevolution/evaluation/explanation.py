@@ -149,6 +149,7 @@ class Explanation(Readable):
                 _told(cost) if cost else "",
             )
             for name, weight, effect, dependence, cost in self.terms
+            if effect or (cost and cost.value)
         ]
         return [*told, *[[head, *rows]] * bool(rows), *[self.text] * bool(self.text)]
 
@@ -269,7 +270,7 @@ def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
             changed[..., column] = value
             points.append((float(value), float(acts.rate(changed)[allowed].mean(dtype=float))))
         values, ratings = np.transpose(points)
-        slope = float(np.polyfit(values, ratings, 1)[0]) if spread else 0.0
+        slope = float(np.polyfit(values, ratings, 1)[0]) if np.ptp(ratings) else 0.0
         weight = float(acts.genome[place]) if linear else None
         terms.append(Term(name, weight, slope * spread, tuple(points)))
     return sorted(terms, key=lambda term: -abs(term.effect))
