@@ -18,7 +18,7 @@ def to_onnx(policy):
     """
     # Versions of 2020: enough for a perceptron, and read by old runtimes.
     versions = {"opset_imports": [helper.make_opsetid("", 13)], "ir_version": 8}
-    model = helper.make_model(graph_of(policy.network, policy.layers()), **versions)
+    model = helper.make_model(graph_of(policy.policy, policy.layers()), **versions)
     onnx.checker.check_model(model, full_check=True)
     return model
 

@@ -12,8 +12,8 @@ def to_torch(policy):
     It is Flatten, then Linear and activation in turn; inputs are float32. With memory it maps
     observations and states (n, state_size) to logits and next states, by a GRUCell.
     """
-    activation = torch.nn.ReLU if policy.network.activation == "relu" else torch.nn.Tanh
-    size, modules = policy.network.state_size, [torch.nn.Flatten()]
+    activation = torch.nn.ReLU if policy.policy.activation == "relu" else torch.nn.Tanh
+    size, modules = policy.policy.state_size, [torch.nn.Flatten()]
     for number, (weights, bias) in enumerate(policy.layers()):
         # PyTorch keeps weights as (outputs, inputs).
         rows, numbers = torch.from_numpy(weights.T.copy()), torch.from_numpy(bias)

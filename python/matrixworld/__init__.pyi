@@ -28,6 +28,7 @@ from matrixworld.episodes.record import record_actions as record_actions
 from matrixworld.episodes.safety import SafetyMonitor as SafetyMonitor
 from matrixworld.episodes.safety import SafetySummary as SafetySummary
 from matrixworld.play import NetworkPolicy as NetworkPolicy
+from matrixworld.play import RatingPolicy as RatingPolicy
 from matrixworld.play.rollout import EpisodeStatistics as EpisodeStatistics
 from matrixworld.play.rollout import Matches as Matches
 from matrixworld.play.rollout import rollout as rollout

@@ -16,10 +16,10 @@ from command_line import matrixworld_command
 from matrixworld.cli import COMMANDS, main
 from matrixworld.cli.options import seeds_of
 
-DIFFERENT = {"--force", "--episodes", "--explain", "--each", "--out"}
+DIFFERENT = {"--force", "--episodes", "--explain", "--each", "--out", "--generation"}
 """Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
 many there were; `judge` explains a judgement, `replay` the steps; `--each` judges or draws
-each run; `--out` has another file by default."""
+each run; `--out` has another file by default; `score` takes all generations, too."""
 
 
 def test_options_of_one_name_are_equal_in_all_commands():

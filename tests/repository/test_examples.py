@@ -223,7 +223,12 @@ NAMED = re.compile(r"`((?:policy|learner|schedule|fitness)\.[a-z_]+(?:\.[a-z_]+)
 def paths() -> set[str]:
     told = CliRunner().invoke(main, ["evolve", "--help-all"], catch_exceptions=False).output
     told = told.partition("\nsettings:\n")[2]
-    return {"learner", "schedule", *re.findall(r"^  ([a-z_]+(?:\.[a-z_]+)*)(?: |$)", told, re.M)}
+    return {
+        "policy",
+        "learner",
+        "schedule",
+        *re.findall(r"^  ([a-z_]+(?:\.[a-z_]+)*)(?: |$)", told, re.M),
+    }
 
 
 def exists(path: str) -> bool:

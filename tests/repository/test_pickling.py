@@ -87,6 +87,7 @@ def of_worlds() -> Iterator[Any]:
     team = mw.Population(np.zeros((2, network.genome_size), np.float32), network)
     statistics = mw.rollout(config, team, "fleer", mw.Matches.of([0, 1], 0, 7), episodes=2)
     yield from (network, team, statistics, mw.NetworkPolicy(network, team.genomes[0]))
+    yield mw.RatingPolicy(mw.Rating(("room",)), np.float32([1]), seed=1)
     world = mw.World(config)
     yield world
     world.step([mw.Action.EAST] * 5, explain=True)

@@ -44,7 +44,7 @@ from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play.matches import Chooser, play_episodes
-from matrixworld.play.network_policy import check_fits
+from matrixworld.play.policies import check_fits
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Script, TeamPolicy
 

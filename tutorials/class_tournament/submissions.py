@@ -27,7 +27,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from matrixworld._util.files import UNREADABLE, DamagedFileError, check_regular, one_line
-from matrixworld.play.network_policy import parse_genome
+from matrixworld.play.policies import parse_genome
 from matrixworld.world.policy import Population, Team, TeamPolicy
 
 FileKind: TypeAlias = Literal["program", "genome", "predictions"]
@@ -232,12 +232,12 @@ def read_file(path: Path) -> tuple[FileKind, bytes]:
 
 # ---- A genome ------------------------------------------------------------------------------------
 
-MOST_LAYERS = 16
-"""The most hidden layers: a million layers of one unit would fit into a file, and take hours."""
+MOST_VALUES = 16
+"""The most hidden layers, or inputs: a million layers would fit into a file, and take hours."""
 MOST_UNPACKED = MOST_BYTES["genome"]
 """Most bytes of the arrays in a compressed file."""
 MOST_MEMBERS = 100
-"""Most arrays in a file; a genome's has eight."""
+"""Most arrays in a file; a genome's has nine at most."""
 
 _COMPRESSIONS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # others may need any memory
 _ENTRY = b"PK\x01\x02"  # begin of an entry in the directory of a zip archive
@@ -281,6 +281,6 @@ def _check_archive(content: bytes) -> None:
                 expected = f"expected {held:,} bytes of numbers or text"
                 got = f"dtype {dtype} and shape {shape}"
                 raise ValueError(f"{member.filename}: {expected}, got {got}")
-            if member.filename.startswith("hidden") and math.prod(shape) > MOST_LAYERS:
-                got = math.prod(shape)
-                raise ValueError(f"hidden: expected at most {MOST_LAYERS} layers, got {got}")
+            name, count = member.filename.removesuffix(".npy"), math.prod(shape)
+            if name != "genome" and count > MOST_VALUES:
+                raise ValueError(f"{name}: expected at most {MOST_VALUES} values, got {count}")

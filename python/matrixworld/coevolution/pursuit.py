@@ -21,12 +21,12 @@ from matrixworld.coevolution.sections import Section, by_race, setting
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Matches, Rng, Team
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import record
-from matrixworld.play import NetworkPolicy as NetworkPolicy
 from matrixworld.play.experience import Experience as Experience
 from matrixworld.play.experience import Reals as Reals
 from matrixworld.play.experience import Views as Views
 from matrixworld.play.experience import experience
-from matrixworld.play.network_policy import check_fits
+from matrixworld.play.policies import acting as acting
+from matrixworld.play.policies import check_fits
 from matrixworld.play.rollout import rollout
 from matrixworld.world import masks
 from matrixworld.world.config import WorldConfig as WorldConfig

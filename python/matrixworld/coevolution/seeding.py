@@ -18,6 +18,7 @@ matches that choose a  run seed, generation twice, `Phase.RETEST`, team
 champion
 matches of PSRO        run seed, generation of the pursuers and of the evaders, `Phase.ARCHIVE`
 held-out matches       seed of the scores, team, number of the opponent, `Phase.HELD_OUT`
+matches that explain   seed of the explanation, `Phase.EXPLAIN`, number; then as held-out matches
 evaluation matches     run seed, generation of the pursuers and of the evaders
 =====================  ===========================================================================
 
@@ -52,6 +53,7 @@ class Phase(IntEnum):
     HELD_OUT = 4
     ARCHIVE = 5
     RETEST = 6
+    EXPLAIN = 7
 
 
 def learning_phase(team: Team) -> Phase:

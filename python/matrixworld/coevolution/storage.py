@@ -48,7 +48,7 @@ from matrixworld._util.readable import called, html_of
 from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.progress import Report, silent
-from matrixworld.coevolution.pursuit import NetworkPolicy, Pursuit
+from matrixworld.coevolution.pursuit import Pursuit, acting
 from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
@@ -387,11 +387,11 @@ class SavedRun:
         *,
         sampled: bool | None = None,
         seed: int | None = None,
-    ) -> NetworkPolicy:
-        """Return a genome of the run as a policy that acts on observations.
+    ) -> Any:
+        """Return a genome of the run as a policy that acts on observations, or on named inputs.
 
-        It also plays as a built-in team of an environment, and exports its network to PyTorch and
-        ONNX.
+        It is a `NetworkPolicy`, or a `RatingPolicy`. It also plays as a built-in team of an
+        environment, and is what is exported to other libraries.
 
         Parameters
         ----------
@@ -400,7 +400,7 @@ class SavedRun:
         generation : int, optional
             The generation; negative numbers count from the end. The default is the last one.
         sampled, seed : optional
-            As for `NetworkPolicy`.
+            As for these; `sampled` is for networks alone.
 
         Raises
         ------
@@ -413,7 +413,7 @@ class SavedRun:
         if isinstance(policy, str):
             raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
         genome = policy.genomes[self.generation(team, generation, "generation")]
-        return NetworkPolicy(policy.policy, genome, sampled=sampled, seed=seed)
+        return acting(policy.policy, genome, sampled=sampled, seed=seed)
 
     def extend(
         self, generations: int, *, threads: int | None = None, report: Report = silent
@@ -464,6 +464,39 @@ class SavedRun:
         check_choice("team", team, TEAMS)
         side = cast(Team, team)
         return self.policy(side, self._best.get(side, -1), sampled=sampled, seed=seed)
+
+    def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
+        """Return what a generation of a team does, in words and numbers: an `Explanation`.
+
+        Of a policy that rates moves it has a sentence, and of each input the weight, how far it
+        moves ratings, and what leaving it out costs in matches. Of a network over cells it has a
+        decision tree that imitates it (extra ``explain``), with the tree's own score in matches:
+        high agreement is not an equal score.
+
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team.
+        generation : int, optional
+            The generation; negative numbers count from the end. The default is the last one.
+        episodes : int, optional
+            Episodes against each held-out opponent, at least 2. The default is 40.
+        seed : int, optional
+            Seed of all random numbers, by default 0. No other matches are those of a seed here.
+        depth : int, optional
+            Most levels of a tree, 3 to 6. The default is 4.
+        threads, report
+            As for `Run`.
+
+        Raises
+        ------
+        IndexError, ValueError, MissingExtraError
+            If there is no such generation or team, a script plays for it, it has memory, or a tree
+            needs scikit-learn.
+        """
+        from matrixworld.coevolution.evaluation.explanation import explain_run
+
+        return explain_run(self, team, generation, **options)
 
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.

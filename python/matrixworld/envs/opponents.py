@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from matrixworld import _core
 from matrixworld._util.checks import check_choice, check_sequence, check_shape
 from matrixworld.play.matches import Callback, Plays, checked_actions
-from matrixworld.play.network_policy import NetworkPolicy, check_fits
+from matrixworld.play.policies import GenomePolicy, check_fits
 from matrixworld.solver import solve
 from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
@@ -27,11 +27,11 @@ from matrixworld.world.world import World
 if TYPE_CHECKING:
     from matrixworld.coevolution import SavedRun, Team
 
-Opponent: TypeAlias = "str | Path | Population | NetworkPolicy | SavedRun | TablePolicy | Callback"
+Opponent: TypeAlias = "str | Path | Population | GenomePolicy | SavedRun | TablePolicy | Callback"
 """What can play for a team: the name of a script or of a held-out opponent (``"evolved-2"``),
 ``"solved"`` (perfect play, in small worlds), a run directory (its last generation), a population or
-a saved run (each genome is an opponent), a `NetworkPolicy`, a solved policy, or a function from
-observations of n living agents, uint8 (n, 3, fov, fov), to actions (n,)."""
+a saved run (each genome is an opponent), a `NetworkPolicy` or `RatingPolicy`, a solved policy, or a
+function from observations of n living agents, uint8 (n, 3, fov, fov), to actions (n,)."""
 
 Opponents: TypeAlias = "Opponent | Iterable[Opponent]"
 """One or several of them; each episode draws one."""
@@ -231,7 +231,7 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
         return [solve(config).policy(team)]
     if isinstance(given, str | Path):
         given = _named(name, team, given, config)
-    elif isinstance(given, NetworkPolicy):
+    elif isinstance(given, GenomePolicy):
         given = given.population()
     elif hasattr(given, "teams"):  # a saved run; its class is not imported here
         return _resolved(name, team, given.teams[team], config)

@@ -13,7 +13,7 @@ from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer, check_shape
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
 from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
-from matrixworld.play import NetworkPolicy
+from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import MapLike, WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
@@ -136,8 +136,8 @@ def record_actions(
 
 def record(
     config: WorldConfig | Rules | str,
-    pursuers: EnginePolicy | NetworkPolicy,
-    evaders: EnginePolicy | NetworkPolicy,
+    pursuers: EnginePolicy | GenomePolicy,
+    evaders: EnginePolicy | GenomePolicy,
     *,
     seed: int = 0,
     pursuer: int = 0,

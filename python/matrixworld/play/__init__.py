@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from matrixworld.play.matches import capture_rates
-from matrixworld.play.network_policy import NetworkPolicy, read_genome, save_genome
+from matrixworld.play.policies import NetworkPolicy, RatingPolicy, read_genome, save_genome
 
-__all__ = ["NetworkPolicy", "capture_rates", "read_genome", "save_genome"]
+__all__ = ["NetworkPolicy", "RatingPolicy", "capture_rates", "read_genome", "save_genome"]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_instance, check_integer
-from matrixworld.play.network_policy import check_fits
+from matrixworld.play.policies import RatingPolicy, check_fits
 from matrixworld.world.arrays import array_specs, integers, new_arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
@@ -80,6 +80,8 @@ def capture_rates(
 
 
 def _chooser(name: str, policy: Plays, config: WorldConfig) -> EnginePolicy | Chooser:
+    if isinstance(policy, RatingPolicy):  # a function of inputs, not of views
+        policy = policy.population()
     if callable(policy):
         return lambda asked, views: checked_actions(policy, views, config.n_actions)
     if isinstance(policy, Population):

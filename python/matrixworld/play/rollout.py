@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld._util import checks
 from matrixworld._util.readable import Readable
-from matrixworld.play.network_policy import NetworkPolicy
+from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import EnginePolicy, check_team
 from matrixworld.world.rules import Rules
@@ -106,8 +106,8 @@ Rollout = Callable[..., EpisodeStatistics]
 
 def rollout(
     config: WorldConfig | Rules | str,
-    pursuers: EnginePolicy | NetworkPolicy,
-    evaders: EnginePolicy | NetworkPolicy,
+    pursuers: EnginePolicy | GenomePolicy,
+    evaders: EnginePolicy | GenomePolicy,
     matches: Matches,
     *,
     episodes: int = 1,
@@ -119,7 +119,7 @@ def rollout(
     ----------
     config : WorldConfig, Rules or str
         A configuration, rules, or the name of a variant.
-    pursuers, evaders : Population, NetworkPolicy or str
+    pursuers, evaders : Population, NetworkPolicy, RatingPolicy or str
         The teams' candidates: a population, a single policy, the name of a script, or what
         `solver.Solution.policy` returns.
     matches : Matches

@@ -180,6 +180,13 @@ class Rating(_Rates):
             start = end
         return layers
 
+    def without(self, genome: _Floats, name: str) -> _Floats:
+        """Return a genome that does not read an input: all weights that it enters by are 0."""
+        checks.check_choice("name", name, self.inputs)
+        changed: _Floats = genome.copy()
+        self.layers(changed)[0][0][self.inputs.index(name)] = 0
+        return changed
+
     def initial(self, rng: np.random.Generator, weight: float = 0.5) -> _Floats:
         """Return a random genome, float32 (genome_size,): weights from N(0, weight²), biases 0."""
         checks.check_instance("rng", rng, np.random.Generator)

@@ -196,8 +196,8 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
     def save(name: str, reason: str, **changes: object) -> None:
         reasons[name] = reason
         arrays: dict[str, object] = {
-            "genome": genome, "hidden": np.array([4]), "activation": "relu", "fov": 11,
-            "n_actions": 5, "sampled": True, "memory": "none", "team": "pursuer",
+            "kind": "cells", "genome": genome, "hidden": np.array([4]), "activation": "relu",
+            "fov": 11, "n_actions": 5, "sampled": True, "memory": "none", "team": "pursuer",
         }  # fmt: skip
         np.savez_compressed(
             directory / name, **{k: v for k, v in {**arrays, **changes}.items() if v is not None}
@@ -209,15 +209,15 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
 
     save("other size.npz", "genomes: expected shape", genome=genome[:-1])
     whole = genome.astype(np.int64)
-    save("other dtype.npz", "genome: expected dtype of kind f", genome=whole)
+    save("other dtype.npz", "expected an array 'genome' of floats", genome=whole)
     save("not finite.npz", "expected finite numbers", genome=genome * np.nan)
     narrow = Network((4,), fov=3).initial(np.random.default_rng(0))
-    view = "expected a network for fov 11 and 5 actions, got fov 3"
+    view = "expected a policy for fov 11 and 5 actions, got fov 3"
     save("other view.npz", view, genome=narrow, fov=3)
     team = "team: expected one of pursuer, evader, got 'referee'"
     save("other team.npz", team, team="referee")
     save("no team.npz", "expected an array 'team'", team=None)
-    layers = "hidden: expected at most 16 layers, got 1000"
+    layers = "hidden: expected at most 16 values, got 1000"
     save("many layers.npz", layers, hidden=np.ones(1000, int))
     write("large.npz", "expected at most 8,388,608 bytes", bytes(9 << 20))
     write("long.py", "expected at most 262,144 bytes", b"#" * (300 << 10))

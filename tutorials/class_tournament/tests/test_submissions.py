@@ -27,7 +27,9 @@ from course.questions import EDITION
 from course.votes import count_votes
 from matrixworld.coevolution import DamagedFileError
 from matrixworld.play import NetworkPolicy, save_genome
+from matrixworld.play.policies import acting
 from matrixworld.world.policy import Network, Population
+from matrixworld.world.rating import Rating
 
 LITTLE_MEMORY = 100 * 2**20
 SECONDS = 20
@@ -40,20 +42,22 @@ def load(path: Path) -> tuple[str, Population]:
 
 
 @pytest.mark.parametrize(
-    "network",
+    "policy",
     [
         Network(),
         Network((), fov=3),
         Network((7, 5), activation="tanh", fov=5, n_actions=9, sampled=False),
         Network((3,), fov=3, memory="gru"),
+        Rating(),
+        Rating(("room", "stay"), (4,), mask="none", fov=5, n_actions=9),
     ],
 )
-def test_a_genome_is_read_as_it_was(network: Network, tmp_path: Path) -> None:
-    policy = NetworkPolicy(network, network.initial(np.random.default_rng(1)))
-    save_genome(tmp_path / "a.npz", "evader", policy)
+def test_a_genome_is_read_as_it_was(policy: Network | Rating, tmp_path: Path) -> None:
+    acts = acting(policy, policy.initial(np.random.default_rng(1)))
+    save_genome(tmp_path / "a.npz", "evader", acts)
     team, population = load(tmp_path / "a.npz")
-    assert (team, population.policy) == ("evader", network)
-    np.testing.assert_array_equal(population.genomes[0], policy.genome)
+    assert (team, population.policy) == ("evader", policy)
+    np.testing.assert_array_equal(population.genomes[0], acts.genome)
 
 
 def test_names_of_learning_platforms_become_those_of_students(tmp_path: Path) -> None:

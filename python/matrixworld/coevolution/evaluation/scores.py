@@ -29,9 +29,8 @@ from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other
-from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
-from matrixworld.play.network_policy import fits
+from matrixworld.play.policies import GenomePolicy, fits
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
@@ -375,14 +374,22 @@ def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig)
     generations = [*range(len(archive.genomes))]
     if generation is not None:
         generations = [run.generation(team, generation, "generation")]
+    opponents, left_out = opponents_in(run, team, world)
+    chosen = Population(archive.genomes[generations], archive.policy)
+    return _Side(team, chosen, generations, opponents, left_out)
+
+
+def opponents_in(
+    run: SavedRun, team: Team, world: WorldConfig
+) -> tuple[dict[str, TeamPolicy], str]:
+    """Return what `opponents_of` returns, without an opponent that the run trained against."""
     opponents, left_out = opponents_of(team, world)
     schedule = run.settings.schedule
     if isinstance(schedule, Against) and schedule.opponent in opponents:
         del opponents[schedule.opponent]
         seen = f"not {schedule.opponent}: the run trained against it"
         left_out = f"{seen}; {left_out}" if left_out else seen
-    chosen = Population(archive.genomes[generations], archive.policy)
-    return _Side(team, chosen, generations, opponents, left_out)
+    return opponents, left_out
 
 
 def best_generations(run: SavedRun) -> dict[Team, int]:
@@ -438,7 +445,7 @@ def _kept(run: SavedRun) -> dict[str, Any] | None:
 
 
 def score_policy(
-    policy: Callback | NetworkPolicy | Population | TablePolicy,
+    policy: Callback | GenomePolicy | Population | TablePolicy,
     team: Team,
     config: WorldConfig | Rules | str = "O",
     *,
@@ -454,7 +461,7 @@ def score_policy(
 
     Parameters
     ----------
-    policy : callable, NetworkPolicy, Population, or what `solver.Solution.policy` returns
+    policy : callable, NetworkPolicy, RatingPolicy, Population, or a policy of `solver.Solution`
         A function from observations, uint8 (n, 3, fov, fov), of n living agents of the team to
         their actions, integers (n,); or from the observation of one agent to its action. The agents
         may be of several episodes. What is no function is played inside the engine.
@@ -513,7 +520,7 @@ def score_policy(
 
 def _plays(name: str, policy: Any, most: int | None = None) -> Any:
     """Return a policy in the form that is played, of so many genomes at most."""
-    if isinstance(policy, NetworkPolicy):
+    if isinstance(policy, GenomePolicy):
         return policy.population()
     if isinstance(policy, str):
         checks.check_choice(name, policy, SCRIPTS)

@@ -1,0 +1,340 @@
+"""Genomes as policies that act outside of the engine, and in files."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, TypeAlias, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld._util.checks import check_bool, check_choice, check_instance
+from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
+from matrixworld.version import imported
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import CHANNELS, TEAMS, Network, Policy, Population, Team
+from matrixworld.world.rating import INPUTS, Rating, policy_of
+
+Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
+"""Weights (inputs, outputs) and biases (outputs,) of each layer."""
+
+
+def fits(policy: Policy, config: WorldConfig) -> bool:
+    """Return whether a policy has the views and actions of a world."""
+    return (policy.fov, policy.n_actions) == (config.fov, config.n_actions)
+
+
+def check_fits(name: str, policy: Policy, config: WorldConfig) -> None:
+    """Raise ValueError unless a policy has the views and actions of a world."""
+    if not fits(policy, config):
+        raise ValueError(
+            f"{name}: expected a policy for fov {config.fov} and {config.n_actions} actions, "
+            f"got fov {policy.fov} and {policy.n_actions} actions"
+        )
+
+
+class GenomePolicy:
+    """Base of what acts by a genome, `policy` being its shape."""
+
+    policy: Any
+
+    def __init__(self, policy: Policy, genome: NDArray[np.float32], seed: int | None) -> None:
+        genomes = Population(genome, policy).genomes
+        if len(genomes) != 1:
+            raise ValueError(f"genome: expected a single one, got {len(genomes)}")
+        self.genome = genomes[0].copy()
+        self.policy = policy
+        self._rng = np.random.default_rng(seed)
+
+    def __repr__(self) -> str:
+        """Return the shape of the policy without its genome."""
+        return f"{type(self).__name__}({self.policy!r})"
+
+    def population(self) -> Population:
+        """Return the genome as a population of one, which rollouts and environments take."""
+        return Population(self.genome, self.policy)
+
+
+class NetworkPolicy(GenomePolicy):
+    """A policy network with its weights, to act on observations outside of the engine.
+
+    Call it with observations to get actions. `SavedRun.policy` returns one for a generation of a
+    run. It keeps no state of agents: a policy with memory takes their states and returns the next.
+
+    Parameters
+    ----------
+    policy : Network
+        The network.
+    genome : ndarray of float32, shape (genome_size,)
+        Its weights and biases.
+    sampled : bool, optional
+        Whether actions are drawn from the probabilities, or are those with the largest one. The
+        default is what the network says.
+    seed : int, optional
+        Seed of the draws. The default is one from the operating system.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from matrixworld import Network, NetworkPolicy, parallel_env
+    >>> network = Network(hidden=(16,), fov=5)
+    >>> policy = NetworkPolicy(network, network.initial(np.random.default_rng(0)), seed=1)
+    >>> env = parallel_env("O", rows=8, cols=8, n_pursuers=2, n_evaders=2, fov=5)
+    >>> observations, infos = env.reset(seed=0)
+    >>> actions = {agent: policy(seen) for agent, seen in observations.items()}
+    >>> policy.probabilities(np.stack(list(observations.values()))).shape
+    (4, 5)
+
+    With memory, each agent has a state:
+
+    >>> network = Network(hidden=(16,), fov=5, memory="gru")
+    >>> policy = NetworkPolicy(network, network.initial(np.random.default_rng(0)), seed=1)
+    >>> states = dict.fromkeys(observations)
+    >>> for agent, seen in observations.items():
+    ...     actions[agent], states[agent] = policy(seen, states[agent])
+    """
+
+    policy: Network
+
+    def __init__(
+        self,
+        policy: Network,
+        genome: NDArray[np.float32],
+        *,
+        sampled: bool | None = None,
+        seed: int | None = None,
+    ) -> None:
+        check_instance("policy", policy, Network)
+        super().__init__(policy, genome, seed)
+        if sampled is not None:
+            self.policy = replace(policy, sampled=check_bool("sampled", sampled))
+
+    def __call__(self, observations: ArrayLike, states: ArrayLike | None = None) -> Any:
+        """Return actions for observations: an int for one, int64 of the leading axes for several.
+
+        An observation is (3, fov, fov) or flattened; further axes may stand in front of it. With
+        memory it is a pair, actions and next states: `states`, float32 (..., state_size), are those
+        of the agents before, by default zeros, as at the start of an episode.
+        """
+        logits, following, leading = self._advance(observations, states)
+        if self.policy.sampled:
+            # The action is the number of cumulated weights that do not exceed unit * total.
+            cumulated = np.exp(logits - logits.max(axis=1, keepdims=True)).cumsum(axis=1)
+            threshold = self._rng.random(len(logits), np.float32) * cumulated[:, -1]
+            actions = (cumulated[:, :-1] <= threshold[:, None]).sum(axis=1)
+        else:
+            actions = logits.argmax(axis=1)
+        chosen = actions.reshape(leading) if leading else int(actions[0])
+        return (chosen, following) if self.policy.state_size else chosen
+
+    def logits(
+        self, observations: ArrayLike, states: ArrayLike | None = None
+    ) -> NDArray[np.float32]:
+        """Return the outputs of the network, (..., n_actions), for arguments as in a call."""
+        logits, _, leading = self._advance(observations, states)
+        return logits.reshape(*leading, -1)
+
+    def probabilities(
+        self, observations: ArrayLike, states: ArrayLike | None = None
+    ) -> NDArray[np.float32]:
+        """Return the probability of each action, (..., n_actions): the softmax of the outputs.
+
+        A policy that does not sample takes the largest.
+        """
+        logits = self.logits(observations, states)
+        weights = np.exp(logits - logits.max(axis=-1, keepdims=True))
+        return np.asarray(weights / weights.sum(axis=-1, keepdims=True))
+
+    def _advance(
+        self, observations: ArrayLike, states: ArrayLike | None
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32], tuple[int, ...]]:
+        """Return outputs (n, n_actions), next states (..., state_size) and the leading axes."""
+        views, leading = self._views(observations)
+        shape = *leading, self.policy.state_size
+        if states is not None:
+            if np.shape(states) != shape or not self.policy.state_size:
+                expected = f"shape {shape}" if self.policy.state_size else "none without memory"
+                raise ValueError(f"states: expected {expected}, got shape {np.shape(states)}")
+            states = np.asarray(states, np.float32).reshape(len(views), -1)
+        logits, following = self.policy.advance(self.genome, views, states)
+        return logits, following.reshape(shape), leading
+
+    def _views(self, observations: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
+        """Return observations as (n, 3, fov, fov), and the axes in front of an observation."""
+        array = np.asarray(observations)
+        if array.dtype.kind not in "buif":
+            raise TypeError(f"observations: expected numbers, got dtype {array.dtype}")
+        view = (CHANNELS, self.policy.fov, self.policy.fov)
+        size = self.policy.sizes[0]
+        for tail in (view, (size,)):
+            if array.shape[-len(tail) :] == tail:
+                return array.reshape(-1, *view), array.shape[: -len(tail)]
+        raise ValueError(
+            f"observations: expected shape (..., {str(view)[1:]} or (..., {size}), "
+            f"got {array.shape}"
+        )
+
+    def layers(self) -> Layers:
+        """Return a copy of the weights (inputs, outputs) and biases (outputs,) of each layer.
+
+        An observation is flattened in its own order: channel, row, column. The activation follows
+        every layer but the last, whose outputs are the logits, and a recurrent one (see `Network`).
+        """
+        return [(w.copy(), b.copy()) for w, b in self.policy.layers(self.genome)]
+
+
+class RatingPolicy(GenomePolicy):
+    """A policy that rates moves, with its genome, to act on named inputs outside of the engine.
+
+    Call it with inputs to get actions: the best of the allowed moves, of equal ones any.
+    `SavedRun.policy` returns one for a generation of a run. `World.inputs` returns inputs.
+
+    Parameters
+    ----------
+    policy : Rating or Program
+        What rates.
+    genome : ndarray of float32, shape (genome_size,)
+        Its weights, or its code.
+    seed : int, optional
+        Seed of the draws among equal moves. The default is one from the operating system.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from matrixworld import Rating, RatingPolicy, World
+    >>> chaser = RatingPolicy(Rating(inputs=("adversary",)), np.float32([-1]), seed=0)
+    >>> world = World("O", rows=8, cols=8, n_pursuers=2, n_evaders=2)
+    >>> chaser(world.inputs()[:2]).shape
+    (2,)
+    """
+
+    def __init__(
+        self, policy: Policy, genome: NDArray[np.float32], *, seed: int | None = None
+    ) -> None:
+        check_instance("policy", policy, Policy)
+        if isinstance(policy, Network):
+            raise TypeError(f"policy: expected one that rates moves, got {policy}")
+        super().__init__(policy, genome, seed)
+
+    def __call__(self, inputs: ArrayLike) -> Any:
+        """Return actions for inputs: an int for one agent, int64 of the leading axes for several.
+
+        The inputs of an agent are all of `INPUTS`, float32 (n_actions, inputs), whichever it uses.
+        """
+        given = self._checked(inputs)
+        ratings = np.where(self.allowed(given), self.rate(given), -np.inf)
+        best = ratings == ratings.max(axis=-1, keepdims=True)
+        # The largest of random numbers is at any of the best moves, all equally likely.
+        actions = np.where(best, self._rng.random(best.shape), -1.0).argmax(axis=-1)
+        return actions if actions.ndim else int(actions)
+
+    def rate(self, inputs: ArrayLike) -> NDArray[np.float32]:
+        """Return the ratings of all moves, float32 (..., n_actions), for inputs as in a call."""
+        return cast("NDArray[np.float32]", self.policy.rate(self.genome, self._checked(inputs)))
+
+    def allowed(self, inputs: ArrayLike) -> NDArray[np.bool_]:
+        """Return which moves the mask allows, bool (..., n_actions), for inputs as in a call."""
+        given, names = self._checked(inputs), list(INPUTS)
+        masks: dict[str, NDArray[np.bool_]] = {
+            "none": np.ones(given.shape[:-1], np.bool_),
+            "obstacles": given[..., names.index("room")] > 0,
+            "right-of-way": given[..., names.index("must_yield")] == 0,
+        }
+        free = masks[self.policy.mask]
+        free[..., 0] = True  # agents may always stay
+        return free
+
+    def _checked(self, inputs: ArrayLike) -> NDArray[np.float32]:
+        array, shape = np.asarray(inputs), (self.policy.n_actions, len(INPUTS))
+        if array.dtype != np.float32 or array.shape[-2:] != shape:
+            expected = f"float32 of shape (..., {str(shape)[1:]}"
+            raise ValueError(f"inputs: expected {expected}, got {array.dtype} {array.shape}")
+        return array
+
+    def to_python(self) -> str:
+        """Return lines of Python that play the same; see `Rating.to_python`."""
+        return str(self.policy.to_python(self.genome))
+
+    def to_torch(self) -> Any:
+        """Return a rating as a module of PyTorch, which can be trained (extra ``torch``).
+
+        It maps inputs as in a call to ratings, (..., n_actions). Inputs that the policy does not
+        use have weights 0.
+        """
+        check_instance("policy", self.policy, Rating)
+        torch = imported("torch", "torch")
+        nn, modules = torch.nn, []
+        for number, (weights, bias) in enumerate(self.policy.layers(self.genome)):
+            rows = weights.T
+            if number == 0:
+                rows = np.zeros((weights.shape[1], len(INPUTS)), np.float32)
+                rows[:, [list(INPUTS).index(name) for name in self.policy.inputs]] = weights.T
+            linear = nn.Linear(*rows.T.shape, bias=len(bias) > 0)
+            values = {"weight": rows.copy(), "bias": bias}
+            linear.load_state_dict({n: torch.from_numpy(values[n]) for n in linear.state_dict()})
+            modules += [linear, nn.ReLU()]
+        return nn.Sequential(*modules[:-1], nn.Flatten(-2))
+
+
+def acting(
+    policy: Policy,
+    genome: NDArray[np.float32],
+    *,
+    sampled: bool | None = None,
+    seed: int | None = None,
+) -> Any:
+    """Return a genome of any policy as what acts by it."""
+    if isinstance(policy, Network):
+        return NetworkPolicy(policy, genome, sampled=sampled, seed=seed)
+    if sampled is not None:
+        raise ValueError(f"sampled: expected no value for a {policy.kind} policy, got {sampled}")
+    return RatingPolicy(policy, genome, seed=seed)
+
+
+# Files, one npz of numbers each, never code:
+
+
+def save_genome(path: str | os.PathLike[str], team: Team, policy: GenomePolicy) -> None:
+    """Write a policy as a file that `read_genome` reads and that a class tournament plays.
+
+    An older file at `path` is replaced. `policy` plays for `team`, such as
+    ``open_run(directory).policy("pursuer")``.
+    """
+    check_choice("team", team, TEAMS)
+    check_instance("policy", policy, GenomePolicy)
+    save_arrays(Path(path), {"genome": policy.genome, "team": team, **policy.policy.to_json()})
+
+
+def read_genome(path: str | os.PathLike[str]) -> tuple[Team, Population]:
+    """Return the team of a genome's file, and the genome as a population of one.
+
+    The file at `path` is one of `save_genome`, or of ``numpy.savez`` with the same keys;
+    DamagedFileError, a ValueError, if it is not of this form.
+    """
+    return parse_genome(Path(path))
+
+
+def parse_genome(path: Path, content: bytes | None = None) -> tuple[Team, Population]:
+    """Return what `read_genome` returns, from the file or from its content."""
+    arrays = load_arrays(path, content)
+    genome = arrays.pop("genome", np.zeros(0, np.bool_))
+    if genome.dtype.kind != "f" or genome.ndim != 1:
+        expected = "expected an array 'genome' of floats with 1 dimension"
+        got = f"got dtype {genome.dtype} and shape {genome.shape}"
+        raise DamagedFileError(path, f"{expected}, {got}")
+    for name in ("team", "kind"):
+        if name not in arrays:
+            raise DamagedFileError(path, f"expected an array {name!r}, got {', '.join(arrays)}")
+    plain = {name: array.tolist() for name, array in arrays.items()}
+    team = plain.pop("team")
+    try:
+        check_choice("team", team, TEAMS)
+        policy = policy_of(plain)
+        missing = policy.to_json().keys() - plain
+        if missing:
+            raise ValueError(f"expected an array {min(missing)!r}, got {', '.join(arrays)}")
+        return cast(Team, team), Population(genome, policy)
+    except (OverflowError, TypeError, ValueError) as error:
+        raise DamagedFileError(path, str(error)) from error

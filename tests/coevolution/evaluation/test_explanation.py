@@ -1,0 +1,243 @@
+"""What policies do, in words and numbers, against answers found in another way."""
+
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, get_args
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from command_line import matrixworld_command
+from matrixworld.coevolution.evaluation.explanation import (
+    PHRASES,
+    explain,
+    features,
+    sentence,
+    terms_of,
+)
+from matrixworld.coevolution.learners import BuiltInLearner
+from matrixworld.coevolution.seeding import Phase, match_seed
+from matrixworld.coevolution.types import other
+from pages import read
+from tiny_race import played, tiny_race, tiny_single
+
+NAMES = list(mw.INPUTS)
+WORLD = mw.WorldConfig("O", rows=7, cols=7, n_pursuers=3, n_evaders=3, fov=7, max_steps=15)
+
+
+def rating(genome: list[float], inputs: tuple[str, ...], **fields: Any) -> mw.RatingPolicy:
+    return mw.RatingPolicy(mw.Rating.for_config(WORLD, inputs=inputs, **fields), np.float32(genome))
+
+
+def inputs_seen(count: int) -> np.ndarray:
+    """Return inputs of agents in new worlds, (count, moves, inputs)."""
+    world, seen = mw.World(replace(WORLD, obstacles=0.1)), []
+    for episode in range(count // WORLD.n_agents):
+        world.reset(3, episode=episode)
+        seen.append(world.inputs())
+    return np.concatenate(seen)
+
+
+# What rates moves:
+
+SENTENCES = [
+    ("pursuer", {"adversary": -1}, "A pursuer goes for the nearest evader."),
+    ("evader", {"adversary": 1}, "An evader runs from the nearest pursuer."),
+    (
+        "pursuer",
+        {"unclaimed": -1.0, "open_side": -0.6, "room": 0.2},
+        "A pursuer goes for evaders that no teammate is nearer to, goes for the free sides of "
+        "evaders and minds walls little.",
+    ),
+    ("evader", {"pressure": -3, "stay": 0.01}, "An evader runs from all pursuers in view."),
+    ("evader", {"adversary": 0.0}, "An evader takes any move that is allowed."),
+]
+
+
+@pytest.mark.parametrize(("team", "effects", "expected"), SENTENCES)
+def test_sentences(team: Any, effects: dict[str, float], expected: str) -> None:
+    assert sentence(team, effects) == expected
+
+
+@pytest.mark.parametrize(("team", "weight", "said"), [("pursuer", -1, 0), ("evader", 1, 1)])
+def test_a_chaser_and_a_fleer_are_told(team: Any, weight: float, said: int) -> None:
+    """Of two inputs, one of which does nothing."""
+    told = explain(rating([weight, 0], ("adversary", "stay")), team, WORLD, episodes=12)
+    assert told.sentence == SENTENCES[said][2]
+    adversary, stay = told.terms
+    assert (adversary.input, adversary.weight) == ("adversary", weight)
+    assert np.sign(adversary.effect) == weight
+    assert adversary.cost is not None
+    assert adversary.cost.sign == 1  # without it, any move is as good
+    assert stay.cost is not None
+    assert stay.cost.ends == (0.0, 0.0)
+    table = str(told).splitlines()[-1]
+    assert re.match(rf"adversary +{weight}.000 .*[+-]█{{10}} ", table)
+
+
+@pytest.mark.parametrize("hidden", [(), (3,)], ids=str)
+def test_an_input_left_out_is_one_that_the_policy_does_not_have(hidden: tuple[int, ...]) -> None:
+    """The same matches as by a policy of fewer inputs; the same ratings as if it were 0."""
+    inputs = ("unclaimed", "teammate", "room")
+    policy = mw.Rating.for_config(WORLD, inputs=inputs, hidden=hidden)
+    acts = mw.RatingPolicy(policy, policy.initial(np.random.default_rng(2), 1.0))
+    seen = inputs_seen(60)
+    told = explain(acts, "pursuer", WORLD, episodes=6, seed=4)
+    match: Any = {"episodes": 6, "seed": match_seed(4, Phase.EXPLAIN, 0)}
+    own = mw.score_policy(acts, "pursuer", WORLD, **match)
+    assert told.score == own.mean()
+    for place, name in enumerate(inputs):
+        zeros = seen.copy()
+        zeros[..., NAMES.index(name)] = 0
+        rated = policy.rate(policy.without(acts.genome, name), seen)
+        np.testing.assert_array_equal(rated, acts.rate(zeros))
+        fewer = replace(policy, inputs=tuple(each for each in inputs if each != name))
+        width = hidden[0] if hidden else 1
+        genome = np.delete(acts.genome, slice(place * width, (place + 1) * width))
+        other = mw.score_policy(mw.Population(genome, fewer), "pursuer", WORLD, **match)
+        [term] = [term for term in told.terms if term.input == name]
+        assert term.cost is not None
+        assert term.cost.value == pytest.approx((own.means - other.means)[0])
+        assert term.weight == (None if hidden else acts.genome[place])
+
+
+def test_effects_are_weights_by_spread_and_dependence_is_a_mean() -> None:
+    seen = inputs_seen(120)
+    acts = rating([-2.0, 0.5], ("adversary", "exits"))
+    allowed = seen[..., NAMES.index("room")] > 0
+    for term in terms_of(acts, seen):
+        x = seen[..., NAMES.index(term.input)]
+        spread = np.mean([np.var(row[free]) for row, free in zip(x, allowed, strict=True)]) ** 0.5
+        assert term.effect == pytest.approx(term.weight * spread, rel=1e-3)
+    policy = mw.Rating.for_config(WORLD, inputs=("stay", "room"), hidden=(4,))
+    acts = mw.RatingPolicy(policy, policy.initial(np.random.default_rng(0), 1.0))
+    [room] = [term for term in terms_of(acts, seen) if term.input == "room"]
+    assert len(room.dependence) == 5
+    for value, mean in room.dependence:
+        changed = seen[allowed].copy()
+        changed[:, NAMES.index("room")] = value
+        assert mean == pytest.approx(acts.policy.rate(acts.genome, changed).mean(), rel=1e-4)
+
+
+# Networks:
+
+
+def slow_features(view: np.ndarray, team: str) -> dict[str, float]:
+    half, found = len(view[0]) // 2, {}
+    cells = [(r, c) for r in range(-half, half + 1) for c in range(-half, half + 1)]
+    channels = (1, 0) if team == "evader" else (0, 1)
+    for channel, name in zip(channels, ("adversary", "teammate"), strict=True):
+        agents = [at for at in cells if view[channel, at[0] + half, at[1] + half]]
+        agents = [at for at in agents if name == "adversary" or at != (0, 0)]
+        nearest = min(agents, key=lambda at: abs(at[0]) + abs(at[1]), default=None)
+        south, east = nearest or (0, 0)
+        found[f"{name} south"], found[f"{name} east"] = south, east
+        found[f"{name} moves"] = abs(south) + abs(east) if nearest else 2 * half + 1
+        found["adversaries" if name == "adversary" else "teammates"] = len(agents)
+    steps = {"north": (-1, 0), "east": (0, 1), "south": (1, 0), "west": (0, -1)}
+    for direction, (r, c) in steps.items():
+        free = [k for k in range(1, half + 1) if not view[2, half + k * r, half + k * c]]
+        blocked = set(range(1, half + 2)) - set(free)
+        found[f"free cells {direction}"] = min(blocked) - 1
+    return found
+
+
+@pytest.mark.parametrize("team", ["pursuer", "evader"])
+def test_features_of_views(team: Any) -> None:
+    views = (np.random.default_rng(1).random((200, 3, 7, 7)) < 0.08).astype(np.uint8)
+    found = features(views, team)
+    for number, view in enumerate(views):
+        slow = slow_features(view, team)
+        assert {name: each[number] for name, each in found.items()} == slow
+
+
+def test_a_tree_is_scored_by_its_own_matches() -> None:
+    """Its rules are played as they are printed."""
+    pytest.importorskip("sklearn")
+    network = mw.Network.for_config(WORLD, (8,), sampled=False)
+    genome = network.initial(np.random.default_rng(3), 0.3, 1.0)
+    acts = mw.NetworkPolicy(network, genome)
+    options: Any = {"episodes": 5, "seed": 2, "depth": 5}
+    told = explain(acts, "evader", WORLD, **options)
+    assert told.tree is not None
+    named = re.sub(r"if (.+) <= ", r'if x["\1"] <= ', told.text)
+    rules = compile(re.sub(r"(\w+) \(\d\.\d+\)", r'move = "\1"', named), "rules", "exec")
+
+    def by_rules(views: np.ndarray) -> list[int]:
+        moves = []
+        for view in views:
+            names: dict[str, Any] = {"x": slow_features(view, "evader")}
+            exec(rules, names)
+            moves.append(mw.Action[names["move"].upper()])
+        return moves
+
+    match: Any = {"episodes": 5, "seed": match_seed(2, Phase.EXPLAIN, 0)}
+    own, its = (mw.score_policy(each, "evader", WORLD, **match) for each in (acts, by_rules))
+    assert (told.score, told.tree.score) == (own.mean(), its.mean())
+    assert told.tree.cost.value == pytest.approx((own.means - its.means)[0])
+    same: list[bool] = []
+
+    def watched(views: np.ndarray) -> Any:
+        moves = acts(views)
+        same.extend(moves == by_rules(views))
+        return moves
+
+    mw.score_policy(watched, "evader", WORLD, episodes=2, seed=77)
+    assert told.tree.agreement == pytest.approx(np.mean(same), abs=0.06)
+    assert str(explain(acts, "evader", WORLD, **options)) == str(told)
+
+
+# Of runs:
+
+
+def test_the_command_says_what_the_run_says(tmp_path: Path, monkeypatch: Any) -> None:
+    monkeypatch.chdir(tmp_path)
+    run = played(tiny_race(policy="rating", hidden=()), Path("run"))
+    command = ["explain", "run", "--generation", 1, "--episodes", 2, "--seed", 3]
+    printed = matrixworld_command(*command, "--json", "told.json").stdout
+    plain = json.loads(Path("told.json").read_text())
+    for team in ("pursuer", "evader"):
+        told = run.explain(team, 1, episodes=2, seed=3)
+        assert str(told) in printed
+        assert plain[f"{team}s"] == json.loads(json.dumps(told.to_json()))
+        assert told.sentence in told._repr_html_()
+    acts = run.policy("pursuer", 1, seed=0)
+    assert isinstance(acts, mw.RatingPolicy)
+    assert isinstance(run.best("evader"), mw.RatingPolicy)
+    with pytest.raises(ValueError, match="sampled: expected no value for a rating policy, got Tru"):
+        run.policy("pursuer", sampled=True)
+    with pytest.raises(ValueError, match="depth: expected 3 to 6, got 7"):
+        run.explain("pursuer", depth=7)
+
+
+def test_what_no_tree_imitates_is_refused(tmp_path: Path) -> None:
+    pytest.importorskip("sklearn")
+    run = played(tiny_single(memory="gru", hidden=(2,)), tmp_path / "run")
+    with pytest.raises(ValueError, match="policy: expected one without memory"):
+        run.explain(run.settings.learning_teams[0])
+    with pytest.raises(ValueError, match="expected one that learned"):
+        run.explain(other(run.settings.learning_teams[0]))
+
+
+# The page:
+
+
+def rows_of(page: str, head: str) -> dict[str, list[str]]:
+    """Return the rows of the table below a head, by their first cell."""
+    table = page.partition(f"| {head} |")[2].partition("\n\n")[0]
+    rows = [line.strip("| ").split(" | ") for line in table.splitlines()[2:]]
+    return {row[0].strip("`"): row[1:] for row in rows}
+
+
+def test_the_page_has_the_pairs_and_the_inputs_that_exist() -> None:
+    page = read("docs/explain.md")
+    kinds, learners = rows_of(page, "`policy`"), get_args(BuiltInLearner)
+    for kind in {kind for learner in learners for kind in learner.policies}:
+        expected = {learner.kind for learner in learners if kind in learner.policies}
+        assert set(re.findall(r"`([\w-]+)`", kinds[kind][1])) == expected
+    told = {name: text for name, [text] in rows_of(page, "input").items()}
+    assert told == dict(mw.INPUTS)
+    assert [*PHRASES] == [*mw.INPUTS]
