@@ -43,49 +43,13 @@ namespace {
 // each agent and step.
 constexpr int kMostGround = 1 << 17;
 
-constexpr std::uint64_t kNotInView = ~std::uint64_t{0};
-
-// Numbers of all moves: n vectors.
-template <int n>
-struct ByMove {
-    using Vec = Lanes<float, 4>;
-
-    static ByMove of(float number) {
-        ByMove row;
-        for (Vec& part : row.parts) part = splat<Vec>(number);
-        return row;
-    }
-    static ByMove of(const Inputs::Row& numbers) {
-        ByMove row;
-        std::memcpy(row.parts, numbers, sizeof(row.parts));
-        return row;
-    }
-    void least(const Inputs::Row& numbers) {
-        const ByMove other = of(numbers);
-        for (int i = 0; i < n; ++i)
-            parts[i] = where(other.parts[i] < parts[i], other.parts[i], parts[i]);
-    }
-    void add(const Inputs::Row& numbers) {
-        const ByMove other = of(numbers);
-        for (int i = 0; i < n; ++i) parts[i] += other.parts[i];
-    }
-    void write(float scale, Inputs::Row& out) const {
-        for (int i = 0; i < n; ++i) {
-            const Vec scaled = parts[i] * splat<Vec>(scale);
-            std::memcpy(out + 4 * i, &scaled, sizeof(scaled));
-        }
-    }
-
-    Vec parts[n];
-};
-
 // Writes bits of moves as numbers, in vectors: they are read as vectors at once.
 void spread(std::uint32_t bits, Inputs::Row& out) {
     static constexpr float kNumbers[16][4] = {
         {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 1, 0},
         {0, 1, 1, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
         {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
-    for (int i = 0; i < Inputs::kLanes; i += 4) {
+    for (int i = 0; i < kMoveLanes; i += 4) {
         std::memcpy(out + i, kNumbers[bits >> i & 15], sizeof(kNumbers[0]));
     }
 }
@@ -100,27 +64,25 @@ Inputs::Inputs(const Config& config)
       half_(config.fov / 2),
       unit_(2.0f / static_cast<float>(config.fov)),
       view_(static_cast<std::size_t>(config.fov) * config.fov),
-      taken_(static_cast<std::size_t>(config.fov + 2) * (config.fov + 2), kNotInView),
+      taken_(static_cast<std::size_t>(config.fov + 2) * (config.fov + 2), MoveLook::kOutOfView),
       crowd_(config),
       places_(static_cast<std::size_t>(config.n_agents())),
       strides_(static_cast<std::size_t>(config.n_agents())),
-      cases_(Grid(config.rows, config.cols), config.fov),
-      teammates_(view_.size()) {
+      cases_(Grid(config.rows, config.cols), config.fov) {
     constexpr int kCharge = 1 << 14;
     for (std::size_t i = 0; i < view_.size(); ++i) {
-        Seen& seen = view_[i];
+        SeenCell& seen = view_[i];
         seen.row = static_cast<int>(i) / config.fov - half_;
         seen.col = static_cast<int>(i) % config.fov - half_;
         seen.place = (seen.row + half_ + 1) * (config.fov + 2) + seen.col + half_ + 1;
         taken_[seen.place] = 0;
-        for (int lane = 0; lane < kLanes; ++lane) {
-            const int move = lane < kDiagonalMoves ? lane : 0;
+        for (int move = 0; move < n_moves_; ++move) {
             const int rows = std::abs(seen.row - kRowStep[move]);
             const int cols = std::abs(seen.col - kColStep[move]);
             const int moves = config.diagonal ? std::max(rows, cols) : rows + cols;
-            seen.moves[lane] = static_cast<float>(moves);
-            seen.charge[lane] = static_cast<float>(kCharge / ((1 + moves) * (1 + moves)));
-            seen.charge[lane] /= kCharge;
+            seen.moves[move] = static_cast<float>(moves);
+            seen.charge[move] = static_cast<float>(kCharge / ((1 + moves) * (1 + moves)));
+            seen.charge[move] /= kCharge;
         }
     }
     for (const Team team : {Team::Pursuer, Team::Evader}) {
@@ -129,16 +91,38 @@ Inputs::Inputs(const Config& config)
             for (int move = 1; move < n_moves_; ++move) {
                 for (const RightOfWay::Cell& cell : ways.forbidding(order, move)) {
                     if (cell.channel == kObstacles) continue;  // the cell of the move
-                    auto& moves = forbids_[static_cast<int>(team)][order][cell.channel];
+                    const bool adversary = cell.channel != channel(team);
+                    auto& moves = forbids_[static_cast<int>(team)][order][adversary];
                     moves[(cell.row + 2) * 5 + cell.col + 2] |= 1 << move;
                 }
             }
         }
     }
     for (int move = 0; move < kDiagonalMoves; ++move) {
-        steps_[move] = kRowStep[move] * (config.fov + 2) + kColStep[move];
+        const int row = kRowStep[move], col = kColStep[move];
+        steps_[move] = {row, col, row * (config.fov + 2) + col};
     }
+    look_.fov = config.fov;
+    look_.n_moves = n_moves_;
+    look_.diagonal = config.diagonal;
+    look_.unit = unit_;
+    look_.view = view_.data();
+    look_.steps = steps_;
+    look_.taken = taken_.data();
+    look_.adversary = rows_[kAdversary];
+    look_.pressure = rows_[kPressure];
+    look_.unclaimed = rows_[kUnclaimed];
+    look_.open_side = rows_[kOpenSide];
+    look_.teammate = rows_[kTeammate];
+    look_.crowd = rows_[kCrowd];
+    want((1u << kInputs) - 1);
     rows_[kStay][0] = 1;
+}
+
+void Inputs::want(std::uint32_t inputs) {
+    wanted_ = inputs;
+    look_.asks_claims = wants(kUnclaimed);
+    look_.asks_sides = wants(kOpenSide);
 }
 
 void Inputs::gather(const World& world, const Occupancy& occupancy) {
@@ -146,6 +130,7 @@ void Inputs::gather(const World& world, const Occupancy& occupancy) {
     occupancy_ = &occupancy;
     if (config_.n_agents() <= kMaxPositions) {
         crowd_.gather(world, occupancy);
+        look_.positions = crowd_.positions();
         const std::vector<int>& living = world.living();
         for (std::size_t i = 0; i < living.size(); ++i) places_[living[i]] = static_cast<int>(i);
         const int n_pursuers = world.n_living(Team::Pursuer);
@@ -155,6 +140,7 @@ void Inputs::gather(const World& world, const Occupancy& occupancy) {
             of_team_[1][i] = ~of_team_[0][i];
         }
     }
+    look_.walls_stride = world.terrain().blocked.stride();
     order_ = RightOfWay::order(world.steps());
     if (wants(kAhead)) draw_strides();
     if (world.shared_terrain() == terrain_) return;
@@ -218,119 +204,50 @@ void Inputs::survey(Ground& ground) const {
 
 // ---- Agents in view -----------------------------------------------------------------------------
 
-// Teammates first, then adversaries. Up to kMaxPositions agents are compared with the view; with more,
-// its cells are visited.
-template <typename OnTeammate, typename OnAdversary>
-void Inputs::see(int agent, const OnTeammate& on_teammate, const OnAdversary& on_adversary) {
-    if (config_.n_agents() > kMaxPositions) {
-        adversaries_.clear();
-        see_reserved(agent, on_teammate);
-        for (const Seen* seen : adversaries_) on_adversary(*seen);
-        return;
-    }
-    const Positions positions = crowd_.positions();
-    const SeenPositions seen = kernels().see(positions, places_[agent]);
-    const Team own = world_->team(agent);
-    const auto each = [&](Team team, const auto& found) {
-        const int first = seen.corner + channel(team) * static_cast<int>(view_.size());
-        for (int i = 0; i * kPositionPad < positions.n_agents; ++i) {
-            std::uint64_t bits = seen.words[i] & of_team_[static_cast<int>(team)][i];
-            for (; bits; bits &= bits - 1) {
-                const int place = i * kPositionPad + lowest_bit(bits);
-                found(view_[positions.cells[place] - first]);
-            }
-        }
-    };
-    each(own, on_teammate);
-    each(opponent(own), on_adversary);
-}
-
-template <typename OnTeammate>
-void Inputs::see_reserved(int agent, const OnTeammate& on_teammate) {
+// Among very many agents, the cells of the view are visited.
+void Inputs::list_reserved(int agent) {
     const Grid& grid = world_->grid();
     const ReservationTable reservations = occupancy_->reservations();
     const Team own = world_->team(agent);
+    for (auto& seen : seen_) seen.clear();
     for (int r = std::max(-half_, -row_); r <= std::min(half_, grid.rows() - 1 - row_); ++r) {
         for (int c = std::max(-half_, -col_); c <= std::min(half_, grid.cols() - 1 - col_); ++c) {
             const int cell = grid.cell(row_ + r, col_ + c);
             if (reservations.empty(cell)) continue;
-            const Seen& seen = view_[(r + half_) * config_.fov + c + half_];
+            const SeenCell* const seen = &view_[(r + half_) * config_.fov + c + half_];
             const int self = r == 0 && c == 0;
-            if (reservations.at(cell, own).count() > self) on_teammate(seen);
-            if (reservations.at(cell, opponent(own)).count() > 0) adversaries_.push_back(&seen);
+            if (reservations.at(cell, own).count() > self) seen_[0].push_back(seen);
+            if (reservations.at(cell, opponent(own)).count() > 0) seen_[1].push_back(seen);
         }
     }
 }
 
-template <int n>
 void Inputs::look(int agent) {
     const int cell = world_->cell(agent);
     row_ = world_->grid().row(cell);
     col_ = world_->grid().col(cell);
-    const Ground& ground = this->ground();
     const Team team = world_->team(agent);
+    look_.place = places_[agent];
+    for (const int t : {0, 1}) {
+        const Team seen = t == 0 ? team : opponent(team);
+        look_.first[t] = channel(seen) * static_cast<int>(view_.size());
+        look_.of_team[t] = of_team_[static_cast<int>(seen)];
+    }
+    look_.walls = terrain_->blocked.window(row_, col_);
     const auto& forbids = forbids_[static_cast<int>(team)][order_];
-    const bool asks_claims = wants(kUnclaimed), asks_sides = wants(kOpenSide);
-    const bool asks_way = wants(kMustYield);
-    const auto nobody = ByMove<n>::of(static_cast<float>(config_.fov));
-    const auto nothing = ByMove<n>::of(0);
-    auto teammate = nobody, adversary = nobody, unclaimed = nobody, open_side = nobody;
-    auto crowd = nothing, pressure = nothing;
-    std::uint32_t forbidden = ground.blocked;
-    const auto forbid = [&](const Seen& seen, Team by) {
-        if (std::abs(seen.row) > 2 || std::abs(seen.col) > 2) return;
-        forbidden |= forbids[channel(by)][(seen.row + 2) * 5 + seen.col + 2];
+    look_.forbids = wants(kMustYield) ? forbids : nullptr;
+    ++look_.number;
+    if (look_.positions.n_agents == 0) list_reserved(agent);
+    const auto cells = [&](int t) {
+        return SeenCells{seen_[t].data(), static_cast<int>(seen_[t].size())};
     };
-    const std::uint64_t now = ++n_looks_;
-    const Seen** const teammates = teammates_.data();
-    std::size_t n_teammates = 0;
-    bool any_unclaimed = false;
-    see(
-        agent,
-        [&](const Seen& seen) {
-            teammate.least(seen.moves);
-            crowd.add(seen.charge);
-            taken_[seen.place] = now;
-            teammates[n_teammates++] = &seen;
-            if (asks_way) forbid(seen, team);
-        },
-        [&](const Seen& seen) {
-            adversary.least(seen.moves);
-            pressure.add(seen.charge);
-            if (asks_claims) {
-                bool claimed = false;
-                for (std::size_t i = 0; i < n_teammates; ++i)
-                    claimed |= moves_between(*teammates[i], seen) < static_cast<int>(seen.moves[0]);
-                if (!claimed) unclaimed.least(seen.moves);
-                any_unclaimed |= !claimed;
-            }
-            for (int side = 1; asks_sides && side < n_moves_; ++side) {
-                const std::uint64_t taken = taken_[seen.place + steps_[side]];
-                if (taken == now || taken == kNotInView) continue;
-                const int row = row_ + seen.row + kRowStep[side];
-                const int col = col_ + seen.col + kColStep[side];
-                if (*terrain_->blocked.window(row, col)) continue;
-                open_side.least((&seen + kRowStep[side] * config_.fov + kColStep[side])->moves);
-            }
-            if (asks_way) forbid(seen, opponent(team));
-        });
+    const Ground& ground = this->ground();
     blocked_ = ground.blocked;
-    forbidden_ = forbidden;
-    adversary.write(unit_, rows_[kAdversary]);
-    pressure.write(1, rows_[kPressure]);
-    (any_unclaimed ? unclaimed : adversary).write(unit_, rows_[kUnclaimed]);
-    open_side.write(unit_, rows_[kOpenSide]);
-    teammate.write(unit_, rows_[kTeammate]);
-    crowd.write(1, rows_[kCrowd]);
-    std::memcpy(rows_[kExits], ground.exits, 4 * n * sizeof(float));
-    std::memcpy(rows_[kRoom], ground.room, 4 * n * sizeof(float));
-    spread(forbidden, rows_[kMustYield]);
-    spread(1u << strides_[agent], rows_[kAhead]);
-}
-
-int Inputs::moves_between(const Seen& a, const Seen& b) const {
-    const int rows = std::abs(a.row - b.row), cols = std::abs(a.col - b.col);
-    return config_.diagonal ? std::max(rows, cols) : rows + cols;
+    forbidden_ = blocked_ | kernels().look_at_moves(look_, cells(0), cells(1));
+    std::memcpy(rows_[kExits], ground.exits, sizeof(Row));
+    std::memcpy(rows_[kRoom], ground.room, sizeof(Row));
+    if (wants(kMustYield)) spread(forbidden_, rows_[kMustYield]);
+    if (wants(kAhead)) spread(1u << strides_[agent], rows_[kAhead]);
 }
 
 void Inputs::write(const World& world, const Occupancy& occupancy, float* out) {

@@ -17,6 +17,7 @@
 #include "game/world.hpp"
 #include "grid/compiler.hpp"
 #include "observe/crowd.hpp"
+#include "observe/move_look.hpp"
 #include "observe/right_of_way.hpp"
 
 namespace matrixworld {
@@ -54,17 +55,16 @@ int stride_of(const World& world, int agent, int steps = kStride);
 class Inputs {
   public:
     // Numbers of all moves, in whole vectors. Those beyond the last move mean nothing.
-    static constexpr int kLanes = 12;
-    using Row = float[kLanes];
+    using Row = float[kMoveLanes];
 
     explicit Inputs(const Config& config);
 
     // Only these are computed from now on, as bits by Input. At first it is all of them.
-    void want(std::uint32_t inputs) { wanted_ = inputs; }
+    void want(std::uint32_t inputs);
     // Looks at a moment. The world and the occupancy, which it has entered, must stay in memory.
     void gather(const World& world, const Occupancy& occupancy);
     // Computes the inputs of a living agent.
-    void look(int agent) { n_moves_ == kCompassMoves ? look<2>(agent) : look<3>(agent); }
+    void look(int agent);
 
     int n_moves() const { return n_moves_; }
     const Row& of(int input) const { return rows_[input]; }
@@ -77,14 +77,6 @@ class Inputs {
     void write(const World& world, const Occupancy& occupancy, float* out);
 
   private:
-    // Of a cell in view, how far it is from the cell of each move.
-    struct alignas(16) Seen {
-        int row;  // from the agent
-        int col;
-        int place;  // in `taken_`
-        alignas(16) Row moves;
-        Row charge;  // 1 / (1 + moves)^2, rounded down so that sums are exact in any order
-    };
     // What depends on the agent's cell alone.
     struct Ground {
         Row exits;
@@ -93,28 +85,22 @@ class Inputs {
     };
 
     bool wants(Input input) const { return wanted_ >> input & 1; }
-    template <int n>
-    void look(int agent);
-    template <typename OnTeammate, typename OnAdversary>
-    void see(int agent, const OnTeammate& on_teammate, const OnAdversary& on_adversary);
-    template <typename OnTeammate>
-    void see_reserved(int agent, const OnTeammate& on_teammate);
+    void list_reserved(int agent);
     const Ground& ground();
     void survey(Ground& ground) const;
     void draw_strides();
-    int moves_between(const Seen& a, const Seen& b) const;
 
     const Config& config_;
     int n_moves_;
     int half_;  // cells from the agent to the end of its view
     float unit_;
     std::uint32_t wanted_ = (1u << kInputs) - 1;
-    std::vector<Seen> view_;  // by cell of the view
-    // By cell of the view and one around it: the look that found a teammate there.
-    std::vector<std::uint64_t> taken_;
-    int steps_[kDiagonalMoves];  // in `taken_`
-    // Moves that an agent in view forbids, as bits: by team, order of right of way, channel, and cell
-    // at most two rows and columns away.
+    std::vector<SeenCell> view_;        // by cell of the view
+    std::vector<std::uint64_t> taken_;  // as in MoveLook
+    MoveLook::Step steps_[kDiagonalMoves];
+    MoveLook look_{};
+    // Moves that an agent in view forbids, as bits: by team, order of right of way, whether it is an
+    // adversary, and cell at most two rows and columns away.
     std::uint16_t forbids_[kTeams][RightOfWay::kOrders][2][25] = {};
 
     const World* world_ = nullptr;
@@ -135,12 +121,10 @@ class Inputs {
 
     int row_ = 0;  // of the agent that looks
     int col_ = 0;
-    std::uint64_t n_looks_ = 0;
-    std::vector<const Seen*> teammates_;    // room for every cell of the view
-    std::vector<const Seen*> adversaries_;  // among more than kMaxPositions agents
+    std::vector<const SeenCell*> seen_[2];  // teammates, adversaries, among very many agents
     std::uint32_t blocked_ = 0;
     std::uint32_t forbidden_ = 0;
-    alignas(16) Row rows_[kInputs] = {};
+    alignas(64) Row rows_[kInputs] = {};
 };
 
 }  // namespace matrixworld

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "kernels/kernels.hpp"
 #include "play/program.hpp"
 
 namespace matrixworld {
@@ -87,112 +88,50 @@ class RatingNetwork : public MoveRater {
         reads_ = 0;
         used_.clear();
         weights_.clear();
-        biases_.clear();
-        int n_in = static_cast<int>(shape_.inputs.size());
+        const int n_in = static_cast<int>(shape_.inputs.size());
         for (int i = 0; i < n_in; ++i) {
             const float* const row = genome + static_cast<std::ptrdiff_t>(i) * width;
             if (std::all_of(row, row + width, [](float weight) { return weight == 0; })) continue;
             reads_ |= 1u << shape_.inputs[i];
             used_.push_back(shape_.inputs[i]);
-            for (int unit = 0; unit < width; ++unit) weights_.push_back(splat<Vec>(row[unit]));
+            weights_.insert(weights_.end(), row, row + width);
         }
-        genome += static_cast<std::ptrdiff_t>(n_in) * width;
-        for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
-            const int n_out = shape_.hidden[layer];
-            biases_.insert(biases_.end(), genome, genome + n_out);
-            genome += n_out;
-            const int next = layer + 1 < shape_.hidden.size() ? shape_.hidden[layer + 1] : 1;
-            for (int i = 0; i < n_out * next; ++i) weights_.push_back(splat<Vec>(genome[i]));
-            genome += static_cast<std::ptrdiff_t>(n_out) * next;
-        }
+        const float* const rest = genome + static_cast<std::ptrdiff_t>(n_in) * width;
+        weights_.insert(weights_.end(), rest, genome + shape_.genome_size());
     }
 
     void rate(const Inputs& inputs, Inputs::Row& ratings) override {
-        if (inputs.n_moves() == kCompassMoves) {
-            rate<2>(inputs, ratings);
-        } else {
-            rate<3>(inputs, ratings);
+        constexpr float kLowest = std::numeric_limits<float>::lowest();
+        const float* weights = weights_.data();
+        in_.clear();
+        for (const int input : used_) in_.push_back(inputs.of(input));
+        for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
+            const int n_in = static_cast<int>(in_.size()), n_out = shape_.hidden[layer];
+            const float* const biases = weights + static_cast<std::ptrdiff_t>(n_in) * n_out;
+            std::vector<Unit>& out = units_[layer % 2];
+            kernels().rate_moves(inputs.n_moves(), in_.data(), n_in, weights, n_out, biases, 0,
+                                 out.data()->by_move);
+            weights = biases + n_out;
+            in_.clear();
+            for (int unit = 0; unit < n_out; ++unit) in_.push_back(out[unit].by_move);
         }
+        kernels().rate_moves(inputs.n_moves(), in_.data(), static_cast<int>(in_.size()), weights, 1,
+                             nullptr, kLowest, ratings);
     }
 
     std::uint32_t reads() const override { return reads_; }
 
   private:
-    using Vec = Lanes<float, 4>;
     struct Unit {
-        alignas(16) Inputs::Row by_move;
+        alignas(64) Inputs::Row by_move;
     };
-
-    // The sums of kUnits units, for all moves: one after the other they would wait for each other.
-    // Each product is rounded before it is added. `in(i)` is input i of the layer.
-    template <int n, int kUnits, typename In>
-    static void add_up(const In& in, int n_in, const Vec* weights, int n_units, const float* biases,
-                       float least, Unit* out) {
-        Vec sum[kUnits][n];
-        for (int unit = 0; unit < kUnits; ++unit) {
-            for (Vec& part : sum[unit]) part = splat<Vec>(biases ? biases[unit] : 0.0f);
-        }
-        for (int i = 0; i < n_in; ++i, weights += n_units) {
-            Vec x[n];
-            std::memcpy(x, in(i), sizeof(x));
-            for (int unit = 0; unit < kUnits; ++unit) {
-                for (int k = 0; k < n; ++k) sum[unit][k] += x[k] * weights[unit];
-            }
-        }
-        const Vec floor = splat<Vec>(least);
-        for (int unit = 0; unit < kUnits; ++unit) {
-            for (Vec& part : sum[unit]) part = where(part > floor, part, floor);
-            std::memcpy(out[unit].by_move, sum[unit], sizeof(sum[unit]));
-        }
-    }
-
-    template <int n, typename In>
-    static void add_up_all(const In& in, int n_in, const Vec* weights, int n_units,
-                           const float* biases, float least, Unit* out) {
-        constexpr int kUnits = 4;
-        int unit = 0;
-        for (; unit + kUnits <= n_units; unit += kUnits) {
-            add_up<n, kUnits>(in, n_in, weights + unit, n_units, biases + unit, least, out + unit);
-        }
-        for (; unit < n_units; ++unit) {
-            add_up<n, 1>(in, n_in, weights + unit, n_units, biases ? biases + unit : nullptr, least,
-                         out + unit);
-        }
-    }
-
-    template <int n>
-    void rate(const Inputs& inputs, Inputs::Row& ratings) {
-        constexpr float kLowest = std::numeric_limits<float>::lowest();
-        const Vec* weights = weights_.data();
-        const float* biases = biases_.data();
-        int n_in = static_cast<int>(used_.size());
-        Unit* out = units_[0].data();
-        const auto input = [&](int i) { return inputs.of(used_[i]); };
-        for (std::size_t layer = 0; layer <= shape_.hidden.size(); ++layer) {
-            const bool last = layer == shape_.hidden.size();
-            const int n_out = last ? 1 : shape_.hidden[layer];
-            const Unit* const in = units_[(layer + 1) % 2].data();
-            out = units_[layer % 2].data();
-            const auto unit = [&](int i) { return in[i].by_move; };
-            const float least = last ? kLowest : 0;
-            if (layer == 0) {
-                add_up_all<n>(input, n_in, weights, n_out, last ? nullptr : biases, least, out);
-            } else {
-                add_up_all<n>(unit, n_in, weights, n_out, last ? nullptr : biases, least, out);
-            }
-            weights += static_cast<std::ptrdiff_t>(n_in) * n_out;
-            biases += last ? 0 : n_out;
-            n_in = n_out;
-        }
-        std::memcpy(ratings, out->by_move, sizeof(ratings));
-    }
 
     RatingShape shape_;
     std::uint32_t reads_ = 0;
-    std::vector<int> used_;       // inputs with a weight that is not 0
-    std::vector<Vec> weights_;    // by layer, input and unit
-    std::vector<float> biases_;   // by layer and unit
-    std::vector<Unit> units_[2];  // of layers in turn
+    std::vector<int> used_;         // inputs with a weight that is not 0
+    std::vector<float> weights_;    // of these inputs, and all others
+    std::vector<const float*> in_;  // by input of a layer: its numbers by move
+    std::vector<Unit> units_[2];    // of layers in turn
 };
 
 }  // namespace

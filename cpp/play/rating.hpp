@@ -51,7 +51,7 @@ class RatingPolicy : public Policy {
     MoveMask mask_;
     int n_moves_;
     std::unique_ptr<MoveRater> rater_;
-    Inputs::Row ratings_ = {};
+    alignas(64) Inputs::Row ratings_ = {};
 };
 
 }  // namespace matrixworld
