@@ -87,6 +87,7 @@ class RatingNetwork : public MoveRater {
         const int width = shape_.hidden.empty() ? 1 : shape_.hidden.front();
         reads_ = 0;
         used_.clear();
+        rows_from_ = nullptr;
         weights_.clear();
         const int n_in = static_cast<int>(shape_.inputs.size());
         for (int i = 0; i < n_in; ++i) {
@@ -103,19 +104,24 @@ class RatingNetwork : public MoveRater {
     void rate(const Inputs& inputs, Inputs::Row& ratings) override {
         constexpr float kLowest = std::numeric_limits<float>::lowest();
         const float* weights = weights_.data();
-        in_.clear();
-        for (const int input : used_) in_.push_back(inputs.of(input));
+        if (rows_from_ != &inputs) {
+            rows_.clear();
+            for (const int input : used_) rows_.push_back(inputs.of(input));
+            rows_from_ = &inputs;
+        }
+        const std::vector<const float*>* in = &rows_;
         for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
-            const int n_in = static_cast<int>(in_.size()), n_out = shape_.hidden[layer];
+            const int n_in = static_cast<int>(in->size()), n_out = shape_.hidden[layer];
             const float* const biases = weights + static_cast<std::ptrdiff_t>(n_in) * n_out;
             std::vector<Unit>& out = units_[layer % 2];
-            kernels().rate_moves(inputs.n_moves(), in_.data(), n_in, weights, n_out, biases, 0,
+            kernels().rate_moves(inputs.n_moves(), in->data(), n_in, weights, n_out, biases, 0,
                                  out.data()->by_move);
             weights = biases + n_out;
-            in_.clear();
-            for (int unit = 0; unit < n_out; ++unit) in_.push_back(out[unit].by_move);
+            hidden_.clear();
+            for (int unit = 0; unit < n_out; ++unit) hidden_.push_back(out[unit].by_move);
+            in = &hidden_;
         }
-        kernels().rate_moves(inputs.n_moves(), in_.data(), static_cast<int>(in_.size()), weights, 1,
+        kernels().rate_moves(inputs.n_moves(), in->data(), static_cast<int>(in->size()), weights, 1,
                              nullptr, kLowest, ratings);
     }
 
@@ -128,10 +134,12 @@ class RatingNetwork : public MoveRater {
 
     RatingShape shape_;
     std::uint32_t reads_ = 0;
-    std::vector<int> used_;         // inputs with a weight that is not 0
-    std::vector<float> weights_;    // of these inputs, and all others
-    std::vector<const float*> in_;  // by input of a layer: its numbers by move
-    std::vector<Unit> units_[2];    // of layers in turn
+    std::vector<int> used_;       // inputs with a weight that is not 0
+    std::vector<float> weights_;  // of these inputs, and all others
+    const Inputs* rows_from_ = nullptr;
+    std::vector<const float*> rows_;    // of these inputs
+    std::vector<const float*> hidden_;  // of the units of a hidden layer
+    std::vector<Unit> units_[2];        // of layers in turn
 };
 
 }  // namespace
@@ -152,26 +160,32 @@ void RatingPolicy::load(const float* genome) {
     inputs_.want(rater_->reads() | for_mask);
 }
 
-// Lists the best of the allowed moves, and returns how many there are. No rating is below that of
-// what is no number, the lowest one. Without branches: which move is best cannot be predicted.
-int RatingPolicy::list_best(int agent, int* moves) {
-    inputs_.look(agent);
-    rater_->rate(inputs_, ratings_);
+// Lists the best of the allowed moves, and returns how many there are. Without branches: which move is
+// best cannot be predicted.
+template <int n_moves>
+int RatingPolicy::list_best(int* moves) const {
     const std::uint32_t refused = mask_ == MoveMask::None        ? 0
                                   : mask_ == MoveMask::Obstacles ? inputs_.blocked()
                                                                  : inputs_.forbidden();
-    float most = ratings_[0];
-    for (int move = 1; move < n_moves_; ++move) {
-        // A refused move becomes one that stays, whose rating counts already.
-        const float rating = ratings_[refused >> move & 1 ? 0 : move];
-        most = rating > most ? rating : most;
+    float kept[n_moves];
+    float most = ratings_[0];  // nothing refuses to stay
+    for (int move = 0; move < n_moves; ++move) {
+        kept[move] = refused >> move & 1 ? -std::numeric_limits<float>::infinity() : ratings_[move];
+        most = kept[move] > most ? kept[move] : most;
     }
     int n = 0;
-    for (int move = 0; move < n_moves_; ++move) {
+    for (int move = 0; move < n_moves; ++move) {
         moves[n] = move;
-        n += static_cast<int>(ratings_[move] == most) & static_cast<int>(~refused >> move & 1);
+        n += kept[move] == most;
     }
     return n;
+}
+
+int RatingPolicy::list_best(int agent, int* moves) {
+    inputs_.look(agent);
+    rater_->rate(inputs_, ratings_);
+    return n_moves_ == kCompassMoves ? list_best<kCompassMoves>(moves)
+                                     : list_best<kDiagonalMoves>(moves);
 }
 
 void RatingPolicy::choose(World& world, const Occupancy& occupancy) {

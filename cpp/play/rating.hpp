@@ -45,6 +45,8 @@ class RatingPolicy : public Policy {
   private:
     void choose(World& world, const Occupancy& occupancy) override;
     void weigh(const World& world, const Occupancy& occupancy, double* out) override;
+    template <int n_moves>
+    int list_best(int* moves) const;
     int list_best(int agent, int* moves);
 
     Inputs inputs_;
