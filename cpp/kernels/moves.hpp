@@ -62,7 +62,7 @@ inline std::uint32_t forbidden_by(const SeenCell& seen, const std::uint16_t* for
 }
 
 template <int kParts>
-std::uint32_t look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversaries) {
+void look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversaries) {
     const auto nobody = all<kParts>(static_cast<float>(look.fov));
     auto teammate = nobody, adversary = nobody, unclaimed = nobody, open_side = nobody;
     auto crowd = all<kParts>(0), pressure = crowd;
@@ -98,13 +98,14 @@ std::uint32_t look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells
             keep_least(open_side, (&seen + step.row * look.fov + step.col)->moves);
         }
     }
-    store_moves(look.teammate, teammate, look.unit);
-    store_moves(look.crowd, crowd, 1);
-    store_moves(look.adversary, adversary, look.unit);
-    store_moves(look.pressure, pressure, 1);
-    store_moves(look.unclaimed, any_unclaimed ? unclaimed : adversary, look.unit);
-    store_moves(look.open_side, open_side, look.unit);
-    return forbidden;
+    auto& out = look.rows->of;
+    store_moves(out[kTeammate], teammate, look.unit);
+    store_moves(out[kCrowd], crowd, 1);
+    store_moves(out[kAdversary], adversary, look.unit);
+    store_moves(out[kPressure], pressure, 1);
+    store_moves(out[kUnclaimed], any_unclaimed ? unclaimed : adversary, look.unit);
+    store_moves(out[kOpenSide], open_side, look.unit);
+    look.rows->forbidden |= forbidden;
 }
 
 // Lists the cells of a team's agents that are seen.
@@ -123,18 +124,18 @@ inline SeenCells list_cells(const MoveLook& look, const Seen<kWords>& seen, int 
 }
 
 template <int kParts, int kWords>
-std::uint32_t look_from_positions(const MoveLook& at) {
+void look_from_positions(const MoveLook& at) {
     Seen<kWords> seen = look<kWords>(at.positions, at.place, at.fov);
     std::uint64_t shared = 0;
     for (int i = 0; i < kWords; ++i) shared |= seen.words[i] & at.positions.shared[i];
     if (shared) seen = without_duplicates(at.positions, seen);
     const SeenCell* cells[2][kWords * kPositionPad];
     const SeenCells teammates = list_cells(at, seen, 0, cells[0]);
-    return look_at_moves<kParts>(at, teammates, list_cells(at, seen, 1, cells[1]));
+    look_at_moves<kParts>(at, teammates, list_cells(at, seen, 1, cells[1]));
 }
 
 template <int kParts>
-std::uint32_t look_around(const MoveLook& at, SeenCells teammates, SeenCells adversaries) {
+void look_around(const MoveLook& at, SeenCells teammates, SeenCells adversaries) {
     constexpr int kMost = kMaxPositions / kPositionPad;
     const int n = at.positions.n_agents;
     if (n == 0) return look_at_moves<kParts>(at, teammates, adversaries);
@@ -142,7 +143,7 @@ std::uint32_t look_around(const MoveLook& at, SeenCells teammates, SeenCells adv
                              : look_from_positions<kParts, kMost>(at);
 }
 
-std::uint32_t look_at_moves(const MoveLook& at, SeenCells teammates, SeenCells adversaries) {
+void look_at_moves(const MoveLook& at, SeenCells teammates, SeenCells adversaries) {
     constexpr int kFew = kMoveLanes / 2 / kLanesOf<Half>;
     return at.n_moves <= kMoveLanes / 2 ? look_around<kFew>(at, teammates, adversaries)
                                         : look_around<2 * kFew>(at, teammates, adversaries);
@@ -152,14 +153,15 @@ std::uint32_t look_at_moves(const MoveLook& at, SeenCells teammates, SeenCells a
 
 // kUnits units at once: one after the other, their sums would wait for each other.
 template <int kParts, int kUnits>
-inline void add_products_of_moves(const float* const* in, int n_in, const float* weights,
+inline void add_products_of_moves(const float* in, const int* rows, int n_in, const float* weights,
                                   int n_units, const float* biases, float least, float* out) {
     Half sum[kUnits][kParts];
     for (int unit = 0; unit < kUnits; ++unit) {
         for (int k = 0; k < kParts; ++k) sum[unit][k] = splat<Half>(biases ? biases[unit] : 0.0f);
     }
     for (int i = 0; i < n_in; ++i, weights += n_units) {
-        const ByMove<kParts> x = load_moves<kParts>(in[i]);
+        const ByMove<kParts> x =
+            load_moves<kParts>(in + static_cast<std::ptrdiff_t>(rows[i]) * kMoveLanes);
         for (int unit = 0; unit < kUnits; ++unit) {
             const Half weight = splat<Half>(weights[unit]);
             for (int k = 0; k < kParts; ++k) sum[unit][k] += x.parts[k] * weight;
@@ -174,27 +176,27 @@ inline void add_products_of_moves(const float* const* in, int n_in, const float*
 }
 
 template <int kParts>
-void rate_all(const float* const* in, int n_in, const float* weights, int n_units,
+void rate_all(const float* in, const int* rows, int n_in, const float* weights, int n_units,
               const float* biases, float least, float* out) {
     constexpr int kUnits = 4;
     int unit = 0;
     for (; unit + kUnits <= n_units; unit += kUnits) {
-        add_products_of_moves<kParts, kUnits>(in, n_in, weights + unit, n_units,
+        add_products_of_moves<kParts, kUnits>(in, rows, n_in, weights + unit, n_units,
                                               biases ? biases + unit : nullptr, least,
                                               out + unit * kMoveLanes);
     }
     for (; unit < n_units; ++unit) {
-        add_products_of_moves<kParts, 1>(in, n_in, weights + unit, n_units,
+        add_products_of_moves<kParts, 1>(in, rows, n_in, weights + unit, n_units,
                                          biases ? biases + unit : nullptr, least,
                                          out + unit * kMoveLanes);
     }
 }
 
-void rate_moves(int n_moves, const float* const* in, int n_in, const float* weights, int n_units,
-                const float* biases, float least, float* out) {
+void rate_moves(int n_moves, const float* in, const int* rows, int n_in, const float* weights,
+                int n_units, const float* biases, float least, float* out) {
     constexpr int kFew = kMoveLanes / 2 / kLanesOf<Half>;
-    (n_moves <= kMoveLanes / 2 ? rate_all<kFew> : rate_all<2 * kFew>)(in, n_in, weights, n_units,
-                                                                      biases, least, out);
+    (n_moves <= kMoveLanes / 2 ? rate_all<kFew> : rate_all<2 * kFew>)(in, rows, n_in, weights,
+                                                                      n_units, biases, least, out);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ namespace {
 constexpr int kMostGround = 1 << 17;
 
 // Writes bits of moves as numbers, in vectors: they are read as vectors at once.
-void spread(std::uint32_t bits, Inputs::Row& out) {
+void spread(std::uint32_t bits, float (&out)[kMoveLanes]) {
     static constexpr float kNumbers[16][4] = {
         {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 1, 0},
         {0, 1, 1, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
@@ -109,14 +109,7 @@ Inputs::Inputs(const Config& config)
     look_.view = view_.data();
     look_.steps = steps_;
     look_.taken = taken_.data();
-    look_.adversary = rows_[kAdversary];
-    look_.pressure = rows_[kPressure];
-    look_.unclaimed = rows_[kUnclaimed];
-    look_.open_side = rows_[kOpenSide];
-    look_.teammate = rows_[kTeammate];
-    look_.crowd = rows_[kCrowd];
     want((1u << kInputs) - 1);
-    rows_[kStay][0] = 1;
 }
 
 void Inputs::want(std::uint32_t inputs) {
@@ -222,7 +215,7 @@ void Inputs::list_reserved(int agent) {
     }
 }
 
-void Inputs::look(int agent) {
+void Inputs::look(int agent, MoveRows& rows) {
     const int cell = world_->cell(agent);
     row_ = world_->grid().row(cell);
     col_ = world_->grid().col(cell);
@@ -242,24 +235,27 @@ void Inputs::look(int agent) {
         return SeenCells{seen_[t].data(), static_cast<int>(seen_[t].size())};
     };
     const Ground& ground = this->ground();
-    blocked_ = ground.blocked;
-    forbidden_ = blocked_ | kernels().look_at_moves(look_, cells(0), cells(1));
-    std::memcpy(rows_[kExits], ground.exits, sizeof(Row));
-    std::memcpy(rows_[kRoom], ground.room, sizeof(Row));
-    if (wants(kMustYield)) spread(forbidden_, rows_[kMustYield]);
-    if (wants(kAhead)) spread(1u << strides_[agent], rows_[kAhead]);
+    rows.blocked = rows.forbidden = ground.blocked;
+    look_.rows = &rows;
+    kernels().look_at_moves(look_, cells(0), cells(1));
+    std::memcpy(rows.of[kExits], ground.exits, sizeof(ground.exits));
+    std::memcpy(rows.of[kRoom], ground.room, sizeof(ground.room));
+    if (wants(kMustYield)) spread(rows.forbidden, rows.of[kMustYield]);
+    spread(1, rows.of[kStay]);
+    if (wants(kAhead)) spread(1u << strides_[agent], rows.of[kAhead]);
 }
 
 void Inputs::write(const World& world, const Occupancy& occupancy, float* out) {
     const std::size_t size = static_cast<std::size_t>(n_moves_) * kInputs;
     std::fill_n(out, config_.n_agents() * size, 0.0f);
     gather(world, occupancy);
+    MoveRows rows{};
     for (const int agent : world.living()) {
-        look(agent);
+        look(agent, rows);
         float* const own = out + agent * size;
         for (int move = 0; move < n_moves_; ++move) {
             for (int input = 0; input < kInputs; ++input) {
-                own[move * kInputs + input] = rows_[input][move];
+                own[move * kInputs + input] = rows.of[input][move];
             }
         }
     }

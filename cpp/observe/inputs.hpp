@@ -4,8 +4,9 @@
 //
 //     Inputs inputs(config);                       // one for each thread
 //     inputs.gather(world, scratch.occupancy);     // before the agents of a turn look
-//     inputs.look(agent);
-//     inputs.of(kRoom)[move];
+//     MoveRows rows{};
+//     inputs.look(agent, rows);
+//     rows.of[kRoom][move];
 #pragma once
 
 #include <cstdint>
@@ -16,26 +17,11 @@
 #include "game/occupancy.hpp"
 #include "game/world.hpp"
 #include "grid/compiler.hpp"
+#include "kernels/move_look.hpp"
 #include "observe/crowd.hpp"
-#include "observe/move_look.hpp"
 #include "observe/right_of_way.hpp"
 
 namespace matrixworld {
-
-enum Input : int {
-    kAdversary,
-    kPressure,
-    kUnclaimed,
-    kOpenSide,
-    kTeammate,
-    kCrowd,
-    kExits,
-    kRoom,
-    kMustYield,
-    kStay,
-    kAhead,
-    kInputs
-};
 
 // What users read of an input. Each is at least 0.
 struct InputText {
@@ -54,24 +40,15 @@ int stride_of(const World& world, int agent, int steps = kStride);
 
 class Inputs {
   public:
-    // Numbers of all moves, in whole vectors. Those beyond the last move mean nothing.
-    using Row = float[kMoveLanes];
-
     explicit Inputs(const Config& config);
 
     // Only these are computed from now on, as bits by Input. At first it is all of them.
     void want(std::uint32_t inputs);
     // Looks at a moment. The world and the occupancy, which it has entered, must stay in memory.
     void gather(const World& world, const Occupancy& occupancy);
-    // Computes the inputs of a living agent.
-    void look(int agent);
-
-    int n_moves() const { return n_moves_; }
-    const Row& of(int input) const { return rows_[input]; }
-    // Moves as bits: those into an obstacle, and those that right of way forbids; the latter only if
+    // Computes the inputs of a living agent. The moves that right of way forbids are there only if
     // kMustYield is wanted.
-    std::uint32_t blocked() const { return blocked_; }
-    std::uint32_t forbidden() const { return forbidden_; }
+    void look(int agent, MoveRows& rows);
 
     // Writes the inputs of all agents, (A, moves, kInputs). Those of gone agents are zeros.
     void write(const World& world, const Occupancy& occupancy, float* out);
@@ -79,8 +56,8 @@ class Inputs {
   private:
     // What depends on the agent's cell alone.
     struct Ground {
-        Row exits;
-        Row room;
+        float exits[kMoveLanes];
+        float room[kMoveLanes];
         std::uint32_t blocked;
     };
 
@@ -122,9 +99,6 @@ class Inputs {
     int row_ = 0;  // of the agent that looks
     int col_ = 0;
     std::vector<const SeenCell*> seen_[2];  // teammates, adversaries, among very many agents
-    std::uint32_t blocked_ = 0;
-    std::uint32_t forbidden_ = 0;
-    alignas(64) Row rows_[kInputs] = {};
 };
 
 }  // namespace matrixworld

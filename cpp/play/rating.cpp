@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "kernels/kernels.hpp"
@@ -81,13 +82,14 @@ class RatingNetwork : public MoveRater {
             widest = std::max(widest, static_cast<std::size_t>(size));
         }
         for (auto& layer : units_) layer.resize(widest);
+        all_.resize(widest);
+        std::iota(all_.begin(), all_.end(), 0);
     }
 
     void load(const float* genome) override {
         const int width = shape_.hidden.empty() ? 1 : shape_.hidden.front();
         reads_ = 0;
         used_.clear();
-        rows_from_ = nullptr;
         weights_.clear();
         const int n_in = static_cast<int>(shape_.inputs.size());
         for (int i = 0; i < n_in; ++i) {
@@ -101,45 +103,40 @@ class RatingNetwork : public MoveRater {
         weights_.insert(weights_.end(), rest, genome + shape_.genome_size());
     }
 
-    void rate(const Inputs& inputs, Inputs::Row& ratings) override {
+    void rate(const MoveRows& rows, float* ratings) override {
         constexpr float kLowest = std::numeric_limits<float>::lowest();
         const float* weights = weights_.data();
-        if (rows_from_ != &inputs) {
-            rows_.clear();
-            for (const int input : used_) rows_.push_back(inputs.of(input));
-            rows_from_ = &inputs;
-        }
-        const std::vector<const float*>* in = &rows_;
+        const float* in = rows.of[0];
+        const int* places = used_.data();
+        int n_in = static_cast<int>(used_.size());
         for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
-            const int n_in = static_cast<int>(in->size()), n_out = shape_.hidden[layer];
+            const int n_out = shape_.hidden[layer];
             const float* const biases = weights + static_cast<std::ptrdiff_t>(n_in) * n_out;
-            std::vector<Unit>& out = units_[layer % 2];
-            kernels().rate_moves(inputs.n_moves(), in->data(), n_in, weights, n_out, biases, 0,
-                                 out.data()->by_move);
+            float* const out = units_[layer % 2].data()->of;
+            kernels().rate_moves(shape_.n_actions, in, places, n_in, weights, n_out, biases, 0,
+                                 out);
             weights = biases + n_out;
-            hidden_.clear();
-            for (int unit = 0; unit < n_out; ++unit) hidden_.push_back(out[unit].by_move);
-            in = &hidden_;
+            in = out;
+            places = all_.data();
+            n_in = n_out;
         }
-        kernels().rate_moves(inputs.n_moves(), in->data(), static_cast<int>(in->size()), weights, 1,
-                             nullptr, kLowest, ratings);
+        kernels().rate_moves(shape_.n_actions, in, places, n_in, weights, 1, nullptr, kLowest,
+                             ratings);
     }
 
     std::uint32_t reads() const override { return reads_; }
 
   private:
     struct Unit {
-        alignas(64) Inputs::Row by_move;
+        alignas(64) float of[kMoveLanes];
     };
 
     RatingShape shape_;
     std::uint32_t reads_ = 0;
     std::vector<int> used_;       // inputs with a weight that is not 0
     std::vector<float> weights_;  // of these inputs, and all others
-    const Inputs* rows_from_ = nullptr;
-    std::vector<const float*> rows_;    // of these inputs
-    std::vector<const float*> hidden_;  // of the units of a hidden layer
-    std::vector<Unit> units_[2];        // of layers in turn
+    std::vector<int> all_;        // 0, 1, ...: the units of a hidden layer
+    std::vector<Unit> units_[2];  // of layers in turn
 };
 
 }  // namespace
@@ -160,17 +157,29 @@ void RatingPolicy::load(const float* genome) {
     inputs_.want(rater_->reads() | for_mask);
 }
 
+// All agents look before the first is rated: nothing of a step then waits for the step before.
+void RatingPolicy::rate(const World& world, const Occupancy& occupancy) {
+    inputs_.gather(world, occupancy);
+    if (rows_.size() < agents_.size()) {
+        rows_.resize(agents_.size());
+        ratings_.resize(agents_.size());
+    }
+    for (std::size_t i = 0; i < agents_.size(); ++i) inputs_.look(agents_[i], rows_[i]);
+    for (std::size_t i = 0; i < agents_.size(); ++i) rater_->rate(rows_[i], ratings_[i].of);
+}
+
 // Lists the best of the allowed moves, and returns how many there are. Without branches: which move is
 // best cannot be predicted.
 template <int n_moves>
-int RatingPolicy::list_best(int* moves) const {
+int RatingPolicy::list_best(std::size_t i, int* moves) const {
+    const float (&ratings)[kMoveLanes] = ratings_[i].of;
     const std::uint32_t refused = mask_ == MoveMask::None        ? 0
-                                  : mask_ == MoveMask::Obstacles ? inputs_.blocked()
-                                                                 : inputs_.forbidden();
+                                  : mask_ == MoveMask::Obstacles ? rows_[i].blocked
+                                                                 : rows_[i].forbidden;
     float kept[n_moves];
-    float most = ratings_[0];  // nothing refuses to stay
+    float most = ratings[0];  // nothing refuses to stay
     for (int move = 0; move < n_moves; ++move) {
-        kept[move] = refused >> move & 1 ? -std::numeric_limits<float>::infinity() : ratings_[move];
+        kept[move] = refused >> move & 1 ? -std::numeric_limits<float>::infinity() : ratings[move];
         most = kept[move] > most ? kept[move] : most;
     }
     int n = 0;
@@ -181,18 +190,16 @@ int RatingPolicy::list_best(int* moves) const {
     return n;
 }
 
-int RatingPolicy::list_best(int agent, int* moves) {
-    inputs_.look(agent);
-    rater_->rate(inputs_, ratings_);
-    return n_moves_ == kCompassMoves ? list_best<kCompassMoves>(moves)
-                                     : list_best<kDiagonalMoves>(moves);
+int RatingPolicy::list_best(std::size_t i, int* moves) const {
+    return n_moves_ == kCompassMoves ? list_best<kCompassMoves>(i, moves)
+                                     : list_best<kDiagonalMoves>(i, moves);
 }
 
 void RatingPolicy::choose(World& world, const Occupancy& occupancy) {
-    inputs_.gather(world, occupancy);
+    rate(world, occupancy);
     for (std::size_t i = 0; i < agents_.size(); ++i) {
         int moves[kDiagonalMoves];
-        const int n = list_best(agents_[i], moves);
+        const int n = list_best(i, moves);
         chosen_[i] = static_cast<std::uint8_t>(moves[below(draws_[i], n)]);
     }
 }
@@ -204,8 +211,8 @@ void RatingPolicy::weigh(const World& world, const Occupancy& occupancy, double*
             "rating: expected one that decides by what it sees alone, got one that reads ahead or "
             "must_yield, or has the mask right-of-way, which count steps");
     }
-    inputs_.gather(world, occupancy);
-    for (const int agent : agents_) {
+    rate(world, occupancy);
+    for (std::size_t agent = 0; agent < agents_.size(); ++agent) {
         int moves[kDiagonalMoves];
         const int n = list_best(agent, moves);
         std::fill_n(out, n_moves_, 0.0);

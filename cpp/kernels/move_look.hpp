@@ -12,6 +12,30 @@ namespace matrixworld {
 // Numbers of all moves: a lane for each, in whole vectors. Five moves take half of them.
 constexpr int kMoveLanes = 16;
 
+// The named inputs; `input_texts` says what they are.
+enum Input : int {
+    kAdversary,
+    kPressure,
+    kUnclaimed,
+    kOpenSide,
+    kTeammate,
+    kCrowd,
+    kExits,
+    kRoom,
+    kMustYield,
+    kStay,
+    kAhead,
+    kInputs
+};
+
+// The inputs of an agent's moves. Moves are bits of `blocked`, those into an obstacle, and of
+// `forbidden`, those that right of way forbids.
+struct alignas(64) MoveRows {
+    float of[kInputs][kMoveLanes];
+    std::uint32_t blocked;
+    std::uint32_t forbidden;
+};
+
 // A cell of the view.
 struct alignas(64) SeenCell {
     float moves[kMoveLanes];  // from the cell of each move
@@ -62,13 +86,7 @@ struct MoveLook {
     const std::uint16_t (*forbids)[25];  // by team; null: nobody asks
     std::uint64_t number;                // of this look
 
-    // By move.
-    float* adversary;
-    float* pressure;
-    float* unclaimed;
-    float* open_side;
-    float* teammate;
-    float* crowd;
+    MoveRows* rows;  // what is written
 };
 
 }  // namespace matrixworld
