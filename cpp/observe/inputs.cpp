@@ -13,12 +13,11 @@ const InputText (&input_texts()) [kInputs] {
         {"adversary", "distance to the nearest adversary", "half views", 2},
         {"pressure", "sum over adversaries of 1 / (1 + moves)^2", "", 0},
         {"unclaimed",
-         "distance to the nearest adversary to which no teammate is nearer than the agent; if "
-         "there "
-         "is none, to the nearest one",
+         "distance to the nearest adversary to which no teammate is nearer than the agent is now; "
+         "without one, to the nearest adversary",
          "half views", 2},
         {"open_side",
-         "distance to the nearest cell beside an adversary without an obstacle and teammate",
+         "distance to the nearest cell beside an adversary that holds no obstacle and no teammate",
          "half views", 2},
         {"teammate", "distance to the nearest teammate", "half views", 2},
         {"crowd", "sum over teammates of 1 / (1 + moves)^2", "", 0},

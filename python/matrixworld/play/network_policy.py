@@ -13,19 +13,19 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util.checks import check_bool, check_choice, check_instance
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CHANNELS, TEAMS, Network, Population, Team
+from matrixworld.world.policy import CHANNELS, TEAMS, Network, Policy, Population, Team
 
 Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
 """Weights (inputs, outputs) and biases (outputs,) of each layer."""
 
 
-def fits(network: Network, config: WorldConfig) -> bool:
-    """Return whether a network has the views and actions of a world."""
+def fits(network: Policy, config: WorldConfig) -> bool:
+    """Return whether a policy has the views and actions of a world."""
     return (network.fov, network.n_actions) == (config.fov, config.n_actions)
 
 
-def check_fits(name: str, network: Network, config: WorldConfig) -> None:
-    """Raise ValueError unless a network has the views and actions of a world."""
+def check_fits(name: str, network: Policy, config: WorldConfig) -> None:
+    """Raise ValueError unless a policy has the views and actions of a world."""
     if not fits(network, config):
         raise ValueError(
             f"{name}: expected a network for fov {config.fov} and {config.n_actions} actions, "
