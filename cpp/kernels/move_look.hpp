@@ -1,4 +1,4 @@
-// What is read and written when an agent looks at its moves (`Inputs`). Plain data only, as positions.hpp:
+// What is read and written when an agent looks at its moves (`MoveInputs`). Plain data only, as positions.hpp:
 // kernels.cpp includes this file.
 #pragma once
 

@@ -57,7 +57,7 @@ void spread(std::uint32_t bits, float (&out)[kMoveLanes]) {
 
 // ---- Before agents look -------------------------------------------------------------------------
 
-Inputs::Inputs(const Config& config)
+MoveInputs::MoveInputs(const Config& config)
     : config_(config),
       n_moves_(config.n_actions()),
       half_(config.fov / 2),
@@ -111,13 +111,13 @@ Inputs::Inputs(const Config& config)
     want((1u << kInputs) - 1);
 }
 
-void Inputs::want(std::uint32_t inputs) {
+void MoveInputs::want(std::uint32_t inputs) {
     wanted_ = inputs;
     look_.asks_claims = wants(kUnclaimed);
     look_.asks_sides = wants(kOpenSide);
 }
 
-void Inputs::gather(const World& world, const Occupancy& occupancy) {
+void MoveInputs::gather(const World& world, const Occupancy& occupancy) {
     world_ = &world;
     occupancy_ = &occupancy;
     if (config_.n_agents() <= kMaxPositions) {
@@ -143,7 +143,7 @@ void Inputs::gather(const World& world, const Occupancy& occupancy) {
     terrain_ = world.shared_terrain();
 }
 
-void Inputs::draw_strides() {
+void MoveInputs::draw_strides() {
     const int stride = world_->steps() / kStride;
     const EpisodeKey key = world_->key();
     if (stride == stride_ && key.seed == stride_key_.seed && key.episode == stride_key_.episode)
@@ -157,7 +157,7 @@ void Inputs::draw_strides() {
 
 // ---- Obstacles ----------------------------------------------------------------------------------
 
-const Inputs::Ground& Inputs::ground() {
+const MoveInputs::Ground& MoveInputs::ground() {
     if (known_.empty()) {
         survey(ground_[0]);
         return ground_[0];
@@ -170,7 +170,7 @@ const Inputs::Ground& Inputs::ground() {
 }
 
 // What is out of view is not known, and counts as free.
-void Inputs::survey(Ground& ground) const {
+void MoveInputs::survey(Ground& ground) const {
     const Plane& blocked = terrain_->blocked;
     const auto is_blocked = [&](int r, int c) {
         return std::abs(r) <= half_ && std::abs(c) <= half_ && *blocked.window(row_ + r, col_ + c);
@@ -197,7 +197,7 @@ void Inputs::survey(Ground& ground) const {
 // ---- Agents in view -----------------------------------------------------------------------------
 
 // Among very many agents, the cells of the view are visited.
-void Inputs::list_reserved(int agent) {
+void MoveInputs::list_reserved(int agent) {
     const Grid& grid = world_->grid();
     const ReservationTable reservations = occupancy_->reservations();
     const Team own = world_->team(agent);
@@ -214,7 +214,7 @@ void Inputs::list_reserved(int agent) {
     }
 }
 
-void Inputs::look(int agent, MoveRows& rows) {
+void MoveInputs::look(int agent, MoveRows& rows) {
     const int cell = world_->cell(agent);
     row_ = world_->grid().row(cell);
     col_ = world_->grid().col(cell);
@@ -244,7 +244,7 @@ void Inputs::look(int agent, MoveRows& rows) {
     if (wants(kAhead)) spread(1u << strides_[agent], rows.of[kAhead]);
 }
 
-void Inputs::write(const World& world, const Occupancy& occupancy, float* out) {
+void MoveInputs::write(const World& world, const Occupancy& occupancy, float* out) {
     const std::size_t size = static_cast<std::size_t>(n_moves_) * kInputs;
     std::fill_n(out, config_.n_agents() * size, 0.0f);
     gather(world, occupancy);

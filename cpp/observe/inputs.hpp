@@ -2,7 +2,7 @@
 // are what policies read that rate moves (play/rating.hpp), and an output of worlds. An agent computes
 // them from its own view; must_yield and ahead also depend on the step. Both teams have the same.
 //
-//     Inputs inputs(config);                       // one for each thread
+//     MoveInputs inputs(config);                       // one for each thread
 //     inputs.gather(world, scratch.occupancy);     // before the agents of a turn look
 //     MoveRows rows{};
 //     inputs.look(agent, rows);
@@ -38,9 +38,9 @@ constexpr int kStride = 12;
 // has to remember anything between steps.
 int stride_of(const World& world, int agent, int steps = kStride);
 
-class Inputs {
+class MoveInputs {
   public:
-    explicit Inputs(const Config& config);
+    explicit MoveInputs(const Config& config);
 
     // Only these are computed from now on, as bits by Input. At first it is all of them.
     void want(std::uint32_t inputs);

@@ -54,7 +54,7 @@ class RatingPolicy : public Policy {
     int list_best(std::size_t i, int* moves) const;
     int list_best(std::size_t i, int* moves) const;
 
-    Inputs inputs_;
+    MoveInputs inputs_;
     MoveMask mask_;
     int n_moves_;
     std::unique_ptr<MoveRater> rater_;

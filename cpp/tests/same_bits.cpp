@@ -73,7 +73,7 @@ void add_game(const Game& game) {
             const Config& config = world.config();
             std::vector<float> numbers(static_cast<std::size_t>(config.n_agents()) *
                                        config.n_actions() * kInputs);
-            Inputs(config).write(world, occupancy, numbers.data());
+            MoveInputs(config).write(world, occupancy, numbers.data());
             for (const float number : numbers) hash.add(number);
             add_outputs(world, occupancy, game.pursuers->candidates, Team::Pursuer);
             add_outputs(world, occupancy, game.evaders->candidates, Team::Evader);
