@@ -3,9 +3,9 @@
     python benchmarks/bench_rollouts.py [--seconds 1] [--repeats 5]
 
 A decision is the step of one living agent: its view, its network and its share of the world's step.
-Both teams are networks with genomes drawn from N(0, 0.1). Each number is the median of some
-repeats. The process is bound to one core, and for two threads to two cores, if the system supports
-it. Before the measurement, a match is replayed in plain NumPy.
+Both teams are networks with genomes drawn from N(0, 0.1), in the last table policies of each kind.
+Each number is the median of some repeats. The process is bound to one core, and for two threads to
+two cores, if the system supports it. Before the measurement, a match is replayed in plain NumPy.
 """
 
 from __future__ import annotations
@@ -145,6 +145,35 @@ def print_short(clock: Clock) -> None:
     print_table(header, rows)
 
 
+def print_policies(clock: Clock) -> None:
+    """Print matches of one episode of 200 rounds, with 48 genomes of each kind of policy."""
+    config, each = mw.WorldConfig("O", max_steps=200), np.arange(48)
+    few = ("adversary", "teammate", "room")
+    policies = {
+        "network [32]": mw.Network.for_config(config),
+        "rating of 3 inputs": mw.Rating.for_config(config, inputs=few),
+        "rating of all inputs": mw.Rating.for_config(config),
+        "the same, 4 hidden": mw.Rating.for_config(config, hidden=(4,)),
+        "the same, right of way": mw.Rating.for_config(config, mask="right-of-way"),
+        "program": mw.Program.for_config(config),
+    }
+    rows = []
+    for name, policy in policies.items():
+        genomes = np.stack([policy.initial(np.random.default_rng(seed)) for seed in each])
+        if name == "program":
+            text = "unclaimed + 0.5 * room - min(teammate, open_side) * crowd"
+            genomes = np.tile(policy.genome(text), (48, 1))
+        team = mw.Population(genomes, policy)
+
+        def play(number: int, team: mw.Population = team) -> int:
+            matches = mw.Matches.of(each, each, number * 48 + each)
+            return mw.rollout(config, team, team, matches, threads=1).length.size
+
+        rate = clock.measure(play)
+        rows.append((name, f"{rate.per_second:.0f}", f"{1 / rate.cpu:.0f}"))
+    print_table(("policy", "matches a second", "a CPU second"), rows)
+
+
 def millions(rate: float) -> str:
     return f"{rate / 1e6:.2f}"
 
@@ -154,12 +183,13 @@ def millions(rate: float) -> str:
 @click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
 @click.option("--rounds", default=500, show_default=True, help="rounds of a long episode")
 def main(seconds: float, repeats: int, rounds: int) -> None:
-    """Print tables in Markdown: long and short episodes."""
+    """Print tables in Markdown: long and short episodes, kinds of policies."""
     clock = Clock(seconds, repeats)
     for hidden in HIDDEN:
         check(hidden)
     print_long(rounds, clock)
     print_short(clock)
+    print_policies(clock)
 
 
 if __name__ == "__main__":

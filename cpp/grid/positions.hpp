@@ -30,10 +30,4 @@ struct Positions {
     const std::uint64_t* shared;
 };
 
-// Some of the positions, as bits by agent in words of kPositionPad.
-struct SeenPositions {
-    std::uint64_t words[kMaxPositions / kPositionPad];
-    int corner;  // `Positions::cells` less this are indices into the view of the agent that sees them
-};
-
 }  // namespace matrixworld

@@ -9,6 +9,7 @@
 
 #include "kernels/actions.hpp"
 #include "kernels/memory.hpp"
+#include "kernels/moves.hpp"
 #include "kernels/views.hpp"
 
 namespace matrixworld {
@@ -20,7 +21,8 @@ const Kernels& MATRIXWORLD_LEVEL() {
     static constexpr Kernels level{MATRIXWORLD_NAME(MATRIXWORLD_LEVEL),
                                    write<std::uint8_t>,
                                    write<float>,
-                                   see,
+                                   look_at_moves,
+                                   rate_moves,
                                    sum_seen,
                                    sum_rows,
                                    sum_bits,

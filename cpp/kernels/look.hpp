@@ -114,23 +114,6 @@ inline Seen<kWords> without_duplicates(const Positions& positions, Seen<kWords> 
     return seen;
 }
 
-template <int kWords>
-SeenPositions see_words(const Positions& positions, int agent) {
-    Seen<kWords> seen = look<kWords>(positions, agent, positions.fov);
-    std::uint64_t shared = 0;
-    for (int i = 0; i < kWords; ++i) shared |= seen.words[i] & positions.shared[i];
-    if (shared) seen = without_duplicates(positions, seen);
-    SeenPositions found{{}, seen.corner};
-    for (int i = 0; i < kWords; ++i) found.words[i] = seen.words[i];
-    return found;
-}
-
-SeenPositions see(const Positions& positions, int agent) {
-    constexpr int kMost = kMaxPositions / kPositionPad;
-    const bool few = positions.n_agents <= kPositionPad;
-    return (few ? see_words<1> : see_words<kMost>)(positions, agent);
-}
-
 }  // namespace
 
 }  // namespace matrixworld

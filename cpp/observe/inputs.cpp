@@ -13,12 +13,11 @@ const InputText (&input_texts()) [kInputs] {
         {"adversary", "distance to the nearest adversary", "half views", 2},
         {"pressure", "sum over adversaries of 1 / (1 + moves)^2", "", 0},
         {"unclaimed",
-         "distance to the nearest adversary to which no teammate is nearer than the agent; if "
-         "there "
-         "is none, to the nearest one",
+         "distance to the nearest adversary to which no teammate is nearer than the agent is now; "
+         "without one, to the nearest adversary",
          "half views", 2},
         {"open_side",
-         "distance to the nearest cell beside an adversary without an obstacle and teammate",
+         "distance to the nearest cell beside an adversary that holds no obstacle and no teammate",
          "half views", 2},
         {"teammate", "distance to the nearest teammate", "half views", 2},
         {"crowd", "sum over teammates of 1 / (1 + moves)^2", "", 0},
@@ -43,49 +42,13 @@ namespace {
 // each agent and step.
 constexpr int kMostGround = 1 << 17;
 
-constexpr std::uint64_t kNotInView = ~std::uint64_t{0};
-
-// Numbers of all moves: n vectors.
-template <int n>
-struct ByMove {
-    using Vec = Lanes<float, 4>;
-
-    static ByMove of(float number) {
-        ByMove row;
-        for (Vec& part : row.parts) part = splat<Vec>(number);
-        return row;
-    }
-    static ByMove of(const Inputs::Row& numbers) {
-        ByMove row;
-        std::memcpy(row.parts, numbers, sizeof(row.parts));
-        return row;
-    }
-    void least(const Inputs::Row& numbers) {
-        const ByMove other = of(numbers);
-        for (int i = 0; i < n; ++i)
-            parts[i] = where(other.parts[i] < parts[i], other.parts[i], parts[i]);
-    }
-    void add(const Inputs::Row& numbers) {
-        const ByMove other = of(numbers);
-        for (int i = 0; i < n; ++i) parts[i] += other.parts[i];
-    }
-    void write(float scale, Inputs::Row& out) const {
-        for (int i = 0; i < n; ++i) {
-            const Vec scaled = parts[i] * splat<Vec>(scale);
-            std::memcpy(out + 4 * i, &scaled, sizeof(scaled));
-        }
-    }
-
-    Vec parts[n];
-};
-
 // Writes bits of moves as numbers, in vectors: they are read as vectors at once.
-void spread(std::uint32_t bits, Inputs::Row& out) {
+void spread(std::uint32_t bits, float (&out)[kMoveLanes]) {
     static constexpr float kNumbers[16][4] = {
         {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 1, 0},
         {0, 1, 1, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
         {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
-    for (int i = 0; i < Inputs::kLanes; i += 4) {
+    for (int i = 0; i < kMoveLanes; i += 4) {
         std::memcpy(out + i, kNumbers[bits >> i & 15], sizeof(kNumbers[0]));
     }
 }
@@ -94,33 +57,31 @@ void spread(std::uint32_t bits, Inputs::Row& out) {
 
 // ---- Before agents look -------------------------------------------------------------------------
 
-Inputs::Inputs(const Config& config)
+MoveInputs::MoveInputs(const Config& config)
     : config_(config),
       n_moves_(config.n_actions()),
       half_(config.fov / 2),
       unit_(2.0f / static_cast<float>(config.fov)),
       view_(static_cast<std::size_t>(config.fov) * config.fov),
-      taken_(static_cast<std::size_t>(config.fov + 2) * (config.fov + 2), kNotInView),
+      taken_(static_cast<std::size_t>(config.fov + 2) * (config.fov + 2), MoveLook::kOutOfView),
       crowd_(config),
       places_(static_cast<std::size_t>(config.n_agents())),
       strides_(static_cast<std::size_t>(config.n_agents())),
-      cases_(Grid(config.rows, config.cols), config.fov),
-      teammates_(view_.size()) {
+      cases_(Grid(config.rows, config.cols), config.fov) {
     constexpr int kCharge = 1 << 14;
     for (std::size_t i = 0; i < view_.size(); ++i) {
-        Seen& seen = view_[i];
+        SeenCell& seen = view_[i];
         seen.row = static_cast<int>(i) / config.fov - half_;
         seen.col = static_cast<int>(i) % config.fov - half_;
         seen.place = (seen.row + half_ + 1) * (config.fov + 2) + seen.col + half_ + 1;
         taken_[seen.place] = 0;
-        for (int lane = 0; lane < kLanes; ++lane) {
-            const int move = lane < kDiagonalMoves ? lane : 0;
+        for (int move = 0; move < n_moves_; ++move) {
             const int rows = std::abs(seen.row - kRowStep[move]);
             const int cols = std::abs(seen.col - kColStep[move]);
             const int moves = config.diagonal ? std::max(rows, cols) : rows + cols;
-            seen.moves[lane] = static_cast<float>(moves);
-            seen.charge[lane] = static_cast<float>(kCharge / ((1 + moves) * (1 + moves)));
-            seen.charge[lane] /= kCharge;
+            seen.moves[move] = static_cast<float>(moves);
+            seen.charge[move] = static_cast<float>(kCharge / ((1 + moves) * (1 + moves)));
+            seen.charge[move] /= kCharge;
         }
     }
     for (const Team team : {Team::Pursuer, Team::Evader}) {
@@ -129,23 +90,39 @@ Inputs::Inputs(const Config& config)
             for (int move = 1; move < n_moves_; ++move) {
                 for (const RightOfWay::Cell& cell : ways.forbidding(order, move)) {
                     if (cell.channel == kObstacles) continue;  // the cell of the move
-                    auto& moves = forbids_[static_cast<int>(team)][order][cell.channel];
+                    const bool adversary = cell.channel != channel(team);
+                    auto& moves = forbids_[static_cast<int>(team)][order][adversary];
                     moves[(cell.row + 2) * 5 + cell.col + 2] |= 1 << move;
                 }
             }
         }
     }
     for (int move = 0; move < kDiagonalMoves; ++move) {
-        steps_[move] = kRowStep[move] * (config.fov + 2) + kColStep[move];
+        const int row = kRowStep[move], col = kColStep[move];
+        steps_[move] = {row, col, row * (config.fov + 2) + col};
     }
-    rows_[kStay][0] = 1;
+    look_.fov = config.fov;
+    look_.n_moves = n_moves_;
+    look_.diagonal = config.diagonal;
+    look_.unit = unit_;
+    look_.view = view_.data();
+    look_.steps = steps_;
+    look_.taken = taken_.data();
+    want((1u << kInputs) - 1);
 }
 
-void Inputs::gather(const World& world, const Occupancy& occupancy) {
+void MoveInputs::want(std::uint32_t inputs) {
+    wanted_ = inputs;
+    look_.asks_claims = wants(kUnclaimed);
+    look_.asks_sides = wants(kOpenSide);
+}
+
+void MoveInputs::gather(const World& world, const Occupancy& occupancy) {
     world_ = &world;
     occupancy_ = &occupancy;
     if (config_.n_agents() <= kMaxPositions) {
         crowd_.gather(world, occupancy);
+        look_.positions = crowd_.positions();
         const std::vector<int>& living = world.living();
         for (std::size_t i = 0; i < living.size(); ++i) places_[living[i]] = static_cast<int>(i);
         const int n_pursuers = world.n_living(Team::Pursuer);
@@ -155,6 +132,7 @@ void Inputs::gather(const World& world, const Occupancy& occupancy) {
             of_team_[1][i] = ~of_team_[0][i];
         }
     }
+    look_.walls_stride = world.terrain().blocked.stride();
     order_ = RightOfWay::order(world.steps());
     if (wants(kAhead)) draw_strides();
     if (world.shared_terrain() == terrain_) return;
@@ -165,7 +143,7 @@ void Inputs::gather(const World& world, const Occupancy& occupancy) {
     terrain_ = world.shared_terrain();
 }
 
-void Inputs::draw_strides() {
+void MoveInputs::draw_strides() {
     const int stride = world_->steps() / kStride;
     const EpisodeKey key = world_->key();
     if (stride == stride_ && key.seed == stride_key_.seed && key.episode == stride_key_.episode)
@@ -179,7 +157,7 @@ void Inputs::draw_strides() {
 
 // ---- Obstacles ----------------------------------------------------------------------------------
 
-const Inputs::Ground& Inputs::ground() {
+const MoveInputs::Ground& MoveInputs::ground() {
     if (known_.empty()) {
         survey(ground_[0]);
         return ground_[0];
@@ -192,7 +170,7 @@ const Inputs::Ground& Inputs::ground() {
 }
 
 // What is out of view is not known, and counts as free.
-void Inputs::survey(Ground& ground) const {
+void MoveInputs::survey(Ground& ground) const {
     const Plane& blocked = terrain_->blocked;
     const auto is_blocked = [&](int r, int c) {
         return std::abs(r) <= half_ && std::abs(c) <= half_ && *blocked.window(row_ + r, col_ + c);
@@ -218,131 +196,65 @@ void Inputs::survey(Ground& ground) const {
 
 // ---- Agents in view -----------------------------------------------------------------------------
 
-// Teammates first, then adversaries. Up to kMaxPositions agents are compared with the view; with more,
-// its cells are visited.
-template <typename OnTeammate, typename OnAdversary>
-void Inputs::see(int agent, const OnTeammate& on_teammate, const OnAdversary& on_adversary) {
-    if (config_.n_agents() > kMaxPositions) {
-        adversaries_.clear();
-        see_reserved(agent, on_teammate);
-        for (const Seen* seen : adversaries_) on_adversary(*seen);
-        return;
-    }
-    const Positions positions = crowd_.positions();
-    const SeenPositions seen = kernels().see(positions, places_[agent]);
-    const Team own = world_->team(agent);
-    const auto each = [&](Team team, const auto& found) {
-        const int first = seen.corner + channel(team) * static_cast<int>(view_.size());
-        for (int i = 0; i * kPositionPad < positions.n_agents; ++i) {
-            std::uint64_t bits = seen.words[i] & of_team_[static_cast<int>(team)][i];
-            for (; bits; bits &= bits - 1) {
-                const int place = i * kPositionPad + lowest_bit(bits);
-                found(view_[positions.cells[place] - first]);
-            }
-        }
-    };
-    each(own, on_teammate);
-    each(opponent(own), on_adversary);
-}
-
-template <typename OnTeammate>
-void Inputs::see_reserved(int agent, const OnTeammate& on_teammate) {
+// Among very many agents, the cells of the view are visited.
+void MoveInputs::list_reserved(int agent) {
     const Grid& grid = world_->grid();
     const ReservationTable reservations = occupancy_->reservations();
     const Team own = world_->team(agent);
+    for (auto& seen : seen_) seen.clear();
     for (int r = std::max(-half_, -row_); r <= std::min(half_, grid.rows() - 1 - row_); ++r) {
         for (int c = std::max(-half_, -col_); c <= std::min(half_, grid.cols() - 1 - col_); ++c) {
             const int cell = grid.cell(row_ + r, col_ + c);
             if (reservations.empty(cell)) continue;
-            const Seen& seen = view_[(r + half_) * config_.fov + c + half_];
+            const SeenCell* const seen = &view_[(r + half_) * config_.fov + c + half_];
             const int self = r == 0 && c == 0;
-            if (reservations.at(cell, own).count() > self) on_teammate(seen);
-            if (reservations.at(cell, opponent(own)).count() > 0) adversaries_.push_back(&seen);
+            if (reservations.at(cell, own).count() > self) seen_[0].push_back(seen);
+            if (reservations.at(cell, opponent(own)).count() > 0) seen_[1].push_back(seen);
         }
     }
 }
 
-template <int n>
-void Inputs::look(int agent) {
+void MoveInputs::look(int agent, MoveRows& rows) {
     const int cell = world_->cell(agent);
     row_ = world_->grid().row(cell);
     col_ = world_->grid().col(cell);
-    const Ground& ground = this->ground();
     const Team team = world_->team(agent);
+    look_.place = places_[agent];
+    for (const int t : {0, 1}) {
+        const Team seen = t == 0 ? team : opponent(team);
+        look_.first[t] = channel(seen) * static_cast<int>(view_.size());
+        look_.of_team[t] = of_team_[static_cast<int>(seen)];
+    }
+    look_.walls = terrain_->blocked.window(row_, col_);
     const auto& forbids = forbids_[static_cast<int>(team)][order_];
-    const bool asks_claims = wants(kUnclaimed), asks_sides = wants(kOpenSide);
-    const bool asks_way = wants(kMustYield);
-    const auto nobody = ByMove<n>::of(static_cast<float>(config_.fov));
-    const auto nothing = ByMove<n>::of(0);
-    auto teammate = nobody, adversary = nobody, unclaimed = nobody, open_side = nobody;
-    auto crowd = nothing, pressure = nothing;
-    std::uint32_t forbidden = ground.blocked;
-    const auto forbid = [&](const Seen& seen, Team by) {
-        if (std::abs(seen.row) > 2 || std::abs(seen.col) > 2) return;
-        forbidden |= forbids[channel(by)][(seen.row + 2) * 5 + seen.col + 2];
+    look_.forbids = wants(kMustYield) ? forbids : nullptr;
+    ++look_.number;
+    if (look_.positions.n_agents == 0) list_reserved(agent);
+    const auto cells = [&](int t) {
+        return SeenCells{seen_[t].data(), static_cast<int>(seen_[t].size())};
     };
-    const std::uint64_t now = ++n_looks_;
-    const Seen** const teammates = teammates_.data();
-    std::size_t n_teammates = 0;
-    bool any_unclaimed = false;
-    see(
-        agent,
-        [&](const Seen& seen) {
-            teammate.least(seen.moves);
-            crowd.add(seen.charge);
-            taken_[seen.place] = now;
-            teammates[n_teammates++] = &seen;
-            if (asks_way) forbid(seen, team);
-        },
-        [&](const Seen& seen) {
-            adversary.least(seen.moves);
-            pressure.add(seen.charge);
-            if (asks_claims) {
-                bool claimed = false;
-                for (std::size_t i = 0; i < n_teammates; ++i)
-                    claimed |= moves_between(*teammates[i], seen) < static_cast<int>(seen.moves[0]);
-                if (!claimed) unclaimed.least(seen.moves);
-                any_unclaimed |= !claimed;
-            }
-            for (int side = 1; asks_sides && side < n_moves_; ++side) {
-                const std::uint64_t taken = taken_[seen.place + steps_[side]];
-                if (taken == now || taken == kNotInView) continue;
-                const int row = row_ + seen.row + kRowStep[side];
-                const int col = col_ + seen.col + kColStep[side];
-                if (*terrain_->blocked.window(row, col)) continue;
-                open_side.least((&seen + kRowStep[side] * config_.fov + kColStep[side])->moves);
-            }
-            if (asks_way) forbid(seen, opponent(team));
-        });
-    blocked_ = ground.blocked;
-    forbidden_ = forbidden;
-    adversary.write(unit_, rows_[kAdversary]);
-    pressure.write(1, rows_[kPressure]);
-    (any_unclaimed ? unclaimed : adversary).write(unit_, rows_[kUnclaimed]);
-    open_side.write(unit_, rows_[kOpenSide]);
-    teammate.write(unit_, rows_[kTeammate]);
-    crowd.write(1, rows_[kCrowd]);
-    std::memcpy(rows_[kExits], ground.exits, 4 * n * sizeof(float));
-    std::memcpy(rows_[kRoom], ground.room, 4 * n * sizeof(float));
-    spread(forbidden, rows_[kMustYield]);
-    spread(1u << strides_[agent], rows_[kAhead]);
+    const Ground& ground = this->ground();
+    rows.blocked = rows.forbidden = ground.blocked;
+    look_.rows = &rows;
+    kernels().look_at_moves(look_, cells(0), cells(1));
+    std::memcpy(rows.of[kExits], ground.exits, sizeof(ground.exits));
+    std::memcpy(rows.of[kRoom], ground.room, sizeof(ground.room));
+    if (wants(kMustYield)) spread(rows.forbidden, rows.of[kMustYield]);
+    spread(1, rows.of[kStay]);
+    if (wants(kAhead)) spread(1u << strides_[agent], rows.of[kAhead]);
 }
 
-int Inputs::moves_between(const Seen& a, const Seen& b) const {
-    const int rows = std::abs(a.row - b.row), cols = std::abs(a.col - b.col);
-    return config_.diagonal ? std::max(rows, cols) : rows + cols;
-}
-
-void Inputs::write(const World& world, const Occupancy& occupancy, float* out) {
+void MoveInputs::write(const World& world, const Occupancy& occupancy, float* out) {
     const std::size_t size = static_cast<std::size_t>(n_moves_) * kInputs;
     std::fill_n(out, config_.n_agents() * size, 0.0f);
     gather(world, occupancy);
+    MoveRows rows{};
     for (const int agent : world.living()) {
-        look(agent);
+        look(agent, rows);
         float* const own = out + agent * size;
         for (int move = 0; move < n_moves_; ++move) {
             for (int input = 0; input < kInputs; ++input) {
-                own[move * kInputs + input] = rows_[input][move];
+                own[move * kInputs + input] = rows.of[input][move];
             }
         }
     }

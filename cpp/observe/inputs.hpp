@@ -2,10 +2,11 @@
 // are what policies read that rate moves (play/rating.hpp), and an output of worlds. An agent computes
 // them from its own view; must_yield and ahead also depend on the step. Both teams have the same.
 //
-//     Inputs inputs(config);                       // one for each thread
+//     MoveInputs inputs(config);                       // one for each thread
 //     inputs.gather(world, scratch.occupancy);     // before the agents of a turn look
-//     inputs.look(agent);
-//     inputs.of(kRoom)[move];
+//     MoveRows rows{};
+//     inputs.look(agent, rows);
+//     rows.of[kRoom][move];
 #pragma once
 
 #include <cstdint>
@@ -16,25 +17,11 @@
 #include "game/occupancy.hpp"
 #include "game/world.hpp"
 #include "grid/compiler.hpp"
+#include "kernels/move_look.hpp"
 #include "observe/crowd.hpp"
 #include "observe/right_of_way.hpp"
 
 namespace matrixworld {
-
-enum Input : int {
-    kAdversary,
-    kPressure,
-    kUnclaimed,
-    kOpenSide,
-    kTeammate,
-    kCrowd,
-    kExits,
-    kRoom,
-    kMustYield,
-    kStay,
-    kAhead,
-    kInputs
-};
 
 // What users read of an input. Each is at least 0.
 struct InputText {
@@ -51,70 +38,46 @@ constexpr int kStride = 12;
 // has to remember anything between steps.
 int stride_of(const World& world, int agent, int steps = kStride);
 
-class Inputs {
+class MoveInputs {
   public:
-    // Numbers of all moves, in whole vectors. Those beyond the last move mean nothing.
-    static constexpr int kLanes = 12;
-    using Row = float[kLanes];
-
-    explicit Inputs(const Config& config);
+    explicit MoveInputs(const Config& config);
 
     // Only these are computed from now on, as bits by Input. At first it is all of them.
-    void want(std::uint32_t inputs) { wanted_ = inputs; }
+    void want(std::uint32_t inputs);
     // Looks at a moment. The world and the occupancy, which it has entered, must stay in memory.
     void gather(const World& world, const Occupancy& occupancy);
-    // Computes the inputs of a living agent.
-    void look(int agent) { n_moves_ == kCompassMoves ? look<2>(agent) : look<3>(agent); }
-
-    int n_moves() const { return n_moves_; }
-    const Row& of(int input) const { return rows_[input]; }
-    // Moves as bits: those into an obstacle, and those that right of way forbids; the latter only if
+    // Computes the inputs of a living agent. The moves that right of way forbids are there only if
     // kMustYield is wanted.
-    std::uint32_t blocked() const { return blocked_; }
-    std::uint32_t forbidden() const { return forbidden_; }
+    void look(int agent, MoveRows& rows);
 
     // Writes the inputs of all agents, (A, moves, kInputs). Those of gone agents are zeros.
     void write(const World& world, const Occupancy& occupancy, float* out);
 
   private:
-    // Of a cell in view, how far it is from the cell of each move.
-    struct alignas(16) Seen {
-        int row;  // from the agent
-        int col;
-        int place;  // in `taken_`
-        alignas(16) Row moves;
-        Row charge;  // 1 / (1 + moves)^2, rounded down so that sums are exact in any order
-    };
     // What depends on the agent's cell alone.
     struct Ground {
-        Row exits;
-        Row room;
+        float exits[kMoveLanes];
+        float room[kMoveLanes];
         std::uint32_t blocked;
     };
 
     bool wants(Input input) const { return wanted_ >> input & 1; }
-    template <int n>
-    void look(int agent);
-    template <typename OnTeammate, typename OnAdversary>
-    void see(int agent, const OnTeammate& on_teammate, const OnAdversary& on_adversary);
-    template <typename OnTeammate>
-    void see_reserved(int agent, const OnTeammate& on_teammate);
+    void list_reserved(int agent);
     const Ground& ground();
     void survey(Ground& ground) const;
     void draw_strides();
-    int moves_between(const Seen& a, const Seen& b) const;
 
     const Config& config_;
     int n_moves_;
     int half_;  // cells from the agent to the end of its view
     float unit_;
     std::uint32_t wanted_ = (1u << kInputs) - 1;
-    std::vector<Seen> view_;  // by cell of the view
-    // By cell of the view and one around it: the look that found a teammate there.
-    std::vector<std::uint64_t> taken_;
-    int steps_[kDiagonalMoves];  // in `taken_`
-    // Moves that an agent in view forbids, as bits: by team, order of right of way, channel, and cell
-    // at most two rows and columns away.
+    std::vector<SeenCell> view_;        // by cell of the view
+    std::vector<std::uint64_t> taken_;  // as in MoveLook
+    MoveLook::Step steps_[kDiagonalMoves];
+    MoveLook look_{};
+    // Moves that an agent in view forbids, as bits: by team, order of right of way, whether it is an
+    // adversary, and cell at most two rows and columns away.
     std::uint16_t forbids_[kTeams][RightOfWay::kOrders][2][25] = {};
 
     const World* world_ = nullptr;
@@ -135,12 +98,7 @@ class Inputs {
 
     int row_ = 0;  // of the agent that looks
     int col_ = 0;
-    std::uint64_t n_looks_ = 0;
-    std::vector<const Seen*> teammates_;    // room for every cell of the view
-    std::vector<const Seen*> adversaries_;  // among more than kMaxPositions agents
-    std::uint32_t blocked_ = 0;
-    std::uint32_t forbidden_ = 0;
-    alignas(16) Row rows_[kInputs] = {};
+    std::vector<const SeenCell*> seen_[2];  // teammates, adversaries, among very many agents
 };
 
 }  // namespace matrixworld

@@ -67,8 +67,8 @@ class OutputSource {
     const Occupancy& occupancy() const { return *occupancy_; }
 
     // Made when it is first asked for: few write inputs.
-    Inputs& inputs() const {
-        if (!inputs_) inputs_ = std::make_unique<Inputs>(world_->config());
+    MoveInputs& inputs() const {
+        if (!inputs_) inputs_ = std::make_unique<MoveInputs>(world_->config());
         return *inputs_;
     }
 
@@ -81,7 +81,7 @@ class OutputSource {
     const World* world_ = nullptr;
     const Occupancy* occupancy_ = nullptr;  // must hold the world's agents
     std::size_t n_agents_ = 0;              // kept here, because nearly all writers need it
-    mutable std::unique_ptr<Inputs> inputs_;
+    mutable std::unique_ptr<MoveInputs> inputs_;
 };
 
 // Writes one world's part of an array, all of it.

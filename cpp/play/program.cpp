@@ -8,9 +8,9 @@ namespace matrixworld {
 
 const Operation (&operations()) [kOperators] {
     static const Operation all[kOperators] = {
-        {"end", 0}, {"input", 0}, {"constant", 0}, {"add", 2},  {"subtract", 2}, {"multiply", 2},
-        {"min", 2}, {"max", 2},   {"negate", 1},   {"less", 2},  // 1 if a < b, else 0
-        {"where", 3},                                             // b if a > 0, else c
+        {"end", 0},   {"input", 0}, {"constant", 0}, {"add", 2},  {"subtract", 2}, {"multiply", 2},
+        {"min", 2},   {"max", 2},   {"negate", 1},   {"less", 2},  // 1 if a < b, else 0
+        {"where", 3},                                              // b if a > 0, else c
     };
     return all;
 }
@@ -57,17 +57,17 @@ void Program::load(const float* genome) {
     }
 }
 
-void Program::rate(const Inputs& inputs, Inputs::Row& ratings) {
-    if (inputs.n_moves() == kCompassMoves) {
-        run<kCompassMoves>(inputs, ratings);
+void Program::rate(const MoveRows& rows, float* ratings) {
+    if (shape_.n_actions == kCompassMoves) {
+        run<kCompassMoves>(rows, ratings);
     } else {
-        run<kDiagonalMoves>(inputs, ratings);
+        run<kDiagonalMoves>(rows, ratings);
     }
 }
 
 // Each instruction works on all moves at once.
 template <int n>
-void Program::run(const Inputs& inputs, Inputs::Row& ratings) const {
+void Program::run(const MoveRows& rows, float* ratings) const {
     float stack[kDepth][n];
     int top = -1;
     const auto each = [&](int n_arguments, const auto& function) {
@@ -80,7 +80,7 @@ void Program::run(const Inputs& inputs, Inputs::Row& ratings) const {
     for (const Instruction& next : code_) {
         switch (next.operation) {
             case kInput:
-                std::copy_n(inputs.of(next.input), n, stack[++top]);
+                std::copy_n(rows.of[next.input], n, stack[++top]);
                 break;
             case kConstant:
                 std::fill_n(stack[++top], n, next.value);

@@ -41,7 +41,7 @@ class Program : public MoveRater {
     explicit Program(const RatingShape& shape) : shape_(shape) {}
 
     void load(const float* genome) override;
-    void rate(const Inputs& inputs, Inputs::Row& ratings) override;
+    void rate(const MoveRows& rows, float* ratings) override;
     std::uint32_t reads() const override { return reads_; }
 
   private:
@@ -52,7 +52,7 @@ class Program : public MoveRater {
     };
 
     template <int n>
-    void run(const Inputs& inputs, Inputs::Row& ratings) const;
+    void run(const MoveRows& rows, float* ratings) const;
 
     RatingShape shape_;
     std::vector<Instruction> code_;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
+#include "kernels/kernels.hpp"
 #include "play/program.hpp"
 
 namespace matrixworld {
@@ -80,6 +82,8 @@ class RatingNetwork : public MoveRater {
             widest = std::max(widest, static_cast<std::size_t>(size));
         }
         for (auto& layer : units_) layer.resize(widest);
+        all_.resize(widest);
+        std::iota(all_.begin(), all_.end(), 0);
     }
 
     void load(const float* genome) override {
@@ -87,111 +91,51 @@ class RatingNetwork : public MoveRater {
         reads_ = 0;
         used_.clear();
         weights_.clear();
-        biases_.clear();
-        int n_in = static_cast<int>(shape_.inputs.size());
+        const int n_in = static_cast<int>(shape_.inputs.size());
         for (int i = 0; i < n_in; ++i) {
             const float* const row = genome + static_cast<std::ptrdiff_t>(i) * width;
             if (std::all_of(row, row + width, [](float weight) { return weight == 0; })) continue;
             reads_ |= 1u << shape_.inputs[i];
             used_.push_back(shape_.inputs[i]);
-            for (int unit = 0; unit < width; ++unit) weights_.push_back(splat<Vec>(row[unit]));
+            weights_.insert(weights_.end(), row, row + width);
         }
-        genome += static_cast<std::ptrdiff_t>(n_in) * width;
-        for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
-            const int n_out = shape_.hidden[layer];
-            biases_.insert(biases_.end(), genome, genome + n_out);
-            genome += n_out;
-            const int next = layer + 1 < shape_.hidden.size() ? shape_.hidden[layer + 1] : 1;
-            for (int i = 0; i < n_out * next; ++i) weights_.push_back(splat<Vec>(genome[i]));
-            genome += static_cast<std::ptrdiff_t>(n_out) * next;
-        }
+        const float* const rest = genome + static_cast<std::ptrdiff_t>(n_in) * width;
+        weights_.insert(weights_.end(), rest, genome + shape_.genome_size());
     }
 
-    void rate(const Inputs& inputs, Inputs::Row& ratings) override {
-        if (inputs.n_moves() == kCompassMoves) {
-            rate<2>(inputs, ratings);
-        } else {
-            rate<3>(inputs, ratings);
+    void rate(const MoveRows& rows, float* ratings) override {
+        constexpr float kLowest = std::numeric_limits<float>::lowest();
+        const float* weights = weights_.data();
+        const float* in = rows.of[0];
+        const int* places = used_.data();
+        int n_in = static_cast<int>(used_.size());
+        for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
+            const int n_out = shape_.hidden[layer];
+            const float* const biases = weights + static_cast<std::ptrdiff_t>(n_in) * n_out;
+            float* const out = units_[layer % 2].data()->of;
+            kernels().rate_moves(shape_.n_actions, in, places, n_in, weights, n_out, biases, 0,
+                                 out);
+            weights = biases + n_out;
+            in = out;
+            places = all_.data();
+            n_in = n_out;
         }
+        kernels().rate_moves(shape_.n_actions, in, places, n_in, weights, 1, nullptr, kLowest,
+                             ratings);
     }
 
     std::uint32_t reads() const override { return reads_; }
 
   private:
-    using Vec = Lanes<float, 4>;
     struct Unit {
-        alignas(16) Inputs::Row by_move;
+        alignas(64) float of[kMoveLanes];
     };
-
-    // The sums of kUnits units, for all moves: one after the other they would wait for each other.
-    // Each product is rounded before it is added. `in(i)` is input i of the layer.
-    template <int n, int kUnits, typename In>
-    static void add_up(const In& in, int n_in, const Vec* weights, int n_units, const float* biases,
-                       float least, Unit* out) {
-        Vec sum[kUnits][n];
-        for (int unit = 0; unit < kUnits; ++unit) {
-            for (Vec& part : sum[unit]) part = splat<Vec>(biases ? biases[unit] : 0.0f);
-        }
-        for (int i = 0; i < n_in; ++i, weights += n_units) {
-            Vec x[n];
-            std::memcpy(x, in(i), sizeof(x));
-            for (int unit = 0; unit < kUnits; ++unit) {
-                for (int k = 0; k < n; ++k) sum[unit][k] += x[k] * weights[unit];
-            }
-        }
-        const Vec floor = splat<Vec>(least);
-        for (int unit = 0; unit < kUnits; ++unit) {
-            for (Vec& part : sum[unit]) part = where(part > floor, part, floor);
-            std::memcpy(out[unit].by_move, sum[unit], sizeof(sum[unit]));
-        }
-    }
-
-    template <int n, typename In>
-    static void add_up_all(const In& in, int n_in, const Vec* weights, int n_units,
-                           const float* biases, float least, Unit* out) {
-        constexpr int kUnits = 4;
-        int unit = 0;
-        for (; unit + kUnits <= n_units; unit += kUnits) {
-            add_up<n, kUnits>(in, n_in, weights + unit, n_units, biases + unit, least, out + unit);
-        }
-        for (; unit < n_units; ++unit) {
-            add_up<n, 1>(in, n_in, weights + unit, n_units, biases ? biases + unit : nullptr, least,
-                         out + unit);
-        }
-    }
-
-    template <int n>
-    void rate(const Inputs& inputs, Inputs::Row& ratings) {
-        constexpr float kLowest = std::numeric_limits<float>::lowest();
-        const Vec* weights = weights_.data();
-        const float* biases = biases_.data();
-        int n_in = static_cast<int>(used_.size());
-        Unit* out = units_[0].data();
-        const auto input = [&](int i) { return inputs.of(used_[i]); };
-        for (std::size_t layer = 0; layer <= shape_.hidden.size(); ++layer) {
-            const bool last = layer == shape_.hidden.size();
-            const int n_out = last ? 1 : shape_.hidden[layer];
-            const Unit* const in = units_[(layer + 1) % 2].data();
-            out = units_[layer % 2].data();
-            const auto unit = [&](int i) { return in[i].by_move; };
-            const float least = last ? kLowest : 0;
-            if (layer == 0) {
-                add_up_all<n>(input, n_in, weights, n_out, last ? nullptr : biases, least, out);
-            } else {
-                add_up_all<n>(unit, n_in, weights, n_out, last ? nullptr : biases, least, out);
-            }
-            weights += static_cast<std::ptrdiff_t>(n_in) * n_out;
-            biases += last ? 0 : n_out;
-            n_in = n_out;
-        }
-        std::memcpy(ratings, out->by_move, sizeof(ratings));
-    }
 
     RatingShape shape_;
     std::uint32_t reads_ = 0;
     std::vector<int> used_;       // inputs with a weight that is not 0
-    std::vector<Vec> weights_;    // by layer, input and unit
-    std::vector<float> biases_;   // by layer and unit
+    std::vector<float> weights_;  // of these inputs, and all others
+    std::vector<int> all_;        // 0, 1, ...: the units of a hidden layer
     std::vector<Unit> units_[2];  // of layers in turn
 };
 
@@ -213,33 +157,49 @@ void RatingPolicy::load(const float* genome) {
     inputs_.want(rater_->reads() | for_mask);
 }
 
-// Lists the best of the allowed moves, and returns how many there are. No rating is below that of
-// what is no number, the lowest one. Without branches: which move is best cannot be predicted.
-int RatingPolicy::list_best(int agent, int* moves) {
-    inputs_.look(agent);
-    rater_->rate(inputs_, ratings_);
+// All agents look before the first is rated: nothing of a step then waits for the step before.
+void RatingPolicy::rate(const World& world, const Occupancy& occupancy) {
+    inputs_.gather(world, occupancy);
+    if (rows_.size() < agents_.size()) {
+        rows_.resize(agents_.size());
+        ratings_.resize(agents_.size());
+    }
+    for (std::size_t i = 0; i < agents_.size(); ++i) inputs_.look(agents_[i], rows_[i]);
+    for (std::size_t i = 0; i < agents_.size(); ++i) rater_->rate(rows_[i], ratings_[i].of);
+}
+
+// Lists the best of the allowed moves, and returns how many there are. Without branches: which move is
+// best cannot be predicted.
+template <int n_moves>
+int RatingPolicy::list_best(std::size_t i, int* moves) const {
+    const float (&ratings)[kMoveLanes] = ratings_[i].of;
     const std::uint32_t refused = mask_ == MoveMask::None        ? 0
-                                  : mask_ == MoveMask::Obstacles ? inputs_.blocked()
-                                                                 : inputs_.forbidden();
-    float most = ratings_[0];
-    for (int move = 1; move < n_moves_; ++move) {
-        // A refused move becomes one that stays, whose rating counts already.
-        const float rating = ratings_[refused >> move & 1 ? 0 : move];
-        most = rating > most ? rating : most;
+                                  : mask_ == MoveMask::Obstacles ? rows_[i].blocked
+                                                                 : rows_[i].forbidden;
+    float kept[n_moves];
+    float most = ratings[0];  // nothing refuses to stay
+    for (int move = 0; move < n_moves; ++move) {
+        kept[move] = refused >> move & 1 ? -std::numeric_limits<float>::infinity() : ratings[move];
+        most = kept[move] > most ? kept[move] : most;
     }
     int n = 0;
-    for (int move = 0; move < n_moves_; ++move) {
+    for (int move = 0; move < n_moves; ++move) {
         moves[n] = move;
-        n += static_cast<int>(ratings_[move] == most) & static_cast<int>(~refused >> move & 1);
+        n += kept[move] == most;
     }
     return n;
 }
 
+int RatingPolicy::list_best(std::size_t i, int* moves) const {
+    return n_moves_ == kCompassMoves ? list_best<kCompassMoves>(i, moves)
+                                     : list_best<kDiagonalMoves>(i, moves);
+}
+
 void RatingPolicy::choose(World& world, const Occupancy& occupancy) {
-    inputs_.gather(world, occupancy);
+    rate(world, occupancy);
     for (std::size_t i = 0; i < agents_.size(); ++i) {
         int moves[kDiagonalMoves];
-        const int n = list_best(agents_[i], moves);
+        const int n = list_best(i, moves);
         chosen_[i] = static_cast<std::uint8_t>(moves[below(draws_[i], n)]);
     }
 }
@@ -251,8 +211,8 @@ void RatingPolicy::weigh(const World& world, const Occupancy& occupancy, double*
             "rating: expected one that decides by what it sees alone, got one that reads ahead or "
             "must_yield, or has the mask right-of-way, which count steps");
     }
-    inputs_.gather(world, occupancy);
-    for (const int agent : agents_) {
+    rate(world, occupancy);
+    for (std::size_t agent = 0; agent < agents_.size(); ++agent) {
         int moves[kDiagonalMoves];
         const int n = list_best(agent, moves);
         std::fill_n(out, n_moves_, 0.0);

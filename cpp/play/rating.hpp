@@ -28,8 +28,8 @@ class MoveRater {
 
     // Reads a genome, which must stay in memory. Throws std::invalid_argument if it is none.
     virtual void load(const float* genome) = 0;
-    // Rates all moves of the agent that looked.
-    virtual void rate(const Inputs& inputs, Inputs::Row& ratings) = 0;
+    // Rates all moves of an agent: writes kMoveLanes numbers.
+    virtual void rate(const MoveRows& rows, float* ratings) = 0;
     // The inputs that the genome reads, as bits by Input.
     virtual std::uint32_t reads() const = 0;
 };
@@ -45,13 +45,21 @@ class RatingPolicy : public Policy {
   private:
     void choose(World& world, const Occupancy& occupancy) override;
     void weigh(const World& world, const Occupancy& occupancy, double* out) override;
-    int list_best(int agent, int* moves);
+    struct alignas(64) Ratings {
+        float of[kMoveLanes];
+    };
 
-    Inputs inputs_;
+    void rate(const World& world, const Occupancy& occupancy);
+    template <int n_moves>
+    int list_best(std::size_t i, int* moves) const;
+    int list_best(std::size_t i, int* moves) const;
+
+    MoveInputs inputs_;
     MoveMask mask_;
     int n_moves_;
     std::unique_ptr<MoveRater> rater_;
-    Inputs::Row ratings_ = {};
+    std::vector<MoveRows> rows_;    // by agent that acts
+    std::vector<Ratings> ratings_;  // by agent that acts
 };
 
 }  // namespace matrixworld

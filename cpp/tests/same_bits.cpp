@@ -1,6 +1,6 @@
 // Prints one number for matches under every combination of the rules, by networks without memory
-// and with it, and by all scripts: a hash of the statistics of episodes and of what networks
-// compute, bit by bit. It is the same for every compiler, system and instruction set (.ci/bits).
+// and with it, by ratings and programs, and by all scripts: a hash of the statistics of episodes, of
+// what networks compute and of the inputs of moves, bit by bit. It is the same for every compiler, system and instruction set (.ci/bits).
 //
 //     same_bits [rounds]
 #include <cstring>
@@ -70,12 +70,17 @@ void add_game(const Game& game) {
         [&](const World& world, const Occupancy& occupancy, const std::vector<std::uint8_t>*) {
             for (const float reward : world.rewards()) hash.add(reward);
             if (n_moments++ % 4 != 2) return;
+            const Config& config = world.config();
+            std::vector<float> numbers(static_cast<std::size_t>(config.n_agents()) *
+                                       config.n_actions() * kInputs);
+            MoveInputs(config).write(world, occupancy, numbers.data());
+            for (const float number : numbers) hash.add(number);
             add_outputs(world, occupancy, game.pursuers->candidates, Team::Pursuer);
             add_outputs(world, occupancy, game.evaders->candidates, Team::Evader);
         });
 }
 
-// Of each kind of network, and scripts in turn, against any opponent.
+// Of each kind of network, ratings, and scripts in turn, against any opponent.
 void play_row(const Rules& rules, Random& random) {
     static std::size_t n_played = 0;
     using Kind = matrixworld::Memory;
@@ -88,6 +93,8 @@ void play_row(const Rules& rules, Random& random) {
         add_game({config, std::move(team), std::move(opponent), 1, 3, random});
     }
     Config config = random_config(rules, random);
+    auto ratings = random_ratings(config, random);
+    add_game({config, std::move(ratings), random_side(config, random), 1, 3, random});
     config.fov = std::max(config.fov, RightOfWay::kLeastFov);
     auto team = std::make_unique<Side>();
     team->candidates.script = &scripts()[n_played++ % scripts().size()];

@@ -16,6 +16,7 @@
 #include "observe/observe.hpp"
 #include "play/buffers.hpp"
 #include "play/mlp.hpp"
+#include "play/program.hpp"
 #include "play/rollout.hpp"
 
 namespace matrixworld::tests {
@@ -174,7 +175,53 @@ inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden,
     return random_networks(config, n_hidden, n_hidden ? kind : Kind::None, random);
 }
 
+// A program of a few random instructions, then additions until one number is left.
+inline std::vector<float> random_program(const RatingShape& shape, Random& random) {
+    std::vector<float> code;
+    int depth = 0;
+    for (int n = random.between(1, shape.length / 2); n > 0; --n) {
+        int operation = random.between(kInput, kOperators - 1);
+        if (operations()[operation].n_arguments > depth) operation = kInput + random.below(2);
+        float operand = 0;
+        if (operation == kConstant) operand = random.weight();
+        if (operation == kInput) operand = random.below(static_cast<int>(shape.inputs.size()));
+        code.insert(code.end(), {static_cast<float>(operation), operand});
+        depth += 1 - operations()[operation].n_arguments;
+    }
+    for (; depth > 1; --depth) code.insert(code.end(), {static_cast<float>(kAdd), 0.0f});
+    code.resize(static_cast<std::size_t>(shape.genome_size()));
+    return code;
+}
+
+// Policies that rate moves: networks or programs.
+inline std::unique_ptr<Side> random_ratings(const Config& config, Random& random) {
+    auto side = std::make_unique<Side>();
+    RatingShape shape{config.fov, config.n_actions(), {}, {}, 0, MoveMask::None};
+    while (shape.inputs.empty()) {
+        for (int input = 0; input < kInputs; ++input) {
+            if (random.chance(50)) shape.inputs.push_back(input);
+        }
+    }
+    if (random.chance(50)) shape.length = random.between(1, 16) * 2;
+    for (int n = shape.length ? 0 : random.below(3); n > 0; --n) {
+        shape.hidden.push_back(random.one_of({1, 3, 4, 9}));
+    }
+    shape.mask = random.one_of({MoveMask::None, MoveMask::Obstacles, MoveMask::RightOfWay});
+    side->candidates.n = random.between(1, 3);
+    for (int i = 0; i < side->candidates.n; ++i) {
+        std::vector<float> genome(static_cast<std::size_t>(shape.genome_size()));
+        for (float& gene : genome) gene = random.weight();
+        if (shape.length) genome = random_program(shape, random);
+        side->genomes.insert(side->genomes.end(), genome.begin(), genome.end());
+    }
+    shape.check_genomes(side->genomes.data(), static_cast<std::size_t>(side->candidates.n));
+    side->candidates.rating = shape;
+    side->candidates.genomes = side->genomes.data();
+    return side;
+}
+
 inline std::unique_ptr<Side> random_side(const Config& config, Random& random) {
+    if (random.chance(25)) return random_ratings(config, random);
     if (!random.chance(40)) {
         const int n_hidden = random.below(4);
         return random_networks(config, n_hidden, random);

@@ -73,7 +73,7 @@ class PlayedWorld {
     // The outputs of a network for one agent, which is alive.
     std::vector<float> logits(const Player& player, int agent) const {
         const std::optional<Network>& network = player.candidates.network;
-        if (!network) throw std::invalid_argument("policy: expected a network, got a script");
+        if (!network) throw std::invalid_argument("policy: expected a network, got another one");
         if (agent < 0 || agent >= config().n_agents() || !world_.alive(agent)) {
             throw std::invalid_argument("agent: expected one that is alive, got " +
                                         std::to_string(agent));
@@ -87,6 +87,7 @@ class PlayedWorld {
 
     // What an agent remembers at the beginning of this step for a network.
     std::vector<float> memory(const Player& player, int agent) const {
+        if (!player.candidates.network) return {};
         std::vector<float> numbers(player.candidates.network->state_size());
         world_.memories().recall(agent, world_.steps(), static_cast<int>(numbers.size()),
                                  numbers.data());

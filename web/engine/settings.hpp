@@ -93,13 +93,26 @@ struct Player {
             require_sight("script", *candidates.script, config);
             return;
         }
-        const auto activation =
-            in.text("activation") == "tanh" ? Activation::Tanh : Activation::Relu;
-        candidates.network.emplace(config.fov, in.list<int>("hidden"), config.n_actions(),
-                                   activation, in.number<bool>("sampled"),
-                                   to_memory(in.text("memory")));
         genome = in.list<float>("genome");
-        const auto size = static_cast<std::size_t>(candidates.network->genome_size());
+        std::size_t size = 0;
+        if (in.has("inputs")) {  // it rates moves
+            candidates.rating = {config.fov,
+                                 config.n_actions(),
+                                 in.list<int>("inputs"),
+                                 in.list<int>("hidden"),
+                                 in.number<int>("length"),
+                                 to_mask(in.text("mask"))};
+            candidates.rating->validate();
+            candidates.rating->check_fits("policy", config);
+            size = static_cast<std::size_t>(candidates.rating->genome_size());
+        } else {
+            const auto activation =
+                in.text("activation") == "tanh" ? Activation::Tanh : Activation::Relu;
+            candidates.network.emplace(config.fov, in.list<int>("hidden"), config.n_actions(),
+                                       activation, in.number<bool>("sampled"),
+                                       to_memory(in.text("memory")));
+            size = static_cast<std::size_t>(candidates.network->genome_size());
+        }
         const bool several = count == Genomes::Several && !genome.empty();
         if (several ? genome.size() % size != 0 : genome.size() != size) {
             throw std::invalid_argument("genome: expected " + std::to_string(size) +
@@ -111,6 +124,7 @@ struct Player {
         }
         candidates.genomes = genome.data();
         candidates.n = static_cast<int>(genome.size() / size);
+        if (candidates.rating) candidates.rating->check_genomes(genome.data(), genome.size() / size);
     }
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;

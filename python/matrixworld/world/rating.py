@@ -13,6 +13,7 @@ from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import Self
 
 from matrixworld import _core
 from matrixworld._util import checks
@@ -65,7 +66,7 @@ class _Rates(Policy):
             raise ValueError(f"fov: expected {least}, got {self.fov}")
 
     @classmethod
-    def for_config(cls, config: WorldConfig, **more: Any) -> Any:
+    def for_config(cls, config: WorldConfig, **more: Any) -> Self:
         """Return one for the views and actions of a world; `more` are its other fields."""
         checks.check_instance("config", config, WorldConfig)
         return cls(fov=config.fov, n_actions=config.n_actions, **more)  # type: ignore[call-arg]
