@@ -429,6 +429,24 @@ class Program(_Rates):
             stack[first:] = [_shorter(str(token), stack[first:])]
         return self.encode(stack[0])
 
+    def shorter(self, genome: _Floats) -> list[_Floats]:
+        """Return the programs in which one operation is replaced by one of its arguments.
+
+        All are simplified and different, the shortest ones first.
+        """
+        tokens, found = self.tokens(genome), dict[bytes, _Floats]()
+        starts: list[int] = []  # where the arguments on the stack begin
+        for place, token in enumerate(tokens):
+            first = len(starts) - OPERATIONS.get(str(token), 0)
+            parts = zip(starts[first:], [*starts[first + 1 :], place], strict=True)
+            start = starts[first] if first < len(starts) else place
+            for begin, end in parts if first < len(starts) else ():
+                code = [*tokens[:start], *tokens[begin:end], *tokens[place + 1 :]]
+                each = self.simplified(self.encode(code))
+                found[each.tobytes()] = each
+            starts[first:] = [start]
+        return sorted(found.values(), key=lambda code: len(self.tokens(code)))
+
     def rate(self, genome: _Floats, inputs: _Floats) -> _Floats:
         """Return ratings, float32 (..., moves), of `inputs` (..., moves, all inputs), in NumPy.
 

@@ -241,3 +241,16 @@ def test_the_page_has_the_pairs_and_the_inputs_that_exist() -> None:
     told = {name: text for name, [text] in rows_of(page, "input").items()}
     assert told == dict(mw.INPUTS)
     assert [*PHRASES] == [*mw.INPUTS]
+
+
+def test_parts_of_a_program_that_are_worth_nothing_are_left_out() -> None:
+    policy = mw.Program.for_config(WORLD, inputs=("adversary", "room", "crowd"))
+    text = "min(5.0 + crowd, 0.0001 * room - 2.0 * adversary)"
+    acts = mw.RatingPolicy(policy, policy.genome(text))
+    told = explain(acts, "pursuer", WORLD, episodes=60).text
+    [short] = re.findall("Without parts that are worth nothing: (.*)", told)
+    assert "adversary" in short
+    assert "crowd" not in short
+    # What decides stays: a program of one input has no shorter one.
+    chaser = mw.RatingPolicy(policy, policy.genome("-adversary"))
+    assert "Without parts" not in explain(chaser, "pursuer", WORLD, episodes=60).text

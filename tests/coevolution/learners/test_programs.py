@@ -63,6 +63,16 @@ def test_simplified_programs_are_shorter_and_rate_the_same_bit_by_bit() -> None:
         assert POLICY.expression(POLICY.simplified(POLICY.genome(long))) == short_text
 
 
+def test_shorter_programs_lack_one_operation() -> None:
+    text = "min(room - 2 * adversary, crowd) if exits < ahead else teammate"
+    shorter = {POLICY.expression(each) for each in POLICY.shorter(POLICY.genome(text))}
+    assert {"teammate", "min(room, crowd) if exits < ahead else teammate"} <= shorter
+    for genome in genomes(100):
+        lengths = [len(POLICY.tokens(each)) for each in POLICY.shorter(genome)]
+        assert lengths == sorted(lengths)
+        assert max(lengths, default=0) < len(POLICY.tokens(genome))
+
+
 def test_operators_keep_types_and_make_what_they_say() -> None:
     rng, trees = np.random.default_rng(2), [gp.tree_of(POLICY, each) for each in genomes(60)]
     changed = 0

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import count
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,7 +31,7 @@ from matrixworld.coevolution.evaluation.scores import (
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import FloatArray, Team
+from matrixworld.coevolution.types import FloatArray, Genome, Team
 from matrixworld.episodes.record import record
 from matrixworld.play.policies import GenomePolicy, NetworkPolicy, RatingPolicy
 from matrixworld.version import imported
@@ -45,6 +46,9 @@ EPISODES = 40
 DEPTHS = range(3, 7)
 """Depths of trees that can be read, and still imitate something."""
 DEPTH = 4
+NO_LOSS, MOST_PARTS, FIRST_PRUNED = 0.01, 40, 100
+"""Loss of score below which a part of a program is worth nothing, the most shorter programs of a
+trial, and the number of the first matches that try them."""
 STATES = 10_000
 """About the most states of agents that are kept of a rollout."""
 POINTS = 5
@@ -256,13 +260,13 @@ def _inputs_seen(matches: _Matches) -> NDArray[np.float32]:
 def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
     """Return what the inputs of a policy do to the ratings of moves seen, the largest first."""
     policy, allowed, terms = acts.policy, acts.allowed(seen), []
-    count = allowed.sum(axis=1)
+    moves = allowed.sum(axis=1)
     linear = getattr(policy, "sizes", ()) == (len(policy.inputs), 1)
     for place, name in enumerate(policy.inputs):
         column = list(INPUTS).index(name)
         x = seen[..., column].astype(np.float64)
-        mean = (x * allowed).sum(axis=1) / count
-        variance = ((x - mean[:, None]) ** 2 * allowed).sum(axis=1) / count
+        mean = (x * allowed).sum(axis=1) / moves
+        variance = ((x - mean[:, None]) ** 2 * allowed).sum(axis=1) / moves
         spread, ends = float(np.sqrt(variance.mean())), (x[allowed].min(), x[allowed].max())
         points: list[tuple[float, float]] = []
         for value in np.linspace(*ends, POINTS) if spread else ends[:1]:
@@ -274,6 +278,54 @@ def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
         weight = float(acts.genome[place]) if linear else None
         terms.append(Term(name, weight, slope * spread, tuple(points)))
     return sorted(terms, key=lambda term: -abs(term.effect))
+
+
+def pruned(matches: _Matches) -> tuple[Genome, Estimate | None]:
+    """Return a program without parts that are worth nothing, and what is lost by it, if anything.
+
+    A shorter program is taken if its loss against the whole one is below `NO_LOSS` by the bound of
+    an interval, and in new matches once more: of many that are tried some are lucky.
+    """
+    acts = matches.acts
+    whole = code = acts.genome
+    lost, numbers = None, count(FIRST_PRUNED)
+    shorter = acts.policy.shorter(code)[:MOST_PARTS]
+
+    def loss(codes: list[Genome]) -> list[Estimate]:
+        team = Population(np.stack([whole, *codes]), acts.policy)
+        own, *others = matches.rates(team, next(numbers))
+        return [_difference(own, other) for other in others]
+
+    while shorter:
+        tried = zip(shorter, loss(shorter), strict=True)
+        promising = (each for each, found in tried if found.ends[1] < NO_LOSS)
+        taken = next(((c, e) for c in promising for e in loss([c]) if e.ends[1] < NO_LOSS), None)
+        if taken is None:
+            break
+        code, lost = taken
+        shorter = acts.policy.shorter(code)[:MOST_PARTS]
+    return code, lost
+
+
+def _by_program(matches: _Matches) -> dict[str, Any]:
+    """Explain a program by its inputs, and without the parts that are worth nothing."""
+    code, lost = pruned(matches)
+    found = _by_inputs(matches, costs=False)
+    if lost is not None:
+        short = matches.acts.policy.expression(code)
+        found["text"] += f"\nWithout parts that are worth nothing: {short}\n(score lost: {lost})\n"
+    return found
+
+
+def sentence_of(run: SavedRun, team: Team) -> str:
+    """Return in a sentence what the last generation of a team does, if it rates moves; else ""."""
+    if run.settings.game or run.settings.policy.kind == "cells":
+        return ""
+    policy, world = run.policy(team, seed=0), run.pursuit.world
+    assert isinstance(policy, RatingPolicy)
+    matches = _Matches(policy, team, world, opponents_in(run, team, world)[0], 0, 0, {}, silent)
+    terms = terms_of(policy, _inputs_seen(matches))
+    return sentence(team, {term.input: term.effect for term in terms})
 
 
 def _by_inputs(matches: _Matches, *, costs: bool) -> dict[str, Any]:
@@ -408,7 +460,7 @@ def _rules(tree: Any, names: Sequence[str], node: int = 0) -> tuple[list[str], s
 KINDS: dict[str, Callable[..., dict[str, Any]]] = {
     "cells": _by_tree,
     "rating": partial(_by_inputs, costs=True),
-    "program": partial(_by_inputs, costs=False),
+    "program": _by_program,
 }
 """What explains a kind of policy."""
 
