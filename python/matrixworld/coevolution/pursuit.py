@@ -29,6 +29,7 @@ from matrixworld.play.experience import experience
 from matrixworld.play.network_policy import check_fits
 from matrixworld.play.rollout import rollout
 from matrixworld.world import masks
+from matrixworld.world.config import WORLDS
 from matrixworld.world.config import WorldConfig as WorldConfig
 from matrixworld.world.policy import CHANNELS as CHANNELS
 from matrixworld.world.policy import GATES, Policy, Population, TeamPolicy
@@ -61,12 +62,20 @@ WORLD_HELP = {
 
 
 def _world(plain: Mapping[str, Any]) -> WorldConfig:
-    """Return the world of some fields; rules and rewards may be names, or both given one by one."""
-    values = dict(plain)
+    """Return the world of some fields; rules and rewards may be names, or both given one by one.
+
+    The other fields are those of the named world that is the ``kind``, if there is one.
+    """
+    fields = dict(plain)
+    if "kind" in fields:
+        name = fields.pop("kind")
+        checks.check_choice("kind", name, WORLDS)
+        fields = {**WORLDS[name], **fields}
+    values = dict(fields)
     rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
-    sections.check_names(plain, WORLD_HELP)
+    sections.check_names(fields, WORLD_HELP)
     for row, kinds, usual in rows:
-        given = plain.get(row)
+        given = fields.get(row)
         if given is None or isinstance(given, Rules | Rewards):
             continue
         parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
