@@ -1,22 +1,23 @@
 """In which worlds do good teams of both sides win about half? Scripts, and ratings that raced.
 
-    python evolution/balance.py           four minutes of one core
+    python evolution/balance.py           four minutes of one core, or more
     python evolution/balance.py --quick   some worlds and short races, some seconds
 
 A race needs a world in which neither team can win nearly all matches, whatever the other learns. In
 a table of capture rates, pursuers in rows, a world lies between two *bounds*: what the best row is
 sure of (maxmin), and what the best column concedes (minmax). It is balanced if both lie in `BAND`.
 
-1. Screen: all worlds of `VARIANTS`, `SIDES`, `TEAMS` and `OBSTACLES` with agents on 1 to 25 % of the
-   cells; the best scripts of each team against each other, 8 episodes of each pair on seed 0.
+1. Screen: all worlds of `VARIANTS`, `SIDES`, `NUMBERS` and `OBSTACLES` with agents on 1 to 25 % of
+   the cells; the best scripts of each team against each other, 8 episodes of each pair, seed 0.
 2. Retest: of each variant the eight worlds whose worse bound is nearest one half, 60 new episodes
-   (seed 1), since the best of a thousand worlds in few episodes are partly luck. The two best go on.
-3. Race: two hall-of-fame races of ratings (seeds 0 and 1; ten generations, four hidden units) in each. The
-   last champions join the scripts, and all play all, 60 new episodes of each pair (seed 2).
+   (seed 1), since the best of many worlds in few episodes are partly luck. The two best go on.
+3. Race: two hall-of-fame races of ratings (`RACE`, seeds 0 and 1) in each. The last champions join
+   the scripts, and all play all, 60 new episodes of each pair (seed 2).
 
-The rule of choice, stated before the first run: of each of the `KINDS` of rules the world whose worse bound
-in the last table is nearest one half. Whether races there are arms races has no part in it:
-`balanced_races.py` asks that.
+The rule of choice, stated before the first run: of each of the `KINDS` of rules the balanced world
+whose worse bound in the last table is nearest one half. Whether races there are arms races has no
+part in it; `balanced_races.py` asks that. One addition was made when no world of surrounding had
+turned out to be balanced: then the best world of a variant that has none yet is chosen, too.
 """
 
 from __future__ import annotations
@@ -156,6 +157,24 @@ def name_of(world: World) -> str:
     return f"{world['rules']}, {world['rows']} x {world['cols']}, {numbers}{share}"
 
 
+def chosen(raced: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Return the balanced worlds that have names, by the rule of choice."""
+    balanced = [row for row in raced if imbalance(row) <= BAND[1] - 0.5]
+    balanced.sort(key=imbalance)
+    found: list[Mapping[str, Any]] = []
+    for variants in KINDS.values():
+        found += [row for row in balanced if row["world"]["rules"] in variants][:1]
+    for row in balanced:
+        if len(found) < len(KINDS) and row["world"]["rules"] not in variants_of(found):
+            found.append(row)
+    return found
+
+
+def variants_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the variants of worlds."""
+    return [row["world"]["rules"] for row in rows]
+
+
 def table(found: Mapping[str, Any]) -> str:
     """Return what the search has found, in Markdown."""
     raced = found["raced"]
@@ -172,18 +191,12 @@ def table(found: Mapping[str, Any]) -> str:
     heads = ["world", "bounds, scripts", "bounds, all", "ratings v scripts", "scripts v ratings"]
     told = f"{found['worlds']} worlds, {found['balanced']} balanced among scripts. Bounds:"
     told = f"{told} maxmin to minmax. Then mean capture rates."
-    chosen = [
-        min((row for row in raced if row["world"]["rules"] in kind), key=imbalance)
-        for kind in KINDS.values()
-    ]
-    names = "\n".join(
-        f"- {kind}: {name_of(row['world'])}" for kind, row in zip(KINDS, chosen, strict=True)
-    )
+    names = "\n".join(f"- {name_of(row['world'])}" for row in chosen(raced)) or "- none"
     return f"{told}\n\n{markdown([*heads, 'ratings v ratings'], rows)}\n\nChosen:\n\n{names}"
 
 
 def main() -> None:
-    """Search, and write what was found; what has been played stays in the directory of the races."""
+    """Search, and write what was found; what has been played is kept beside the races."""
     parser = script_parser(__doc__, quick="some worlds and short races, some seconds")
     parser.add_argument("--runs", type=Path, default=Path("runs", "balance"), help="of the races")
     parser.add_argument("--results", type=Path, default=Path("balance"), help="where they go")

@@ -26,7 +26,7 @@ from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, GrowingPage
-from matrixworld.world.config import WORLDS, WorldConfig
+from matrixworld.world.config import WORLDS, WorldConfig, world_name
 from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row, variant_name
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
@@ -100,7 +100,7 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
     "output",
     type=click.Path(path_type=Path, file_okay=False),
     metavar="DIR",
-    help="a new directory for the runs  [default: in runs/, named after variant and seed]",
+    help="a new directory for the runs  [default: in runs/, named after world and seed]",
 )
 @click.option(
     "--game",
@@ -305,7 +305,9 @@ def _plan(job: jobs.Job, root: Path) -> str:
     if world:
         teams = f"{world.n_pursuers} pursuers and {world.n_evaders} evaders"
     count = f"{len(settings)} {what}{'s' * (len(settings) > 1)}"
-    return f"{first.variant}, {teams}, {count}, in {root}"
+    name = world and world_name(world)
+    variant = f"{name} ({first.variant})" if name else first.variant
+    return f"{variant}, {teams}, {count}, in {root}"
 
 
 def shown(job: jobs.Job) -> list[str]:

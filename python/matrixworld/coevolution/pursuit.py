@@ -31,6 +31,7 @@ from matrixworld.play.rollout import rollout
 from matrixworld.world import masks
 from matrixworld.world.config import WORLDS
 from matrixworld.world.config import WorldConfig as WorldConfig
+from matrixworld.world.config import world_name as world_name
 from matrixworld.world.policy import CHANNELS as CHANNELS
 from matrixworld.world.policy import GATES, Policy, Population, TeamPolicy
 from matrixworld.world.policy import SCRIPTS as SCRIPTS
@@ -47,6 +48,7 @@ more, or the share at the end, both in [0, 1] (of the evaders 1 minus those of t
 the rewards summed over the team and the steps (not zero-sum)."""
 
 WORLD_HELP = {
+    "kind": f"a world with a name, from which the other fields differ: {', '.join(WORLDS)}",
     "rules": "game variant, a name such as O, or its rules one by one",
     "rows": "rows of the grid; default: those of the obstacle map, or 40, in solve 6",
     "cols": "columns of the grid; default: those of the obstacle map, or 40, in solve 6",
@@ -67,13 +69,13 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
     The other fields are those of the named world that is the ``kind``, if there is one.
     """
     fields = dict(plain)
+    sections.check_names(plain, WORLD_HELP)
     if "kind" in fields:
         name = fields.pop("kind")
         checks.check_choice("kind", name, WORLDS)
         fields = {**WORLDS[name], **fields}
     values = dict(fields)
     rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
-    sections.check_names(fields, WORLD_HELP)
     for row, kinds, usual in rows:
         given = fields.get(row)
         if given is None or isinstance(given, Rules | Rewards):

@@ -52,6 +52,8 @@ WORLDS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         }
         for name, rules, side, pursuers, evaders, obstacles in (
             ("courtyard", "O", 20, 4, 4, 0.1),
+            ("thicket", "D", 10, 6, 3, 0.2),
+            ("park", "TO", 28, 4, 4, 0.1),
         )
     }
 )
@@ -329,6 +331,11 @@ class WorldConfig:
             map=None if self.map is None else self.map.astype(np.uint8),
             **numbers,
         )
+
+
+def world_name(config: WorldConfig) -> str:
+    """Return the name of one of `WORLDS`; empty for other worlds."""
+    return next((name for name in WORLDS if WorldConfig.of(name) == config), "")
 
 
 def read_map(source: MapLike) -> NDArray[np.bool_]:
