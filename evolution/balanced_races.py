@@ -28,8 +28,11 @@ from matrixworld.coevolution.evaluation.scores import best_scripts
 from matrixworld.coevolution.types import FloatArray
 from race_budgets import DEFAULT, KEPT, SCHEDULES, scores_of
 
-RACE = {"policy": "rating", "policy.initial_weight": 0.2, "learner.learning_rate": 0.005}
-EPOCHS = {"schedule.pursuer_epochs": 3, "schedule.evader_epochs": 7, "schedule.joint_epochs": 5}
+RACE = {
+    "policy": "rating", "policy.initial_weight": 0.2, "learner.population": 12,
+    "learner.learning_rate": 0.0025,
+}  # fmt: skip
+EPOCHS = {"schedule.pursuer_epochs": 20, "schedule.evader_epochs": 20, "schedule.joint_epochs": 10}
 """Epochs of a generation."""
 QUICK = {"schedule.generations": 8, "learner.population": 4, "evaluation_episodes": 4}
 WINDOWS = ("last half", "whole")
