@@ -30,7 +30,7 @@ from race_budgets import DEFAULT, KEPT, SCHEDULES, scores_of
 
 RACE = {
     "policy": "rating", "policy.initial_weight": 0.2, "learner.population": 12,
-    "learner.learning_rate": 0.0025,
+    "learner.sigma": 0.3, "learner.learning_rate": 0.0025,
 }  # fmt: skip
 EPOCHS = {"schedule.pursuer_epochs": 20, "schedule.evader_epochs": 20, "schedule.joint_epochs": 10}
 """Epochs of a generation."""
