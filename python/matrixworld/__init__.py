@@ -2,7 +2,7 @@
 
 ==================  ===============================================================================
 first calls         `make`, `make_vec`, `evolve`, `open_run`, `judge`, `compare`, `solve`
-games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `Action`
+games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `WORLDS`, `read_map`, `Action`
 worlds              `World` (one), `Batch` (many)
 environments        `parallel_env`, `aec_env` (PettingZoo), `AgentEnv` (one agent, Gymnasium),
                     `VectorEnv` (many worlds at once), `AgentVectorEnv` (many agents at once)

@@ -37,6 +37,7 @@ from matrixworld.world import render as render
 from matrixworld.world.arrays import array_specs as array_specs
 from matrixworld.world.arrays import episode_specs as episode_specs
 from matrixworld.world.batch import Batch as Batch
+from matrixworld.world.config import WORLDS as WORLDS
 from matrixworld.world.config import WorldConfig as WorldConfig
 from matrixworld.world.config import read_map as read_map
 from matrixworld.world.conflicts import Conflict as Conflict

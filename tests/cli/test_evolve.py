@@ -11,6 +11,7 @@ import click
 import numpy as np
 import pytest
 
+import matrixworld as mw
 from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, words
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import evolve_command, job_of, shown
@@ -113,6 +114,13 @@ def test_a_map_file_and_no_hidden_layer():
     assert settings.world.map.sum() == 2
 
 
+def test_worlds_with_names_are_told():
+    told = [line.split() for line in evolved("--worlds").output.splitlines()]
+    assert ["park", "TO", "28", "x", "28", "4", "4", "10%", "200"] in told
+    assert {*mw.WORLDS} <= {line[0] for line in told if line}
+    assert "'lake' is not one of" in evolved("--world", "lake", code=2).output
+
+
 @pytest.mark.parametrize(
     ("options", "name"),
     [
@@ -120,9 +128,11 @@ def test_a_map_file_and_no_hidden_layer():
         ({"variant": "SB", "seeds": (4,)}, "SB-seed4"),
         ({"seeds": (0, 3, 9)}, "O-seeds0,3,9"),
         ({"schedule": ("alternating",), "seed": 3}, "O-seed3"),
+        ({"world": "park"}, "park-seed0"),
+        ({"world": "park", "n_evaders": 5}, "TO-seed0"),
     ],
 )
-def test_the_default_directory_is_named_after_variant_and_seeds(options, name):
+def test_the_default_directory_is_named_after_world_and_seeds(options, name):
     assert jobs_module.default_directory(job_of(options)) == Path("runs") / name
 
 

@@ -208,6 +208,23 @@ def test_a_change_keeps_what_the_kind_of_section_still_has():
     assert worlds.changed(named).world.rewards == expected
 
 
+def test_a_name_stands_for_a_world_whose_other_fields_can_be_changed():
+    park = mw.WorldConfig("TO", size=28, n_pursuers=4, n_evaders=4, max_steps=200, obstacles=0.1)
+    larger = replace(park, n_pursuers=6)
+    for given, expected in (
+        ([{"world": "park"}], park),
+        ([{"world": {"kind": "park", "n_pursuers": 6}}], larger),
+        ([{"world.n_pursuers": 6, "world": "park"}], larger),
+        ([{"world": "park"}, {"world.n_pursuers": 6}], larger),
+        ([{"world.n_pursuers": 6}, {"world": "park"}], park),
+    ):
+        assert RaceSettings.of(*given).world == expected
+    assert RaceSettings.of(world="park", n_pursuers=6).world == larger
+    assert RaceSettings().changed({"world": "park"}).world == mw.WorldConfig.of("park") == park
+    with pytest.raises(ValueError, match=r"world\.kind: expected one of .*park, got 'lake'"):
+        RaceSettings.of(world="lake")
+
+
 def test_later_values_change_earlier_ones_before_defaults_are_filled_in():
     file = {"learner": {"kind": "ga", "mutation": 0.3}, "world": {"rules": {"kind": "S"}}}
     settings = RaceSettings.of(file, {"schedule": "hall-of-fame", "world.rules.evader": "REACH"})

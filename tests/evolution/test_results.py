@@ -14,6 +14,8 @@ import pytest
 import actor_critic_baselines as baselines
 import actor_critic_claims
 import actor_critic_races
+import balance
+import balanced_races
 import common
 import convergence
 import ground_truth
@@ -22,6 +24,7 @@ import interval_coverage as coverage
 import judgement_tables
 import learned_exploitability as learned
 import map_races
+import matrixworld as mw
 import page_races
 import paper_claims
 import paper_surrounding
@@ -43,13 +46,14 @@ def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
 
 
 OF_A_TABLE = (
-    baselines, actor_critic_races, convergence, ground_truth, hall_of_fame, learned, page_races,
-    map_races, race_budgets, safe_learning, yoked_races,
+    baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame, learned,
+    page_races, map_races, race_budgets, safe_learning, yoked_races,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES: dict[str, Callable[[Path], str]] = {
     **{f"{script.__name__}/table.md": of(script.table) for script in OF_A_TABLE},
     **{f"{script.__name__}/table.md": of(script.tables) for script in OF_SEVERAL},
+    "balance/table.md": lambda at: balance.table(json.loads(read(at / "numbers.json"))),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "judgement/errors.md": judgement_tables.report_of,
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
@@ -64,6 +68,11 @@ ROUNDED = {"actor_critic_claims/table.md", "ground_truth/table.md", "paper_claim
 """Tables with numbers that another processor or SciPy may round otherwise."""
 LONG = ROUNDED | {"actor_critic_races/table.md", "coverage/coverage.md", "judgement/errors.md"}
 """Tables that take seconds."""
+
+
+def test_worlds_with_names_are_those_that_the_search_has_chosen() -> None:
+    found = balance.chosen(json.loads(read(RESULTS / "balance/numbers.json"))["raced"])
+    assert [row["world"] for row in found] == [dict(world) for world in mw.WORLDS.values()]
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,8 @@ from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, GrowingPage
-from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row
+from matrixworld.world.config import WORLDS, WorldConfig, world_name
+from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row, variant_name
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
 # \b keeps click from wrapping the lines.
@@ -50,12 +51,25 @@ disappears.
 Occupation: a pursuer captures an evader by reaching its cell. Surrounding: pursuers, obstacles and
 the border on all four sides capture an evader.
 Other rules can be made in Python: matrixworld.Rules(...)."""
+WORLD_LEGEND = """\
+In these worlds good teams of both sides win about half: the best scripts, and ratings that raced.
+Other options change them, as in --world NAME --n-pursuers 6. In Python: matrixworld.WORLDS."""
 
 
 def _print_variants(ctx: click.Context) -> None:
     rows = [[*RULES_HEAD], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
     console.print_table(rows, "<" * len(RULES_HEAD))
     console.say(f"\n{VARIANT_LEGEND}")
+
+
+def _print_worlds(ctx: click.Context) -> None:
+    rows = [["world", "variant", "cells", "pursuers", "evaders", "obstacles", "steps"]]
+    for name, world in ((name, WorldConfig.of(name)) for name in WORLDS):
+        numbers = (world.n_pursuers, world.n_evaders, f"{world.density:.0%}", world.max_steps)
+        cells = f"{world.rows} x {world.cols}"
+        rows.append([name, variant_name(world.rules), cells, *map(str, numbers)])
+    console.print_table(rows, "<<<>>>>")
+    console.say(f"\n{WORLD_LEGEND}")
 
 
 def _write_page(ctx: click.Context) -> None:
@@ -86,13 +100,19 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
     "output",
     type=click.Path(path_type=Path, file_okay=False),
     metavar="DIR",
-    help="a new directory for the runs  [default: in runs/, named after variant and seed]",
+    help="a new directory for the runs  [default: in runs/, named after world and seed]",
 )
 @click.option(
     "--game",
     metavar="MODULE:OBJECT",
     help="a game of your own, a matrixworld.Game in a module that can be imported  [default: "
     "pursuit and evasion]",
+)
+@click.option(
+    "--world",
+    type=click.Choice([*WORLDS]),
+    metavar="NAME",
+    help=f"a world in which good teams win about half: {', '.join(WORLDS)}; --worlds explains them",
 )
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
@@ -147,6 +167,7 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
     "--page", _write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"
 )
 @_shows("--variants", _print_variants, "print the nine variants of the game as a table of rules")
+@_shows("--worlds", _print_worlds, "print the worlds that have names as a table")
 @_shows("--help-all", setting_options.help_all, "print this page and all settings")
 def evolve_command(
     output: Path | None,
@@ -284,7 +305,9 @@ def _plan(job: jobs.Job, root: Path) -> str:
     if world:
         teams = f"{world.n_pursuers} pursuers and {world.n_evaders} evaders"
     count = f"{len(settings)} {what}{'s' * (len(settings) > 1)}"
-    return f"{first.variant}, {teams}, {count}, in {root}"
+    name = world and world_name(world)
+    variant = f"{name} ({first.variant})" if name else first.variant
+    return f"{variant}, {teams}, {count}, in {root}"
 
 
 def shown(job: jobs.Job) -> list[str]:

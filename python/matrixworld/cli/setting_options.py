@@ -32,7 +32,8 @@ ALL = "all"
 HINTS = hints_of(RaceSettings)
 
 NAMES = (
-    "game", "variant", "rows", "cols", "n_pursuers", "n_evaders", "learner", "generations", "seed"
+    "game", "world", "variant", "rows", "cols", "n_pursuers", "n_evaders", "learner",
+    "generations", "seed",
 )  # fmt: skip
 PATHS = {name: path for name in NAMES for path in paths_of(name)}
 """Options of their own, and the settings that they set."""

@@ -36,7 +36,7 @@ from matrixworld._util.imports import HAS_PROCESSES
 from matrixworld.coevolution import progress, run, storage, types
 from matrixworld.coevolution.learners.learner import table_length
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
-from matrixworld.coevolution.pursuit import CHANNELS, SCRIPTS, Pursuit
+from matrixworld.coevolution.pursuit import CHANNELS, SCRIPTS, Pursuit, world_name
 from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.settings import RaceSettings
 
@@ -105,7 +105,7 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
 
 
 def default_directory(job: Job) -> Path:
-    """Return the directory named after a job's variant and seeds, such as ``runs/O-seeds0-9``."""
+    """Return the directory named after a job's world and seeds, such as ``runs/O-seeds0-9``."""
     settings = next(iter(job.values()))
     seeds = [*dict.fromkeys(each.seed for each in job.values())]
     named = f"{seeds[0]}-{seeds[-1]}"
@@ -113,7 +113,8 @@ def default_directory(job: Job) -> Path:
         named = ",".join(map(str, seeds[:MOST_NAMED])) + ",..." * (len(seeds) > MOST_NAMED)
     seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
     what = "" if settings.is_race else f"-{settings.schedule.name}"
-    return RUNS / f"{settings.variant}{what}-{seed}"
+    world = settings.world and world_name(settings.world)
+    return RUNS / f"{world or settings.variant}{what}-{seed}"
 
 
 def found_job(root: Path) -> Job:

@@ -29,7 +29,9 @@ from matrixworld.play.policies import acting as acting
 from matrixworld.play.policies import check_fits
 from matrixworld.play.rollout import rollout
 from matrixworld.world import masks
+from matrixworld.world.config import WORLDS
 from matrixworld.world.config import WorldConfig as WorldConfig
+from matrixworld.world.config import world_name as world_name
 from matrixworld.world.policy import CHANNELS as CHANNELS
 from matrixworld.world.policy import GATES, Policy, Population, TeamPolicy
 from matrixworld.world.policy import SCRIPTS as SCRIPTS
@@ -49,6 +51,7 @@ more, or the share at the end, both in [0, 1] (of the evaders 1 minus those of t
 the rewards summed over the team and the steps (not zero-sum)."""
 
 WORLD_HELP = {
+    "kind": f"a world with a name, from which the other fields differ: {', '.join(WORLDS)}",
     "rules": "game variant, a name such as O, or its rules one by one",
     "rows": "rows of the grid; default: those of the obstacle map, or 40, in solve 6",
     "cols": "columns of the grid; default: those of the obstacle map, or 40, in solve 6",
@@ -64,12 +67,20 @@ WORLD_HELP = {
 
 
 def _world(plain: Mapping[str, Any]) -> WorldConfig:
-    """Return the world of some fields; rules and rewards may be names, or both given one by one."""
-    values = dict(plain)
-    rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
+    """Return the world of some fields; rules and rewards may be names, or both given one by one.
+
+    The other fields are those of the named world that is the ``kind``, if there is one.
+    """
+    fields = dict(plain)
     sections.check_names(plain, WORLD_HELP)
+    if "kind" in fields:
+        name = fields.pop("kind")
+        checks.check_choice("kind", name, WORLDS)
+        fields = {**WORLDS[name], **fields}
+    values = dict(fields)
+    rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
     for row, kinds, usual in rows:
-        given = plain.get(row)
+        given = fields.get(row)
         if given is None or isinstance(given, Rules | Rewards):
             continue
         parts = dict(given) if isinstance(given, Mapping) else {"kind": given}

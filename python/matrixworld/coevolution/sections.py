@@ -34,7 +34,7 @@ AnySection = TypeVar("AnySection", bound="Section")
 class Plain(NamedTuple):
     """How a field holds a class that is no section: made from a mapping, and its help by field.
 
-    It has a method ``to_json``.
+    It has a method ``to_json``. A text is the ``kind`` of a mapping.
     """
 
     read: Callable[[Mapping[str, Any]], Any]
@@ -265,6 +265,7 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
     if sections_in(hint):
         return _section(item, hint, None, value)
     if hint in PLAIN:
+        value = {"kind": value} if isinstance(value, str) else value
         if isinstance(value, Mapping):
             with inside(name):
                 value = PLAIN[hint].read(value)
@@ -378,6 +379,8 @@ def _joined(before: Any, change: Any) -> Any:
     """Return a value, or of mappings both together; one with a kind stands for itself."""
     if type(before) in PLAIN:
         before = before.to_json()
+    elif isinstance(before, str) and isinstance(change, Mapping):
+        before = {"kind": before}
     if not isinstance(before, Mapping) or not isinstance(change, Mapping) or "kind" in change:
         return change
     return {**before, **{name: _joined(before.get(name), each) for name, each in change.items()}}

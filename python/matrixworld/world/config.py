@@ -10,6 +10,7 @@ from functools import cached_property
 from numbers import Real
 from os import PathLike, fspath
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, TypeAlias, TypedDict
 
 import numpy as np
@@ -37,6 +38,29 @@ Obstacles: TypeAlias = "float | MapLike | None"
 _SIDE = 40
 # The paper's team sizes: surrounding one evader takes up to four pursuers.
 _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
+
+WORLDS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
+    {
+        name: {
+            "rules": rules,
+            "rows": side,
+            "cols": side,
+            "n_pursuers": pursuers,
+            "n_evaders": evaders,
+            "obstacles": obstacles,
+            "max_steps": 200,
+        }
+        for name, rules, side, pursuers, evaders, obstacles in (
+            ("courtyard", "O", 20, 4, 4, 0.1),
+            ("thicket", "D", 10, 6, 3, 0.2),
+            ("park", "TO", 28, 4, 4, 0.1),
+        )
+    }
+)
+"""Worlds that have names, as keyword arguments of a `WorldConfig`.
+
+In them good teams of both sides win about half; ``evolution/balance.py`` has found them.
+"""
 
 
 class WorldSettings(TypedDict, total=False):
@@ -217,8 +241,13 @@ class WorldConfig:
     def of(
         cls, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> WorldConfig:
-        """Return a config, or the one of some rules, with fields other than `rules` changed."""
+        """Return a config, or the one of some rules, with fields other than `rules` changed.
+
+        A text is the name of a variant, or one of `WORLDS`.
+        """
         checks.check_keywords(changes, WorldSettings.__annotations__, cls.of)
+        if isinstance(config, str) and config in WORLDS:
+            config = cls(**WORLDS[config])
         if isinstance(config, WorldConfig):
             values: dict[str, Any] = {**changes}  # fields are narrower than what `__init__` takes
             if values.pop("size", None) is not None:
@@ -302,6 +331,11 @@ class WorldConfig:
             map=None if self.map is None else self.map.astype(np.uint8),
             **numbers,
         )
+
+
+def world_name(config: WorldConfig) -> str:
+    """Return the name of one of `WORLDS`; empty for other worlds."""
+    return next((name for name in WORLDS if WorldConfig.of(name) == config), "")
 
 
 def read_map(source: MapLike) -> NDArray[np.bool_]:

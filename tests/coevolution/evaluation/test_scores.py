@@ -8,8 +8,8 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS, create, held_out, open_run, score
-from matrixworld.coevolution.evaluation.scores import HeldOutScores, score_table
-from matrixworld.coevolution.seeding import match_seed
+from matrixworld.coevolution.evaluation.scores import HeldOutScores, best_scripts, score_table
+from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.types import other
 from rows import config_of, random_team
 from tiny_race import played, tiny_race, tiny_single
@@ -184,3 +184,18 @@ def test_the_best_generation_is_chosen_on_episodes_that_no_score_is_from(
     number = int(np.flatnonzero(scores == scores.max())[-1])
     expected = run.teams["pursuer"].genomes[number]
     np.testing.assert_array_equal(open_run(race).best("pursuer").genome, expected)
+
+
+def test_the_best_script_of_a_team_meets_what_a_run_meets():
+    world = mw.WorldConfig("O", size=9, n_pursuers=2, n_evaders=3, max_steps=30)
+    found, scores = best_scripts(world, episodes=6, threads=1), {}
+    for script in ("random", "clumsy-chaser", "chaser", "hunter"):
+        rates = []
+        for number, opponent in enumerate(held_out("evader", "O").values()):
+            seed = match_seed(0, 0, number, int(Phase.HELD_OUT))
+            matches = mw.Matches.of(0, 0, np.array([seed], np.uint64))
+            rates.append(mw.rollout(world, script, opponent, matches, episodes=6).capture_rate)
+        scores[script] = float(np.mean(rates))
+    best = max(scores, key=lambda script: scores[script])
+    assert found["pursuer"] == (best, pytest.approx(scores[best]))
+    assert found["evader"][0] in ("fleer", "dodger")

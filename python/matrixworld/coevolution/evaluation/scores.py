@@ -399,6 +399,28 @@ def best_generations(run: SavedRun) -> dict[Team, int]:
     return {team: int(generation) for team, generation in best.items()}
 
 
+def best_scripts(
+    config: WorldConfig, *, episodes: int = EPISODES, seed: int = SEED, threads: int | None = None
+) -> dict[Team, tuple[Script, float]]:
+    """Return the script of each team with the highest mean score in a world, and this score.
+
+    The opponents and their episodes are those of `score`. The best of several is partly luck: of
+    equally good scripts, the score tends to be too high.
+    """
+    best = {}
+    for team in TEAMS:
+        opponents, _ = opponents_of(team, config)
+        fitting = [n for n in held_out_scripts(team, config.rules) if _plays_in(n, config)]
+        sides = [_Side(team, script, [0], opponents, "") for script in fitting]
+        found = [
+            _scores(config, [side], episodes=episodes, seed=seed, threads=threads, report=silent)
+            for side in sides
+        ]
+        means = [float(each[team].means[0]) for each in found]
+        best[team] = max(zip(fitting, means, strict=True), key=lambda pair: pair[1])
+    return best
+
+
 def score_runs(
     runs: Sequence[SavedRun], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:

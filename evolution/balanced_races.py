@@ -1,0 +1,127 @@
+"""Are races of ratings in balanced worlds arms races? Ten seeds of three schedules in each world.
+
+    python evolution/balanced_races.py --threads 1   half an hour of one core
+    python evolution/balanced_races.py --quick       two seeds of short races, some seconds
+
+The worlds are those with names, which `balance.py` has chosen. Policies rate moves by named inputs
+and evolve by the evolution strategy (`RACE`). All schedules have the same number of training
+matches, as those of `matrixworld evolve` have.
+
+Each race is judged by itself, and each group of ten together, as `matrixworld judge` does: in the
+last half of the generations, which headlines speak of, and in the whole race. Default races of
+networks over cells (O, 40 x 40) are judged in the same way by `race_budgets.py`. Scores are those
+against held-out opponents; above them stands the best script of each team in the same episodes.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+import race_budgets
+from common import Numbers, Runs, by_seed, experiment, kinds_in, markdown, mean
+from matrixworld import WORLDS, WorldConfig, analysis
+from matrixworld.coevolution import TEAMS, RaceSettings
+from matrixworld.coevolution.evaluation.scores import best_scripts
+from matrixworld.coevolution.types import FloatArray
+from race_budgets import DEFAULT, KEPT, SCHEDULES, scores_of
+
+RACE = {
+    "policy": "rating", "policy.initial_weight": 0.2, "learner.population": 12,
+    "learner.sigma": 0.3, "learner.learning_rate": 0.0025,
+}  # fmt: skip
+EPOCHS = {"schedule.pursuer_epochs": 20, "schedule.evader_epochs": 20, "schedule.joint_epochs": 10}
+"""Epochs of a generation."""
+QUICK = {"schedule.generations": 8, "learner.population": 4, "evaluation_episodes": 4}
+WINDOWS = ("last half", "whole")
+SHOWN = ("arms race", "one-sided progress", "intransitivity", "forgetting", "disengagement")
+SEEDS = 10
+
+
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of the races of each schedule in each world."""
+    found = {}
+    for world in WORLDS:
+        for schedule in SCHEDULES:
+            settings = RaceSettings.of({"world": world, "schedule": schedule}, RACE)
+            epochs = {n: 1 if quick else k for n, k in EPOCHS.items()}
+            of_schedule = {
+                n: k for n, k in epochs.items() if n.split(".")[1] in vars(settings.schedule)
+            }
+            found[f"{world}; {schedule}"] = settings.changed(
+                {**of_schedule, **(QUICK if quick else {})}
+            )
+    return found
+
+
+def found_in(payoffs: FloatArray) -> dict[str, Any]:
+    """Return what is found in races (seeds, G, H, episodes): in all together, in how many."""
+    together = analysis.judge(payoffs, per_episode=True)
+    single = [*map(partial(analysis.judge, per_episode=True), payoffs)]
+    found: dict[str, Any] = {}
+    for window in WINDOWS:
+        present = [each.present(window) for each in single]
+        found[f"found, {window}"] = np.array(together.present(window), str)
+        found[f"single, {window}"] = np.array(
+            [[name in each for name in SHOWN] for each in present]
+        )
+    return found
+
+
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return scores, matches and what is found of each kind, and the best scripts of the worlds."""
+    numbers = by_seed(runs, scores_of)
+    for kind, each in runs.items():
+        every = np.stack([run.payoff().scores for run in each])
+        numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + every[0].size
+        numbers |= {f"{name} in {kind}": found for name, found in found_in(every).items()}
+    for world in dict.fromkeys(kind.split("; ")[0] for kind in runs):
+        best = best_scripts(WorldConfig.of(world), episodes=4 if quick else 100)
+        for team, (script, score) in best.items():
+            numbers[f"{world}: {team} {script}"] = score
+    return numbers
+
+
+def counted(single: FloatArray) -> str:
+    """Return in how many of the races each of `SHOWN` is found."""
+    return " / ".join(map(str, single.sum(axis=0)))
+
+
+def table(numbers: Numbers) -> str:
+    """Return what races are in each world, in Markdown."""
+    rows = []
+    for world in WORLDS:
+        if best := [name for name in numbers if name.startswith(f"{world}: ")]:
+            scripts = dict(name.removeprefix(f"{world}: ").split() for name in best)
+            cells = [f"{numbers[f'{world}: {t} {scripts[t]}']:.3f} {scripts[t]}" for t in TEAMS]
+            rows.append([f"{world}; best scripts", "", "", *cells, "", "", ""])
+        for kind in (each for each in kinds_in(numbers) if each.startswith(f"{world}; ")):
+            told = ", ".join(numbers[f"found, last half in {kind}"]) or "cannot tell"
+            singles = [counted(numbers[f"single, {window} in {kind}"]) for window in WINDOWS]
+            scores = [mean(numbers[f"{kind} / {team}"], 3) for team in TEAMS]
+            count = str(len(numbers[f"{kind} / pursuer"]))
+            rows.append(
+                [kind, count, f"{numbers[f'matches of {kind}']:,}", *scores, told, *singles]
+            )
+    heads = ["races", "seeds", "matches", *(f"{team}s" for team in TEAMS)]
+    heads += ["found in the last half", *(f"in single races, {window}" for window in WINDOWS)]
+    told = f"In single races: {' / '.join(SHOWN)}."
+    return f"{told}\n\n{markdown(heads, rows)}\n\n{of_cells()}"
+
+
+def of_cells() -> str:
+    """Return how many default races of networks over cells are arms races, in a sentence."""
+    kept = np.load(KEPT / "race_budgets" / "numbers.npz")
+    place = race_budgets.SHOWN.index("arms race")
+    counts = [
+        f"{schedule} {kept[f'single in {DEFAULT}; {schedule}'][place]}" for schedule in SCHEDULES
+    ]
+    return (
+        f"Default races of networks over cells, arms races of ten, last half: {', '.join(counts)}."
+    )
+
+
+if __name__ == "__main__":
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=SEEDS)
