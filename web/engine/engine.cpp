@@ -77,7 +77,7 @@ void add_value(const char* name, const Value& value) {
 }
 
 template <typename Value>
-void read_value(const Inputs& in, const char* name, Value& value) {
+void read_value(const Arguments& in, const char* name, Value& value) {
     if constexpr (std::is_arithmetic_v<Value>) {
         value = in.number<Value>(name);
     } else {
@@ -183,23 +183,23 @@ EMSCRIPTEN_KEEPALIVE const char* last_error() { return error.c_str(); }
 // A world in its first episode of seed 0, or null.
 EMSCRIPTEN_KEEPALIVE PlayedWorld* world_new(const NamedArrays* config) {
     PlayedWorld* played = nullptr;
-    succeeds([&] { played = new PlayedWorld(to_setup(Inputs(config))); });
+    succeeds([&] { played = new PlayedWorld(to_setup(Arguments(config))); });
     return played;
 }
 
 EMSCRIPTEN_KEEPALIVE void world_free(PlayedWorld* played) { delete played; }
 
 EMSCRIPTEN_KEEPALIVE bool world_reset(PlayedWorld* played, const NamedArrays* start) {
-    return succeeds([&] { played->reset(to_key(Inputs(start)), to_placement(Inputs(start))); });
+    return succeeds([&] { played->reset(to_key(Arguments(start)), to_placement(Arguments(start))); });
 }
 
 // Plays a round, or the next turn of one, with `actions` (A,).
 EMSCRIPTEN_KEEPALIVE bool world_step(PlayedWorld* played, const NamedArrays* actions) {
-    return succeeds([&] { played->step(Inputs(actions).list<int>("actions")); });
+    return succeeds([&] { played->step(Arguments(actions).list<int>("actions")); });
 }
 
 EMSCRIPTEN_KEEPALIVE bool world_play_turn(PlayedWorld* played, const NamedArrays* actions) {
-    return succeeds([&] { played->play_turn(Inputs(actions).list<int>("actions")); });
+    return succeeds([&] { played->play_turn(Arguments(actions).list<int>("actions")); });
 }
 
 // (turn, n_turns, first and last of the agents that act in it)
@@ -234,8 +234,8 @@ EMSCRIPTEN_KEEPALIVE bool world_conflicts(PlayedWorld* played) {
 EMSCRIPTEN_KEEPALIVE bool world_decide(PlayedWorld* played, const NamedArrays* policy, int first,
                                        int last, const NamedArrays* actions) {
     return succeeds([&] {
-        const Player player(Inputs(policy), played->config());
-        std::vector<int> chosen = Inputs(actions).list<int>("actions");
+        const Player player(Arguments(policy), played->config());
+        std::vector<int> chosen = Arguments(actions).list<int>("actions");
         chosen.resize(played->config().n_agents());
         played->decide(player.candidates, first, last, chosen);
         outputs.add("actions", chosen.data(), chosen.size());
@@ -245,11 +245,21 @@ EMSCRIPTEN_KEEPALIVE bool world_decide(PlayedWorld* played, const NamedArrays* p
 // The outputs of a network for a living agent, and what the agent remembers for it.
 EMSCRIPTEN_KEEPALIVE bool world_logits(PlayedWorld* played, const NamedArrays* policy, int agent) {
     return succeeds([&] {
-        const Player player(Inputs(policy), played->config());
+        const Player player(Arguments(policy), played->config());
         const std::vector<float> logits = played->logits(player, agent);
         outputs.add("logits", logits.data(), logits.size());
         const std::vector<float> memory = played->memory(player, agent);
         outputs.add("memory", memory.data(), memory.size());
+    });
+}
+
+// By move of a living agent: `ratings`, and whether the mask of the policy refuses it.
+EMSCRIPTEN_KEEPALIVE bool world_rate(PlayedWorld* played, const NamedArrays* policy, int agent) {
+    return succeeds([&] {
+        const Player player(Arguments(policy), played->config());
+        const auto [ratings, refused] = played->rate(player, agent);
+        outputs.add("ratings", ratings.data(), ratings.size());
+        outputs.add("refused", refused.data(), refused.size());
     });
 }
 
@@ -265,7 +275,7 @@ EMSCRIPTEN_KEEPALIVE bool world_snapshot(PlayedWorld* played) {
 
 EMSCRIPTEN_KEEPALIVE bool world_restore(PlayedWorld* played, const NamedArrays* given) {
     return succeeds([&] {
-        const Inputs in(given);
+        const Arguments in(given);
         Snapshot snapshot;
         for_each_field(snapshot, played->config(), [&](const SnapshotField& field, auto& value) {
             read_value(in, field.name, value);
@@ -278,10 +288,10 @@ EMSCRIPTEN_KEEPALIVE bool world_restore(PlayedWorld* played, const NamedArrays* 
 EMSCRIPTEN_KEEPALIVE bool play_match(const NamedArrays* config, const NamedArrays* pursuers,
                                      const NamedArrays* evaders, const NamedArrays* episode) {
     return succeeds([&] {
-        const auto setup = to_setup(Inputs(config));
-        const Player left(Inputs(pursuers), setup->config);
-        const Player right(Inputs(evaders), setup->config);
-        const EpisodeKey key = to_key(Inputs(episode));
+        const auto setup = to_setup(Arguments(config));
+        const Player left(Arguments(pursuers), setup->config);
+        const Player right(Arguments(evaders), setup->config);
+        const EpisodeKey key = to_key(Arguments(episode));
         std::vector<std::uint8_t> actions;
         add_statistics({choose_actions(setup, left, right, key, actions)}, setup->config);
         record(setup, key, actions);
@@ -291,7 +301,7 @@ EMSCRIPTEN_KEEPALIVE bool play_match(const NamedArrays* config, const NamedArray
 // The states of a small world (cpp/solve/states.hpp), or null. JavaScript asks for no large ones.
 EMSCRIPTEN_KEEPALIVE States* states_new(const NamedArrays* config) {
     States* states = nullptr;
-    succeeds([&] { states = new States(to_setup(Inputs(config)), 1); });
+    succeeds([&] { states = new States(to_setup(Arguments(config)), 1); });
     return states;
 }
 
@@ -320,7 +330,7 @@ EMSCRIPTEN_KEEPALIVE bool states_payoffs(const States* states) {
 // their best.
 EMSCRIPTEN_KEEPALIVE bool states_backup(const States* states, int turn, const NamedArrays* given) {
     return succeeds([&] {
-        const Inputs in(given);
+        const Arguments in(given);
         const auto after = in.list<double>("next");
         const auto pursuers = in.list<double>("pursuers");
         const auto evaders = in.list<double>("evaders");
@@ -338,7 +348,7 @@ EMSCRIPTEN_KEEPALIVE bool states_weigh(const States* states, int turn, bool evad
                                        const NamedArrays* policy) {
     return succeeds([&] {
         const Team team = evaders ? Team::Evader : Team::Pursuer;
-        const Player player(Inputs(policy), states->setup().config);
+        const Player player(Arguments(policy), states->setup().config);
         std::vector<double> play(states->n_states(turn) * states->n_joint(turn, team));
         states->weigh(turn, team, player.candidates, play.data(), 1);
         outputs.add("play", play.data(), play.size());
@@ -357,7 +367,7 @@ EMSCRIPTEN_KEEPALIVE bool states_game(const States* states, const PlayedWorld* p
         if (state < states->n_ends()) agents.clear();
         outputs.add("agents", agents.data(), agents.size());
         if (agents.empty()) return;
-        const auto after = Inputs(next).list<double>("next");
+        const auto after = Arguments(next).list<double>("next");
         std::vector<double> rows(states->n_joint(turn, Team::Pursuer));
         std::vector<double> cols(states->n_joint(turn, Team::Evader));
         std::vector<double> matrix(rows.size() * cols.size());
@@ -378,10 +388,10 @@ EMSCRIPTEN_KEEPALIVE bool states_game(const States* states, const PlayedWorld* p
 EMSCRIPTEN_KEEPALIVE bool play_rollout(const NamedArrays* config, const NamedArrays* pursuers,
                                        const NamedArrays* evaders, const NamedArrays* matches) {
     return succeeds([&] {
-        const auto setup = to_setup(Inputs(config));
-        const Player left(Inputs(pursuers), setup->config, Player::Genomes::Several);
-        const Player right(Inputs(evaders), setup->config, Player::Genomes::Several);
-        const Inputs in(matches);
+        const auto setup = to_setup(Arguments(config));
+        const Player left(Arguments(pursuers), setup->config, Player::Genomes::Several);
+        const Player right(Arguments(evaders), setup->config, Player::Genomes::Several);
+        const Arguments in(matches);
         add_statistics(play_matches(setup, left.candidates, right.candidates,
                                     to_matches(in, left.candidates.n, right.candidates.n),
                                     in.number<int>("n_episodes"), 1),

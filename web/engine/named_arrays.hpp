@@ -40,9 +40,9 @@ constexpr DType dtype_of() {
 }
 
 // What JavaScript passed. Arrays are copied out, never kept.
-class Inputs {
+class Arguments {
   public:
-    explicit Inputs(const NamedArrays* given) : given_(*given) {}
+    explicit Arguments(const NamedArrays* given) : given_(*given) {}
 
     bool has(const char* name) const { return find(name) != nullptr; }
 

@@ -16,7 +16,7 @@ namespace matrixworld {
 
 // One number for each team; for the penalties, one for each team and kind.
 template <std::size_t kSize>
-void copy_all(const Inputs& in, const char* name, float (&out)[kSize]) {
+void copy_all(const Arguments& in, const char* name, float (&out)[kSize]) {
     const std::vector<float> given = in.list<float>(name);
     if (given.size() != kSize) {
         throw std::invalid_argument(std::string(name) + ": expected " + std::to_string(kSize) +
@@ -26,7 +26,7 @@ void copy_all(const Inputs& in, const char* name, float (&out)[kSize]) {
 }
 
 // The numbers of enumerations are the engine's own: tables.ts is made from the compiled extension.
-inline Rules to_rules(const Inputs& in) {
+inline Rules to_rules(const Arguments& in) {
     Rules rules;
     rules.interaction = static_cast<Interaction>(in.number<int>("rules.interaction"));
     rules.obstacle = static_cast<Outcome>(in.number<int>("rules.obstacle"));
@@ -38,7 +38,7 @@ inline Rules to_rules(const Inputs& in) {
     return rules;
 }
 
-inline Rewards to_rewards(const Inputs& in) {
+inline Rewards to_rewards(const Arguments& in) {
     Rewards rewards;
     copy_all(in, "rewards.capture", rewards.capture);
     copy_all(in, "rewards.neighbor", rewards.neighbor);
@@ -54,7 +54,7 @@ inline ByteArray to_bytes(const std::vector<std::uint8_t>& given) {
     return Eigen::Map<const ByteArray>(given.data(), static_cast<Eigen::Index>(given.size()));
 }
 
-inline std::shared_ptr<const Setup> to_setup(const Inputs& in) {
+inline std::shared_ptr<const Setup> to_setup(const Arguments& in) {
     Config config;
     config.rules = to_rules(in);
     config.rewards = to_rewards(in);
@@ -70,12 +70,12 @@ inline std::shared_ptr<const Setup> to_setup(const Inputs& in) {
     return std::make_shared<const Setup>(std::move(config));
 }
 
-inline Placement to_placement(const Inputs& in) {
+inline Placement to_placement(const Arguments& in) {
     return {in.list<int>("pursuers"), in.list<int>("evaders"),
             to_bytes(in.list<std::uint8_t>("map"))};
 }
 
-inline EpisodeKey to_key(const Inputs& in) {
+inline EpisodeKey to_key(const Arguments& in) {
     return {in.number<std::uint64_t>("seed"), in.number<std::uint64_t>("episode")};
 }
 
@@ -83,7 +83,7 @@ inline EpisodeKey to_key(const Inputs& in) {
 struct Player {
     enum class Genomes { One, Several };
 
-    Player(const Inputs& in, const Config& config, Genomes count = Genomes::One) {
+    Player(const Arguments& in, const Config& config, Genomes count = Genomes::One) {
         if (in.has("script")) {
             candidates.script = find_script(in.text("script"));
             if (!candidates.script) {
@@ -93,13 +93,26 @@ struct Player {
             require_sight("script", *candidates.script, config);
             return;
         }
-        const auto activation =
-            in.text("activation") == "tanh" ? Activation::Tanh : Activation::Relu;
-        candidates.network.emplace(config.fov, in.list<int>("hidden"), config.n_actions(),
-                                   activation, in.number<bool>("sampled"),
-                                   to_memory(in.text("memory")));
         genome = in.list<float>("genome");
-        const auto size = static_cast<std::size_t>(candidates.network->genome_size());
+        std::size_t size = 0;
+        if (in.has("inputs")) {  // it rates moves
+            candidates.rating = {config.fov,
+                                 config.n_actions(),
+                                 in.list<int>("inputs"),
+                                 in.list<int>("hidden"),
+                                 in.number<int>("length"),
+                                 to_mask(in.text("mask"))};
+            candidates.rating->validate();
+            candidates.rating->check_fits("policy", config);
+            size = static_cast<std::size_t>(candidates.rating->genome_size());
+        } else {
+            const auto activation =
+                in.text("activation") == "tanh" ? Activation::Tanh : Activation::Relu;
+            candidates.network.emplace(config.fov, in.list<int>("hidden"), config.n_actions(),
+                                       activation, in.number<bool>("sampled"),
+                                       to_memory(in.text("memory")));
+            size = static_cast<std::size_t>(candidates.network->genome_size());
+        }
         const bool several = count == Genomes::Several && !genome.empty();
         if (several ? genome.size() % size != 0 : genome.size() != size) {
             throw std::invalid_argument("genome: expected " + std::to_string(size) +
@@ -111,6 +124,7 @@ struct Player {
         }
         candidates.genomes = genome.data();
         candidates.n = static_cast<int>(genome.size() / size);
+        if (candidates.rating) candidates.rating->check_genomes(genome.data(), genome.size() / size);
     }
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
@@ -120,7 +134,7 @@ struct Player {
 };
 
 // Matches of n_pursuers against n_evaders candidates: three lists of the same length.
-inline std::vector<Match> to_matches(const Inputs& in, int n_pursuers, int n_evaders) {
+inline std::vector<Match> to_matches(const Arguments& in, int n_pursuers, int n_evaders) {
     const auto pursuers = in.list<int>("pursuer"), evaders = in.list<int>("evader");
     const auto seeds = in.list<std::uint64_t>("seed");
     const auto inside = [](const std::vector<int>& given, int n) {
