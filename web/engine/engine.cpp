@@ -190,7 +190,8 @@ EMSCRIPTEN_KEEPALIVE PlayedWorld* world_new(const NamedArrays* config) {
 EMSCRIPTEN_KEEPALIVE void world_free(PlayedWorld* played) { delete played; }
 
 EMSCRIPTEN_KEEPALIVE bool world_reset(PlayedWorld* played, const NamedArrays* start) {
-    return succeeds([&] { played->reset(to_key(Arguments(start)), to_placement(Arguments(start))); });
+    return succeeds(
+        [&] { played->reset(to_key(Arguments(start)), to_placement(Arguments(start))); });
 }
 
 // Plays a round, or the next turn of one, with `actions` (A,).

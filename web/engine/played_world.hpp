@@ -90,7 +90,8 @@ class PlayedWorld {
     };
     RatedMoves rate(const Player& player, int agent) const {
         const std::optional<RatingShape>& shape = player.candidates.rating;
-        if (!shape) throw std::invalid_argument("policy: expected one that rates moves, got another");
+        if (!shape)
+            throw std::invalid_argument("policy: expected one that rates moves, got another");
         require_alive(agent);
         Inputs inputs(config());
         inputs.gather(world_, scratch_.occupancy);

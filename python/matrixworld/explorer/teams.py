@@ -48,17 +48,14 @@ def plain_team(
         script = team if isinstance(team, str) else None
         return {"script": script, "policy": None, "kept": [0], "genomes": ""}
     kept = kept_generations(len(team.genomes), step)
-    genomes[identifier] = packed(team.genomes[kept])
-    policy = team.policy
-    texts = (
-        [policy.expression(g) for g in team.genomes[kept]] if isinstance(policy, Program) else []
-    )
+    policy, shown = team.policy, team.genomes[kept]
+    genomes[identifier] = packed(shown)
     return {
         "script": None,
         "policy": plain_policy(team),
         "kept": kept,
         "genomes": identifier,
-        "expressions": texts,
+        "expressions": [policy.expression(g) for g in shown] if isinstance(policy, Program) else [],
         "words": "",
     }
 

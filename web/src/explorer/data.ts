@@ -140,6 +140,9 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
   return { ...policy, genome };
 }
 
+/** Return whether a team's policy rates moves by named inputs. */
+export const ratesMoves = ({ teams }: Run, team: Team): boolean => (teams[team].policy ?? { kind: "cells" }).kind !== "cells";
+
 /** Return the program of a generation as an expression; empty for other policies. */
 export const expressionOf = ({ teams }: Run, team: Team, generation: number): string =>
   teams[team].expressions?.[teams[team].kept.indexOf(generation)] ?? "";

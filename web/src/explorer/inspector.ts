@@ -99,17 +99,18 @@ export class Inspector {
     const answer = typeof policy !== "string" && policy.kind === "cells" ? world.answer(policy, agent) : null;
     const own = answer?.probabilities ?? null;
     if (answer?.memory.length) this.#memory.replaceChildren(html("p", { class: "small muted" }, "It remembers:"), units(answer.memory));
+    const rated = typeof policy !== "string" && policy.kind !== "cells" ? whyTable(policy, world.rate(policy, agent), taken, expressionOf(run, team, selection[team])) : [];
     const game = this.#solution?.game(world) ?? null;
     const told = typeof policy === "string"
       ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
-      : policy.kind !== "cells" ? "It takes the best move that is allowed; of equal ones any."
+      : policy.kind !== "cells" ? "It takes the best move that its mask allows; of equal ones any."
       : policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
     const columns = [["network", own], ["perfect", game?.marginal(agent) ?? null]] as const;
     const line = (text: string): HTMLElement => html("p", { class: "small muted" }, text);
     this.#say([
       ...(game ? [line(`Value ${game.value.toFixed(2)} under perfect play.`)] : []),
       ...table(columns, taken),
-      ...(typeof policy === "string" || policy.kind === "cells" ? [] : whyTable(policy, world.rate(policy, agent), taken, expressionOf(run, team, selection[team]))),
+      ...rated,
     ], taken === null ? "The episode is over." : told);
   }
 

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 40826637b8633e2c5a6ec72003be3ad2a217f53c35a61341ec8d33963c132714 */
+/* built from web/ by "npm run build"; sources df0f86e0e579dcc33668b87c31fcc85d09f279d1dacb699db8c256464f01bb09 */
 "use strict";(()=>{var mr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},et={DISAPPEAR:0,REACH:1,BOUNCE:2},pr={OCCUPATION:0,SURROUND:1},hr={FAULT:0,INVOLVED:1};var tt=["obstacle","teammate","adversary"],hn=["vertex","edge","chain"],fr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],fn=["p\
 ursuer_{number}","evader_{number}"],gr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},nt={"both held":"both bounce","both doomed":"\
@@ -11,51 +11,51 @@ m":"as random, but takes only moves that right of way allows","careful-chaser":"
 eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as clumsy-chaser, but takes only moves that right of way allows","careful-hunter":"\
 as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
 eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
-surrounder":"as team-surrounder, but takes only moves that right of way allows"},vr={adversary:"distance to the nearest adversary (0 to 2, in half views)",pressure:"\
+surrounder":"as team-surrounder, but takes only moves that right of way allows"},br={adversary:"distance to the nearest adversary (0 to 2, in half views)",pressure:"\
 sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to the nearest adversary to which no teammate is nearer than the agent; if there is n\
 one, to the nearest one (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary without an obstacle and teammate (0 to 2, in half v\
 iews)",teammate:"distance to the nearest teammate (0 to 2, in half views)",crowd:"sum over teammates of 1 / (1 + moves)^2 (0 or more)",exits:"share of the cells\
  around that are no obstacle (0 to 1)",room:"distance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right \
-of way forbids the move (0 to 1)",stay:"1 if it is no move (0 to 1)",ahead:"1 if it is the direction that the agent draws for each 12 steps (0 to 1)"},br={free:"\
+of way forbids the move (0 to 1)",stay:"1 if it is no move (0 to 1)",ahead:"1 if it is the direction that the agent draws for each 12 steps (0 to 1)"},vr={free:"\
 .GS",blocked:"#@OTW"};var Pe=1+fr.length;function rt(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Q(e,t){return e<t?rt(fn[0],{number:e}):rt(fn[1],{number:e-t})}function la(e,t){
-let[n,r,o,s,a,i,l,...c]=Array.from(e),u=a<0?[s]:[s,a],[m,p,h]=c.map(v=>u.filter((x,b)=>v>>b&1)),f=u.map(v=>Q(v,t)),g=rt(gr[a<0?"obstacle":hn[o]],{first:f[0],second:f[f.
+let[n,r,o,s,a,i,l,...c]=Array.from(e),u=a<0?[s]:[s,a],[m,p,h]=c.map(b=>u.filter((x,v)=>b>>v&1)),f=u.map(b=>Q(b,t)),g=rt(gr[a<0?"obstacle":hn[o]],{first:f[0],second:f[f.
 length-1],cell:`(${i}, ${l})`}),y=rt(yr,{event:g,outcome:ca(u.length,p,h,t)});return{kind:tt[r],form:hn[o],agents:u,cell:[i,l],at_fault:m,held:p,doomed:h,turn:n,
 text:y}}function ca(e,t,n,r){if(e===2&&t.length===2)return nt["both held"];if(e===2&&n.length===2)return nt["both doomed"];let o=s=>a=>rt(nt[s],{agent:Q(a,r)});
 return[...t.map(o("held")),...n.map(o("doomed"))].join(", ")||nt.none}function Nt(e,t){let n=[];for(let r=0;r<e.length;r+=Pe)n.push(la(e.subarray(r+1,r+Pe),t));
 return n}var K=class extends Error{name="EngineError"};function _(e,t,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new K(`${e}\
-: expected ${t}, got ${r}`)}var Le=class{bytes;constructor(t){this.bytes=t}},Sr=0,vn=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],wr=4,xr=4,ua=new TextEncoder,
-da=new TextDecoder;function ma(e){for(let t=vn.length-1;t>Sr;--t)if(e instanceof vn[t])return t;throw new TypeError("array: expected a typed array of the engine\
-'s numbers, got another")}function yn(e){return new Uint8Array(e.buffer,e.byteOffset,e.byteLength)}function pa(e){return ua.encode(`${e}\0`)}var bn=class{engine;addresses=[];constructor(t){
+: expected ${t}, got ${r}`)}var Le=class{bytes;constructor(t){this.bytes=t}},Sr=0,bn=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],wr=4,xr=4,ua=new TextEncoder,
+da=new TextDecoder;function ma(e){for(let t=bn.length-1;t>Sr;--t)if(e instanceof bn[t])return t;throw new TypeError("array: expected a typed array of the engine\
+'s numbers, got another")}function yn(e){return new Uint8Array(e.buffer,e.byteOffset,e.byteLength)}function pa(e){return ua.encode(`${e}\0`)}var vn=class{engine;addresses=[];constructor(t){
 this.engine=t}copy(t){let n=this.engine._malloc(Math.max(t.length,1));if(n===0)throw new K("memory: expected room for the arguments, got none");return this.addresses.
 push(n),this.engine.HEAPU8.set(t,n),n}text(t){return this.copy(pa(t))}arrays(t){let n=Object.entries(t),r=n.flatMap(([s,a])=>{let i=a instanceof Le,l=i?a.bytes:
 a;return[this.text(s),i?Sr:ma(l),l.length,this.copy(yn(l))]}),o=this.copy(yn(Int32Array.from(r)));return this.copy(yn(Int32Array.of(n.length,o)))}free(){for(let t of this.
 addresses)this.engine._free(t)}};function Ar(e,t){let n=e.HEAPU8;return da.decode(n.subarray(t,n.indexOf(0,t)))}function $e(e){let t=new Int32Array(e.HEAPU8.buffer),
-n=e._last_outputs()/wr,r=t[n+1]/wr,o={};for(let s=r;s<r+t[n]*xr;s+=xr){let a=vn[t[s+1]],i=t[s+2]*a.BYTES_PER_ELEMENT,l=t[s+3];o[Ar(e,t[s])]=new a(e.HEAPU8.slice(
-l,l+i).buffer)}return o}function pe(e,t){let n=new bn(e);try{let r=t(n);if(r===0)throw new K(Ar(e,e._last_error()));return r}finally{n.free()}}var ha=2**31-1,Tr=["none","gru"],fa=2n**64n-1n,ga=34028234663852886e22;function ee(e,t){if(typeof t!="number"||!Number.isInteger(t)||Math.abs(t)>ha)throw _(e,"a\
+n=e._last_outputs()/wr,r=t[n+1]/wr,o={};for(let s=r;s<r+t[n]*xr;s+=xr){let a=bn[t[s+1]],i=t[s+2]*a.BYTES_PER_ELEMENT,l=t[s+3];o[Ar(e,t[s])]=new a(e.HEAPU8.slice(
+l,l+i).buffer)}return o}function pe(e,t){let n=new vn(e);try{let r=t(n);if(r===0)throw new K(Ar(e,e._last_error()));return r}finally{n.free()}}var ha=2**31-1,Tr=["none","gru"],fa=2n**64n-1n,ga=34028234663852886e22;function ee(e,t){if(typeof t!="number"||!Number.isInteger(t)||Math.abs(t)>ha)throw _(e,"a\
 n integer",t);return Int32Array.of(t)}function Pt(e,t){if(typeof t!="boolean")throw _(e,"true or false",t);return new Le(Uint8Array.of(Number(t)))}function we(e,t,n){
 let r=typeof t=="string"&&Object.hasOwn(n,t)?n[t]:void 0;if(r===void 0)throw _(e,`one of ${Object.keys(n).join(", ")}`,t);return Int32Array.of(r)}function wn(e,t){
 if(typeof t!="number"||!(Math.abs(t)<=ga))throw _(e,"a finite number",t);return t}function ot(e,t){let r=typeof t=="bigint"||typeof t=="number"&&Number.isSafeInteger(
 t)?BigInt(t):-1n;if(r<0n||r>fa)throw _(e,"an integer from 0 to 2^64 - 1",t);return BigUint64Array.of(r)}function ya(e){return{"rules.interaction":we("interactio\
 n",e.interaction,mr),"rules.obstacle":we("obstacle",e.obstacle,et),"rules.teammate":we("teammate",e.teammate,et),"rules.evader":we("evader",e.evader,et),"rules.\
 pursuer":we("pursuer",e.pursuer,et),"rules.capture":we("capture",e.capture,pr),"rules.captured_disappear":Pt("captured_disappear",e.captured_disappear)}}function Mr(e,t){
-let n=typeof t=="number"?[t,t,t]:t;if(!Array.isArray(n)||n.length!==3)throw _(e,"1 or 3 numbers",t);return Float32Array.from(n,r=>wn(e,r))}function va(e){let t=(n,r)=>Float32Array.
+let n=typeof t=="number"?[t,t,t]:t;if(!Array.isArray(n)||n.length!==3)throw _(e,"1 or 3 numbers",t);return Float32Array.from(n,r=>wn(e,r))}function ba(e){let t=(n,r)=>Float32Array.
 of(wn(n,e[n]),wn(r,e[r]));return{"rewards.capture":t("pursuer_capture","evader_capture"),"rewards.neighbor":t("pursuer_neighbor","evader_neighbor"),"rewards.ste\
 p":t("pursuer_step","evader_step"),"rewards.pursuer_collide":Mr("pursuer_collide",e.pursuer_collide),"rewards.evader_collide":Mr("evader_collide",e.evader_collide),
 "rewards.blame":we("blame",e.blame,hr),"rewards.capture_repeats":Pt("capture_repeats",e.capture_repeats)}}function kr(e){if(e===void 0||typeof e=="number")return new Uint8Array(
-0);if(e instanceof Uint8Array)return e;let{free:t,blocked:n}=br;for(let[r,o]of e.entries()){if(o.length!==e[0]?.length)throw _(`map, row ${r}`,`${e[0]?.length} \
+0);if(e instanceof Uint8Array)return e;let{free:t,blocked:n}=vr;for(let[r,o]of e.entries()){if(o.length!==e[0]?.length)throw _(`map, row ${r}`,`${e[0]?.length} \
 cells as in row 0`,o.length);let s=[...o].find(a=>!t.includes(a)&&!n.includes(a));if(s)throw _(`map, row ${r}`,`'${t}' (free) or '${n}' (obstacle)`,s)}return Uint8Array.
 from([...e.join("")],r=>Number(n.includes(r)))}function Or(e,t){if(!Array.isArray(e))return;let n=[e.length,e[0]?.length??0];if(!(n[0]===t.rows&&n[1]===t.cols))
 throw _("obstacle map",`shape (${t.rows}, ${t.cols}), the rows and cols`,n)}function Ie(e){Or(e.obstacles,e);let t=typeof e.obstacles=="number"?e.obstacles:0;return{
-...ya(e.rules),...va(e.rewards),rows:ee("rows",e.rows),cols:ee("cols",e.cols),n_pursuers:ee("n_pursuers",e.n_pursuers),n_evaders:ee("n_evaders",e.n_evaders),fov:ee(
+...ya(e.rules),...ba(e.rewards),rows:ee("rows",e.rows),cols:ee("cols",e.cols),n_pursuers:ee("n_pursuers",e.n_pursuers),n_evaders:ee("n_evaders",e.n_evaders),fov:ee(
 "fov",e.fov),diagonal:Pt("diagonal",e.diagonal),max_steps:ee("max_steps",e.max_steps),density:Float64Array.of(t),map:kr(e.obstacles)}}function Cr(e,t){return Int32Array.
 from((t??[]).flat(),n=>ee(e,n)[0])}function Rr(e,t){return Or(e.obstacles,t),{seed:ot("seed",e.seed??0n),episode:ot("episode",e.episode??0),pursuers:Cr("pursuer\
-s",e.pursuers),evaders:Cr("evaders",e.evaders),map:kr(e.obstacles)}}function Lt(e){return{actions:Int32Array.from(e,t=>ee("actions",t)[0])}}var Er=Object.keys(vr);
+s",e.pursuers),evaders:Cr("evaders",e.evaders),map:kr(e.obstacles)}}function Lt(e){return{actions:Int32Array.from(e,t=>ee("actions",t)[0])}}var Er=Object.keys(br);
 function xn(e){let t=Er.indexOf(e);if(t<0)throw _("inputs",`names of ${Er.join(", ")}`,e);return t}function xe(e){if(typeof e=="string"){if(!Object.hasOwn(gn,e))
 throw _("policy",`one of ${Object.keys(gn).join(", ")}`,e);return{script:new TextEncoder().encode(e)}}if(e.kind!=="cells")return{inputs:Int32Array.from(e.inputs,
 t=>xn(t)),hidden:Int32Array.from(e.kind==="rating"?e.hidden:[],t=>ee("hidden",t)[0]),length:ee("length",e.kind==="program"?e.length:0),mask:new TextEncoder().encode(
 e.mask),genome:e.genome};if(e.activation!=="relu"&&e.activation!=="tanh")throw _("activation","'relu' or 'tanh'",e.activation);if(!Tr.includes(e.memory))throw _(
 "memory",`one of ${Tr.join(", ")}`,e.memory);return{hidden:Int32Array.from(e.hidden,t=>ee("hidden",t)[0]),activation:new TextEncoder().encode(e.activation),sampled:Pt(
-"sampled",e.sampled),memory:new TextEncoder().encode(e.memory),genome:e.genome}}var ba=["first_turn","terminated","truncated"];function _r(e){let t={...e};for(let n of ba)
+"sampled",e.sampled),memory:new TextEncoder().encode(e.memory),genome:e.genome}}var va=["first_turn","terminated","truncated"];function _r(e){let t={...e};for(let n of va)
 t[n]=new Le(e[n]);return t}var Nr="statistics.",$t=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(t,n,r,o){this.config=t,this.seed=n,this.episode=r,this.n_agents=
 t.n_pursuers+t.n_evaders,this.statistics=xa(Pr(o)),Object.assign(this,o),this.first_conflict=wa(this.conflict_table,this.length)}get length(){return this.actions.
 length/this.n_agents}conflicts(t){this.check(t);let[n,r]=[this.first_conflict[t],this.first_conflict[t+1]],o=this.conflict_table.subarray(n*Pe,r*Pe);return Nt(o,
@@ -68,7 +68,7 @@ Nr)?[[t.slice(Nr.length),n]]:[]));function Lr(e,t,n,r){let o=[Ie(n.config),xe(n.
 a,i,l,c)}),$e(e)}function $r(e,t,n,r){let o={seed:ot("seed",n),episode:ot("episode",r)};return new $t(t.config,n,r,Lr(e,"_play_match",t,o))}function Ir(e,t,n,r){
 if(!Number.isInteger(r)||r<1)throw _("n_episodes","at least 1",r);let o=Lr(e,"_play_rollout",t,{...n,n_episodes:Int32Array.of(r)});return Pr(o)}var Sa=7e6,Aa=new FinalizationRegistry(([e,t])=>e._states_free(t));function Ta({rules:e,rows:t,cols:n,obstacles:r,diagonal:o,n_pursuers:s,n_evaders:a}){let i=typeof r==
 "number"||e.obstacle==="REACH"?0:r.join("").split("#").length-1,l=t*n-i,c=[e.obstacle,e.teammate,e.pursuer].includes("DISAPPEAR"),u=e.capture==="SURROUND"||e.evader===
-"REACH",m=e.interaction==="AGENT_TURNS",p=(g,y)=>Array.from({length:y},(v,x)=>m?g:(g+x)/(x+1)).reduce((v,x)=>v*x,1),h=p(l+Number(c),s)*p(l*(1+Number(u))+2,a);return{
+"REACH",m=e.interaction==="AGENT_TURNS",p=(g,y)=>Array.from({length:y},(b,x)=>m?g:(g+x)/(x+1)).reduce((b,x)=>b*x,1),h=p(l+Number(c),s)*p(l*(1+Number(u))+2,a);return{
 SIMULTANEOUS:[s+a],SWARM_TURNS:[s,a],AGENT_TURNS:Array(s+a).fill(1)}[e.interaction].reduce((g,y)=>g+h*(o?9:5)**y,0)}function Ue(e){return typeof e.obstacles=="n\
 umber"&&e.obstacles>0?"obstacles are drawn anew in each episode":Ta(e)>Sa?"the world is too large to be solved on the page":""}var Sn=class{value;teams;matrix;n_actions;constructor(t,n){
 let{matrix:r,rows:o,cols:s,value:a,agents:i}=n,[l,c]=t.actors,u=Array.from(i).filter(p=>l<=p&&p<c),m=p=>p<t.config.n_pursuers;[this.value,this.matrix,this.n_actions]=
@@ -191,8 +191,8 @@ s),y:je(r.y,o.y,s),size:a?r.size:je(r.size,o.size,s),alpha:a?mo((1-s)/(1-Ha)):je
 Math.PI*s);i.x+=(m-c)*p,i.y+=(u-l)*p}return i}var ho=2*Math.PI;function gt(e,t,n,r){e.beginPath(),e.arc(t,n,r/2,0,ho)}function fo(e,t,n,r){let o=r/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[t+a*o,n+i*
 o]);e.beginPath(),e.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[c,u]=s[(l+1)%3];e.arcTo(a,i,c,u,r*.09)}),e.closePath()}function go(e,t,n,r){
 let o=r*.32;e.beginPath(),e.moveTo(t-o,n-o),e.lineTo(t+o,n+o),e.moveTo(t+o,n-o),e.lineTo(t-o,n+o)}function yo(e,t,n,r){e.beginPath();for(let o=0;o<16;o++){let s=r/
-2*(o%2?.6:.95),a=ho*o/16;e.lineTo(t+s*Math.sin(a),n-s*Math.cos(a))}e.closePath()}function vo(e,t,n,r,o,s){let a=Math.atan2(o-n,r-t);e.beginPath(),e.moveTo(t,n),
-e.lineTo(r,o);for(let i of[-1,1])e.moveTo(r,o),e.lineTo(r-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var bo=4,Va=1.6,Ya=.95,Za=5,qa=.16,Ja=9,Xa=.09,Qa=.2,wo=.75,F=(e,t)=>e.left+t*e.cell,j=(e,t)=>e.top+t*e.cell;function Ge(e,t,n){return Ee(t,n)?e.colors.pursuer:
+2*(o%2?.6:.95),a=ho*o/16;e.lineTo(t+s*Math.sin(a),n-s*Math.cos(a))}e.closePath()}function bo(e,t,n,r,o,s){let a=Math.atan2(o-n,r-t);e.beginPath(),e.moveTo(t,n),
+e.lineTo(r,o);for(let i of[-1,1])e.moveTo(r,o),e.lineTo(r-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var vo=4,Va=1.6,Ya=.95,Za=5,qa=.16,Ja=9,Xa=.09,Qa=.2,wo=.75,F=(e,t)=>e.left+t*e.cell,j=(e,t)=>e.top+t*e.cell;function Ge(e,t,n){return Ee(t,n)?e.colors.pursuer:
 e.colors.evader}function Kt({ctx:e,colors:t},n,r,o,s,a,i=0){e.font=`700 ${Math.round(s)}px system-ui, sans-serif`,e.textAlign="center",e.textBaseline="middle",e.
 strokeStyle=t.paper,e.lineWidth=i,i&&e.strokeText(n,r,o),e.fillStyle=a,e.fillText(n,r,o)}function xo({ctx:e,grid:t,colors:n}){let{left:r,top:o,cell:s,rows:a,cols:i}=t,
 [l,c]=[i*s,a*s];if(e.fillStyle=n.paper,e.fillRect(r,o,l,c),s<Za)return;e.fillStyle=n.line;let u=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)e.fillRect(r+m*
@@ -211,9 +211,9 @@ max(2,2.5*o),s.stroke();let m=Math.max(11*o,Math.min(18*o,a.cell*.5)),p=u-l/2<m*
 Math.max(1,a.cell/24),s.strokeRect(...i),s.globalAlpha=1}function Oo(e,t,n,r,o){let{ctx:s,grid:a}=e,i=Math.min(Math.ceil(n),t.moments.length-1),l=t.moments[i];s.
 lineCap="round",s.lineWidth=Math.min(Ja,Math.max(1,a.cell*qa));for(let c=Math.max(1,Math.floor(n-r)+1);c<=i;c++){let[u,m]=[t.moments[c-1],t.moments[c]],p=Math.max(
 0,Math.min(1,(n-c)/r));s.globalAlpha=wo+(Qa-wo)*p;for(let h=0;h<m.alive.length;h++){let f=c===i&&n<i;if(!u.alive[h]||!(l.alive[h]||f))continue;let g=(Ee(t,h)?-1:
-1)*Xa,[y,v]=M(u,h),[x,b]=M(m,h);if(y===x&&v===b)continue;let A=f?o[h].x:b+.5,E=f?o[h].y:x+.5;s.strokeStyle=Ge(e,t,h),s.beginPath(),s.moveTo(F(a,v+.5+g),j(a,y+.5+
-g)),s.lineTo(F(a,A+g),j(a,E+g)),s.stroke()}}s.globalAlpha=1}function Ro(e,t,n){let r=Math.min(Math.ceil(n),t.moments.length-1);for(let o=Math.max(1,r-bo+1);o<=r;o++){
-let[s,a]=[t.moments[o-1],t.moments[o]],i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/bo,l=jt(t,s,a);for(let c of Gt(s,a))l.includes(c)||ti(e,M(a,c),i);for(let c of l)ei(e,
+1)*Xa,[y,b]=M(u,h),[x,v]=M(m,h);if(y===x&&b===v)continue;let A=f?o[h].x:v+.5,E=f?o[h].y:x+.5;s.strokeStyle=Ge(e,t,h),s.beginPath(),s.moveTo(F(a,b+.5+g),j(a,y+.5+
+g)),s.lineTo(F(a,A+g),j(a,E+g)),s.stroke()}}s.globalAlpha=1}function Ro(e,t,n){let r=Math.min(Math.ceil(n),t.moments.length-1);for(let o=Math.max(1,r-vo+1);o<=r;o++){
+let[s,a]=[t.moments[o-1],t.moments[o]],i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/vo,l=jt(t,s,a);for(let c of Gt(s,a))l.includes(c)||ti(e,M(a,c),i);for(let c of l)ei(e,
 M(a,c),i)}e.ctx.globalAlpha=1}function ei({ctx:e,grid:t,colors:n},[r,o],s){e.globalAlpha=s,yo(e,F(t,o+.5),j(t,r+.5),Math.max(8,t.cell*Va)),e.fillStyle=n.capture,
 e.fill(),e.strokeStyle=n.ink,e.lineWidth=Math.max(1,t.cell/36),e.lineJoin="round",e.stroke()}function ti({ctx:e,grid:t,colors:n},[r,o],s){e.globalAlpha=s,go(e,F(
 t,o+.5),j(t,r+.5),Math.max(7,t.cell*Ya)),e.strokeStyle=n.collision,e.lineWidth=Math.max(2,t.cell*.17),e.lineCap="round",e.stroke()}function _o({ctx:e,grid:t,colors:n},r,o){
@@ -223,17 +223,17 @@ let s=Math.max(1,t.cell*.07);e.strokeStyle=e.fillStyle=n.collision,e.lineWidth=M
 Math.max(1.5,t.cell*.085*Math.sqrt(s)),e.stroke(),e.globalAlpha=1}var ni=.8,ri=.92,oi=15,si=7,Un=9;function Po(e,t,n,r,o,s){r.forEach((a,i)=>{a.alpha>0&&ai(e,t,n,i,a,o,s)}),e.ctx.globalAlpha=1;for(let a of ft(t,n).values())a.length>
 Un&&ii(e,r[a[Un-1]],a.length-Un+1)}function ai(e,t,n,r,o,s,a){let{ctx:i,grid:l,colors:c}=e,u=Ee(t,r),[m,p]=[F(l,o.x),j(l,o.y)],h=Math.max(4,l.cell*o.size*(u?ri:
 ni)),f=Ge(e,t,r),g=!u&&!!n.captured[r-t.nPursuers];if(i.globalAlpha=o.alpha,(u?fo:gt)(i,m,p,h),h>si*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,h*.1),i.stroke()),
-i.fillStyle=g?c.paper:f,i.fill(),g&&(gt(i,m,p,h*.82),i.strokeStyle=f,i.lineWidth=h*.18,i.stroke()),!s||h<oi*a)return;let y=String(u?r:r-t.nPursuers),v=h*(u?.4:.5)*
-(y.length>1?.8:1);Kt(e,y,m,p+h*(u?.17:.03),v,g?f:c.paper)}function ii(e,t,n){let{cell:r}=e.grid;Kt(e,`+${n}`,F(e.grid,t.x),j(e.grid,t.y),r*.3,e.colors.ink,r*.1)}var li=.46,ci=.86,ui=.66,Lo=.48,di=.78,mi=.58;function $o(e,t,n,r){let[o,s]=[t.moments[n-1],t.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=e;a.strokeStyle=
+i.fillStyle=g?c.paper:f,i.fill(),g&&(gt(i,m,p,h*.82),i.strokeStyle=f,i.lineWidth=h*.18,i.stroke()),!s||h<oi*a)return;let y=String(u?r:r-t.nPursuers),b=h*(u?.4:.5)*
+(y.length>1?.8:1);Kt(e,y,m,p+h*(u?.17:.03),b,g?f:c.paper)}function ii(e,t,n){let{cell:r}=e.grid;Kt(e,`+${n}`,F(e.grid,t.x),j(e.grid,t.y),r*.3,e.colors.ink,r*.1)}var li=.46,ci=.86,ui=.66,Lo=.48,di=.78,mi=.58;function $o(e,t,n,r){let[o,s]=[t.moments[n-1],t.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=e;a.strokeStyle=
 l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let c=0;c<s.alive.length;c++)Bt(o,s,c)&&pi(e,t,M(o,c),Ft(o,s,c));a.globalAlpha=
 1}function pi({ctx:e,grid:t},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=m=>F(t,r[1]+.5+s*m),l=m=>j(t,r[0]+.5+a*m),c=ht(n,o)?di:mi;e.setLineDash([t.cell*.09,t.cell*
 .06]),e.beginPath(),e.moveTo(i(Lo),l(Lo)),e.lineTo(i(c),l(c)),e.stroke(),e.setLineDash([]);let u=.17*t.cell/Math.hypot(s,a);e.beginPath(),e.moveTo(i(c)-a*u,l(c)+
 s*u),e.lineTo(i(c)+a*u,l(c)-s*u),e.stroke()}function Io(e,t,n,r,o,s){let a=ce[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=e,u=ht(t,[r[0]+a[0],r[1]+a[1]])?ci:
 ui,m=li*o.size,p=[F(l,o.x+a[1]*m),j(l,o.y+a[0]*m),F(l,o.x+a[1]*u),j(l,o.y+a[0]*u)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[f,g]of[[c.paper,
-h*2.1],[Ge(e,t,n),h]])i.strokeStyle=f,i.lineWidth=g,vo(i,...p,l.cell*.2),i.stroke()}var zo={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Wo(e,t,n,r,o){let{ctx:s,grid:a,colors:i}=e,l=Math.min(
+h*2.1],[Ge(e,t,n),h]])i.strokeStyle=f,i.lineWidth=g,bo(i,...p,l.cell*.2),i.stroke()}var zo={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Wo(e,t,n,r,o){let{ctx:s,grid:a,colors:i}=e,l=Math.min(
 Math.ceil(n),t.moments.length-1),c=t.moments[l],u=n===l,m=Ht(t,n),p=u?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),xo(e);for(let g of r.
-viewers)m[g]?.alpha&&ko(e,t,g,...In(t,g,n));So(e,t),r.axes&&To(e,o),Oo(e,t,n,r.trail,m),_o(e,c.contested??[],p),Ro(e,t,n),$o(e,t,l,p),m.forEach(({x:g,y,size:v},x)=>{
-let b=ao(c,x)?.4:0,A=$n(c,x)?1:b;A&&No(e,g,y,v,A*p)});let h=u?c:t.moments[Math.max(0,l-1)];if(Po(e,t,h,m,r.numbers,o),u&&r.plan)for(let[g,y]of m.entries())y.alpha&&
+viewers)m[g]?.alpha&&ko(e,t,g,...In(t,g,n));So(e,t),r.axes&&To(e,o),Oo(e,t,n,r.trail,m),_o(e,c.contested??[],p),Ro(e,t,n),$o(e,t,l,p),m.forEach(({x:g,y,size:b},x)=>{
+let v=ao(c,x)?.4:0,A=$n(c,x)?1:v;A&&No(e,g,y,b,A*p)});let h=u?c:t.moments[Math.max(0,l-1)];if(Po(e,t,h,m,r.numbers,o),u&&r.plan)for(let[g,y]of m.entries())y.alpha&&
 Io(e,t,g,M(c,g),y,r.plan[g]??0);r.you!==null&&(r.fog&&Co(e,t,...In(t,r.you,n)),Eo(e,m[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let f=r.selected===
 null?void 0:m[r.selected];f?.alpha&&Uo(e,f.x,f.y,f.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Uo(e,r.cursor[1]+.5,r.cursor[0]+.5,.8),s.setLineDash(
 []))}function Uo({ctx:e,grid:t},n,r,o){let s=o*t.cell;e.beginPath(),e.roundRect(t.left+n*t.cell-s/2,t.top+r*t.cell-s/2,s,s,s*.1),e.stroke()}var Do=(e,t)=>(t+.24)/(e+.24);function Bo(e,t,n,r,o,s){let a=n?28*s:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,t),i(o,e))));return{rows:e,cols:t,
@@ -250,19 +250,19 @@ return null;let o=this.#e.moments[Math.round(this.#n)],s=ft(this.#e,o).get(r[0]*
 a[l].x,a[l].y);return Math.hypot(c-t,u-n)};return s.length?s.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(t,n){let r=this.canvas.getBoundingClientRect(),o=r.width/
 this.canvas.width,{left:s,top:a,cell:i}=this.#r;return[r.left+(s+t*i)*o,r.top+(a+n*i)*o]}#s(){if(!this.#e)return;let{rows:t,cols:n}=this.#e;this.canvas.style.setProperty(
 "--board-aspect",String(Do(t,n)))}#i(){let t=devicePixelRatio||1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
-n*t)),this.canvas.height=Math.max(1,Math.round(r*t)),this.drawNow()}};function Vt(e,t,n){let{rows:r,cols:o,n_pursuers:s,fov:a,rules:{interaction:i}}=e;return{rows:r,cols:o,nPursuers:s,fov:a,interaction:i,obstacles:t,moments:n}}function vt(e,t){
+n*t)),this.canvas.height=Math.max(1,Math.round(r*t)),this.drawNow()}};function Vt(e,t,n){let{rows:r,cols:o,n_pursuers:s,fov:a,rules:{interaction:i}}=e;return{rows:r,cols:o,nPursuers:s,fov:a,interaction:i,obstacles:t,moments:n}}function bt(e,t){
 return{positions:e.read("last_positions"),alive:e.read("alive"),captured:e.read("captured"),everCaptured:e.read("ever_captured"),actions:t,involved:e.read("invo\
 lved"),fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var zn=.005,Ho=.05,gi=["pursuer","evader"],yi=4,Ke=new Map;function Yt(e,t,n="capture-rate"){let r=JSON.stringify([{...t,rewards:null},n]),o=Ke.get(r)??(Ue(t)?Promise.
-resolve(null):vi(e,t,n));return Ke.delete(r),Ke.set(r,o),Ke.size>yi&&Ke.delete([...Ke.keys()][0]),o}var Zt=({n_evaders:e})=>e===1?"capture-time":"capture-rate",
-Go=()=>new Promise(e=>setTimeout(e));async function vi(e,t,n){await Go();let r=e.solution(t,n);for(;r.goBack();)await Go();return r}function qt(e,t,n){let{payoff:r}=e;
+resolve(null):bi(e,t,n));return Ke.delete(r),Ke.set(r,o),Ke.size>yi&&Ke.delete([...Ke.keys()][0]),o}var Zt=({n_evaders:e})=>e===1?"capture-time":"capture-rate",
+Go=()=>new Promise(e=>setTimeout(e));async function bi(e,t,n){await Go();let r=e.solution(t,n);for(;r.goBack();)await Go();return r}function qt(e,t,n){let{payoff:r}=e;
 return n.flatMap((o,s)=>{let a=[0,0];for(let l=t.n_turns;l>0&&!t.over;l--)e.game(t)?.lost(o).forEach((c,u)=>a[u]+=c),t.playTurn(o);let i=r==="capture-rate"?zn:Ho;
 return gi.map((l,c)=>({step:s+1,team:l,lost:a[c],payoff:r})).filter(l=>l.lost>=i)})}var Ko=e=>e.map(t=>({step:t.step,kind:t.team,size:t.lost/Math.max(1,...e.map(
-({lost:n})=>n)),text:bt(t)})),Vo=({lost:e,payoff:t})=>t==="capture-rate"?`${e.toFixed(2)} of the capture rate`:`${e.toFixed(1)} steps`,bt=e=>`The ${e.team}s los\
+({lost:n})=>n)),text:vt(t)})),Vo=({lost:e,payoff:t})=>t==="capture-rate"?`${e.toFixed(2)} of the capture rate`:`${e.toFixed(1)} steps`,vt=e=>`The ${e.team}s los\
 e ${Vo(e)} against a perfect opponent`;function Yo(e){let t=e.reduce((n,r)=>r.lost>n.lost?r:n);return`Your team's worst moves, in step ${t.step}, lost ${Vo(t)} \
 against a perfect opponent.`}function Jt({config:e,payoff:t},{value:n},r){if(t==="capture-rate")return`value ${n.toFixed(2)}`;let[o,s]=[1-n,Math.min(e.max_steps-
 r,An)];return o>s-Ho?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function Xt(e,t){return(e.marginal(t)??[]).map((r,o)=>({share:r,action:o})).filter(
 ({share:r})=>r>=zn).sort((r,o)=>o.share-r.share).map(({share:r,action:o})=>r>1-zn?B[o]:`${B[o]} ${r.toFixed(2)}`).join(", ")}var Qt=class{recording;rules;outcomes=[];#e;#n;#t;#r=[];#o=[];constructor(t,n,r,o){[this.#e,this.#n,this.rules]=[n,o,r];let s=Be(n,r);this.#t=t.world(s),this.#t.
-restore(bi(this.#t,n)),this.recording=Vt(s,this.#t.map(),this.#r),this.#i(void 0);for(let a of n.played)this.#s(a)}follow(t){if(!Wn(this.#e,t))return!1;let n=this.#e.
+restore(vi(this.#t,n)),this.recording=Vt(s,this.#t.map(),this.#r),this.#i(void 0);for(let a of n.played)this.#s(a)}follow(t){if(!Wn(this.#e,t))return!1;let n=this.#e.
 played,r=t.played.findIndex((a,i)=>a!==n[i]),o=r<0?t.played.length:r,s=Math.min(o+1,this.#r.length);this.#r.length=this.outcomes.length=this.#o.length=s,this.#t.
 restore(this.#o.at(-1));for(let a of t.played.slice(s-1))this.#s(a);return this.#e=t,!0}get length(){return this.#r.length-1}get over(){let{terminated:t,truncated:n}=this.
 outcomes.at(-1);return t||n}actions(t){let n=Uint8Array.from(t,o=>typeof o=="number"?o:Ae),r=new Set(t.filter(o=>typeof o=="string"));for(let o of this.over?[]:
@@ -271,8 +271,8 @@ a[l])})}return n}scene(){let t=this.#t,[n,r]=[t.read("last_positions"),t.read("a
 i=te(this.#e).map((l,c)=>({...Cn([n[2*c],n[2*c+1]]),gone:!r[c],captured:c>=a&&!!o[c-a],everCaptured:c>=a&&!!s[c-a]}));return{...this.#e,played:[],steps:t.steps,
 ended:this.outcomes.at(-1).terminated,pursuers:i.slice(0,a),evaders:i.slice(a)}}perfect(t){let[n,r]=[this.#o.at(-2),this.#r.at(-1).actions];return n&&this.#t.restore(
 n),{losses:n&&r?qt(t,this.#t,[r]):[],game:t.game(this.#t)}}free(){this.#t.free()}#s(t){if(this.over)return;let n=this.actions(t);this.#t.step(n),this.#i(n)}#i(t){
-let n=this.#t;this.#r.push(vt(n,t)),this.#o.push(n.snapshot()),this.outcomes.push({conflicts:t?n.conflicts():[],rewards:n.read("rewards"),captors:n.read("captor\
-s"),terminated:!!n.read("terminated")[0],truncated:!!n.read("truncated")[0]})}};function bi(e,t){let n=te(t),r=n.map(({cell:s})=>s[0]*t.cols+s[1]),o=s=>Uint8Array.
+let n=this.#t;this.#r.push(bt(n,t)),this.#o.push(n.snapshot()),this.outcomes.push({conflicts:t?n.conflicts():[],rewards:n.read("rewards"),captors:n.read("captor\
+s"),terminated:!!n.read("terminated")[0],truncated:!!n.read("truncated")[0]})}};function vi(e,t){let n=te(t),r=n.map(({cell:s})=>s[0]*t.cols+s[1]),o=s=>Uint8Array.
 from(t.evaders,a=>Number(a[s]));return{...e.snapshot(),seed:BigUint64Array.of(t.seed),episode:BigUint64Array.of(t.episode),cells:Int32Array.from(r,(s,a)=>n[a].gone?
 -1:s),last_cells:Int32Array.from(r,(s,a)=>n[a].gone?s:-1),captured:o("captured"),ever_captured:o("everCaptured"),capture_paid:o("everCaptured"),captors:new Int32Array(
 t.evaders.length),rewards:new Float32Array(V(t)),report:new Int32Array(V(t)),participants:new Int32Array(0),steps:Int32Array.of(t.steps),terminated:Uint8Array.of(
@@ -314,36 +314,36 @@ t,n))};var Oi=["unexpected EOF","invalid block type","invalid length/literal","i
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],W=function(e,t,n){var r=new Error(t||Oi[e]);
 if(r.code=e,Error.captureStackTrace&&Error.captureStackTrace(r,W),!n)throw r;return r},cs=function(e,t,n,r){var o=e.length,s=r?r.length:0;if(!o||t.f&&!t.l)return n||
 new C(0);var a=!n,i=a||t.i!=2,l=t.i;a&&(n=new C(o*3));var c=function(Xe){var Qe=n.length;if(Xe>Qe){var Ne=new C(Math.max(Qe*2,Xe));Ne.set(n),n=Ne}},u=t.f||0,m=t.
-p||0,p=t.b||0,h=t.l,f=t.d,g=t.m,y=t.n,v=o*8;do{if(!h){u=re(e,m,1);var x=re(e,m+1,3);if(m+=3,x)if(x==1)h=Ci,f=ki,g=9,y=5;else if(x==2){var P=re(e,m,31)+257,R=re(
+p||0,p=t.b||0,h=t.l,f=t.d,g=t.m,y=t.n,b=o*8;do{if(!h){u=re(e,m,1);var x=re(e,m+1,3);if(m+=3,x)if(x==1)h=Ci,f=ki,g=9,y=5;else if(x==2){var P=re(e,m,31)+257,R=re(
 e,m+10,15)+4,S=P+re(e,m+5,31)+1;m+=14;for(var w=new C(S),$=new C(19),L=0;L<R;++L)$[Gn[L]]=re(e,m+L*3,7);m+=R*3;for(var D=Dn($),me=(1<<D)-1,Y=ie($,D,1),L=0;L<S;){
-var G=Y[re(e,m,me)];m+=G&15;var b=G>>4;if(b<16)w[L++]=b;else{var I=0,k=0;for(b==16?(k=3+re(e,m,3),m+=2,I=w[L-1]):b==17?(k=3+re(e,m,7),m+=3):b==18&&(k=11+re(e,m,
-127),m+=7);k--;)w[L++]=I}}var H=w.subarray(0,P),U=w.subarray(P);g=Dn(H),y=Dn(U),h=ie(H,g,1),f=ie(U,y,1)}else W(1);else{var b=Jn(m)+4,A=e[b-4]|e[b-3]<<8,E=b+A;if(E>
-o){l&&W(0);break}i&&c(p+A),n.set(e.subarray(b,E),p),t.b=p+=A,t.p=m=E*8,t.f=u;continue}if(m>v){l&&W(0);break}}i&&c(p+131072);for(var Je=(1<<g)-1,X=(1<<y)-1,le=m;;le=
-m){var I=h[Bn(e,m)&Je],Z=I>>4;if(m+=I&15,m>v){l&&W(0);break}if(I||W(2),Z<256)n[p++]=Z;else if(Z==256){le=m,h=null;break}else{var q=Z-254;if(Z>264){var L=Z-257,O=nn[L];
-q=re(e,m,(1<<O)-1)+is[L],m+=O}var se=f[Bn(e,m)&X],Re=se>>4;se||W(3),m+=se&15;var U=Ti[Re];if(Re>3){var O=rn[Re];U+=Bn(e,m)&(1<<O)-1,m+=O}if(m>v){l&&W(0);break}i&&
+var G=Y[re(e,m,me)];m+=G&15;var v=G>>4;if(v<16)w[L++]=v;else{var I=0,k=0;for(v==16?(k=3+re(e,m,3),m+=2,I=w[L-1]):v==17?(k=3+re(e,m,7),m+=3):v==18&&(k=11+re(e,m,
+127),m+=7);k--;)w[L++]=I}}var H=w.subarray(0,P),U=w.subarray(P);g=Dn(H),y=Dn(U),h=ie(H,g,1),f=ie(U,y,1)}else W(1);else{var v=Jn(m)+4,A=e[v-4]|e[v-3]<<8,E=v+A;if(E>
+o){l&&W(0);break}i&&c(p+A),n.set(e.subarray(v,E),p),t.b=p+=A,t.p=m=E*8,t.f=u;continue}if(m>b){l&&W(0);break}}i&&c(p+131072);for(var Je=(1<<g)-1,X=(1<<y)-1,le=m;;le=
+m){var I=h[Bn(e,m)&Je],Z=I>>4;if(m+=I&15,m>b){l&&W(0);break}if(I||W(2),Z<256)n[p++]=Z;else if(Z==256){le=m,h=null;break}else{var q=Z-254;if(Z>264){var L=Z-257,O=nn[L];
+q=re(e,m,(1<<O)-1)+is[L],m+=O}var se=f[Bn(e,m)&X],Re=se>>4;se||W(3),m+=se&15;var U=Ti[Re];if(Re>3){var O=rn[Re];U+=Bn(e,m)&(1<<O)-1,m+=O}if(m>b){l&&W(0);break}i&&
 c(p+131072);var _e=p+q;if(p<U){var Rt=s-U,_t=Math.min(U,_e);for(Rt+p<0&&W(3);p<_t;++p)n[p]=r[Rt+p]}for(;p<_e;++p)n[p]=n[p-U]}}t.l=h,t.p=le,t.b=p,t.f=u,h&&(u=1,t.
 m=g,t.d=f,t.n=y)}while(!u);return p!=n.length&&a?Tt(n,0,p):n.subarray(0,p)},de=function(e,t,n){n<<=t&7;var r=t/8|0;e[r]|=n,e[r+1]|=n>>8},xt=function(e,t,n){n<<=
 t&7;var r=t/8|0;e[r]|=n,e[r+1]|=n>>8,e[r+2]|=n>>16},Fn=function(e,t){for(var n=[],r=0;r<e.length;++r)e[r]&&n.push({s:r,f:e[r]});var o=n.length,s=n.slice();if(!o)
 return{t:ds,l:0};if(o==1){var a=new C(n[0].s+1);return a[n[0].s]=1,{t:a,l:1}}n.sort(function(E,P){return E.f-P.f}),n.push({s:-1,f:25001});var i=n[0],l=n[1],c=0,
 u=1,m=2;for(n[0]={s:-1,f:i.f+l.f,l:i,r:l};u!=o-1;)i=n[n[c].f<n[m].f?c++:m++],l=n[c!=u&&n[c].f<n[m].f?c++:m++],n[u++]={s:-1,f:i.f+l.f,l:i,r:l};for(var p=s[0].s,r=1;r<
-o;++r)s[r].s>p&&(p=s[r].s);var h=new J(p+1),f=Vn(n[u-1],h,0);if(f>t){var r=0,g=0,y=f-t,v=1<<y;for(s.sort(function(P,R){return h[R.s]-h[P.s]||P.f-R.f});r<o;++r){
-var x=s[r].s;if(h[x]>t)g+=v-(1<<f-h[x]),h[x]=t;else break}for(g>>=y;g>0;){var b=s[r].s;h[b]<t?g-=1<<t-h[b]++-1:++r}for(;r>=0&&g;--r){var A=s[r].s;h[A]==t&&(--h[A],
+o;++r)s[r].s>p&&(p=s[r].s);var h=new J(p+1),f=Vn(n[u-1],h,0);if(f>t){var r=0,g=0,y=f-t,b=1<<y;for(s.sort(function(P,R){return h[R.s]-h[P.s]||P.f-R.f});r<o;++r){
+var x=s[r].s;if(h[x]>t)g+=b-(1<<f-h[x]),h[x]=t;else break}for(g>>=y;g>0;){var v=s[r].s;h[v]<t?g-=1<<t-h[v]++-1:++r}for(;r>=0&&g;--r){var A=s[r].s;h[A]==t&&(--h[A],
 ++g)}f=t}return{t:new C(h),l:f}},Vn=function(e,t,n){return e.s==-1?Math.max(Vn(e.l,t,n+1),Vn(e.r,t,n+1)):t[e.s]=n},ts=function(e){for(var t=e.length;t&&!e[--t];)
 ;for(var n=new J(++t),r=0,o=e[0],s=1,a=function(l){n[r++]=l},i=1;i<=t;++i)if(e[i]==o&&i!=t)++s;else{if(!o&&s>2){for(;s>138;s-=138)a(32754);s>2&&(a(s>10?s-11<<5|
 28690:s-3<<5|12305),s=0)}else if(s>3){for(a(o),--s;s>6;s-=6)a(8304);s>2&&(a(s-3<<5|8208),s=0)}for(;s--;)a(o);s=1,o=e[i]}return{c:n.subarray(0,r),n:t}},St=function(e,t){
 for(var n=0,r=0;r<t.length;++r)n+=e[r]*t[r];return n},us=function(e,t,n){var r=n.length,o=Jn(t+2);e[o]=r&255,e[o+1]=r>>8,e[o+2]=e[o]^255,e[o+3]=e[o+1]^255;for(var s=0;s<
-r;++s)e[o+s+4]=n[s];return(o+4+r)*8},ns=function(e,t,n,r,o,s,a,i,l,c,u){de(t,u++,n),++o[256];for(var m=Fn(o,15),p=m.t,h=m.l,f=Fn(s,15),g=f.t,y=f.l,v=ts(p),x=v.c,
-b=v.n,A=ts(g),E=A.c,P=A.n,R=new J(19),S=0;S<x.length;++S)++R[x[S]&31];for(var S=0;S<E.length;++S)++R[E[S]&31];for(var w=Fn(R,7),$=w.t,L=w.l,D=19;D>4&&!$[Gn[D-1]];--D)
+r;++s)e[o+s+4]=n[s];return(o+4+r)*8},ns=function(e,t,n,r,o,s,a,i,l,c,u){de(t,u++,n),++o[256];for(var m=Fn(o,15),p=m.t,h=m.l,f=Fn(s,15),g=f.t,y=f.l,b=ts(p),x=b.c,
+v=b.n,A=ts(g),E=A.c,P=A.n,R=new J(19),S=0;S<x.length;++S)++R[x[S]&31];for(var S=0;S<E.length;++S)++R[E[S]&31];for(var w=Fn(R,7),$=w.t,L=w.l,D=19;D>4&&!$[Gn[D-1]];--D)
 ;var me=c+5<<3,Y=St(o,ye)+St(s,At)+a,G=St(o,p)+St(s,g)+a+14+3*D+St(R,$)+2*R[16]+3*R[17]+7*R[18];if(l>=0&&me<=Y&&me<=G)return us(t,u,e.subarray(l,l+c));var I,k,H,
-U;if(de(t,u,1+(G<Y)),u+=2,G<Y){I=ie(p,h,0),k=p,H=ie(g,y,0),U=g;var Je=ie($,L,0);de(t,u,b-257),de(t,u+5,P-1),de(t,u+10,D-4),u+=14;for(var S=0;S<D;++S)de(t,u+3*S,
+U;if(de(t,u,1+(G<Y)),u+=2,G<Y){I=ie(p,h,0),k=p,H=ie(g,y,0),U=g;var Je=ie($,L,0);de(t,u,v-257),de(t,u+5,P-1),de(t,u+10,D-4),u+=14;for(var S=0;S<D;++S)de(t,u+3*S,
 $[Gn[S]]);u+=3*D;for(var X=[x,E],le=0;le<2;++le)for(var Z=X[le],S=0;S<Z.length;++S){var q=Z[S]&31;de(t,u,Je[q]),u+=$[q],q>15&&(de(t,u,Z[S]>>5&127),u+=Z[S]>>12)}}else
 I=Mi,k=ye,H=Ei,U=At;for(var S=0;S<i;++S){var O=r[S];if(O>255){var q=O>>18&31;xt(t,u,I[q+257]),u+=k[q+257],q>7&&(de(t,u,O>>23&31),u+=nn[q]);var se=O&31;xt(t,u,H[se]),
 u+=U[se],se>3&&(xt(t,u,O>>5&8191),u+=rn[se])}else xt(t,u,I[O]),u+=k[O]}return xt(t,u,I[256]),u+k[256]},Ri=new qn([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),ds=new C(0),_i=function(e,t,n,r,o,s){var a=s.z||e.length,i=new C(r+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(r,i.length-o),c=s.l,u=(s.r||0)&7;if(t){
-u&&(l[0]=s.r>>3);for(var m=Ri[t-1],p=m>>13,h=m&8191,f=(1<<n)-1,g=s.p||new J(32768),y=s.h||new J(f+1),v=Math.ceil(n/3),x=2*v,b=function(pn){return(e[pn]^e[pn+1]<<
-v^e[pn+2]<<x)&f},A=new qn(25e3),E=new J(288),P=new J(32),R=0,S=0,w=s.i||0,$=0,L=s.w||0,D=0;w+2<a;++w){var me=b(w),Y=w&32767,G=y[me];if(g[Y]=G,y[me]=Y,L<=w){var I=a-
+u&&(l[0]=s.r>>3);for(var m=Ri[t-1],p=m>>13,h=m&8191,f=(1<<n)-1,g=s.p||new J(32768),y=s.h||new J(f+1),b=Math.ceil(n/3),x=2*b,v=function(pn){return(e[pn]^e[pn+1]<<
+b^e[pn+2]<<x)&f},A=new qn(25e3),E=new J(288),P=new J(32),R=0,S=0,w=s.i||0,$=0,L=s.w||0,D=0;w+2<a;++w){var me=v(w),Y=w&32767,G=y[me];if(g[Y]=G,y[me]=Y,L<=w){var I=a-
 w;if((R>7e3||$>24576)&&(I>423||!c)){u=ns(e,l,0,A,E,P,S,$,D,w-D,u),$=R=S=0,D=w;for(var k=0;k<286;++k)E[k]=0;for(var k=0;k<30;++k)P[k]=0}var H=2,U=0,Je=h,X=Y-G&32767;
-if(I>2&&me==b(w-X))for(var le=Math.min(p,I)-1,Z=Math.min(32767,w),q=Math.min(258,I);X<=Z&&--Je&&Y!=G;){if(e[w+H]==e[w+H-X]){for(var O=0;O<q&&e[w+O]==e[w+O-X];++O)
+if(I>2&&me==v(w-X))for(var le=Math.min(p,I)-1,Z=Math.min(32767,w),q=Math.min(258,I);X<=Z&&--Je&&Y!=G;){if(e[w+H]==e[w+H-X]){for(var O=0;O<q&&e[w+O]==e[w+O-X];++O)
 ;if(O>H){if(H=O,U=X,O>le)break;for(var se=Math.min(X,O-2),Re=0,k=0;k<se;++k){var _e=w-X+k&32767,Rt=g[_e],_t=_e-Rt&32767;_t>Re&&(Re=_t,G=_e)}}}Y=G,G=g[Y],X+=Y-G&
 32767}if(U){A[$++]=268435456|Hn[H]<<18|es[U];var Xe=Hn[H]&31,Qe=es[U]&31;S+=nn[Xe]+rn[Qe],++E[257+Xe],++P[Qe],L=w+H,++R}else A[$++]=e[w],++E[e[w]]}}for(w=Math.max(
 w,L);w<a;++w)A[$++]=e[w],++E[e[w]];u=ns(e,l,c,A,E,P,S,$,D,w-D,u),c||(s.r=u&7|l[u/8|0]<<3,u-=7,s.h=y,s.p=g,s.i=w,s.w=L)}else{for(var w=s.w||0;w<a+c;w+=65535){var Ne=w+
@@ -369,21 +369,21 @@ o&&8,e[t++]=n.compression&255,e[t++]=n.compression>>8;var p=new Date(n.mtime==nu
 p.getMonth()+1<<21|p.getDate()<<16|p.getHours()<<11|p.getMinutes()<<5|p.getSeconds()>>1),t+=4,s!=-1&&(z(e,t,n.crc),z(e,t+4,s<0?-s-2:s),z(e,t+8,n.size)),z(e,t+12,
 l),z(e,t+14,m),t+=16,a!=null&&(z(e,t,u),z(e,t+6,n.attrs),z(e,t+10,a),t+=14),e.set(r,t),t+=l,m)for(var f in c){var g=c[f],y=g.length;z(e,t,+f),z(e,t+2,y),e.set(g,
 t+4),t+=4+y}return u&&(e.set(i,t),t+=u),t},ji=function(e,t,n,r,o){z(e,t,101010256),z(e,t+8,n),z(e,t+10,n),z(e,t+12,r),z(e,t+16,o)};function fs(e,t){t||(t={});var n={},r=[];hs(e,"",n,t);var o=0,s=0;for(var a in n){var i=n[a],l=i[0],c=i[1],u=c.level==0?0:8,m=tn(a),p=m.length,h=c.comment,f=h&&
-tn(h),g=f&&f.length,y=Zn(c.extra);p>65535&&W(11);var v=u?Ii(l,c):l,x=v.length,b=Pi();b.p(l),r.push(ms(c,{size:l.length,crc:b.d(),c:v,f:m,m:f,u:p!=a.length||f&&h.
+tn(h),g=f&&f.length,y=Zn(c.extra);p>65535&&W(11);var b=u?Ii(l,c):l,x=b.length,v=Pi();v.p(l),r.push(ms(c,{size:l.length,crc:v.d(),c:b,f:m,m:f,u:p!=a.length||f&&h.
 length!=g,o,compression:u})),o+=30+p+y+x,s+=76+2*(p+y)+(g||0)+x}for(var A=new C(s+22),E=o,P=s-o,R=0;R<r.length;++R){var m=r[R];os(A,m.o,m,m.f,m.u,m.c.length);var S=30+
 m.f.length+Zn(m.extra);A.set(m.c,m.o+S),os(A,o,m,m.f,m.u,m.c.length,m.o,m.m),o+=16+S+(m.m?m.m.length:0)}return ji(A,o,r.length,P,E),A}function gs(e,t){for(var n={},r=e.length-22;oe(e,r)!=101010256;--r)(!r||e.length-r>65558)&&W(13);var o=ae(e,r+8);if(!o)return{};var s=oe(e,r+16),a=s==4294967295||
 o==65535;if(a){var i=oe(e,r-12);a=oe(e,i)==101075792,a&&(o=oe(e,i+32),s=oe(e,i+48))}for(var l=t&&t.filter,c=0;c<o;++c){var u=Bi(e,s,a),m=u[0],p=u[1],h=u[2],f=u[3],
-g=u[4],y=u[5],v=Di(e,y);s=g,(!l||l({name:f,size:p,originalSize:h,compression:m}))&&(m?m==8?n[f]=Ui(e.subarray(v,v+p),{out:new C(h)}):W(14,"unknown compression t\
-ype "+m):n[f]=Tt(e,v,v+p))}return n}var Ve=["pursuer","evader"];var Qn=4,ys=new Map;function vs(e,t){let n=ys.get(e);if(n)return n;let r=new Float32Array;try{let o=Hi(Ki(e),t);o.every(Number.isFinite)&&(r=o)}catch(o){if(!(o instanceof DOMException||
+g=u[4],y=u[5],b=Di(e,y);s=g,(!l||l({name:f,size:p,originalSize:h,compression:m}))&&(m?m==8?n[f]=Ui(e.subarray(b,b+p),{out:new C(h)}):W(14,"unknown compression t\
+ype "+m):n[f]=Tt(e,b,b+p))}return n}var Ve=["pursuer","evader"];var Qn=4,ys=new Map;function bs(e,t){let n=ys.get(e);if(n)return n;let r=new Float32Array;try{let o=Hi(Ki(e),t);o.every(Number.isFinite)&&(r=o)}catch(o){if(!(o instanceof DOMException||
 o instanceof RangeError||Gi(o)))throw o}return ys.set(e,r),r}var Gi=e=>e instanceof Error&&"code"in e;function Hi(e,t){let n=ps(e),r=n.length/Qn,o=new Uint8Array(
 n.length);for(let a=0;a<o.length;a++)o[a]=n[a%Qn*r+Math.floor(a/Qn)];let s=new Uint32Array(o.buffer);for(let a=t;a<s.length;a++)s[a]^=s[a-t];return new Float32Array(
 o.buffer)}function Ki(e){let t=atob(Vi(e)),n=new Uint8Array(t.length);for(let r=0;r<n.length;r++)n[r]=t.charCodeAt(r);return n}var Vi=e=>document.getElementById(
-e)?.textContent??"";var Mt=class{config;start;recording;actions=[];#e;#n;#t=[[]];constructor(t,n,r){[this.config,this.start]=[n,r],this.#e=t.world(n),this.#e.reset(r),this.#n=[vt(this.#e)],
+e)?.textContent??"";var Mt=class{config;start;recording;actions=[];#e;#n;#t=[[]];constructor(t,n,r){[this.config,this.start]=[n,r],this.#e=t.world(n),this.#e.reset(r),this.#n=[bt(this.#e)],
 this.recording=Vt(n,this.#e.map(),this.#n)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
 "capture_rate")[0]}}conflicts(t){return this.#t[t]}game(t){return t.game(this.#e)}play(t){this.#e.step(t),this.#r(t)}step(t,n,r){let[o,s]=[this.#e,this.config.n_pursuers],
 a=new Uint8Array(o.n_agents);for(let i=o.n_turns;i>0&&!o.over;--i){let[l,c]=o.actors;l<s&&(a=o.decide(t.pursuer,[l,Math.min(c,s)],a)),c>s&&(a=o.decide(t.evader,
-[Math.max(l,s),c],a)),typeof r=="number"?a[n]=r:l<=n&&n<c&&(a=o.decide(r,[n,n+1],a)),o.playTurn(a)}this.#r(a)}#r(t){this.actions.push(t),this.#n.push(vt(this.#e,
-t)),this.#t.push(this.#e.conflicts())}};function bs(e,t,n,r){let o=new Mt(e,t,n);for(let s of r)o.play(s);return o}var Yi={"|b1":e=>new Uint8Array(e),"|i1":e=>new Int8Array(e),"<i4":e=>new Int32Array(e),"<i8":e=>Int32Array.from(new BigInt64Array(e),Number),"<f4":e=>new Float32Array(
+[Math.max(l,s),c],a)),typeof r=="number"?a[n]=r:l<=n&&n<c&&(a=o.decide(r,[n,n+1],a)),o.playTurn(a)}this.#r(a)}#r(t){this.actions.push(t),this.#n.push(bt(this.#e,
+t)),this.#t.push(this.#e.conflicts())}};function vs(e,t,n,r){let o=new Mt(e,t,n);for(let s of r)o.play(s);return o}var Yi={"|b1":e=>new Uint8Array(e),"|i1":e=>new Int8Array(e),"<i4":e=>new Int32Array(e),"<i8":e=>Int32Array.from(new BigInt64Array(e),Number),"<f4":e=>new Float32Array(
 e)},xs="NUMPY\0",Ye=xs.length+2,ws=64;function Ss(e){return fs(Object.fromEntries(Object.entries(e).map(([t,n])=>[`${t}.npy`,Zi(n)])))}function Zi({dtype:e,shape:t,
 data:n}){let r=typeof n=="string"?Array.from(n,u=>u.codePointAt(0)):null,o=t.map(u=>`${u}, `).join(""),s=`{'descr': '${r?`<U${r.length}`:e}', 'fortran_order': F\
 alse, 'shape': (${o}), }`,a=Math.ceil((Ye+s.length+1)/ws)*ws-Ye,i=xs+String.fromCharCode(a&255,a>>8)+s.padEnd(a-1)+`
@@ -392,17 +392,17 @@ return Object.fromEntries(Object.entries(gs(e)).map(([t,n])=>[t.replace(/\.npy$/
 !0),r=/'descr': '([^']+)', 'fortran_order': False, 'shape': \(([\d, ]*)\)/.exec(n),[o,s]=[r?.[1]??"",(r?.[2]??"").split(",").filter(c=>c.trim()).map(Number)],a=e.
 slice(t).buffer,i=o.startsWith("<U")&&String.fromCodePoint(...new Int32Array(a)),l=i===!1?Yi[o]?.(a):i.replace(/\0+$/,"");if(l===void 0)throw new TypeError(`exp\
 ected an array of numbers or a text, got ${n.slice(0,80)}`);return{dtype:o,shape:s,data:l}}var er="matrixworld episode 3";function Ts(e,t,n){let{config:r,actions:o,length:s,recording:a}=t,[i,l]=[r.n_pursuers+r.n_evaders,r.n_evaders],c={positions:["<i4",
-i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",l],ever_captured:["|b1",l]},u={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},m={},p=b=>{
-for(let A of Object.keys(b))(m[A]??=[]).push(Array.from(h.read(A),Number))},h=e.world(r);h.reset(t.start);let f=[];p(c);for(let b of o)h.step(b),p({...c,...u}),
-f.push(...h.conflictTable());h.free();let g={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},y={};for(let[b,[A,...E]]of Object.entries({...c,...u})){let P=s+
-+(b in c);y[b]={dtype:A,shape:[P,...E],data:g[A].from((m[b]??[]).flat())}}let v=b=>({dtype:"<i8",shape:[],data:Int32Array.of(b,0)}),x=b=>({dtype:"<U",shape:[],data:b});
-return Ss({format:x(er),n_pursuers:v(r.n_pursuers),config:x(JSON.stringify(r)),seat:v(n),...y,actions:{dtype:"|i1",shape:[s,i],data:Int8Array.from(o.flatMap(b=>[
-...b]))},map:{dtype:"|b1",shape:[r.rows,r.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[f.length/11,11],data:Int32Array.from(
+i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",l],ever_captured:["|b1",l]},u={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},m={},p=v=>{
+for(let A of Object.keys(v))(m[A]??=[]).push(Array.from(h.read(A),Number))},h=e.world(r);h.reset(t.start);let f=[];p(c);for(let v of o)h.step(v),p({...c,...u}),
+f.push(...h.conflictTable());h.free();let g={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},y={};for(let[v,[A,...E]]of Object.entries({...c,...u})){let P=s+
++(v in c);y[v]={dtype:A,shape:[P,...E],data:g[A].from((m[v]??[]).flat())}}let b=v=>({dtype:"<i8",shape:[],data:Int32Array.of(v,0)}),x=v=>({dtype:"<U",shape:[],data:v});
+return Ss({format:x(er),n_pursuers:b(r.n_pursuers),config:x(JSON.stringify(r)),seat:b(n),...y,actions:{dtype:"|i1",shape:[s,i],data:Int8Array.from(o.flatMap(v=>[
+...v]))},map:{dtype:"|b1",shape:[r.rows,r.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[f.length/11,11],data:Int32Array.from(
 f)}})}function Ms(e,t){let n=As(t),r=h=>Array.from(n[h]?.data??[]);if(n.format?.data!==er)throw new K(`expected a file marked "${er}"`);let o=JSON.parse(n.config.
 data),s=o.n_pursuers+o.n_evaders,a=r("positions"),i=(h,f)=>Array.from({length:f-h},(g,y)=>[a[2*(h+y)],a[2*(h+y)+1]]),l={pursuers:i(0,o.n_pursuers),evaders:i(o.n_pursuers,
-s),obstacles:Uint8Array.from(r("map"))},c=Uint8Array.from(r("actions")),u=Array.from({length:c.length/s},(h,f)=>c.subarray(f*s,(f+1)*s)),m=bs(e,o,l,u);if(Array.
+s),obstacles:Uint8Array.from(r("map"))},c=Uint8Array.from(r("actions")),u=Array.from({length:c.length/s},(h,f)=>c.subarray(f*s,(f+1)*s)),m=vs(e,o,l,u);if(Array.
 from(m.recording.moments.at(-1).positions).join()!==r("last_positions").slice(-2*s).join())throw new K("expected the moves of this start to lead to its end");return{
-live:m,seat:r("seat")[0]??null}}var ve=(e,t)=>Ve[+(t>=e.n_pursuers)];function tr(e,t){let n=new Mt(e,t.config,{seed:t.seed,episode:t.episode});for(let r of t.moves)n.over||n.step(t.policies,t.
+live:m,seat:r("seat")[0]??null}}var be=(e,t)=>Ve[+(t>=e.n_pursuers)];function tr(e,t){let n=new Mt(e,t.config,{seed:t.seed,episode:t.episode});for(let r of t.moves)n.over||n.step(t.policies,t.
 seat,r);return n}function Oe(e,t){let{moments:n,nPursuers:r}=e.recording,o=n.findIndex(({alive:a,captured:i})=>!a[t]||!!i[t-r]),s=o<0?e.length:o;return{lasted:s,
 out:o>=0,captured:Array.from(n[s].everCaptured).filter(Boolean).length}}var on=(e,t)=>e.over||Oe(e,t).out;function Cs(e,t,n){let r=tr(e,{...t,moves:t.moves.slice(
 0,t.from)});for(;!on(r,t.seat);)r.step(t.policies,t.seat,n);return Oe(r,t.seat)}function nr(e){let t=e.length-1;return[...new Set([0,Math.round(t/3),t])].map(n=>e[n])}
@@ -416,7 +416,7 @@ text}`,played:{config:r,seed:sn(),episode:0,seat:r.n_pursuers,from:0,moves:[],po
 lasted);let c=o.map(({name:m},p)=>d("tr",{},d("th",{scope:"row"},m),d("td",{},s[p]??""))),u=s.length<o.length;return[d("table",{class:"numbers"},d("caption",{},
 `Steps of ${rr} in each round`),...c),d("p",{class:"play-score"},u?"Score so far: ":"Your score: ",d("strong",{},a())),u?d("button",{type:"button",class:"primar\
 y",onclick:i},"Next round"):""]},again:()=>or(e,t,n),link:()=>null});i()}function sr(e,t,n,r,o,s){t.play({title:n,played:r,ending:(a,i)=>[Qi(e,a,i,nr(o))],again:()=>sr(
-e,t,n,{...r,moves:r.moves.slice(0,r.from)},o,s),link:a=>s&&Es(s,a)})}function Qi(e,t,n,r){let o=ve(n.config,n.seat)==="evader",s=o?n.config.max_steps:n.config.n_evaders,
+e,t,n,{...r,moves:r.moves.slice(0,r.from)},o,s),link:a=>s&&Es(s,a)})}function Qi(e,t,n,r){let o=be(n.config,n.seat)==="evader",s=o?n.config.max_steps:n.config.n_evaders,
 a=d("table",{class:"numbers"},d("caption",{},o?"Steps in your seat: same start, same others":"Captures of your team: same start, same others")),i=c=>{let[u,m]=[
 d("span",{class:o?"bar evader":"bar pursuer"}),d("td",{},"…")];return a.append(d("tr",{},d("th",{scope:"row"},c),d("td",{class:"track","aria-hidden":"true"},u),
 m)),({lasted:p,captured:h})=>{u.style.width=`${100*(o?p:h)/s}%`,m.textContent=String(o?p:h)}};i("You")(Oe(t,n.seat));for(let{name:c,policy:u}of r){let m=i(c);setTimeout(
@@ -451,8 +451,8 @@ function $s({pursuers:e,rewards:t},n,r){let o=n<e.length?t.pursuer_collide:t.eva
 Math.abs(e).toPrecision(5)));return e<0?`−${t}`:e>0?`+${t}`:"0"}function Is(e,t,n,r){let[o,s,a]=[t.recording.moments[n-1],t.recording.moments[n],t.outcomes[n]];
 if(!o?.alive[r]||!s||!a)return"";let{rewards:i}=e,l=r<e.pursuers.length?"pursuer":"evader",c=i.blame==="FAULT"?s.fault:s.involved,u=tt.reduce((h,f,g)=>h+(c?.[3*
 r+g]?$s(e,r,g):0),0),m=a.rewards[r]-u-i[`${l}_step`],p=Array.from({length:e.evaders.length+1},(h,f)=>f*i[`${l}_capture`]);for(let h of[0,i[`${l}_neighbor`]]){let f=p.
-find(v=>Math.abs(v+h-m)<1e-4);if(f===void 0)continue;let g={collision:u,capture:f,neighbour:h,step:i[`${l}_step`]},y=Object.entries(g).filter(([,v])=>v).map(([v,
-x])=>`${ln(x)} ${v}`);return y.length>1?y.join(", "):""}return""}function al(e,t,n,r){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=ne(
+find(b=>Math.abs(b+h-m)<1e-4);if(f===void 0)continue;let g={collision:u,capture:f,neighbour:h,step:i[`${l}_step`]},y=Object.entries(g).filter(([,b])=>b).map(([b,
+x])=>`${ln(x)} ${b}`);return y.length>1?y.join(", "):""}return""}function al(e,t,n,r){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=ne(
 e,a),l=t.alive[a]&&!n.alive[a],c=r[s]?` by ${r[s]} ${r[s]===1?"pursuer":"pursuers"}`:"",u=["capture",...l?["captured_disappear"]:[]];n.captured[s]&&!t.captured[s]?
 o.push({kind:"capture",text:`${i} is captured${c}${l?" and disappears":""}.`,turn:0,blame:"",cost:"",used:u}):t.captured[s]&&!n.captured[s]&&n.alive[a]&&o.push(
 {kind:"capture",text:`${i} is free again.`,turn:0,blame:"",cost:"",used:["capture"]})}return o}function il(e,t,n){let{terminated:r,truncated:o}=t.outcomes[n];if(!r&&
@@ -469,42 +469,42 @@ l.diagonal))})}function Bs(e,t){let n=r=>{let o=t[r]-e[r],s=ce.findIndex(a=>a[r]
 1)].filter(Boolean).join(", ")||"on your cell"}var ml=[0,1,2,4,8],cn=class{element;player=new Fe(0,{speed:4,still:yt()});#e;#n;#t=d("canvas",{tabindex:0,"aria-describedby":"play-keys"});#r=d("h2");#o=d("p",{
 class:"play-told",role:"status"});#s=Ws(t=>this.act(t));#i=it(ml.map(t=>[t,t?`${t} / s`:"step by step"]),()=>this.#x());#h=d("input",{type:"checkbox",onchange:()=>this.#T()});#c=d(
 "input",{type:"checkbox",onchange:()=>this.#S()});#p=d("label",{class:"play-choice"},this.#c,"Best move");#d=d("p",{class:"small muted play-keys",id:"play-keys"});#u=d(
-"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#f=Os(this.player);#l=null;#a=null;#g=[];#m=null;#y=null;#v=[];#b=0;#w=0;constructor(t){
+"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#f=Os(this.player);#l=null;#a=null;#g=[];#m=null;#y=null;#b=[];#v=0;#w=0;constructor(t){
 this.#e=t,this.#n=new He(this.#t,{numbers:!1}),this.#t.setAttribute("role","application"),Ds(this.#n,()=>{let n=this.#m!==null&&this.#a&&M(this.#a.recording.moments.
 at(-1),this.#m);return n?{cell:n,diagonal:this.#a.config.diagonal}:null},n=>this.act(n)),this.player.addEventListener("frame",()=>this.#a&&this.#n.show(this.#a.
 recording,this.player.time)),this.player.addEventListener("step",()=>this.#S()),this.element=d("div",{class:"play"},d("header",{class:"play-head"},this.#r,this.#o),
 d("div",{class:"play-stage"},this.#t),d("div",{class:"play-side"},this.#u,this.#s.element,d("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#i),
 d("label",{class:"play-choice"},this.#h,d("span",{},"Fog",d("span",{class:"at-length"},": see only what it sees"))),this.#p,this.#d),this.#f)}get played(){return this.#l&&
-{...this.#l.played,moves:this.#g}}get live(){return this.#a}play(t){this.#A(tr(this.#e,t.played),t.played.seat,t.title),[this.#l,this.#g,this.#b]=[t,[...t.played.
+{...this.#l.played,moves:this.#g}}get live(){return this.#a}play(t){this.#A(tr(this.#e,t.played),t.played.seat,t.title),[this.#l,this.#g,this.#v]=[t,[...t.played.
 moves],0],this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),on(this.#a,t.played.seat)&&this.#k()}watch(t,n,r){this.#l=null,this.#A(t,n,r),this.#O()}stop(){
-this.#x(),this.player.pause(),this.#l=null}act(t){let[n,r]=[this.#l,this.#a];if(!n||!r||this.element.dataset.state!=="playing")return;this.#b=t;let o=Number(this.#i.
+this.#x(),this.player.pause(),this.#l=null}act(t){let[n,r]=[this.#l,this.#a];if(!n||!r||this.element.dataset.state!=="playing")return;this.#v=t;let o=Number(this.#i.
 value);this.#w||(this.#E(),o&&this.element.dataset.state==="playing"&&(this.#w=setInterval(()=>this.#E(),1e3/o)))}key(t){let{target:n,key:r}=t;if(n instanceof HTMLSelectElement||
 n instanceof HTMLInputElement&&(n.type==="text"||r===" ")||n instanceof HTMLButtonElement&&(r===" "||r==="Enter")||!this.#a)return!1;if(this.element.dataset.state!==
 "playing")return Dt(this.player,t);let s=zs(t,this.#a.config.diagonal);return s!==void 0&&this.act(s),s!==void 0}#A(t,n,r){this.#x(),this.player.pause(),[this.#a,
 this.#m]=[t,n],this.#r.textContent=r,this.#t.ariaLabel=`Board, ${t.config.rows} by ${t.config.cols} cells`,this.#s.show(t.config.diagonal),this.#d.replaceChildren(
 d("span",{class:"at-length"},`W A S D or the arrow keys move, Space stays${t.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the \
 board: swipe, or tap where to go."),this.#R(t),this.#u.replaceChildren(),this.player.length=t.length,this.player.jump(t.length),this.#S()}#T(){this.#n.look={you:this.#m,
-fog:this.#h.checked,viewers:this.#m===null?[]:[this.#m],plan:this.#_()}}#R(t){this.#y=null,this.#v=this.player.ticks=[],this.#p.hidden=this.#c.disabled=!!Ue(t.config),
+fog:this.#h.checked,viewers:this.#m===null?[]:[this.#m],plan:this.#_()}}#R(t){this.#y=null,this.#b=this.player.ticks=[],this.#p.hidden=this.#c.disabled=!!Ue(t.config),
 Yt(this.#e,t.config,Zt(t.config)).then(n=>{this.#a===t&&(this.#y=n,this.#M(),this.#S())})}#M(){let[t,n]=[this.#a,this.#y];if(!n||this.element.dataset.state==="p\
-laying")return;let r=this.#e.world(t.config);r.reset(t.start),this.#v=qt(n,r,t.actions),r.free(),this.player.ticks=Ko(this.#v)}get#C(){return this.#c.checked&&this.#l&&
+laying")return;let r=this.#e.world(t.config);r.reset(t.start),this.#b=qt(n,r,t.actions),r.free(),this.player.ticks=Ko(this.#b)}get#C(){return this.#c.checked&&this.#l&&
 this.element.dataset.state==="playing"&&this.#y&&this.#a.game(this.#y)||null}#_(){let[t,n]=[this.#m,this.#m!==null&&this.#C?.marginal(this.#m)];return t!==null&&
 n?Object.assign(Array(t).fill(0),{[t]:n.indexOf(Math.max(...n))}):null}#x(){clearInterval(this.#w),this.#w=0,this.#o.ariaLive=Number(this.#i.value)?"off":"polit\
-e"}#E(){let[{policies:t,seat:n},r]=[this.#l.played,this.#a];r.step(t,n,this.#b),this.#g.push(this.#b),this.player.length=r.length,this.player.glide=Math.min(.22,
+e"}#E(){let[{policies:t,seat:n},r]=[this.#l.played,this.#a];r.step(t,n,this.#v),this.#g.push(this.#v),this.player.length=r.length,this.player.glide=Math.min(.22,
 .9/(Number(this.#i.value)||4)),this.player.move(r.length-this.player.step),on(r,n)&&this.#k()}#k(){this.#x();let[t,n,r]=[this.#l,this.#a,this.played],o=lt()?t.link(
 r):null,s=`${Q(r.seat,n.config.n_pursuers)}-${n.length}-steps.npz`,a=()=>Ps(s,Ts(this.#e,n,r.seat));this.#u.replaceChildren(d("h3",{id:"play-headline"},fl(n,r.seat)),
 ...t.ending(n,r),d("div",{class:"play-buttons"},d("button",{type:"button",class:"primary",onclick:()=>t.again()},"Again"),d("button",{type:"button",onclick:()=>this.#O()},
 "Watch it"),d("button",{type:"button",onclick:a},"Save"),o&&d("button",{type:"button",onclick:({currentTarget:l})=>yl(l,o)},"Link"))),this.element.dataset.state=
-"ended",this.#M();let i=this.#v.filter(({team:l})=>l===ve(n.config,r.seat));i.length&&this.#u.children[0].after(d("p",{class:"small muted"},Yo(i))),this.#u.focus(
+"ended",this.#M();let i=this.#b.filter(({team:l})=>l===be(n.config,r.seat));i.length&&this.#u.children[0].after(d("p",{class:"small muted"},Yo(i))),this.#u.focus(
 {preventScroll:!0}),this.#u.scrollIntoView({block:"nearest"})}#O(){this.element.dataset.state="watched",this.player.length=this.#a.length,this.player.jump(0),yt()||
 this.player.play()}#S(){let[t,n,{step:r}]=[this.#a,this.#m,this.player];if(!t||r>t.length)return;let o=Rs(t,t.recording,r).filter(({agents:l})=>n===null||l.includes(
 n)),s=this.#l&&r===0,a=s?[pl(t.config,n),this.#l.about??""]:[`Step ${r} of ${t.config.max_steps}`,...o.map(({text:l})=>l)];!s&&n!==null&&a.push(hl(t,r,n)),a.push(
-...this.#v.filter(l=>l.step===r).map(bt));let i=r===t.length&&n!==null?this.#C:null;i&&a.push(`Perfect play: ${Xt(i,n)||"decided in its turn"}; ${Jt(this.#y,i,r)}`),
-this.#T(),this.#o.textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function pl(e,t){let n=e.rules.capture==="SURROUND";return ve(e,t)==="evader"?`Run a\
+...this.#b.filter(l=>l.step===r).map(vt));let i=r===t.length&&n!==null?this.#C:null;i&&a.push(`Perfect play: ${Xt(i,n)||"decided in its turn"}; ${Jt(this.#y,i,r)}`),
+this.#T(),this.#o.textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function pl(e,t){let n=e.rules.capture==="SURROUND";return be(e,t)==="evader"?`Run a\
 way: you win if ${n?"the pursuers do not surround you":"no pursuer reaches your cell"} in ${e.max_steps} steps`:`Capture evaders: ${n?"surround them with your t\
-eam":"move onto their cells"}`}function hl({config:e,recording:t},n,r){let o=t.moments[n],a=ve(e,r)==="pursuer"?"evader":"pursuer";if(!o.alive[r])return"";let i=M(
-o,r),l=m=>{let[p,h]=M(o,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:o.alive.length},(m,p)=>p).filter(m=>ve(e,m)===a&&o.alive[m]&&
+eam":"move onto their cells"}`}function hl({config:e,recording:t},n,r){let o=t.moments[n],a=be(e,r)==="pursuer"?"evader":"pursuer";if(!o.alive[r])return"";let i=M(
+o,r),l=m=>{let[p,h]=M(o,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:o.alive.length},(m,p)=>p).filter(m=>be(e,m)===a&&o.alive[m]&&
 !o.captured[m-e.n_pursuers]&&2*l(m)<e.fov);if(!c.length)return`No ${a} in view`;let u=c.reduce((m,p)=>l(p)<l(m)?p:m);return`Nearest ${a}: ${Bs(i,M(o,u))}`}function fl(e,t){
-let[{lasted:n,out:r,captured:o},{config:s}]=[Oe(e,t),e];return ve(s,t)==="pursuer"?`Your team captured ${o} of ${gl(s)} in ${n} steps.`:r?`You lasted ${n} of ${s.
+let[{lasted:n,out:r,captured:o},{config:s}]=[Oe(e,t),e];return be(s,t)==="pursuer"?`Your team captured ${o} of ${gl(s)} in ${n} steps.`:r?`You lasted ${n} of ${s.
 max_steps} steps.`:`You escaped: ${n} steps.`}var gl=({n_evaders:e})=>`${e} evader${e===1?"":"s"}`;function yl(e,t){let n=Ns("Link to this match");n.value=t,e.replaceWith(
 n),n.select(),navigator.clipboard?.writeText(t).catch(()=>{})}var js={escape:"Can you escape it?",match:"One match",file:"A match from a file"},un=class extends EventTarget{element;view;game="escape";#e;#n;#t;#r=it([[0,"an\
  evader"],[1,"a pursuer"]],()=>{});#o;#s;#i;#h=d("ul",{class:"small muted about"});#c=d("p",{class:"problem",role:"alert"});#p=d("input",{type:"file",accept:".n\
@@ -525,15 +525,15 @@ this.#n.world,this.#t],s=Ve[+(n.seat>=r.n_pursuers)],[a,i]=[o.pursuer[t.pursuer]
 r.n_pursuers)}. Pursuers: ${a.name}; evaders: ${i.name}`;sr(this.#e,this.view,c,{config:r,seed:t.seed,episode:0,policies:l,...n},o[s],{pursuers:t.pursuer,evaders:t.
 evader,seed:t.seed})}#g(){let[t]=this.#p.files??[];this.#c.textContent="",t?.arrayBuffer().then(n=>Ms(this.#e,new Uint8Array(n))).then(({live:n,seat:r})=>{this.#u(
 "file"),this.view.watch(n,r,t.name)}).catch(n=>this.#c.textContent=`${t.name} holds no match: ${n.message}`),this.#p.value=""}};function Fs({teams:e},t){let{names:n,
-texts:r,scripts:o,policy:s}=e[t],a=i=>{let l=o[i];if(l||!s)return l;let[c,u]=[s.genome_size,o.slice(0,i).filter(m=>m===null).length];return{...s,genome:vs(t,c).
-subarray(u*c,(u+1)*c)}};return n.map((i,l)=>({name:i.replaceAll("-"," "),text:r[l],policy:()=>a(l)}))}var Ks={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},vl={e:5,c:6,y:7,z:7,q:8};function Vs(e){let t=d("div",{class:"arena"}),n=[Gs(e,0),Gs(e,1)];return t.append(
+texts:r,scripts:o,policy:s}=e[t],a=i=>{let l=o[i];if(l||!s)return l;let[c,u]=[s.genome_size,o.slice(0,i).filter(m=>m===null).length];return{...s,genome:bs(t,c).
+subarray(u*c,(u+1)*c)}};return n.map((i,l)=>({name:i.replaceAll("-"," "),text:r[l],policy:()=>a(l)}))}var Ks={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},bl={e:5,c:6,y:7,z:7,q:8};function Vs(e){let t=d("div",{class:"arena"}),n=[Gs(e,0),Gs(e,1)];return t.append(
 ...n.map(r=>r.element)),e.shownBy(()=>n.forEach(r=>r.update()),"frame"),t}function Gs(e,t){let n=d("canvas",{tabindex:0,"aria-describedby":"board-keys"}),r=d("h\
-2",{class:"arm-name"}),o=d("figure",{class:"arm"},r,n),s=new He(n,{axes:!0,trail:1}),a={cell:[0,0]};bl(e,s);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;
-let{mode:c,scene:u}=e;n.setAttribute("role","application"),n.ariaLabel=`Board, ${u.rows} by ${u.cols} cells`,n.dataset.mode=c,r.textContent=be(e,t),r.hidden=e.games.
+2",{class:"arm-name"}),o=d("figure",{class:"arm"},r,n),s=new He(n,{axes:!0,trail:1}),a={cell:[0,0]};vl(e,s);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;
+let{mode:c,scene:u}=e;n.setAttribute("role","application"),n.ariaLabel=`Board, ${u.rows} by ${u.cols} cells`,n.dataset.mode=c,r.textContent=ve(e,t),r.hidden=e.games.
 length<2;let m=e.player.arrived&&e.player.step===e.game.length;s.look={plan:c==="act"&&m&&!l.over?l.actions(u.next):null,selected:c==="act"?e.selected:null,cursor:c===
 "build"&&document.activeElement===n?a.cell:null},s.show(l.recording,e.player.time)};return n.addEventListener("focus",i),n.addEventListener("blur",i),Sl(e,n,a,i),
-{element:o,update:i}}function be(e,t){let n=t?e.scene.others:e.scene.rules;return n&&De(n,e.data.variants)||"own rules"}function lr(e,t){let n=te(e.game.scene())[t];
-return n&&!n.gone?n.cell:null}function bl(e,t){let n=null;t.canvas.addEventListener("pointerdown",r=>{let o=t.cellAt(r.clientX,r.clientY);if(!o||r.button!==0||e.
+{element:o,update:i}}function ve(e,t){let n=t?e.scene.others:e.scene.rules;return n&&De(n,e.data.variants)||"own rules"}function lr(e,t){let n=te(e.game.scene())[t];
+return n&&!n.gone?n.cell:null}function vl(e,t){let n=null;t.canvas.addEventListener("pointerdown",r=>{let o=t.cellAt(r.clientX,r.clientY);if(!o||r.button!==0||e.
 running)return;t.canvas.setPointerCapture(r.pointerId);let s=t.agentAt(r.clientX,r.clientY);n=e.mode==="build"?xl(e,o,s):wl(e,o,s)}),t.canvas.addEventListener("\
 pointermove",r=>{let o=t.cellAt(r.clientX,r.clientY);o&&n?.(o)});for(let r of["pointerup","pointercancel"])t.canvas.addEventListener(r,()=>n=null)}function wl(e,t,n){
 if(n===null){let s=e.selected===null?null:lr(e,e.selected);return s&&Math.max(Math.abs(s[0]-t[0]),Math.abs(s[1]-t[1]))===1&&Ze(e,pt(s,t,e.scene.diagonal)),null}
@@ -541,7 +541,7 @@ let r=e.selected===n;e.selected=n;let o=lr(e,n);return o?(r&&Ze(e,0),s=>Ze(e,pt(
 r=!0};if(n!==null)return e.selected=n,i=>{let l=e.game.scene();fe(l,i)===null&&!ge(l,i)&&o(On(l,n,i))};let s=!ge(e.game.scene(),t),a=i=>{let l=e.game.scene();fe(
 l,i)===null&&ge(l,i)!==s&&o(Rn(l,i,s))};return a(t),a}function Ze(e,t){let{selected:n,scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(It(r,
 n,t)),e.say(`${ne(r,n)}: ${B[t]}.`))}function Sl(e,t,n,r){t.addEventListener("keydown",o=>{if(o.ctrlKey||o.metaKey||o.altKey)return;let s=e.mode==="act"?cr(e,o):
-Al(e,o,n);r(),s&&o.preventDefault()})}function cr(e,t){let n=t.key.length===1?t.key.toLowerCase():t.key,r=Ks[n]??(e.scene.diagonal?vl[n]:void 0)??{s:0,Delete:0}[n];
+Al(e,o,n);r(),s&&o.preventDefault()})}function cr(e,t){let n=t.key.length===1?t.key.toLowerCase():t.key,r=Ks[n]??(e.scene.diagonal?bl[n]:void 0)??{s:0,Delete:0}[n];
 return r!==void 0?(e.selected===null&&Hs(e,1),Ze(e,r),!0):n!=="n"&&n!=="p"?!1:(Hs(e,n==="n"?1:-1),!0)}function Hs(e,t){let n=V(e.scene),r=e.game.recording.moments.
 at(-1).alive,o=e.selected??(t>0?-1:n);for(let s=0;s<n;s++){if(o=(o+t+n)%n,!r[o])continue;e.selected=o;let[a,i]=lr(e,o);return e.say(`${ne(e.scene,o)} at (${a}, ${i}\
 ).`)}}function Al(e,t,n){let r=e.game.scene(),o=Ks[t.key];if(o!==void 0){let a=t.shiftKey?fe(r,n.cell):null,i=[n.cell[0]+ce[o][0],n.cell[1]+ce[o][1]];ht(r,i)&&(n.
@@ -552,7 +552,7 @@ ia-hidden":!0},t)}function Ys(e){let t=[0,1].map(()=>d("th",{class:"reward",scop
 h",{scope:"col"},"agent"),d("th",{scope:"col"},"next"),...t)),n),o=d("section",{class:"card agents-card"},d("h2",{},"Agents"),e.data.champions?d("button",{type:"\
 button",title:"The policies of the match move all agents but the chosen one",onclick:()=>Ml(e)},"Policies move all others"):"",d("div",{class:"agents-scroll"},r)),
 s=[],a="",i=()=>{let{scene:l}=e,c=`${l.pursuers.length} ${l.evaders.length} ${l.diagonal}`;c!==a&&(a=c,s=Array.from({length:V(l)},(u,m)=>Cl(e,m)),n.replaceChildren(
-...s.map(u=>u.element))),t.forEach((u,m)=>{u.hidden=m>=e.games.length,u.textContent=e.games.length>1&&e.games[m]?be(e,m):"reward",u.title="Reward of the step"}),
+...s.map(u=>u.element))),t.forEach((u,m)=>{u.hidden=m>=e.games.length,u.textContent=e.games.length>1&&e.games[m]?ve(e,m):"reward",u.title="Reward of the step"}),
 s.forEach((u,m)=>kl(e,u,m))};return e.shownBy(i),o}function Ml(e){e.stop(),e.change({...e.scene,next:e.scene.next.map((t,n)=>n===e.selected?t:he)})}function Cl(e,t){
 let{scene:n}=e,r=ne(n,t),o=d("select",{"aria-label":`${r} does next`,onchange:()=>{let u=o.value;e.stop(),e.change(It(e.scene,t,/^\d$/.test(u)?Number(u):u))}},...El(
 e,n,t)),s=d("span",{class:"state muted"}),a=d("span",{class:"heard"}),i=d("button",{type:"button",class:"agent-name",onclick:()=>e.selected=t},ur(En(n,t)),r,a),
@@ -562,8 +562,8 @@ let r=B.slice(0,t.diagonal?9:5).map((i,l)=>d("option",{value:l},Ls(l))),o=e.data
 s}function kl(e,{element:t,choice:n,state:r,heard:o,rewards:s},a){let{scene:i,game:l,player:c}=e,u=l.recording.moments[Math.min(c.step,l.length)],m=a-i.pursuers.
 length,p=m>=0&&!!u.captured[m];t.classList.toggle("chosen",e.selected===a),t.classList.toggle("gone",!u.alive[a]),n.value=String(i.next[a]),n.disabled=!u.alive[a]||
 l.over,n.hidden=!u.alive[a],r.hidden=!!u.alive[a],r.textContent=p?"captured":"gone",t.classList.toggle("captured",p),o.textContent=p?" captured":"",s.forEach((h,f)=>{
-let g=e.games[f];h.hidden=!g;let y=g?.outcomes[c.step]?.rewards[a],v=g?Is(i,g,c.step,a):"";h.replaceChildren(c.step&&y!==void 0?ln(y):"",e.games.length>1?"":d("\
-span",{class:"sum small muted"},v)),h.title=v;let x=l.outcomes[c.step]?.rewards[a];h.classList.toggle("differs",f>0&&y!==void 0&&x!==y)})}function Zs(e){let t=e.data.gallery.map(i=>d("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(dt(i.scene,e.data),{example:i}),e.
+let g=e.games[f];h.hidden=!g;let y=g?.outcomes[c.step]?.rewards[a],b=g?Is(i,g,c.step,a):"";h.replaceChildren(c.step&&y!==void 0?ln(y):"",e.games.length>1?"":d("\
+span",{class:"sum small muted"},b)),h.title=b;let x=l.outcomes[c.step]?.rewards[a];h.classList.toggle("differs",f>0&&y!==void 0&&x!==y)})}function Zs(e){let t=e.data.gallery.map(i=>d("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(dt(i.scene,e.data),{example:i}),e.
 selected=0}},i.title)),n=d("p",{class:"example-text"}),r=d("p"),o=d("details",{class:"reveal"},d("summary",{},"Reveal"),r),s=d("nav",{class:"gallery","aria-labe\
 l":"Examples"},d("div",{class:"chips"},...t),n,o),a;return e.shownBy(()=>{e.data.gallery.forEach((i,l)=>t[l].setAttribute("aria-pressed",String(i===e.example))),
 n.replaceChildren(...Ot(e.example?.ask??"A scene of your own. Choose an example, or change this one.")),r.replaceChildren(...Ot(e.example?.text??"")),o.hidden=!e.
@@ -604,7 +604,7 @@ acles, on obstacles to erase them."))));function ta(e){let t=d("ul",{class:"line
 small muted"},"A team is one player here. An agent's shares are its part of the joint moves.")),r=0,o=(...a)=>t.replaceChildren(...a.filter(Boolean).map(i=>d("l\
 i",{class:"line"},`${i}.`))),s=async()=>{let a=++r;if(!n.open)return;let i=Ue(Be(e.scene,e.scene.rules));if(i)return o(`Not known: ${i}`);let l=await e.solution();
 if(a!==r||!l)return;let{game:c,losses:u}=e.game.perfect(l),m=Array.from({length:V(e.scene)},(h,f)=>{let g=c&&Xt(c,f);return g?`${ne(e.scene,f)}: ${g}`:""}),p=e.
-game.over?"The episode has ended":"Not known: no start on distinct free cells leads to this moment";o(...u.map(h=>`In the last step: ${bt(h)}`),c?`From here: ${Jt(
+game.over?"The episode has ended":"Not known: no start on distinct free cells leads to this moment";o(...u.map(h=>`In the last step: ${vt(h)}`),c?`From here: ${Jt(
 l,c,e.game.length)}`:p,...m)};for(let[a,i]of[[e,"change"],[n,"toggle"]])a.addEventListener(i,()=>{s()});return n}function na(e){let t=[Il(e),...e.data.fields.map(n=>Ul(e,n)),Wl(e),Dl(e)];return e.shownBy(()=>t.forEach(n=>n.update())),d("section",{class:"card rules"},...t.map(
 n=>n.element))}var qe=(e,t)=>{e.stop(),e.change(t)};function Il(e){let t=Object.keys(e.data.variants),n=t.map(o=>d("button",{type:"button",class:"chip",title:e.
 data.titles[o],onclick:()=>qe(e,{...e.scene,rules:e.data.variants[o]})},o)),r=d("p",{class:"muted small variant-title"});return{element:d("div",{class:"variants"},
@@ -618,7 +618,7 @@ t.name))||s.disabled}}}function zl(e,t,n){return{...e,[t.name]:n==="true"?!0:n==
 compare",onchange:()=>{let o={"":null,present:e.scene.rules}[r.value];qe(e,{...e.scene,others:o===void 0?e.data.variants[r.value]:o})}},d("option",{value:""},"n\
 othing"),d("option",{value:"present"},"the present rules"),d("option",{value:"own",hidden:!0},"own rules"),...t.map(o=>d("option",{value:o},`${o}: ${e.data.titles[o]}`)));
 return{element:d("div",{class:"pair"},d("label",{for:"compare"},"Compare with"),r),update:()=>{let{others:o}=e.scene,s=o&&t.find(a=>kn(o,e.data.variants[a]));r.
-value=o?s??"own":"",r.title=o?`Both boards play the same moves: ${be(e,0)} and ${be(e,1)}`:""}}}function Dl(e){let t=(a,i)=>{let l=d("input",{type:"number",min:1,
+value=o?s??"own":"",r.title=o?`Both boards play the same moves: ${ve(e,0)} and ${ve(e,1)}`:""}}}function Dl(e){let t=(a,i)=>{let l=d("input",{type:"number",min:1,
 max:Te,"aria-label":i,onchange:()=>{let c={rows:e.scene.rows,cols:e.scene.cols,[a]:Math.round(Number(l.value))};c[a]>=1&&c[a]<=Te?Bl(e,c.rows,c.cols):e.say(`${a}\
 : expected 1 to ${Te}, got ${l.value||"nothing"}`,!0),l.value=String(e.scene[a])}});return l},[n,r]=[t("rows","Rows"),t("cols","Columns")],o=d("input",{type:"ch\
 eckbox",id:"diagonal",onchange:()=>qe(e,{...e.game.scene(),diagonal:o.checked,next:e.scene.next.map(a=>typeof a=="number"&&a>4?0:a)})}),s=d("select",{id:"reward\
@@ -629,7 +629,7 @@ a.rows)),document.activeElement!==r&&(r.value=String(a.cols)),o.checked=a.diagon
 stringify(e.data.rewards[l])===i)??"own"}}}function Bl(e,t,n){let r=Yr(e.game.scene(),t,n);r.pursuers.length&&r.evaders.length?qe(e,r):e.say(`No ${r.pursuers.length?
 "evader":"pursuer"} would be left on a ${t} × ${n} board.`,!0)}var ra={obstacle:"obstacle",teammate:"teammates",adversary:"adversaries",capture:"capture",end:"end",calm:""};function oa(e){let t=d("h2"),n=d("div",{class:"sto\
 ry-body",tabindex:0,role:"region","aria-label":"What happened"}),r=d("div",{class:"heard",role:"status"}),o=d("section",{class:"card story"},t,n,r),s="";return e.
-shownBy(()=>{let a=Math.min(e.player.step,e.game.length),i=e.games.map((c,u)=>{let m=an(e.scene,c,a);return{name:e.games.length>1?be(e,u):"",lines:m,ended:a>c.length}}),
+shownBy(()=>{let a=Math.min(e.player.step,e.game.length),i=e.games.map((c,u)=>{let m=an(e.scene,c,a);return{name:e.games.length>1?ve(e,u):"",lines:m,ended:a>c.length}}),
 l=JSON.stringify([a,i]);l!==s&&(s=l,t.textContent=a?`Step ${a}`:"Start",n.replaceChildren(...i.map(c=>Fl(c,a))),r.textContent=a?`Step ${a}. ${i.map(Gl).join(" ")}`:
 "")}),o}function Fl({name:e,lines:t,ended:n},r){let s=n||!r?d("p",{class:"muted"},n?"The episode had ended.":"Give agents their moves, then play a step."):d("ul",
 {class:"lines"},...t.map(jl));return d("div",{class:"story-part"},e&&d("h3",{},e),s)}function jl({kind:e,text:t,turn:n,blame:r,cost:o}){let s=n?`${ra[e]}, turn ${n}`:
@@ -640,7 +640,7 @@ ayout"},na(e),d("section",{class:"card stage","aria-label":"Board"},Vs(e),qs(e))
 on",title:"Keys (?)","aria-label":"Keys (?)",onclick:r},"?")],dialog:n}}var aa={...js,scene:"Rules and conflicts"},ia={games:"You move one agent. Scripts, or policies that evolved, move all others.",scene:"Give agents their moves, p\
 redict what happens, and play the step."};async function Hl(e){let[t,n,r]=[Qo(),await Wr(),ke()],{store:o,problem:s}=Zo(n,t,wt(r)?t.scene:r||t.scene),a=t.play&&
 new un(n,t.play),i="scene",l=sa(o,()=>i==="scene"),c=d("span"),u=Object.keys(aa),m=u.map(f=>d("button",{type:"button",onclick:()=>f==="scene"?p(f):a.begin(f)},aa[f])),
-p=f=>{i=f;let g=i==="scene";u.forEach((y,v)=>m[v].setAttribute("aria-pressed",String(y===i)));for(let y of[l.element,...l.tools])y.hidden=!g;a&&(a.element.hidden=
+p=f=>{i=f;let g=i==="scene";u.forEach((y,b)=>m[b].setAttribute("aria-pressed",String(y===i)));for(let y of[l.element,...l.tools])y.hidden=!g;a&&(a.element.hidden=
 g),c.textContent=g?ia.scene:ia.games,g?a?.view.stop():o.stop(),lt()&&(g?o.dispatchEvent(new Event("change")):history.replaceState(null,"",location.href.split("#")[0]))},
 h=f=>wt(f)&&!!a?.follow(new URLSearchParams(f));a?.addEventListener("game",()=>p(a.game)),e.classList.add("playground"),e.replaceChildren(Gr("Playground",c,...l.
 tools),d("nav",{class:"tabs buttons","aria-label":"What to play",hidden:!a},...m),d("main",{},a&&a.element,l.element),d("footer",{class:"muted small"},`${t.title}\
