@@ -15,7 +15,7 @@ function network(hidden, fov) {
   const sizes = [3 * fov ** 2, ...hidden, 5];
   const genes = sizes.slice(1).reduce((sum, n_out, i) => sum + (sizes[i] + 1) * n_out, 0);
   const genome = Float32Array.from({ length: genes }, () => 0.1 * (Math.random() - 0.5));
-  return { hidden, activation: "relu", sampled: true, memory: "none", genome };
+  return { kind: "cells", hidden, activation: "relu", sampled: true, memory: "none", genome };
 }
 
 /** Return seconds of this process, without the compiler's other threads. */

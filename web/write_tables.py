@@ -39,6 +39,7 @@ def tables() -> dict[str, Any]:
         "CONFLICT_OUTCOMES": conflicts.OUTCOMES,
         "CONFLICT_SENTENCE": conflicts.SENTENCE,
         "SCRIPTS": policy.SCRIPT_TEXTS,
+        "INPUTS": dict(mw.INPUTS),
         "MAP_CHARACTERS": {"free": config.FREE, "blocked": config.BLOCKED},
     }
 
@@ -48,6 +49,7 @@ COMMENTS = {
     "ACTIONS": "The actions by their numbers; the last four are diagonal.",
     "KINDS": "The texts of conflicts: templates that Python fills, too.",
     "SCRIPTS": "What each script does.",
+    "INPUTS": "The named inputs of a move, in the order of the engine, and what they are.",
     "MAP_CHARACTERS": "Characters of passable and of impassable cells in a map.",
 }
 

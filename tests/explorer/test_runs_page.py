@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from browser import READY, Browser
-from matrixworld import World, WorldConfig, analysis
+from matrixworld import INPUTS, World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis.judgement import summary
 from matrixworld.coevolution import TEAMS, SavedRun, create, evolve
@@ -162,6 +162,57 @@ def test_a_step_opens_in_the_playground(page: Browser, job: Job) -> None:
         page.driver.switch_to.window(here)
 
 
+@pytest.fixture(scope="module")
+def rated(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
+    """Runs of policies that rate moves: weights of named inputs, and programs."""
+    settings = [
+        tiny_race(policy="rating", hidden=(), obstacles=0.15),
+        tiny_race(policy="program", learner="gp", obstacles=0.15),
+    ]
+    out = tmp_path_factory.mktemp("rated")
+    return [evolve(each, out / each.policy.kind, threads=1) for each in settings]
+
+
+WHY = """Array.from(document.querySelectorAll('.why tr')).map((row) =>
+  Array.from(row.children).map((cell) => cell.textContent.replace('\u2212', '-')))"""
+
+
+@pytest.mark.nightly
+def test_the_page_tells_why_an_agent_takes_its_move(
+    browser: Browser, rated: list[SavedRun], tmp_path: Path
+) -> None:
+    browser.open(explore(*(run.path for run in rated), file=tmp_path / "page.html").path)
+    for number, run in enumerate(rated):
+        browser.js(f"location.hash = '#run={number}&pursuers=2&evaders=1&episode=0&step=3'")
+        browser.wait(f"{PLAYED} === '{number} 2 1 0 ' && matrixworldExplorer.step === 3")
+        browser.press("a")
+        episode, world = run.record(2, 1), World(run.settings.world)
+        world.reset(evaluation_seed(run.settings.seed, 2, 1))
+        for actions in episode.actions[:3]:
+            world.step(actions)
+        agent = int(np.flatnonzero(world.alive)[0])
+        population = run.teams["pursuer"]
+        policy, genome = population.policy, population.genomes[2]
+        inputs = dict(zip(INPUTS, world.inputs()[agent].T, strict=True))
+        rows = {name: numbers for name, *numbers in browser.js(WHY)}
+        ratings = np.array(rows.pop("sum", rows.pop("rating", [])), float)
+        wanted = policy.rate(genome, world.inputs()[agent])
+        np.testing.assert_allclose(ratings, wanted, atol=0.0051, rtol=1e-3)
+        rows.pop("term", rows.pop("input", None))
+        weights = dict(zip(policy.inputs, genome, strict=False)) if number == 0 else {}
+        assert len(rows) == 11 or number == 1
+        for name, numbers in rows.items():
+            value = inputs[name.replace(" ", "_")] * weights.get(name.replace(" ", "_"), 1)
+            np.testing.assert_allclose(np.array(numbers, float), value, atol=0.0051)
+        chosen = "Array.from(document.querySelectorAll('.why thead th')).findIndex"
+        taken = browser.js(f"{chosen}((cell) => cell.classList.contains('taken'))")
+        assert taken - 1 == episode.actions[3][agent]
+        if number == 1:
+            shown = browser.js("document.querySelector('.inspector code').textContent")
+            assert shown == policy.expression(genome)
+    assert browser.errors() == []
+
+
 @quickly("damage", ["missing", "cut", "no base64", "a NaN"], lambda damage: damage == "cut")
 @pytest.mark.slow
 def test_damaged_genomes_are_told_where_the_match_would_be(
@@ -240,6 +291,16 @@ def test_genomes_are_exact(race: SavedRun) -> None:
     [few], _ = runs_data([("a", race)], most=4 * race.teams["pursuer"].genomes[0].nbytes)
     assert [few["teams"][team]["kept"] for team in TEAMS] == [[0, 2], [0, 2]]
     assert kept_generations(6, 2) == [0, 2, 4, 5]  # the last one, too
+
+
+def test_programs_are_there_as_expressions(rated: list[SavedRun]) -> None:
+    (weights, programs), _ = runs_data([("weights", rated[0]), ("programs", rated[1])])
+    team = rated[1].teams["evader"]
+    assert programs["teams"]["evader"]["expressions"] == [
+        team.policy.expression(genome) for genome in team.genomes
+    ]
+    shape = weights["teams"]["pursuer"]["policy"]
+    assert (shape["kind"], shape["inputs"], shape["genome_size"]) == ("rating", [*INPUTS], 11)
 
 
 def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:

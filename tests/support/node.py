@@ -56,11 +56,5 @@ def policy_json(team: mw.Population | str) -> Any:
     """Return a policy as the programs read it."""
     if isinstance(team, str):
         return team
-    network = team.policy
-    return {
-        "hidden": network.hidden,
-        "activation": network.activation,
-        "sampled": network.sampled,
-        "memory": network.memory,
-        "genome": base64.b64encode(team.genomes[0].astype("<f4").tobytes()).decode("ascii"),
-    }
+    genome = base64.b64encode(team.genomes[0].astype("<f4").tobytes()).decode("ascii")
+    return {**team.policy.to_json(), "genome": genome}

@@ -43,6 +43,8 @@ STAGES = ("stage-*.npz", "checkpoint-*.npz")
 def settings_of(**values: Any) -> RaceSettings:
     """Return settings from values by the names of their fields, wherever these stand."""
     named = {"learner": "es", "schedule": "generalist-generalist", **values}
+    if named.get("policy") == "program":
+        named.pop("hidden", None)  # programs have no layers
     if not isinstance(named["learner"], str) or ":" in named["learner"]:
         named.pop("population", None)  # a learner of one's own has what it declares
     return RaceSettings.of(**named)

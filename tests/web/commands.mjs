@@ -69,6 +69,13 @@ const COMMANDS = {
     const chosen = world.decide(player, team, new Uint8Array(world.n_agents).fill(9));
     return { chosen, answers: agents.map((agent) => world.answer(player, agent)), view: world.view(agents[0] ?? 0) };
   },
+  // How a policy rates the moves of agents.
+  rate({ config, start, actions, policy, agents }) {
+    const world = engine.world(config);
+    world.reset(startOf(start));
+    for (const row of actions) world.step(row);
+    return agents.map((agent) => world.rate(policyOf(policy), agent));
+  },
   // A refused call leaves the world as it was.
   refuse({ config, start, actions }) {
     const world = engine.world(config);

@@ -112,6 +112,32 @@ def team(config: mw.WorldConfig, hidden: tuple[int, ...], seed: int, **more: Any
     return mw.Population(random_genome(network, seed), network)
 
 
+RATING = mw.Rating(tuple(mw.INPUTS), mask="right-of-way")
+PROGRAMS = [
+    "min(unclaimed - 0.3 * room, teammate) - 3 * must_yield if 0.5 < adversary else ahead",
+    "where(stay - exits, max(-crowd, pressure * 2), less(open_side, 0.4) + room * room)",
+]
+RATED = {
+    "a weighted sum, right of way": ("SB", RATING, {"obstacles": 0.1}),
+    "a sum of some inputs, turns": (
+        "TO", mw.Rating(("room", "unclaimed", "ahead"), mask="none"), {"obstacles": 0.1},
+    ),
+    "a network": ("D", mw.Rating(hidden=(9, 6)), {"diagonal": True, "n_pursuers": 9}),
+    "programs": ("O", mw.Program(), {"obstacles": 0.15}),
+    "programs, right of way": ("swarm-SD", mw.Program(mask="right-of-way"), {"diagonal": True}),
+}  # fmt: skip
+
+
+def rated_teams(config: mw.WorldConfig, policy: mw.Rating | mw.Program) -> list[mw.Population]:
+    """Return two teams whose policy has this shape, in the world's views and moves."""
+    policy = replace(policy, fov=config.fov, n_actions=config.n_actions)
+    if isinstance(policy, mw.Program):
+        genomes = [policy.genome(text) for text in PROGRAMS]
+    else:
+        genomes = [policy.initial(np.random.default_rng(n), 1.0) for n in range(2)]
+    return [mw.Population(genome, policy) for genome in genomes]
+
+
 def asked(config: mw.WorldConfig, pursuers: Policy, evaders: Policy, seed: int, **more: Any) -> Any:
     return {
         "config": config.to_json(),
@@ -135,12 +161,17 @@ MATCHES = {
 }
 
 
-@pytest.mark.parametrize("name", MATCHES)
+@pytest.mark.parametrize("name", [*MATCHES, *RATED])
 def test_a_match_equals_the_recorded_one(run_command: Commands, name: str) -> None:
     """Positions, actions, rewards, captures and the texts of conflicts of every step."""
-    row, hidden, more, changes = MATCHES[name]
-    config = config_of(row, max_steps=60, **changes)
-    pursuers, evaders = team(config, hidden, 1, **more), team(config, hidden, 2, **more)
+    if name in RATED:
+        row, policy, changes = RATED[name]
+        config = config_of(row, max_steps=60, **changes)
+        pursuers, evaders = rated_teams(config, policy)
+    else:
+        row, hidden, more, changes = MATCHES[name]
+        config = config_of(row, max_steps=60, **changes)
+        pursuers, evaders = team(config, hidden, 1, **more), team(config, hidden, 2, **more)
     wanted = mw.record(config, pursuers, evaders, seed=SEED, episode=3)
     # Forwards, backwards, and twice the same.
     seek = [wanted.length, 0, wanted.length // 2, wanted.length]
@@ -273,6 +304,43 @@ def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: st
     remembered = np.where(alive[:, None] < config.n_pursuers, kept[:, 0], kept[:, 1])
     assert [answer["memory"] for answer in got["answers"]] == remembered.tolist()
     assert got["view"] == world.views()[alive[0]].ravel().tolist()
+
+
+@pytest.mark.parametrize("name", RATED)
+def test_why_a_move(run_command: Commands, name: str) -> None:
+    """Inputs and ratings of the moves of all agents, and which moves the mask forbids."""
+    row, policy, changes = RATED[name]
+    config = config_of(row, **changes)
+    population, _ = rated_teams(config, policy)
+    policy, (genome,) = population.policy, population.genomes
+    world = mw.World(config)
+    world.reset(7)
+    actions = random_actions(2, config.n_actions, 3, config.n_agents)
+    for played in actions:
+        world.step(played)
+    alive, inputs = np.flatnonzero(world.alive), world.inputs()
+    got = run_command(
+        do="rate",
+        config=config.to_json(),
+        start={"seed": "7"},
+        actions=actions.tolist(),
+        policy=policy_json(population),
+        agents=alive.tolist(),
+    )
+    read = [list(mw.INPUTS).index(each) for each in policy.inputs]
+    middle = config.fov // 2
+    moves = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
+    moves = moves[: config.n_actions]
+    for agent, told in zip(alive, got, strict=True):
+        assert np.float32(told["inputs"]).T.tolist() == inputs[agent][:, read].tolist()
+        assert told["ratings"] == policy.rate(genome, inputs[agent]).tolist()
+        obstacles = world.views()[agent, 2]
+        refused = {
+            "none": np.zeros(config.n_actions),
+            "obstacles": np.array([obstacles[middle + r, middle + c] for r, c in moves]),
+            "right-of-way": inputs[agent][:, list(mw.INPUTS).index("must_yield")],
+        }
+        assert told["refused"] == refused[policy.mask].astype(int).tolist()
 
 
 def test_conflicts_have_the_words_of_python(run_command: Commands) -> None:

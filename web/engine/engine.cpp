@@ -253,6 +253,16 @@ EMSCRIPTEN_KEEPALIVE bool world_logits(PlayedWorld* played, const NamedArrays* p
     });
 }
 
+// By move of a living agent: `ratings`, and whether the mask of the policy refuses it.
+EMSCRIPTEN_KEEPALIVE bool world_rate(PlayedWorld* played, const NamedArrays* policy, int agent) {
+    return succeeds([&] {
+        const Player player(Inputs(policy), played->config());
+        const auto [ratings, refused] = played->rate(player, agent);
+        outputs.add("ratings", ratings.data(), ratings.size());
+        outputs.add("refused", refused.data(), refused.size());
+    });
+}
+
 EMSCRIPTEN_KEEPALIVE bool world_snapshot(PlayedWorld* played) {
     return succeeds([&] {
         const Snapshot snapshot = played->snapshot();

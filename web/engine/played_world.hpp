@@ -12,6 +12,7 @@
 #include "play/batch.hpp"
 #include "play/mlp.hpp"
 #include "play/output_fields.hpp"
+#include "play/rating.hpp"
 #include "settings.hpp"
 
 namespace matrixworld {
@@ -74,10 +75,7 @@ class PlayedWorld {
     std::vector<float> logits(const Player& player, int agent) const {
         const std::optional<Network>& network = player.candidates.network;
         if (!network) throw std::invalid_argument("policy: expected a network, got another one");
-        if (agent < 0 || agent >= config().n_agents() || !world_.alive(agent)) {
-            throw std::invalid_argument("agent: expected one that is alive, got " +
-                                        std::to_string(agent));
-        }
+        require_alive(agent);
         Mlp mlp(*network, setup_->grid);
         mlp.load(player.genome.data());
         std::vector<std::uint8_t> actions(1);
@@ -85,9 +83,37 @@ class PlayedWorld {
         return {mlp.logits(), mlp.logits() + network->n_actions()};
     }
 
+    // How a policy rates the moves of an agent, which is alive.
+    struct RatedMoves {
+        std::vector<float> ratings;         // by move
+        std::vector<std::uint8_t> refused;  // by move, as flags: those that the mask refuses
+    };
+    RatedMoves rate(const Player& player, int agent) const {
+        const std::optional<RatingShape>& shape = player.candidates.rating;
+        if (!shape)
+            throw std::invalid_argument("policy: expected one that rates moves, got another");
+        require_alive(agent);
+        MoveInputs inputs(config());
+        MoveRows rows;
+        inputs.gather(world_, scratch_.occupancy);
+        inputs.look(agent, rows);
+        const std::unique_ptr<MoveRater> rater = make_rater(*shape);
+        rater->load(player.genome.data());
+        float ratings[kMoveLanes];
+        rater->rate(rows, ratings);
+        const std::uint32_t refused = shape->mask == MoveMask::None        ? 0
+                                      : shape->mask == MoveMask::Obstacles ? rows.blocked
+                                                                           : rows.forbidden;
+        RatedMoves rated;
+        for (int move = 0; move < shape->n_actions; ++move) {
+            rated.ratings.push_back(ratings[move]);
+            rated.refused.push_back(refused >> move & 1);
+        }
+        return rated;
+    }
+
     // What an agent remembers at the beginning of this step for a network.
     std::vector<float> memory(const Player& player, int agent) const {
-        if (!player.candidates.network) return {};
         std::vector<float> numbers(player.candidates.network->state_size());
         world_.memories().recall(agent, world_.steps(), static_cast<int>(numbers.size()),
                                  numbers.data());
@@ -133,6 +159,12 @@ class PlayedWorld {
     const std::vector<Conflict>& conflicts() const { return conflicts_; }
 
   private:
+    void require_alive(int agent) const {
+        if (agent >= 0 && agent < config().n_agents() && world_.alive(agent)) return;
+        throw std::invalid_argument("agent: expected one that is alive, got " +
+                                    std::to_string(agent));
+    }
+
     void require_open() const {
         if (!world_.over()) return;
         throw std::invalid_argument("the episode has ended: reset it before the next step");

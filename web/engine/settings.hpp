@@ -124,7 +124,8 @@ struct Player {
         }
         candidates.genomes = genome.data();
         candidates.n = static_cast<int>(genome.size() / size);
-        if (candidates.rating) candidates.rating->check_genomes(genome.data(), genome.size() / size);
+        if (candidates.rating)
+            candidates.rating->check_genomes(genome.data(), genome.size() / size);
     }
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;

@@ -51,7 +51,7 @@ from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.envs import VARIANT_TEXTS
 from matrixworld.explorer.page import check_new, mime_bundle, render_page, write_page
-from matrixworld.explorer.teams import kept_generations, packed, plain_network, step_of
+from matrixworld.explorer.teams import kept_generations, packed, plain_policy, step_of
 from matrixworld.version import __version__
 from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.world.config import WorldConfig
@@ -229,7 +229,7 @@ def plain_opponents(opponents: Opponents) -> tuple[dict[str, Any], dict[str, byt
     teams, genomes = {}, dict[str, bytes]()
     for team in TEAMS:
         players = opponents.players[team]
-        networks = [each for each in players.values() if isinstance(each, Population)]
+        learned = [each for each in players.values() if isinstance(each, Population)]
         names = list(players)
         teams[team] = {
             "names": names,
@@ -237,10 +237,10 @@ def plain_opponents(opponents: Opponents) -> tuple[dict[str, Any], dict[str, byt
             "usual": names.index(LIVELY) if LIVELY in names else len(names) - 1,
             # None stands for the next genome.
             "scripts": [each if isinstance(each, str) else None for each in players.values()],
-            "network": plain_network(networks[0]) if networks else None,
+            "policy": plain_policy(learned[0]) if learned else None,
         }
-        if networks:
-            genomes[team] = packed(np.concatenate([each.genomes for each in networks]))
+        if learned:
+            genomes[team] = packed(np.concatenate([each.genomes for each in learned]))
     return {"world": opponents.world.to_json(), "teams": teams}, genomes
 
 

@@ -1,4 +1,4 @@
-"""Teams as plain values: what a page reads of their networks, and their genomes as bytes."""
+"""Teams as plain values: what a page reads of their policies, and their genomes as bytes."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import Genomes
 from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.rating import Program
 
 MOST_BYTES = 48 * 2**20
 """Genomes of a page, in bytes; base64 adds a third. A default race has 2.9 MB."""
@@ -45,14 +46,22 @@ def plain_team(
     """
     if not isinstance(team, Population):
         script = team if isinstance(team, str) else None
-        return {"script": script, "network": None, "kept": [0], "genomes": ""}
+        return {"script": script, "policy": None, "kept": [0], "genomes": ""}
     kept = kept_generations(len(team.genomes), step)
-    genomes[identifier] = packed(team.genomes[kept])
-    return {"script": None, "network": plain_network(team), "kept": kept, "genomes": identifier}
+    policy, shown = team.policy, team.genomes[kept]
+    genomes[identifier] = packed(shown)
+    return {
+        "script": None,
+        "policy": plain_policy(team),
+        "kept": kept,
+        "genomes": identifier,
+        "expressions": [policy.expression(g) for g in shown] if isinstance(policy, Program) else [],
+        "words": "",
+    }
 
 
-def plain_network(team: Population) -> dict[str, Any]:
-    """Return the network of a population as a page reads it."""
+def plain_policy(team: Population) -> dict[str, Any]:
+    """Return the policy of a population as a page reads it, without genomes."""
     return {**team.policy.to_json(), "genome_size": team.policy.genome_size}
 
 

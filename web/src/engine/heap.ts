@@ -21,6 +21,7 @@ export interface Compiled {
   _world_conflicts(world: number): number;
   _world_decide(world: number, policy: number, first: number, last: number, actions: number): number;
   _world_logits(world: number, policy: number, agent: number): number;
+  _world_rate(world: number, policy: number, agent: number): number;
   _world_snapshot(world: number): number;
   _world_restore(world: number, snapshot: number): number;
   _states_new(config: number): number;

@@ -3,7 +3,7 @@
 import { expected } from "./errors.ts";
 import { Flags } from "./heap.ts";
 import type { Inputs } from "./heap.ts";
-import { BLAMES, CAPTURES, INTERACTIONS, MAP_CHARACTERS, OUTCOMES, SCRIPTS } from "./tables.ts";
+import { BLAMES, CAPTURES, INPUTS, INTERACTIONS, MAP_CHARACTERS, OUTCOMES, SCRIPTS } from "./tables.ts";
 import type { Cell, Memory, Penalty, Rewards, Rules, Snapshot, Start, TeamPolicy, WorldConfig } from "./types.ts";
 
 const INT_MAX = 2 ** 31 - 1;
@@ -143,6 +143,15 @@ export function actionsInputs(actions: ArrayLike<number>): Inputs {
   return { actions: Int32Array.from(actions, (action) => integer("actions", action)[0]!) };
 }
 
+const INPUT_NAMES = Object.keys(INPUTS);
+
+/** Return the number of a named input. */
+export function inputNumber(name: string): number {
+  const number = INPUT_NAMES.indexOf(name);
+  if (number < 0) throw expected("inputs", `names of ${INPUT_NAMES.join(", ")}`, name);
+  return number;
+}
+
 /** Return a policy as named arrays. */
 export function policyInputs(policy: TeamPolicy): Inputs {
   if (typeof policy === "string") {
@@ -150,6 +159,15 @@ export function policyInputs(policy: TeamPolicy): Inputs {
       throw expected("policy", `one of ${Object.keys(SCRIPTS).join(", ")}`, policy);
     }
     return { script: new TextEncoder().encode(policy) };
+  }
+  if (policy.kind !== "cells") {
+    return {
+      inputs: Int32Array.from(policy.inputs, (name) => inputNumber(name)),
+      hidden: Int32Array.from(policy.kind === "rating" ? policy.hidden : [], (size) => integer("hidden", size)[0]!),
+      length: integer("length", policy.kind === "program" ? policy.length : 0),
+      mask: new TextEncoder().encode(policy.mask),
+      genome: policy.genome,
+    };
   }
   if (policy.activation !== "relu" && policy.activation !== "tanh") {
     throw expected("activation", "'relu' or 'tanh'", policy.activation);

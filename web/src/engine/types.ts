@@ -6,7 +6,7 @@
  * Cells are (row, column) from (0, 0) at the top left. A flag is a byte, 0 or 1.
  */
 
-import type { BLAMES, CAPTURES, FORMS, INTERACTIONS, KINDS, OUTCOMES, SCRIPTS } from "./tables.ts";
+import type { BLAMES, CAPTURES, FORMS, INPUTS, INTERACTIONS, KINDS, OUTCOMES, SCRIPTS } from "./tables.ts";
 
 export type Outcome = keyof typeof OUTCOMES;
 export type Interaction = keyof typeof INTERACTIONS;
@@ -60,6 +60,7 @@ export type Memory = "none" | "gru";
 
 /** A network and one genome: float32, layer by layer the weights (inputs, outputs), then the biases. */
 export interface NetworkPolicy {
+  kind: "cells";
   hidden: readonly number[];
   activation: Activation;
   /** Whether an action is drawn from the softmax of the outputs, or the first largest is taken. */
@@ -69,10 +70,34 @@ export interface NetworkPolicy {
   genome: Float32Array;
 }
 
+export type InputName = keyof typeof INPUTS;
+
+/** A policy that rates each move by its named inputs, and takes the best one that the mask allows. */
+interface RatesMoves {
+  inputs: readonly InputName[];
+  mask: "none" | "obstacles" | "right-of-way";
+  genome: Float32Array;
+}
+
+/** By a small network: layer by layer the weights and the biases; the last sum, which is the rating, has no bias. */
+export interface RatingPolicy extends RatesMoves {
+  kind: "rating";
+  /** Without hidden layers, the genome has a weight for each input. */
+  hidden: readonly number[];
+}
+
+/** By a program of at most so many instructions, as `matrixworld.Program` writes it into a genome. */
+export interface ProgramPolicy extends RatesMoves {
+  kind: "program";
+  length: number;
+}
+
+export type GenomePolicy = NetworkPolicy | RatingPolicy | ProgramPolicy;
+
 export type ScriptName = keyof typeof SCRIPTS;
 
 /** What plays for a team. */
-export type TeamPolicy = NetworkPolicy | ScriptName;
+export type TeamPolicy = GenomePolicy | ScriptName;
 
 /** Row and column of an agent. */
 export type Cell = readonly [row: number, col: number];
@@ -130,6 +155,8 @@ export interface WorldArrays {
   views: Uint8Array;
   /** (3, rows, cols) */
   state: Uint8Array;
+  /** (A, n_actions, all named inputs) */
+  inputs: Float32Array;
 }
 
 export type Kind = (typeof KINDS)[number];
@@ -165,6 +192,16 @@ export interface Answer {
   action: number;
   /** What the agent remembers of earlier steps, from -1 to 1; empty without memory. */
   memory: Float32Array;
+}
+
+/** How a policy rates the moves of one agent. */
+export interface RatedMoves {
+  /** Of the policy's inputs, in its order: one number for each move. */
+  inputs: readonly Float32Array[];
+  /** (n_actions,) */
+  ratings: Float32Array;
+  /** (n_actions,) flags of the moves that the mask refuses */
+  refused: Uint8Array;
 }
 
 /** The statistics of an episode, as one episode of `matrixworld.rollout` has them. */

@@ -61,8 +61,8 @@ export class GrowingRun implements Run {
     const of = (team: Team): TeamData => {
       const genomes = `${this.#key} ${team}`;
       keepGenomes(genomes, joined(this.genomes[team]));
-      const { genome, ...network } = policyOf(shapeOf(this.#settings, this.#masks, team), this.genomes[team][0] ?? new Float32Array(0));
-      return { script: null, network: { ...network, genome_size: genome.length }, kept: [...this.genomes[team].keys()], genomes };
+      const { genome, ...policy } = policyOf(shapeOf(this.#settings, this.#masks, team), this.genomes[team][0] ?? new Float32Array(0));
+      return { script: null, policy: { ...policy, genome_size: genome.length }, kept: [...this.genomes[team].keys()], genomes };
     };
     return { pursuer: of("pursuer"), evader: of("evader") };
   }

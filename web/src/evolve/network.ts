@@ -43,7 +43,7 @@ export function genesOf(shape: Shape): number {
 
 /** Return genomes, one after the other, as what plays for a team. */
 export const policyOf = (shape: Shape, genome: Float32Array): NetworkPolicy =>
-  ({ hidden: hiddenOf(shape), activation: "relu" satisfies Activation, sampled: true, memory: "none", genome });
+  ({ kind: "cells", hidden: hiddenOf(shape), activation: "relu" satisfies Activation, sampled: true, memory: "none", genome });
 
 /** Return a random genome; `weight` and `head` are the standard deviations in the hidden layers and the last one. */
 export function untrained(shape: Shape, draws: Draws, weight: number, head: number): Float32Array {

@@ -3,7 +3,7 @@
 import { unzlibSync } from "fflate";
 import type { PageData } from "../playground/data.ts";
 import type { Engine, Match } from "../engine/engine.ts";
-import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type { GenomePolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 import { generationName } from "./game.ts";
 import type { OwnGame } from "./game.ts";
 import type { Selection } from "./store.ts";
@@ -14,15 +14,20 @@ export const TEAMS: readonly Team[] = ["pursuer", "evader"];
 export type Matrix = readonly (readonly number[])[];
 export type Curve = readonly (number | null)[];
 
-/** A network without its genome. */
-export type NetworkOf = Omit<NetworkPolicy, "genome"> & { readonly genome_size: number };
+/** A policy without its genome, of each kind. */
+type Without<Policy> = Policy extends unknown ? Omit<Policy, "genome"> & { readonly genome_size: number } : never;
+export type PolicyShape = Without<GenomePolicy>;
 
 export interface TeamData {
   readonly script: ScriptName | null;
-  readonly network: NetworkOf | null;
+  readonly policy: PolicyShape | null;
   /** The generations whose genomes the page holds. */
   readonly kept: readonly number[];
   readonly genomes: string;
+  /** Of programs, that of each kept generation as an expression. */
+  readonly expressions?: readonly string[];
+  /** What the last generation does, in words; empty where nobody says it. */
+  readonly words?: string;
 }
 
 export interface Payoff {
@@ -114,27 +119,33 @@ export function cellOf(run: Run, g: number, h: number): { rate: number; rates: r
 
 /** Return why the page cannot play a generation of a team; empty if it can. */
 export function whyNot(run: Run, team: Team, generation: number): string {
-  const { script, network, kept, genomes } = run.teams[team];
-  if (script !== null || network === null) return "";
+  const { script, policy, kept, genomes } = run.teams[team];
+  if (script !== null || policy === null) return "";
   if (!kept.includes(generation)) {
     return `The page holds no genome of ${generationName(run, team, generation)}: it would be too large. Choose a generation of ${kept.join(", ")}.`;
   }
-  const expected = kept.length * network.genome_size;
-  if (genomesOf(genomes, network.genome_size).length === expected) return "";
+  const expected = kept.length * policy.genome_size;
+  if (genomesOf(genomes, policy.genome_size).length === expected) return "";
   return `The page is damaged: it does not hold the ${expected} numbers of the ${team}s' genomes. Write it again from its run.`;
 }
 
 /** Return what plays for a team: the genome of a generation, or a script. */
 export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
-  const { script, network, kept, genomes } = run.teams[team];
-  if (script !== null || network === null) return script ?? "random";
+  const { script, policy, kept, genomes } = run.teams[team];
+  if (script !== null || policy === null) return script ?? "random";
   const place = kept.indexOf(generation);
   if (place < 0) throw new RangeError(`${team}: expected a generation whose genome the page holds, got ${generation}`);
-  const size = network.genome_size;
+  const size = policy.genome_size;
   const genome = genomesOf(genomes, size).subarray(place * size, (place + 1) * size);
-  const { hidden, activation, sampled, memory } = network;
-  return { hidden, activation, sampled, memory, genome } satisfies NetworkPolicy;
+  return { ...policy, genome };
 }
+
+/** Return whether a team's policy rates moves by named inputs. */
+export const ratesMoves = ({ teams }: Run, team: Team): boolean => (teams[team].policy ?? { kind: "cells" }).kind !== "cells";
+
+/** Return the program of a generation as an expression; empty for other policies. */
+export const expressionOf = ({ teams }: Run, team: Team, generation: number): string =>
+  teams[team].expressions?.[teams[team].kept.indexOf(generation)] ?? "";
 
 /** Play a match with the engine: the very one of the evaluation, unless another seed is chosen. */
 export function playedMatch(engine: Engine, run: Run, { pursuer, evader, episode, seed }: Selection): Match {

@@ -9,6 +9,13 @@ export function interval(value: number | null, low: number | null, high: number 
   return low === null || high === null ? rate(value) : `${rate(value)} (${rate(low)} to ${rate(high)})`;
 }
 
+/** A number of any size with its sign. */
+export function signed(value: number): string {
+  const size = Math.abs(value);
+  const text = size >= 1e4 ? size.toExponential(0) : size.toFixed(size < 100 ? 2 : 0);
+  return value < 0 && Number(text) ? `−${text}` : text;
+}
+
 export const thousands = (value: number): string => value.toLocaleString("en-GB");
 
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,12 +1,13 @@
-// What an agent sees, and what its network answers.
+// What an agent sees, and what its policy answers.
 
 import type { Engine, Match, Solution, World } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS, agentName } from "../page/names.ts";
-import { policyOf } from "./data.ts";
+import { expressionOf, policyOf } from "./data.ts";
 import type { Run } from "./data.ts";
 import type { Selection } from "./store.ts";
 import { drawView } from "./view.ts";
+import { whyTable } from "./why.ts";
 
 const MEMORY = "What it remembers: a number for each unit, from -1 to 1";
 
@@ -30,7 +31,7 @@ export class Inspector {
     this.#onChoose = onChoose;
     this.element = html(
       "div", { class: "inspector", "data-open": "false" },
-      html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and what its network answers."),
+      html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and why it takes its move."),
       html("div", { class: "inspected" }, this.#canvas, html("div", { class: "answer" }, this.#name, this.#note, this.#memory), this.#bars),
     );
   }
@@ -95,18 +96,21 @@ export class Inspector {
     const taken = actions[agent] ?? null;
     if (!alive) return this.#say([], "It is gone.");
     const policy = policies[`${team}s`];
-    const answer = typeof policy === "string" ? null : world.answer(policy, agent);
+    const answer = typeof policy !== "string" && policy.kind === "cells" ? world.answer(policy, agent) : null;
     const own = answer?.probabilities ?? null;
     if (answer?.memory.length) this.#memory.replaceChildren(html("p", { class: "small muted" }, "It remembers:"), units(answer.memory));
+    const rated = typeof policy !== "string" && policy.kind !== "cells" ? whyTable(policy, world.rate(policy, agent), taken, expressionOf(run, team, selection[team])) : [];
     const game = this.#solution?.game(world) ?? null;
     const told = typeof policy === "string"
       ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
+      : policy.kind !== "cells" ? "It takes the best move that its mask allows; of equal ones any."
       : policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
     const columns = [["network", own], ["perfect", game?.marginal(agent) ?? null]] as const;
     const line = (text: string): HTMLElement => html("p", { class: "small muted" }, text);
     this.#say([
       ...(game ? [line(`Value ${game.value.toFixed(2)} under perfect play.`)] : []),
       ...table(columns, taken),
+      ...rated,
     ], taken === null ? "The episode is over." : told);
   }
 

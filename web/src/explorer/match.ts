@@ -11,7 +11,7 @@ import type { Recording } from "../board/recording.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import type { Champions, PageData } from "../playground/data.ts";
-import { TEAMS, playedMatch, policyOf, whyNot } from "./data.ts";
+import { TEAMS, playedMatch, policyOf, ratesMoves, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";
 import { EpisodeStrip } from "./episodes.ts";
 import { capital } from "./format.ts";
@@ -194,6 +194,7 @@ export class MatchPanel {
     const { episode, seed } = this.#store.selected;
     const { game, payoff } = this.#run;
     this.element.classList.toggle("of-own-game", Boolean(game));
+    this.element.classList.toggle("of-ratings", TEAMS.some((team) => ratesMoves(this.#run, team)));
     const [pursuers, evaders] = this.names(this.#store.selected);
     const place = seed === null
       ? episode < payoff.episodes ? `episode ${episode + 1} of ${payoff.episodes}` : `episode ${episode + 1}, not part of the cell`

@@ -5,6 +5,7 @@ import { checkerboardPanel } from "./checkerboards.ts";
 import { ciaoPanel } from "./ciao.ts";
 import { ratingPanel, trainingPanel } from "./curves.ts";
 import type { Run } from "./data.ts";
+import { evolvedPanel } from "./evolved.ts";
 import { diagnosisPanel, settingsPanel } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
@@ -31,6 +32,7 @@ export function panels(runs: readonly Run[], store: Store, play: () => void): HT
 function panelsOf(run: Run, store: Store, play: () => void): Panel[] {
   const all = [
     diagnosisPanel(run),
+    evolvedPanel(run, store),
     trainingPanel(run, store),
     checkerboardPanel(run, store, play),
     ratingPanel(run, store),

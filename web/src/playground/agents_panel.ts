@@ -30,7 +30,7 @@ export function agentsPanel(store: Store): HTMLElement {
   const table = html("table", { class: "agents" },
     html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "agent"), html("th", { scope: "col" }, "next"), ...heads)), body);
   const element = html("section", { class: "card agents-card" },
-    html("h2", {}, "Agents"), store.data.champions ? html("button", { type: "button", title: "The networks of the match move all agents but the chosen one", onclick: () => letNetworksMove(store) }, "Networks move all others") : "",
+    html("h2", {}, "Agents"), store.data.champions ? html("button", { type: "button", title: "The policies of the match move all agents but the chosen one", onclick: () => letNetworksMove(store) }, "Policies move all others") : "",
     html("div", { class: "agents-scroll" }, table));
   let rows: Row[] = [];
   let shape = "";

@@ -1,7 +1,7 @@
 // What Python tells the page: the variants, the fields of rules with their values, the scripts, the
 // rewards and the gallery. The page adds nothing to it, so that page and package cannot diverge.
 
-import type { NetworkOf } from "../explorer/data.ts";
+import type { PolicyShape } from "../explorer/data.ts";
 import { html } from "../page/dom.ts";
 import type { Rewards, Rules, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
@@ -47,7 +47,7 @@ export interface TeamData {
   readonly usual: number;
   /** Of each name a script, or null: then the next genome plays. */
   readonly scripts: readonly (ScriptName | null)[];
-  readonly network: NetworkOf | null;
+  readonly policy: PolicyShape | null;
 }
 
 /** A world, and what plays in it against a person. */

@@ -13,7 +13,7 @@ const TABS = { ...GAMES, scene: "Rules and conflicts" } as const;
 type Tab = keyof typeof TABS;
 
 const LEAD = {
-  games: "You move one agent. Scripts, or networks that evolved, move all others.",
+  games: "You move one agent. Scripts, or policies that evolved, move all others.",
   scene: "Give agents their moves, predict what happens, and play the step.",
 };
 

@@ -127,12 +127,12 @@ export class Games extends EventTarget {
 
 /** Return what can play for a team. */
 function playersOf({ teams }: OpponentsData, team: Team): Player[] {
-  const { names, texts, scripts, network } = teams[team];
-  const policy = (place: number): TeamPolicy => {
+  const { names, texts, scripts, policy } = teams[team];
+  const playing = (place: number): TeamPolicy => {
     const script = scripts[place];
-    if (script || !network) return script!;
-    const [size, genome] = [network.genome_size, scripts.slice(0, place).filter((each) => each === null).length];
-    return { ...network, genome: genomesOf(team, size).subarray(genome * size, (genome + 1) * size) };
+    if (script || !policy) return script!;
+    const [size, genome] = [policy.genome_size, scripts.slice(0, place).filter((each) => each === null).length];
+    return { ...policy, genome: genomesOf(team, size).subarray(genome * size, (genome + 1) * size) };
   };
-  return names.map((name, place) => ({ name: name.replaceAll("-", " "), text: texts[place]!, policy: () => policy(place) }));
+  return names.map((name, place) => ({ name: name.replaceAll("-", " "), text: texts[place]!, policy: () => playing(place) }));
 }
