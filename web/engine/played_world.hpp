@@ -94,12 +94,12 @@ class PlayedWorld {
             throw std::invalid_argument("policy: expected one that rates moves, got another");
         require_alive(agent);
         MoveInputs inputs(config());
-        MoveRows rows;
+        MoveRows rows{};
         inputs.gather(world_, scratch_.occupancy);
         inputs.look(agent, rows);
         const std::unique_ptr<MoveRater> rater = make_rater(*shape);
         rater->load(player.genome.data());
-        float ratings[kMoveLanes];
+        alignas(64) float ratings[kMoveLanes];
         rater->rate(rows, ratings);
         const std::uint32_t refused = shape->mask == MoveMask::None        ? 0
                                       : shape->mask == MoveMask::Obstacles ? rows.blocked
