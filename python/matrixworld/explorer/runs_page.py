@@ -33,6 +33,7 @@ from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.analysis.judgement import headline_numbers
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.ratings import ELO_POINTS
+from matrixworld.coevolution.evaluation.explanation import sentence_of
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.sections import leaves, values_of
@@ -200,6 +201,9 @@ def runs_data(
             team: plain_team(each, f"genomes-{n}-{team}", step, genomes)
             for team, each in zip(TEAMS, run.teams.values(), strict=True)
         }
+        for team in TEAMS if so_far is None else ():
+            if teams[team]["policy"]:
+                teams[team]["words"] = sentence_of(run, team)
         game = plain_game(run, own_games, ended=so_far is None)
         plain.append({**shown, "teams": teams, "game": game})
     return plain, genomes
