@@ -47,7 +47,8 @@ def test_a_game_of_your_own_is_raced_judged_and_shown(game: Path) -> None:
     told = evolved("--out", "out", *TYPED).stdout
     assert "hosts" in told
     assert "pursuer" not in told + matrixworld_command("judge", "--explain", "out").stdout
-    first, last = (open_run("out/hall-of-fame").archive()[team] for team in ("hosts", "parasites"))
+    archive = open_run("out/hall-of-fame/seed-0").archive()
+    first, last = (archive[team] for team in ("hosts", "parasites"))
     shown = matrixworld_command("replay", "out", "--pursuer", "3", "--evader", "-1").stdout
     assert shown == f"{first[3].mean():.3f} meets {last[-1].mean():.3f}\n"
     refused = matrixworld_command("score", "out", code=2).stderr
@@ -81,7 +82,8 @@ def test_a_changed_game_goes_on_by_force_only(game: Path) -> None:
 
 def test_what_rates_moves_ends_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    race = {name: value for name, value in RACE.items() if name != "hidden"}
+    others = ("hidden", "pursuer_epochs", "evader_epochs")
+    race = {name: value for name, value in RACE.items() if name not in others}
     one = ("--schedule", "hall-of-fame", "--set", "schedule.joint_epochs=2")
     told = evolved("--out", "out", *words(race), *one, "--set", "policy=rating").stdout
     assert "What evolved: hall-of-fame, seed 5" in told
