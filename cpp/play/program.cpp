@@ -1,5 +1,6 @@
 #include "play/program.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -59,13 +60,13 @@ void Program::load(const float* genome) {
 
 void Program::rate(const MoveRows& rows, float* ratings) {
     if (shape_.n_actions == kCompassMoves) {
-        run<kCompassMoves>(rows, ratings);
+        run<kMoveLanes / 2>(rows, ratings);
     } else {
-        run<kDiagonalMoves>(rows, ratings);
+        run<kMoveLanes>(rows, ratings);
     }
 }
 
-// Each instruction works on all moves at once.
+// Each instruction works on all moves at once, in whole vectors.
 template <int n>
 void Program::run(const MoveRows& rows, float* ratings) const {
     float stack[kDepth][n];

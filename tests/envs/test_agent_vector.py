@@ -126,6 +126,26 @@ def test_it_tells_the_allowed_actions_and_attributes_of_each_agent(team: str) ->
     assert mw.AgentVectorEnv(mw.VectorEnv("O", 3), team).action_masks().all()
 
 
+@pytest.mark.parametrize("team", ["pursuer", "evader"])
+def test_named_inputs_beside_masks_and_functions_that_see_views(team: str) -> None:
+    def stay(seen: np.ndarray) -> np.ndarray:
+        assert (seen.shape[1:], seen.dtype) == ((3, 5, 5), np.uint8)
+        return np.zeros(len(seen), int)
+
+    opponent = {"pursuer": "evaders", "evader": "pursuers"}[team]
+    settings: dict[str, Any] = {"action_mask": "right-of-way", opponent: stay}
+    envs = mw.AgentVectorEnv(worlds_of(observation="named", **settings), team)
+    twin = mw.AgentVectorEnv(worlds_of(**settings), team)
+    seen, infos = envs.reset(seed=4)
+    told = twin.reset(seed=4)[1]
+    for actions in actions_of(envs, 12):
+        inputs = [twin.worlds.world(world).inputs()[twin.worlds.agents] for world in range(3)]
+        np.testing.assert_array_equal(seen, np.concatenate(inputs))
+        np.testing.assert_array_equal(infos["action_mask"], told["action_mask"])
+        seen, *_, infos = envs.step(actions)
+        told = twin.step(actions)[-1]
+
+
 SMALL: dict[str, Any] = {"rows": 8, "cols": 8, "n_pursuers": 3, "n_evaders": 2, "max_steps": 30}
 
 
@@ -133,11 +153,12 @@ SMALL: dict[str, Any] = {"rows": 8, "cols": 8, "n_pursuers": 3, "n_evaders": 2, 
 @pytest.mark.parametrize("agent", ["pursuer_1", "evader_0"])
 def test_gymnasium_makes_and_checks_it(variant: str, agent: str) -> None:
     name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
-    flat = {"dtype": "float32", "flatten": agent == "evader_0"}
-    env = gymnasium.make(name, agent=agent, action_mask=True, **flat, **SMALL)
+    given = {"observation": "named", "flatten": True} if agent == "evader_0" else {}
+    env = gymnasium.make(name, agent=agent, action_mask=True, dtype="float32", **given, **SMALL)
     assert env.unwrapped.env.config.rules == mw.VARIANTS[variant]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
+        warnings.filterwarnings("ignore", message=".*maximum value is infinity")  # as it is
         check_env(env.unwrapped, skip_render_check=True)
 
 

@@ -23,13 +23,15 @@ pytestmark = [
     # PettingZoo's tests warn of it, but it is right here: an agent that is gone, or alone in the
     # open, observes zeros.
     pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros"),
+    # Two named inputs have no bound.
+    pytest.mark.filterwarnings("ignore:Agent's maximum observation space value is infinity"),
     # Both API tests reset with an option that no environment knows.
     pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'"),
 ]
 OPPONENTS = ["chaser", "random"]
 SETTINGS = [
     {"action_mask": True},
-    {"pursuers": OPPONENTS},
+    {"pursuers": OPPONENTS, "observation": "named"},
     {"evaders": OPPONENTS, "dtype": "float32", "flatten": True},
 ]
 

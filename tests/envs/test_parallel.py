@@ -78,8 +78,40 @@ def test_observations_are_flat_and_floats_if_asked_for(name: str) -> None:
             assert twin.observation_space(agent).contains(flat[agent])
     first = turns.agent_selection
     assert turns.observation_space(first).contains(turns.observe(first))
-    with pytest.raises(ValueError, match="^dtype: expected uint8 or float32, got int32"):
-        mw.parallel_env(config, dtype="int32")
+
+
+@pytest.mark.parametrize("name", ["O", "TO", "SDB"])
+def test_named_inputs_are_those_of_the_world(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    mask: Any = {"action_mask": "right-of-way"}
+    env, twin = mw.make(config, observation="named", **mask), mw.parallel_env(config, **mask)
+    seen, infos = env.reset(seed=3)
+    told = twin.reset(seed=3)[1]
+    rows = iter(random_actions(3, config.n_actions, config.max_steps, config.n_agents))
+    while env.agents:
+        inputs = twin.world.inputs()  # zeros for agents that are gone
+        for agent, observed in seen.items():
+            np.testing.assert_array_equal(observed, inputs[twin.possible_agents.index(agent)])
+            assert env.observation_space(agent).contains(observed)
+        np.testing.assert_equal(infos, told)
+        row = next(rows)
+        seen, *_, infos = env.step(by_name(env, row))
+        told = twin.step(by_name(twin, row))[-1]
+    turns = mw.aec_env(config, observation="named", flatten=True)
+    turns.reset(seed=3)
+    for agent in turns.agent_iter(40):
+        inputs = turns.unwrapped.world.inputs()[turns.possible_agents.index(agent)]
+        np.testing.assert_array_equal(turns.observe(agent), inputs.ravel())
+        ended = turns.terminations[agent] or turns.truncations[agent]
+        turns.step(None if ended else 1)
+
+
+def test_spaces_of_named_inputs_have_their_bounds() -> None:
+    space = mw.parallel_env("O", observation="named").observation_space("evader_0")
+    assert (space.shape, space.low.max()) == ((5, len(mw.INPUTS)), 0)
+    most = dict.fromkeys(mw.INPUTS, 1.0) | dict.fromkeys(("pressure", "crowd"), np.inf)
+    most |= dict.fromkeys(("adversary", "unclaimed", "open_side", "teammate"), 2.0)
+    np.testing.assert_array_equal(space.high, [list(most.values())] * 5)
 
 
 def test_options() -> None:

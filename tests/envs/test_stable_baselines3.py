@@ -20,10 +20,12 @@ def test_a_missing_library_is_named_with_its_extra(monkeypatch: pytest.MonkeyPat
         vec_env("O", **WORLD)
 
 
-def test_stable_baselines3_gets_the_agents_of_a_vector_environment() -> None:
+@pytest.mark.parametrize("observation", ["views", "named"])
+def test_stable_baselines3_gets_the_agents_of_a_vector_environment(observation: str) -> None:
     pytest.importorskip("stable_baselines3")
-    envs = vec_env("O", n_worlds=3, **WORLD)
-    settings = {"autoreset_mode": "SameStep", "dtype": "float32", "flatten": True, **WORLD}
+    world = {"observation": observation, **WORLD}
+    envs = vec_env("O", n_worlds=3, **world)
+    settings = {"autoreset_mode": "SameStep", "dtype": "float32", "flatten": True, **world}
     twin = mw.AgentVectorEnv(mw.VectorEnv("O", 3, evaders="clumsy-fleer", **settings))
     envs.seed(5)
     np.testing.assert_array_equal(envs.reset(), twin.reset(seed=5)[0])

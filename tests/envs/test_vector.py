@@ -27,12 +27,15 @@ def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
 
 @pytest.mark.parametrize("mode", AutoresetMode)
 @pytest.mark.parametrize("name", ["SDB", "TO"])
-def test_its_arrays_are_those_of_a_batch(name: str, mode: AutoresetMode) -> None:
-    env = make(name, state=True, autoreset_mode=mode)
+@pytest.mark.parametrize(("observation", "seen"), [("views", "views"), ("named", "inputs")])
+def test_its_arrays_are_those_of_a_batch(
+    name: str, mode: AutoresetMode, observation: Any, seen: str
+) -> None:
+    env = make(name, state=True, autoreset_mode=mode, observation=observation)
     specs = mw.array_specs(env.config) | mw.episode_specs(env.config)
     written = {key: np.zeros((4, *shape), dtype) for key, (shape, dtype) in specs.items()}
     batch = mw.Batch(4, env.config, autoreset=mw.Autoreset[mode.name], buffers=written)
-    final = "final_views" if mode is AutoresetMode.SAME_STEP else "views"
+    final = f"final_{seen}" if mode is AutoresetMode.SAME_STEP else seen
     renamed = {"step": "steps", "episode_number": "episode", "final_obs": final}
     renamed |= {"_final_obs": "ended", "_episode": "ended"}
     env.reset(seed=5)
@@ -40,7 +43,7 @@ def test_its_arrays_are_those_of_a_batch(name: str, mode: AutoresetMode) -> None
     for actions in random_actions(1, 5, 20, 4, env.config.n_agents):
         *results, infos = env.step(actions)
         batch.step(actions)
-        expected = [written[key] for key in ("views", "rewards", "terminations", "truncations")]
+        expected = [written[key] for key in (seen, "rewards", "terminations", "truncations")]
         np.testing.assert_equal(results, expected)
         for key, told in infos.pop("episode").items():
             np.testing.assert_array_equal(told, written[f"episode_{key}"])
@@ -128,9 +131,11 @@ def test_make_vec(variant: str) -> None:
 
 
 @pytest.mark.parametrize("team", [None, "pursuer"])
-@pytest.mark.parametrize("flatten", [False, True])
-def test_spaces_are_those_that_gymnasium_would_make(team: str | None, flatten: bool) -> None:
-    worlds = make(flatten=flatten, dtype="float32", autoreset_mode="SameStep")
+@pytest.mark.parametrize("given", [{}, {"flatten": True}, {"observation": "named"}])
+def test_spaces_are_those_that_gymnasium_would_make(
+    team: str | None, given: dict[str, Any]
+) -> None:
+    worlds = make(**given, dtype="float32", autoreset_mode="SameStep")
     env: Any = mw.AgentVectorEnv(worlds, team) if team else worlds
     for kind in ("observation_space", "action_space"):
         whole, single = getattr(env, kind), getattr(env, f"single_{kind}")

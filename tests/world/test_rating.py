@@ -1,5 +1,6 @@
 """Named inputs and the policies that rate moves by them, against slow versions in Python."""
 
+import copy
 import warnings
 from collections.abc import Iterator
 from typing import Any
@@ -203,3 +204,31 @@ def test_solved_worlds_take_ratings() -> None:
         weights = np.ones(counts.genome_size, np.float32)
         with pytest.raises(ValueError, match="^rating: expected one that decides by what it sees"):
             expected_payoff(config, mw.Population(weights, counts), "random")
+
+
+def test_policies_play_wherever_teams_play() -> None:
+    """Recorded, in batches, as the team of an environment, and as copies."""
+    config = config_of("O")
+    rating = mw.Rating.for_config(config, hidden=(3,), mask="right-of-way")
+    program = mw.Program.for_config(config, length=9)
+    first = mw.Population(rating.initial(np.random.default_rng(1)), rating)
+    second = mw.Population(program.genome("room - pressure * crowd"), program)
+    for policy in (rating, program):
+        policy.core  # noqa: B018  # is not copied
+        again = copy.deepcopy(policy)
+        assert again == policy
+        assert hash(again) == hash(policy)
+    episode = mw.record(config, first, second, seed=3)
+    played = mw.rollout(config, first, second, mw.Matches.of(0, 0, 3))
+    assert episode.length == played.length[0, 0]
+    batch = mw.Batch(2, config)
+    batch.reset(np.uint64([3, 3]))
+    chosen = np.zeros((2, config.n_agents), np.int64)
+    batch.decide([first], [0, 0], range(config.n_pursuers), chosen)
+    batch.decide([second], [0, 0], range(config.n_pursuers, config.n_agents), chosen)
+    np.testing.assert_array_equal(chosen, [episode.actions[0]] * 2)
+    env = mw.parallel_env(config, evaders=second)
+    env.reset(seed=3)
+    rewards = env.step({agent: int(episode.actions[0, i]) for i, agent in enumerate(env.agents)})[1]
+    for i, agent in enumerate(rewards):
+        assert rewards[agent] == episode.rewards[0, i]

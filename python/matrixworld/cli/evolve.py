@@ -18,6 +18,7 @@ from matrixworld._util.files import LockedError, save_json
 from matrixworld.analysis.judgement import summary
 from matrixworld.cli import cluster, console, options, pages, setting_options
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs, storage
+from matrixworld.coevolution.evaluation.explanation import sentence_of
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.groups import RunGroup, grouped
 from matrixworld.coevolution.race import ALL_SCHEDULES, Against
@@ -399,6 +400,10 @@ def report(
         )
         rows = [(g.name, *(f"{g.held_out(team).mean():.2f}" for team in TEAMS)) for g in of_pursuit]
         console.print_table([("", "pursuers", "evaders"), *rows], "<>>")
+    for group in of_pursuit:
+        if words := [said for team in TEAMS if (said := sentence_of(group.runs[0], team))]:
+            console.print_head(f"What evolved: {group.name}, seed {group.seeds[0]}")
+            console.print_wrapped("\n".join(words))
     for path, problem in failed.items():
         console.print_wrapped(f"Failed: {path}: {problem}")
     for why, typed in _hints(finished, root) if finished else ():

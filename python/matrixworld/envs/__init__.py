@@ -12,6 +12,9 @@ variant, too. ``gymnasium.make`` makes a `matrixworld.AgentEnv`, the world of on
 obstacles. Cells outside the grid are obstacles. The agent itself is not drawn; a teammate on its cell is.
 An agent that is gone observes zeros. ``state()`` is the whole world in the same channels, ``(3, rows, cols)``.
 
+With ``observation="named"`` an agent observes the named inputs of each move instead, ``(moves, inputs)``
+float32, in the order of `matrixworld.INPUTS`. Functions that play a built-in team see views all the same.
+
 ## Actions
 
 0 stay, 1 north, 2 east, 3 south, 4 west; with ``diagonal=True`` also 5 north-east, 6 south-east,

@@ -1,4 +1,4 @@
-"""A team that an environment plays itself, as in ``parallel_env("O", evaders="fleer")``.
+"""What environments share: observations, and a team that they play, as in ``evaders="fleer"``.
 
 Of several opponents each episode draws one by its seed and number.
 """
@@ -7,17 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
+from gymnasium import spaces
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_choice, check_sequence, check_shape
+from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.policies import GenomePolicy, check_fits
 from matrixworld.solver import solve
-from matrixworld.world.arrays import integers
+from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import ActionMasks, check_script
@@ -35,6 +36,15 @@ function from observations of n living agents, uint8 (n, 3, fov, fov), to action
 
 Opponents: TypeAlias = "Opponent | Iterable[Opponent]"
 """One or several of them; each episode draws one."""
+
+Observation: TypeAlias = Literal["views", "named"]
+"""What agents observe: their views, or the named inputs of their moves."""
+
+# The array that agents observe, and its dtypes, of which the first is the default.
+_OBSERVED: dict[Any, tuple[str, tuple[type[np.generic], ...]]] = {
+    "views": ("views", (np.uint8, np.float32)),
+    "named": ("inputs", (np.float32,)),
+}
 
 FIRST: dict[Any, tuple[str, Opponents]] = {
     "pursuer": ("evaders", "clumsy-fleer"),
@@ -178,18 +188,12 @@ def with_opponent(team: Team | None, opponent: Opponents | None, settings: Any) 
     return {name: usual if opponent is None else opponent, **settings}
 
 
-def checked_dtype(dtype: DTypeLike) -> np.dtype[Any]:
-    """Return the dtype of observations; ValueError if it is another one."""
-    found = np.dtype(dtype)
-    if found not in (np.uint8, np.float32):
-        raise ValueError(f"dtype: expected uint8 or float32, got {found}")
-    return found
-
-
 class PlaysTeam:
     """What environments of one world and of many share: settings, and a team that they play."""
 
     _team: BuiltInTeam | None = None
+    _observed: str  # the array of `array_specs` that agents observe
+    _space: spaces.Box  # of one agent's observation
 
     def _set_up(
         self, config: Any, changes: Any, action_mask: bool | str, mode: str | None, *modes: str
@@ -200,6 +204,23 @@ class PlaysTeam:
         self._masks = ActionMasks(action_mask, self.config)
         self.render_mode = mode
         self.metadata: dict[str, Any] = {"render_modes": list(modes), "render_fps": 10}
+
+    def _choose_observation(
+        self, observation: Observation, dtype: DTypeLike | None, flatten: bool
+    ) -> None:
+        """Set the array and the space of observations."""
+        check_choice("observation", observation, _OBSERVED)
+        self._observed, dtypes = _OBSERVED[observation]
+        found: np.dtype[Any] = np.dtype(dtypes[0] if dtype is None else dtype)
+        if found not in dtypes:
+            expected = " or ".join(each.__name__ for each in dtypes)
+            with_it = f"with observation={observation!r}"
+            raise ValueError(f"dtype: expected {expected} {with_it}, got {found}")
+        (_, *shape), _ = array_specs(self.config)[self._observed]
+        most = [bound or np.inf for *_, bound in _core.inputs()] if observation == "named" else 1
+        high = np.full(shape, most, found)
+        flat = check_bool("flatten", flatten)
+        self._space = spaces.Box(0, high.ravel() if flat else high, dtype=found.type)
 
     @property
     def opponents(self) -> tuple[Plays, ...]:

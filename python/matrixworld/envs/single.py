@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 import warnings
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import replace
 from typing import Any
 
@@ -20,9 +20,9 @@ from typing_extensions import Unpack
 from matrixworld._util import checks
 from matrixworld.envs.opponents import (
     BuiltInTeam,
+    Observation,
     Opponents,
     PlaysTeam,
-    checked_dtype,
     one_team,
     with_opponent,
 )
@@ -42,13 +42,14 @@ class EnvSettings(WorldSettings, total=False):
     record: bool
     action_mask: bool | str
     max_cycles: int | None
-    dtype: DTypeLike
+    observation: Observation
+    dtype: DTypeLike | None
     flatten: bool
     pursuers: Opponents | None
     evaders: Opponents | None
 
 
-View = NDArray[Any]
+Seen = NDArray[Any]
 Info = dict[str, Any]
 
 RENDER_MODES = ("human", "rgb_array", "ansi")
@@ -110,7 +111,8 @@ class MatrixWorldBase(PlaysTeam):
         record: bool = False,
         action_mask: bool | str = False,
         max_cycles: int | None = None,
-        dtype: DTypeLike = np.uint8,
+        observation: Observation = "views",
+        dtype: DTypeLike | None = None,
         flatten: bool = False,
         pursuers: Opponents | None = None,
         evaders: Opponents | None = None,
@@ -119,6 +121,8 @@ class MatrixWorldBase(PlaysTeam):
         checks.check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
         limited = with_limit("max_cycles", max_cycles, changes)
         self._set_up(config, limited, action_mask, render_mode, *RENDER_MODES)
+        self._choose_observation(observation, dtype, flatten)
+        self._read = {self._observed, *["views"] * self._masks.given}
         self.world = World(self.config)
         variant = variant_name(self.config.rules).lower() or "custom"
         self.metadata |= {"name": f"pursuit_evasion_{variant}_v0", "is_parallelizable": True}
@@ -131,13 +135,8 @@ class MatrixWorldBase(PlaysTeam):
         self.agents: list[str] = []
         kept = checks.check_bool("record", record) or render_mode is not None
         self._drawing = Drawing(self.world, render_mode) if kept else None
-        view = (3, self.config.fov, self.config.fov)
-        self._dtype = checked_dtype(dtype)
-        self._shape = (math.prod(view),) if checks.check_bool("flatten", flatten) else view
         self.observation_spaces: dict[str, spaces.Box] = {
-            name: spaces.Box(
-                0, 1, self._shape, self._dtype.type
-            )  # not shared: each has a generator of its own
+            name: copy(self._space)  # not shared: each has a generator of its own
             for name in self.possible_agents
         }
         self.action_spaces: dict[str, spaces.Discrete] = {
@@ -151,7 +150,7 @@ class MatrixWorldBase(PlaysTeam):
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view.
 
-        With `flatten` and `dtype` it has another shape and dtype.
+        `observation`, `flatten` and `dtype` change bounds, shape and dtype.
         """
         checks.check_choice("agent", agent, self._index)
         return self.observation_spaces[agent]
@@ -177,17 +176,15 @@ class MatrixWorldBase(PlaysTeam):
         """The last step for all agents at once, in arrays in which an agent keeps its index."""
         return Status(self.world)
 
-    def _observations(self, views: NDArray[np.uint8]) -> View:
-        """Return what all agents see, views (A, 3, fov, fov), in the form of the spaces."""
-        return views.reshape(len(views), *self._shape).astype(self._dtype, copy=False)
-
-    def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[Info]:
-        """Return the info of each agent, by what the agents see now."""
-        infos = status.infos()
+    def _observe(self, status: Status) -> tuple[Seen, list[Info]]:
+        """Return what all agents observe now, in the form of the spaces, and their infos."""
+        moment, infos = self.world.read(*self._read), status.infos()
         if self._masks.given:
-            for info, mask in zip(infos, self._masks.of(views), strict=True):
+            for info, mask in zip(infos, self._masks.of(moment["views"]), strict=True):
                 info["action_mask"] = mask
-        return infos
+        shape = len(infos), *self._space.shape
+        seen = moment[self._observed].reshape(shape).astype(self._space.dtype, copy=False)
+        return seen, infos
 
     def _by_agent(self, agents: list[str], values: Any) -> dict[str, Any]:
         return {agent: values[self._index[agent]] for agent in agents}
@@ -248,7 +245,7 @@ class MatrixWorldBase(PlaysTeam):
         return self._drawing.episode()
 
 
-class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type: ignore[misc]
+class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type: ignore[misc]
     """Environment of PettingZoo's parallel API: all agents act at once.
 
     Where the rules take turns, a step plays a round with actions that were chosen before it.
@@ -270,10 +267,13 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         their masks, too (`fov` at least 5). The default is False.
     max_cycles : int, optional
         Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
+    observation : {"views", "named"}, optional
+        What agents observe: views (the default), or the named inputs of each move, ``(moves,
+        inputs)`` in the order of `INPUTS`.
     dtype : dtype, optional
-        Dtype of the observations, uint8 (the default) or float32.
+        Dtype of the observations: of views uint8 (the default) or float32, of named inputs float32.
     flatten : bool, optional
-        Whether observations are ``(3 * fov * fov,)`` instead of ``(3, fov, fov)``.
+        Whether each observation has one axis, such as ``(3 * fov * fov,)``.
     pursuers, evaders : Opponents, optional
         What plays for one of the teams, see `matrixworld.envs.opponents`: one of several is drawn
         for each episode. Its agents are not in `possible_agents`. By default the caller plays both.
@@ -301,7 +301,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
 
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
-    ) -> tuple[dict[str, View], dict[str, Info]]:
+    ) -> tuple[dict[str, Seen], dict[str, Info]]:
         """Start an episode, and return observations and infos by the name of the agent.
 
         Without a seed the next episode of the present seed starts; the first one is drawn from the
@@ -309,14 +309,13 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         others are ignored with a warning. If it is refused, the environment stays as it was.
         """
         self._reset_world(seed, options)
-        views = self.world.views()
-        infos, seen = self._infos(self.status, views), self._observations(views)
+        seen, infos = self._observe(self.status)
         return self._by_agent(self.agents, seen), self._by_agent(self.agents, infos)
 
     def step(
         self, actions: Mapping[str, Any]
     ) -> tuple[
-        dict[str, View], dict[str, float], dict[str, bool], dict[str, bool], dict[str, Info]
+        dict[str, Seen], dict[str, float], dict[str, bool], dict[str, bool], dict[str, Info]
     ]:
         """Play a round; `actions` are those of `agents`, by name.
 
@@ -334,12 +333,13 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         self._decide(self._actions, range(self.config.n_agents))
         self.world.step(self._actions)
         self._note_round()
-        status, views = Status(self.world), self.world.views()
-        observations = self._by_agent(acting, self._observations(views))
+        status = Status(self.world)
+        seen, told = self._observe(status)
+        observations = self._by_agent(acting, seen)
         rewards = self._by_agent(acting, status.rewards.tolist())
         terminations = self._by_agent(acting, status.terminations.tolist())
         truncations = self._by_agent(acting, status.truncations.tolist())
-        infos = self._by_agent(acting, self._infos(status, views))
+        infos = self._by_agent(acting, told)
         # All that acted get their last results; agents that ended leave only now.
         self.agents: list[str] = [a for a in acting if not (terminations[a] or truncations[a])]
         return observations, rewards, terminations, truncations, infos
@@ -360,7 +360,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
             self._choose(agent, actions[agent])
 
 
-class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[misc]
+class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, Seen, int]):  # type: ignore[misc]
     """An environment in which one agent acts after the other, with arguments of `parallel_env`.
 
     Actions are collected until all agents of a turn have chosen; then the turn is played.
@@ -390,7 +390,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self._skip_agent_selection: str | None = None
         self._play_until_actors()
 
-    def observe(self, agent: str) -> View:
+    def observe(self, agent: str) -> Seen:
         """Return what an agent sees after the last played turn, as in its observation space."""
         checks.check_choice("agent", agent, self._index)
         return np.array(self._seen[self._index[agent]])
@@ -446,11 +446,10 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         status = self.status
         for earlier in ended:
             status.add_collisions(earlier)
-        views = self.world.views()
-        self._seen = self._observations(views)
+        self._seen, infos = self._observe(status)
         self.terminations |= self._by_agent(self.agents, status.terminations.tolist())
         self.truncations |= self._by_agent(self.agents, status.truncations.tolist())
-        self.infos |= self._by_agent(self.agents, self._infos(status, views))
+        self.infos |= self._by_agent(self.agents, infos)
 
     def _living_actors(self) -> list[str]:
         if self.world.terminated:
@@ -551,14 +550,14 @@ class AgentEnv(gymnasium.Env[Any, Any]):
 
     def reset(
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
-    ) -> tuple[View, dict[str, Any]]:
+    ) -> tuple[Seen, dict[str, Any]]:
         """Start an episode and return observation and info; see `MatrixWorldParallel.reset`."""
         observations, infos = self.env.reset(seed, options)
         super().reset(seed=None if seed is None else int(seed))
         self._mates.draw(0, self.env.world.seed, self.env.world.episode)
         return observations[self.agent], infos[self.agent]
 
-    def step(self, action: int) -> tuple[View, float, bool, bool, dict[str, Any]]:
+    def step(self, action: int) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
         """Play a round; return observation, reward, terminated, truncated and info of the agent."""
         env = self.env
         if self.agent not in env.agents:

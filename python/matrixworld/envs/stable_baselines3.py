@@ -94,6 +94,7 @@ def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settin
 def policy(model: Any, deterministic: bool = False) -> Callable[[NDArray[Any]], NDArray[Any]]:
     """Return a trained `model` as a function of observations (n, 3, fov, fov), which gives (n,).
 
+    It is a model that learned on views, not on named inputs.
     `matrixworld.score_policy` scores it, and environments take it as an opponent. `deterministic`
     takes the most probable action instead of a drawn one.
     """

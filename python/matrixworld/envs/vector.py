@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from copy import copy as copy_of
 from enum import Enum
 from inspect import signature
 from typing import Any, TypeVar, cast
@@ -18,9 +19,9 @@ from matrixworld._core import Autoreset
 from matrixworld._util import checks
 from matrixworld.envs.opponents import (
     BuiltInWorlds,
+    Observation,
     Opponents,
     PlaysTeam,
-    checked_dtype,
     one_team,
     with_opponent,
 )
@@ -63,8 +64,8 @@ AGENT_KEYS = (
 
 # Arrays that infos leave out: `reset` and `step` return them, or infos have them in another form.
 _NOT_IN_INFOS = {
-    *("rewards", "terminations", "truncations", "views", "last_positions"),
-    *("ended", "final_views", *EPISODE_KEYS.values()),
+    *("rewards", "terminations", "truncations", "views", "inputs", "last_positions"),
+    *("ended", "final_views", "final_inputs", *EPISODE_KEYS.values()),
 }
 # Gymnasium has its own meaning for ``infos["episode"]``.
 _RENAMED = {"steps": "step", "episode": "episode_number"}
@@ -86,10 +87,9 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         What happens after the end of an episode, as for `Batch`. With ``NextStep`` (the default)
         the next step starts another episode, with ``SameStep`` the last step does, whose last
         observations are in ``infos["final_obs"]``. ``Disabled`` waits for a reset of that world.
-    dtype : dtype, optional
-        Dtype of the observations, uint8 (the default) or float32.
-    flatten : bool, optional
-        Whether observations are ``(W, A, 3 * fov * fov)`` instead of ``(W, A, 3, fov, fov)``.
+    observation, dtype, flatten : optional
+        As for `parallel_env`: observations are ``(W, A, 3, fov, fov)``, ``(W, A, moves, inputs)``,
+        or flat, ``(W, A, n)``.
     state : bool, optional
         Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``.
     action_mask : bool or str, optional
@@ -139,6 +139,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     observation_space: spaces.Space[NDArray[Any]]
     action_space: spaces.Space[NDArray[Any]]
     _team: BuiltInWorlds | None
+    _views: NDArray[Any]  # only with masks
 
     def __init__(
         self,
@@ -147,7 +148,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         *,
         copy: bool = True,
         autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
-        dtype: DTypeLike = np.uint8,
+        observation: Observation = "views",
+        dtype: DTypeLike | None = None,
         flatten: bool = False,
         state: bool = False,
         action_mask: bool | str = False,
@@ -159,6 +161,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
         self._set_up(config, changes, action_mask, render_mode, "rgb_array")
+        self._choose_observation(observation, dtype, flatten)
         self.num_envs: int = checks.check_integer("n_worlds", n_worlds, 1)
         given = getattr(autoreset_mode, "value", autoreset_mode)
         checks.check_choice("autoreset_mode", given, [each.value for each in AutoresetMode])
@@ -166,12 +169,13 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         self.metadata["autoreset_mode"] = mode
         self.copy: bool = checks.check_bool("copy", copy)
         built_in = one_team(pursuers, evaders)
-        left_out = {"inputs", "final_inputs"}
-        left_out |= set() if checks.check_bool("state", state) else {"state"}
+        asked = {self._observed, *["state"] * checks.check_bool("state", state)}
         waits = mode is not AutoresetMode.SAME_STEP
-        if waits:  # the observations stay those of the episode's end for one step
-            left_out.add("final_views")
-        kept = _make_buffers(self.config, self.num_envs, dtype, left_out)
+        if not waits:  # else the observations stay those of the episode's end for one step
+            asked.add(f"final_{self._observed}")
+        if self._masks.given or built_in is not None:  # functions that play see views
+            asked.add("views")
+        kept = _make_buffers(self.config, self.num_envs, asked, self._observed, self._space.dtype)
         reset = Autoreset[mode.name]
         self._batch = Batch(
             self.num_envs, self.config, threads=threads, autoreset=reset, buffers=kept
@@ -180,24 +184,22 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         everyone = range(self.config.n_agents)
         self.agents: range = everyone if self._team is None else self._team.learners
         mine = _of_agents(kept, self.agents)
-        self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
-        shape = self._views.shape
-        seen = (*shape[:2], -1) if checks.check_bool("flatten", flatten) else shape
-        self.observations: NDArray[Any] = self._views.reshape(seen)
+        shape = self.n_worlds, len(self.agents), *self._space.shape
+        self.observations: NDArray[Any] = mine[self._observed].reshape(shape)
         self.rewards: NDArray[np.float32] = mine["rewards"]
         self.terminations: NDArray[np.bool_] = mine["terminations"]
         self.truncations: NDArray[np.bool_] = mine["truncations"]
-        self.infos: dict[str, Any] = _make_infos(mine, self.observations)
+        self.infos: dict[str, Any] = _make_infos(mine, self.observations, self._observed)
         if self._team is not None:
             self.infos["opponent"] = self._team.chosen
             self.infos["episode"]["opponent"] = self._team.last
         if self._masks.given:
+            self._views = mine["views"]
             self.infos["action_mask"] = self._masks.of(self._views, self.agents.start)
-        shape, dtype = self.observations.shape, self.observations.dtype
         n_actions = self.config.n_actions
-        self.single_observation_space = _views_box(shape[1:], dtype)
-        self.observation_space = _views_box(shape, dtype)
+        self.single_observation_space = _widened(self._space, shape[1:])
+        self.observation_space = _widened(self._space, shape)
         self.single_action_space = spaces.MultiDiscrete([n_actions] * len(self.agents))
         self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
         self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, len(self.agents)), np.int64)
@@ -417,10 +419,9 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         self.num_envs: int = worlds.n_worlds * len(self._agents)
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode
-        seen = worlds.observations
-        n_actions = worlds.config.n_actions
-        self.single_observation_space = _views_box(seen.shape[2:], seen.dtype)
-        self.observation_space = _views_box((self.num_envs, *seen.shape[2:]), seen.dtype)
+        n_actions, one = worlds.config.n_actions, worlds._space
+        self.single_observation_space = copy_of(one)
+        self.observation_space = _widened(one, (self.num_envs, *one.shape))
         self.single_action_space = spaces.Discrete(n_actions)
         self.action_space = _widened(spaces.MultiDiscrete([n_actions]), (self.num_envs,))
 
@@ -491,8 +492,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
 
     def action_masks(self) -> NDArray[np.bool_]:
         """Return which actions are allowed now, bool (W * n, n_actions), as `AgentEnv` does."""
-        worlds = self.worlds
-        return self._flat(worlds._masks.of(worlds._views, worlds.agents.start)) > 0
+        masks = self.worlds.infos.get("action_mask")
+        if masks is None:
+            return np.ones((self.num_envs, self.worlds.config.n_actions), np.bool_)
+        return self._flat(masks) > 0
 
     def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
         """Return `spec`, `render_mode` or the result of `render` of each sub-environment."""
@@ -521,28 +524,25 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
             self.worlds.close(**kwargs)
 
 
-def _views_box(shape: tuple[int, ...], dtype: np.dtype[Any]) -> spaces.Box:
-    return cast("spaces.Box", _widened(spaces.Box(0, 1, (1,), dtype.type), shape))
-
-
 def _widened(space: spaces.Space[Any], shape: tuple[int, ...]) -> Any:
-    """Widen a space of one number to a shape; its bounds are views of it, not large arrays."""
-    bounds = {name: part for name, part in vars(space).items() if isinstance(part, np.ndarray)}
-    for name, bound in bounds.items():
-        setattr(space, name, np.broadcast_to(bound[0], shape))
-    space._shape = shape
-    return space
+    """Return a space with more leading axes; its bounds are views of the given, no large arrays."""
+    wide = copy_of(space)
+    for name, part in vars(space).items():
+        if isinstance(part, np.ndarray):
+            setattr(wide, name, np.broadcast_to(part, shape))
+    wide._shape = shape
+    return wide
 
 
 def _make_buffers(
-    config: WorldConfig, n_worlds: int, dtype: DTypeLike, left_out: set[str]
+    config: WorldConfig, n_worlds: int, asked: set[str], observed: str, dtype: DTypeLike
 ) -> dict[str, NDArray[Any]]:
-    """Return an array of zeros for each output of a batch that is not left out."""
-    views = checked_dtype(dtype)
+    """Return an array of zeros for each output of a batch; of large ones, those asked for."""
     specs = arrays.array_specs(config) | arrays.episode_specs(config)
+    left_out = {*arrays.LARGE, "final_views", "final_inputs"} - asked
     chosen: arrays.Specs = {
-        name: (shape, views if name.endswith("views") else dtype)
-        for name, (shape, dtype) in specs.items()
+        name: (shape, dtype if name.endswith(observed) else usual)
+        for name, (shape, usual) in specs.items()
         if name not in left_out
     }
     return arrays.new_arrays(chosen, n_worlds)
@@ -557,7 +557,9 @@ def _of_agents(buffers: dict[str, NDArray[Any]], agents: range) -> dict[str, NDA
     }
 
 
-def _make_infos(buffers: dict[str, NDArray[Any]], observations: NDArray[Any]) -> dict[str, Any]:
+def _make_infos(
+    buffers: dict[str, NDArray[Any]], observations: NDArray[Any], observed: str
+) -> dict[str, Any]:
     """Return the infos of a vector environment: its buffers under the names of `VectorEnv`."""
     infos: dict[str, Any] = {
         _RENAMED.get(name, name): array
@@ -566,7 +568,7 @@ def _make_infos(buffers: dict[str, NDArray[Any]], observations: NDArray[Any]) ->
     }
     infos |= {f"cost_{kind}": buffers["fault"][..., k] for k, kind in enumerate(COLLISION_KINDS)}
     # Without an array of its own, the end of an episode is what the observations show then.
-    final = buffers.get("final_views")
+    final = buffers.get(f"final_{observed}")
     infos["final_obs"] = observations if final is None else final.reshape(observations.shape)
     infos["episode"] = {key: buffers[name] for key, name in EPISODE_KEYS.items()}
     return infos | dict.fromkeys(("_final_obs", "_episode"), buffers["ended"])

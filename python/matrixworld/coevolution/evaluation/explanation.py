@@ -318,14 +318,20 @@ def _by_program(matches: _Matches) -> dict[str, Any]:
 
 
 def sentence_of(run: SavedRun, team: Team) -> str:
-    """Return in a sentence what the last generation of a team does, if it rates moves; else ""."""
+    """Return in a sentence what the last generation of a team does, if it rates moves; else "".
+
+    Behind it the rating itself, if it is a program.
+    """
     if run.settings.game or run.settings.policy.kind == "cells":
         return ""
     policy, world = run.policy(team, seed=0), run.pursuit.world
     assert isinstance(policy, RatingPolicy)
     matches = _Matches(policy, team, world, opponents_in(run, team, world)[0], 0, 0, {}, silent)
     terms = terms_of(policy, _inputs_seen(matches))
-    return sentence(team, {term.input: term.effect for term in terms})
+    told = sentence(team, {term.input: term.effect for term in terms})
+    shape: Any = policy.policy
+    code = f" rating = {shape.expression(policy.genome)}" if shape.kind == "program" else ""
+    return told + code
 
 
 def _by_inputs(matches: _Matches, *, costs: bool) -> dict[str, Any]:

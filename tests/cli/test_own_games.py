@@ -1,0 +1,93 @@
+"""Commands on races of a game of your own, races that go on, and policies that one can read."""
+
+import importlib
+import sys
+from pathlib import Path
+
+import pytest
+
+from command_line import RACE, evolved, matrixworld_command, words
+from matrixworld.coevolution import open_run
+
+GAME = """
+import numpy as np
+from matrixworld.coevolution import Game
+
+SCALE = 1.0
+
+def beats(a, b, rng):
+    return 0.5 + np.tanh(SCALE * (a - b).mean(1)) / 2
+
+def show(a, b):
+    return f"{a.mean():.3f} meets {b.mean():.3f}"
+
+numbers = Game(beats, 3, ("hosts", "parasites"), deterministic=True, show=show)
+"""
+SHORT = {"generations": 7, "joint_epochs": 2, "population": 6}
+TYPED = ("--game", "numbers_game:numbers", "--schedule", "hall-of-fame", *words(SHORT))
+
+
+@pytest.fixture
+def game(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Write the game of a module into the current directory."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(str(tmp_path))
+    sys.modules.pop("numbers_game", None)
+    Path("numbers_game.py").write_text(GAME)
+    return Path("numbers_game.py")
+
+
+def changed(game: Path, old: str, new: str) -> None:
+    game.write_text(game.read_text().replace(old, new))
+    importlib.invalidate_caches()
+    sys.modules.pop("numbers_game", None)
+
+
+def test_a_game_of_your_own_is_raced_judged_and_shown(game: Path) -> None:
+    told = evolved("--out", "out", *TYPED).stdout
+    assert "hosts" in told
+    assert "pursuer" not in told + matrixworld_command("judge", "--explain", "out").stdout
+    archive = open_run("out/hall-of-fame/seed-0").archive()
+    first, last = (archive[team] for team in ("hosts", "parasites"))
+    shown = matrixworld_command("replay", "out", "--pursuer", "3", "--evader", "-1").stdout
+    assert shown == f"{first[3].mean():.3f} meets {last[-1].mean():.3f}\n"
+    refused = matrixworld_command("score", "out", code=2).stderr
+    assert "expected a run of pursuers and evaders, got one of the game numbers_game" in refused
+    for option in (("--rows", 5), ("--set", "policy.hidden=4"), ("--set", "train_steps=5")):
+        refused = evolved("--out", "other", *TYPED, *option, code=2).stderr
+        assert "expected no value in a game of your own (numbers_game:numbers)" in refused
+
+
+def test_a_changed_game_goes_on_by_force_only(game: Path) -> None:
+    evolved("--out", "out", *TYPED)
+    changed(game, "SCALE = 1.0", "SCALE = 2.0")
+    config = Path("out/hall-of-fame/seed-0/config.json")
+    before = config.read_bytes()
+    longer = ("--resume", "out", "--generations", 8)
+    assert "expected the source of the game as it was" in evolved(*longer, code=2).stderr
+    assert config.read_bytes() == before
+    # Others tell it.
+    assert "source of the game as it was" in matrixworld_command("replay", "out").stderr
+    evolved(*longer, "--force")
+    assert open_run(config.parent).payoff().matrix.shape == (9, 9)
+    changed(game, "beats, 3,", "beats, 4,")
+    refused = evolved("--resume", "out", "--generations", 9, "--force", code=2).stderr
+    assert "expected a game with genes (3, 3), got (4, 4)" in refused
+    game.unlink()
+    sys.modules.pop("numbers_game", None)
+    assert "numbers_game:numbers: expected a module" in matrixworld_command(
+        "replay", "out", code=2
+    ).stderr  # fmt: skip
+
+
+def test_what_rates_moves_ends_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    others = ("hidden", "pursuer_epochs", "evader_epochs")
+    race = {name: value for name, value in RACE.items() if name not in others}
+    one = ("--schedule", "hall-of-fame", "--set", "schedule.joint_epochs=2")
+    told = evolved("--out", "out", *words(race), *one, "--set", "policy=rating").stdout
+    assert "What evolved: hall-of-fame, seed 5" in told
+    assert "  A pursuer " in told
+    assert "  An evader " in told
+    program = ("--set", "policy=program", "--learner", "gp")
+    assert "rating = " in evolved("--out", "programs", *words(race), *one, *program).stdout
