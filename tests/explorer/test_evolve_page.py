@@ -4,10 +4,12 @@ import time
 import webbrowser
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from browser import LAPTOP, PHONE, Browser
 from command_line import matrixworld_command
+from matrixworld import Matches, Population, Rating, WorldConfig, rollout
 from matrixworld.explorer.evolve_page import PAGE, evolve_page
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -83,6 +85,30 @@ def test_a_race_evolves_is_changed_and_plays_its_matches(browser: Browser, page:
     assert browser.js(f"{world}.obstacles[5]") == "###........."  # those of the link
     assert "walls=27.28.29.60.61.62" in browser.js("location.hash")
     assert browser.errors() == []
+
+
+@pytest.mark.nightly
+def test_weights_can_be_dragged(browser: Browser, page: Path) -> None:
+    """Without weights all allowed moves are equally good, in Python as on the page."""
+    opened(browser, page, "#population=8&steps=30&pursuers=2&evaders=2&seed=3&ratings=1", LAPTOP)
+    browser.click(".evolve")
+    browser.wait(f"{STATE} === 'ended'", 120)
+    told = "document.querySelector('.weights-card [role=status]').textContent"
+    evolved = browser.js(told)
+    assert evolved.endswith("% are caught")
+    browser.driver.execute_script(
+        "for (const bar of document.querySelectorAll('.weights-card input')) {"
+        " bar.value = 0; bar.dispatchEvent(new Event('input')); }"
+    )
+    world = WorldConfig.from_json(browser.js("matrixworldEvolve.lanes[0].settings.world"))
+    policy = Rating.for_config(world)
+    team = Population(np.zeros(policy.genome_size, np.float32), policy)
+    rate = rollout(world, team, team, Matches.of(0, 0, [3]), episodes=20).capture_rate.mean()
+    both = f"Yours: {int(100 * rate + 0.5)} % are caught; as evolved: {evolved.split(' are')[0]}"
+    assert browser.js(told) == both
+    browser.driver.execute_script("document.querySelector('.weights-card button').click()")
+    assert browser.js(told) == evolved
+    assert browser.violations() == browser.errors() == []
 
 
 @pytest.mark.slow

@@ -47,6 +47,7 @@ RACES: dict[str, dict[str, Any]] = {
     "ga": {"schedule": "generalist-specialist", "learner": "ga", "policy.hidden": [], **TURNS},
     "mask": {"schedule": "specialist-specialist", "policy.mask": "right-of-way", **TURNS},
     "mask without hidden layers": {"policy.mask": "right-of-way", "policy.hidden": [], **TURNS},
+    "weights of named inputs": {"policy": "rating", **TURNS},
     "es, both at once": {**HALL, "policy.hidden": []},
     "ga, both at once": {**HALL, "learner": "ga", "policy.hidden": [4]},
     "many at once": {**HALL, "learner.population": 160, "policy.hidden": []},
@@ -118,6 +119,7 @@ SAVED: dict[str, list[dict[str, Any]]] = {
     "in another world": [{"policy.hidden": [4]}, {"world.obstacles": MAP, "world.n_pursuers": 3}],
     "with other eyes": [{"world.fov": 7}, {"world.fov": 5, "policy.mask": "right-of-way"}],
     "without a mask": [{"policy.mask": "right-of-way", "policy.hidden": [4]}, {"world.fov": 3}],
+    "weights of named inputs": [{"policy": "rating"}, {"policy": "rating", "world.fov": 7}],
     "with another schedule": [
         {"learner": "ga"},
         {**HALL, "learner": "ga", "learner.population": 8, "train_steps": 9},

@@ -59,13 +59,20 @@ def masks_of(config: WorldConfig) -> dict[str, Any]:
 
 
 def evolve_data() -> dict[str, Any]:
-    """Return what a page needs: races by learner and schedule, and masks of both teams."""
+    """Return what a page needs: races by learner and schedule, another policy, and masks."""
     races = {
         learner: {schedule: race_of(schedule, learner).to_json() for schedule in SCHEDULES}
         for learner in LEARNERS
     }
     masks = masks_of(race_of(next(iter(SCHEDULES))).world)
-    return {"version": __version__, "format": FORMAT, "races": races, "masks": masks}
+    ratings = RaceSettings.of(policy="rating").to_json()["policy"]
+    return {
+        "version": __version__,
+        "format": FORMAT,
+        "races": races,
+        "ratings": ratings,
+        "masks": masks,
+    }
 
 
 def evolve_page(title: str = "Evolve a chase - matrixworld") -> str:

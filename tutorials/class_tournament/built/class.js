@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources df0f86e0e579dcc33668b87c31fcc85d09f279d1dacb699db8c256464f01bb09 */
+/* built from web/ by "npm run build"; sources 18212a87bab2ead02d0563eb6b7a7037da6ec0b21e04ed788176253486f69c96 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,wn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

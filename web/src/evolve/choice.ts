@@ -11,6 +11,8 @@ export interface Choice extends Readonly<Record<"seed" | "pursuers" | "evaders" 
   /** The schedule of a second race beside it; null for none. */
   readonly beside: string | null;
   readonly learner: LearnerName;
+  /** Whether a genome has weights of named inputs; otherwise it is a network over cells. */
+  readonly ratings: boolean;
   /** Whether agents have right of way, so that none is ever at fault. */
   readonly way: boolean;
   /** Candidates of an epoch; 0 for the usual number. */
@@ -32,7 +34,7 @@ export function usualChoice(data: EvolveData): Choice {
   const first = Object.values(data.races.es).find((race) => scheduleOf(race) === "generalist-generalist")!;
   const { n_pursuers, n_evaders, fov, max_steps } = first.world;
   return {
-    schedule: scheduleOf(first), beside: null, learner: "es", seed: first.seed, way: false, population: 0,
+    schedule: scheduleOf(first), beside: null, learner: "es", ratings: false, seed: first.seed, way: false, population: 0,
     pursuers: n_pursuers, evaders: n_evaders, view: fov, steps: max_steps, walls: [],
   };
 }
@@ -50,7 +52,8 @@ export function settingsOf(data: EvolveData, choice: Choice, schedule = choice.s
   };
   return {
     ...base, world, train_steps: choice.steps, seed: choice.seed,
-    policy: { ...base.policy, mask: choice.way ? "right-of-way" : "none" },
+    policy: choice.ratings ? { ...data.ratings, mask: choice.way ? "right-of-way" : "obstacles" }
+      : { ...base.policy, mask: choice.way ? "right-of-way" : "none" } as RaceSettings["policy"],
     learner: { ...base.learner, population: choice.population || base.learner.population },
   };
 }
@@ -71,8 +74,8 @@ export function whyNotPlayed({ walls, pursuers, evaders }: Choice, { rows, cols 
 
 /** Return the part of an address that holds a choice. */
 export function linkOf(choice: Choice): string {
-  const { walls, way, beside, ...rest } = choice;
-  const parts = { ...rest, ...(beside ? { beside } : {}), ...(way ? { way: 1 } : {}), ...(walls.length ? { walls: walls.join(".") } : {}) };
+  const { walls, way, ratings, beside, ...rest } = choice;
+  const parts = { ...rest, ...(beside ? { beside } : {}), ...(way ? { way: 1 } : {}), ...(ratings ? { ratings: 1 } : {}), ...(walls.length ? { walls: walls.join(".") } : {}) };
   return Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&");
 }
 
@@ -91,7 +94,7 @@ export function choiceOf(data: EvolveData, hash: string): Choice {
   const way = parts.get("way") === "1";
   const choice = {
     schedule: schedule("schedule") ?? usual.schedule, beside: schedule("beside"),
-    learner: parts.get("learner") === "ga" ? "ga" : usual.learner,
+    learner: parts.get("learner") === "ga" ? "ga" : usual.learner, ratings: parts.get("ratings") === "1",
     seed: number("seed", (value) => value <= MOST_SEED),
     pursuers: number("pursuers", (value) => value >= 1 && value <= MOST_AGENTS),
     evaders: number("evaders", (value) => value >= 1 && value <= MOST_AGENTS),

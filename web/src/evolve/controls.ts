@@ -28,6 +28,7 @@ export function controls(ask: Ask): { now: HTMLElement; anew: HTMLElement; show:
   const population = select([[0, "usual"], ...POPULATIONS.map((size): Option => [size, String(size)])], (value) => ask({ population: Number(value) }));
   const steps = select(STEPS.map((count) => [count, String(count)]), (value) => ask({ steps: Number(value) }));
   const learner = select([["es", "evolution strategy"], ["ga", "genetic algorithm"]], (value) => ask({ learner: value as "es" }, true));
+  const policy = select([["", "a network over the cells of its view"], ["1", "weights of named inputs"]], (value) => ask({ ratings: value === "1" }, true));
   const seed = html("input", { type: "number", min: 0, max: MOST_SEED, step: 1, inputmode: "numeric" });
   seed.addEventListener("change", () => ask({ seed: Math.min(MOST_SEED, Math.max(0, Math.round(Number(seed.value)) || 0)) }, true));
   const another = html("button", { type: "button", onclick: () => ask({ seed: Math.floor(Math.random() * 1000) }, true) }, "Another seed");
@@ -45,10 +46,12 @@ export function controls(ask: Ask): { now: HTMLElement; anew: HTMLElement; show:
     anew: card("Begin anew",
       field("Side by side with", "a second race of the same seed", beside, "wide"),
       field("Learner", "how a team learns", learner, "half"),
+      field("What evolves", "what an agent decides by", policy, "half"),
       field("Seed", "the luck of the race", html("span", { class: "seed" }, seed, another), "half")),
     show: (choice) => {
       [schedule.value, beside.value, view.value, learner.value] = [choice.schedule, choice.beside ?? "", String(choice.view), choice.learner];
       [population.value, steps.value, seed.value, way.checked] = [String(choice.population), String(choice.steps), String(choice.seed), choice.way];
+      policy.value = choice.ratings ? "1" : "";
       [pursuers.value, evaders.value] = [String(choice.pursuers), String(choice.evaders)];
     },
   };

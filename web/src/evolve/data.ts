@@ -3,7 +3,7 @@
 import { text } from "../explorer/data.ts";
 import type { Mask } from "./network.ts";
 import type { OfTeams } from "./race.ts";
-import type { RaceSettings } from "./settings.ts";
+import type { RaceSettings, Ratings } from "./settings.ts";
 
 export type LearnerName = "es" | "ga";
 
@@ -12,6 +12,8 @@ export interface EvolveData {
   readonly format: number;
   /** The settings with which the page begins, by learner and schedule. */
   readonly races: Readonly<Record<LearnerName, Readonly<Record<string, RaceSettings>>>>;
+  /** Policies that rate moves, instead of the networks of these races. */
+  readonly ratings: Ratings;
   readonly masks: OfTeams<Mask>;
 }
 

@@ -2,7 +2,7 @@
 
 import { keepGenomes } from "../explorer/data.ts";
 import type { Band, Curve, Findings, Payoff, Run, TeamData } from "../explorer/data.ts";
-import type { NetworkPolicy, WorldConfig } from "../engine/types.ts";
+import type { GenomePolicy, WorldConfig } from "../engine/types.ts";
 import { mean } from "./measures.ts";
 import { policyOf } from "./network.ts";
 import type { Mask } from "./network.ts";
@@ -68,8 +68,13 @@ export class GrowingRun implements Run {
   }
 
   /** Return what plays for a team: a generation in the present world. */
-  policy(team: Team, generation: number): NetworkPolicy {
-    return policyOf(shapeOf(this.#settings, this.#masks, team), this.genomes[team][generation]!);
+  policy(team: Team, generation: number): GenomePolicy {
+    return this.playing(team, this.genomes[team][generation]!);
+  }
+
+  /** Return the same with any genome. */
+  playing(team: Team, genome: Float32Array): GenomePolicy {
+    return policyOf(shapeOf(this.#settings, this.#masks, team), genome);
   }
 
   add(genomes: OfTeams<Float32Array>): void {

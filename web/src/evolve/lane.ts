@@ -7,6 +7,7 @@ import { MatrixPanel } from "../explorer/matrix.ts";
 import { Store } from "../explorer/store.ts";
 import { TakeOver } from "../explorer/take_over.ts";
 import { html } from "../page/dom.ts";
+import type { GenomePolicy } from "../engine/types.ts";
 import { Chase } from "./chase.ts";
 import type { EvolveData } from "./data.ts";
 import { scheduleName } from "./data.ts";
@@ -16,6 +17,7 @@ import { FIXED, Race } from "./race.ts";
 import type { Cell, OfTeams } from "./race.ts";
 import type { Finished } from "./save.ts";
 import { TEAMS } from "./settings.ts";
+import { Weights } from "./weights.ts";
 import type { RaceSettings } from "./settings.ts";
 import type { Order, Told } from "./worker.ts";
 
@@ -42,6 +44,7 @@ export class Lane extends EventTarget {
   readonly #room = html("div", { class: "lane-room", hidden: true });
   readonly #measures = html("section", { class: "card measures", hidden: true });
   readonly #dialogs = html("div");
+  readonly #weights: Weights;
   #run!: GrowingRun;
   #scores: OfTeams<(number | null)[]> = { pursuer: [], evader: [] };
   #cells = new Map<string, Cell>();
@@ -59,8 +62,9 @@ export class Lane extends EventTarget {
     this.newest = new Chase(() => this.#match(this.#run.newest));
     this.beginning = new Chase(() => this.#match(0));
     this.beginning.element.classList.add("beginning");
+    this.#weights = new Weights(engine, () => this.#renew(true));
     const boards = html("div", { class: "boards" }, this.newest.element, this.beginning.element);
-    this.element = html("section", { class: "lane" }, this.#title, this.#facts, boards, this.#room, this.#measures, this.#dialogs);
+    this.element = html("section", { class: "lane" }, this.#title, this.#facts, boards, this.#room, this.#weights.element, this.#measures, this.#dialogs);
     worker.onmessage = ({ data: told }: MessageEvent<Told>) => this.#hear(told);
     this.reset(settings);
   }
@@ -231,11 +235,12 @@ export class Lane extends EventTarget {
     this.beginning.title.textContent = "Pursuers of generation 0, newest evaders";
     for (const chase of [this.newest, this.beginning]) chase.generation = evader;
     for (const chase of [this.newest, this.beginning]) chase.label = `A match. ${chase.title.textContent}`;
-    const [pursuers, evaders] = [this.#run.policy("pursuer", pursuer), this.#run.policy("evader", evader)];
+    const [pursuers, evaders] = TEAMS.map((team) => this.#run.playing(team, team === "pursuer" && pursuer < evader ? this.#run.genomes.pursuer[pursuer]! : this.#weights.genome(team))) as [GenomePolicy, GenomePolicy];
     return this.#engine.match(world, pursuers, evaders, BigInt(seeds[pursuer]![evader]!), episode);
   }
 
   #renew(at_once: boolean): void {
+    this.#weights.show(this.#run);
     this.newest.renew(at_once);
     if (this.#run.newest > 0 || this.state !== "waiting") this.beginning.renew(at_once);
   }

@@ -1,17 +1,22 @@
-// The networks of a race and their genomes: layer by layer the weights (inputs, outputs), then the biases.
+// The policies of a race and their genomes: of networks layer by layer the weights (inputs, outputs), then the biases.
 
-import type { Activation, NetworkPolicy } from "../engine/types.ts";
+import type { Activation, GenomePolicy, RatingPolicy } from "../engine/types.ts";
 import type { Draws } from "./draws.ts";
+import type { RaceSettings } from "./settings.ts";
 
 /** Moves that a team's mask forbids: for each move the places (channel, down, right) of a view that forbid it. */
 export type Mask = readonly (readonly (readonly [channel: number, down: number, right: number])[])[];
 
-/** What a network looks like; the mask has units of its own. */
-export interface Shape {
+/** What a network over cells looks like; the mask has units of its own. */
+interface Cells {
+  readonly kind: "cells";
   readonly fov: number;
   readonly hidden: readonly number[];
   readonly mask: Mask | null;
 }
+
+/** A network, or what rates moves by a weighted sum of named inputs. */
+export type Shape = Cells | Omit<RatingPolicy, "genome">;
 
 /** Stay and four moves: the page has no worlds in which agents move diagonally. */
 const ACTIONS = 5;
@@ -24,9 +29,9 @@ const FORBIDDEN = -(2 ** 100);
 type Layer = Readonly<Record<"at" | "inputs" | "outputs", number>>;
 
 /** The hidden layers, with the units of the mask. */
-const hiddenOf = ({ hidden, mask }: Shape): number[] => hidden.map((size) => size + (mask ? MOVES : 0));
+const hiddenOf = ({ hidden, mask }: Cells): number[] => hidden.map((size) => size + (mask ? MOVES : 0));
 
-function layersOf(shape: Shape): Layer[] {
+function layersOf(shape: Cells): Layer[] {
   const sizes = [CHANNELS * shape.fov ** 2, ...hiddenOf(shape), ACTIONS];
   let at = 0;
   return sizes.slice(1).map((outputs, number) => {
@@ -37,16 +42,20 @@ function layersOf(shape: Shape): Layer[] {
 }
 
 export function genesOf(shape: Shape): number {
+  if (shape.kind === "rating") return shape.inputs.length;
   const { at, inputs, outputs } = layersOf(shape).at(-1)!;
   return at + (inputs + 1) * outputs;
 }
 
 /** Return genomes, one after the other, as what plays for a team. */
-export const policyOf = (shape: Shape, genome: Float32Array): NetworkPolicy =>
-  ({ kind: "cells", hidden: hiddenOf(shape), activation: "relu" satisfies Activation, sampled: true, memory: "none", genome });
+export const policyOf = (shape: Shape, genome: Float32Array): GenomePolicy => shape.kind === "rating" ? { ...shape, genome }
+  : ({ kind: "cells", hidden: hiddenOf(shape), activation: "relu" satisfies Activation, sampled: true, memory: "none", genome });
 
-/** Return a random genome; `weight` and `head` are the standard deviations in the hidden layers and the last one. */
-export function untrained(shape: Shape, draws: Draws, weight: number, head: number): Float32Array {
+/** Return a random genome: normal numbers, whose standard deviations the settings have. */
+export function untrained(shape: Shape, draws: Draws, policy: RaceSettings["policy"]): Float32Array {
+  const weight = policy.initial_weight;
+  if (shape.kind === "rating" || policy.kind === "rating") return draws.normals(genesOf(shape)).map((normal) => Math.fround(weight) * normal);
+  const head = policy.initial_head;
   const genome = new Float32Array(genesOf(shape));
   const layers = layersOf(shape);
   layers.forEach(({ at, inputs, outputs }, number) => {
@@ -64,6 +73,7 @@ export interface FixedGenes {
 
 /** Return the genes of the mask: a unit for each move that is active if the move is forbidden. */
 export function fixedOf(shape: Shape): FixedGenes | null {
+  if (shape.kind === "rating") return null;
   const { fov, mask } = shape;
   if (!mask) return null;
   const [fixed, values] = [new Uint8Array(genesOf(shape)), new Float32Array(genesOf(shape))];
@@ -101,6 +111,7 @@ export function masked(genome: Float32Array, genes: FixedGenes | null): Float32A
  * cells that it did not see before.
  */
 export function reshaped(genome: Float32Array, from: Shape, to: Shape): Float32Array {
+  if (from.kind === "rating" || to.kind === "rating") return genome; // their inputs are the same in any view
   const made = new Float32Array(genesOf(to));
   const [before, after] = [layersOf(from), layersOf(to)];
   const moved = Math.floor(to.fov / 2) - Math.floor(from.fov / 2);

@@ -54,9 +54,9 @@ const FIXED_PHASE = 8;
 /** Opponent of an epoch with several. */
 const SEVERAL = -1;
 
-/** Return the network of a team. */
-export const shapeOf = ({ world, policy }: RaceSettings, masks: OfTeams<Mask>, team: Team): Shape =>
-  ({ fov: world.fov, hidden: policy.hidden, mask: policy.mask === "none" ? null : masks[team] });
+/** Return what plays for a team, without a genome. */
+export const shapeOf = ({ world, policy }: RaceSettings, masks: OfTeams<Mask>, team: Team): Shape => policy.kind === "rating" ? policy
+  : ({ kind: "cells", fov: world.fov, hidden: policy.hidden, mask: policy.mask === "none" ? null : masks[team] });
 
 /** A race that is played step by step, and whose settings may change meanwhile. */
 export class Race {
@@ -79,10 +79,9 @@ export class Race {
   constructor(engine: Engine, settings: RaceSettings, masks: OfTeams<Mask>, source: Source = drawsOf(settings.seed)) {
     [this.#engine, this.settings, this.#masks, this.#source] = [engine, settings, masks, source];
     for (const team of TEAMS) {
-      const { initial_weight, initial_head } = settings.policy;
       const draws = source("initial", TEAMS.indexOf(team));
       const count = settings.learner.kind === "ga" ? settings.learner.population : 1;
-      const genomes = Array.from({ length: count }, () => untrained(this.shape(team), draws, initial_weight, initial_head));
+      const genomes = Array.from({ length: count }, () => untrained(this.shape(team), draws, settings.policy));
       this.#newLearner(team, genomes);
       this.archive[team].push(this.#learners[team].genome);
     }

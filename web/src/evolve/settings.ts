@@ -1,7 +1,7 @@
 // The settings of a race, as `matrixworld.coevolution.RaceSettings.to_json` writes them. A page's race
 // follows those that are named here; the others have the values that Python's page gives them.
 
-import type { WorldConfig } from "../engine/types.ts";
+import type { RatingPolicy, WorldConfig } from "../engine/types.ts";
 import type { LearnerSettings } from "./learners.ts";
 
 export type Team = "pursuer" | "evader";
@@ -25,14 +25,23 @@ interface Simultaneous extends AnySchedule, Readonly<Record<"joint_epochs" | "co
   readonly kind: "hall-of-fame";
 }
 
+/** Networks over the cells of a view. */
+interface Cells {
+  readonly kind: "cells";
+  readonly hidden: readonly number[];
+  readonly initial_weight: number;
+  readonly initial_head: number;
+  readonly mask: "none" | "right-of-way";
+}
+
+/** Policies that rate moves by a weighted sum of named inputs. */
+export interface Ratings extends Omit<RatingPolicy, "genome"> {
+  readonly initial_weight: number;
+}
+
 export interface RaceSettings {
   readonly world: WorldConfig;
-  readonly policy: {
-    readonly hidden: readonly number[];
-    readonly initial_weight: number;
-    readonly initial_head: number;
-    readonly mask: "none" | "right-of-way";
-  };
+  readonly policy: Cells | Ratings;
   readonly learner: LearnerSettings;
   readonly schedule: Alternating | Simultaneous;
   readonly train_steps: number;

@@ -1,4 +1,4 @@
-/* built from cpp/ and web/engine/ by web/build_engine.py; sources 3a03c518d1d1441c4a83d43e98cd628d865cb1ed52520810d38b9ed2adb91928 */
+/* built from cpp/ and web/engine/ by web/build_engine.py; sources 0973b0b8ab0d20beabff06661b2542ed9da97adc2fdc874260b7263a541f760a */
 var matrixworldEngine = (() => {
   var _scriptDir = typeof document !== 'undefined' && document.currentScript ? document.currentScript.src : undefined;
   
