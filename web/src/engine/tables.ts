@@ -77,8 +77,8 @@ export const SCRIPTS = {
 export const INPUTS = {
   "adversary": "distance to the nearest adversary (0 to 2, in half views)",
   "pressure": "sum over adversaries of 1 / (1 + moves)^2 (0 or more)",
-  "unclaimed": "distance to the nearest adversary to which no teammate is nearer than the agent; if there is none, to the nearest one (0 to 2, in half views)",
-  "open_side": "distance to the nearest cell beside an adversary without an obstacle and teammate (0 to 2, in half views)",
+  "unclaimed": "distance to the nearest adversary to which no teammate is nearer than the agent is now; without one, to the nearest adversary (0 to 2, in half views)",
+  "open_side": "distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 to 2, in half views)",
   "teammate": "distance to the nearest teammate (0 to 2, in half views)",
   "crowd": "sum over teammates of 1 / (1 + moves)^2 (0 or more)",
   "exits": "share of the cells around that are no obstacle (0 to 1)",
