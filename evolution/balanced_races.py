@@ -1,6 +1,6 @@
 """Are races of ratings in balanced worlds arms races? Ten seeds of three schedules in each world.
 
-    python evolution/balanced_races.py --threads 1   half an hour of one core
+    python evolution/balanced_races.py --threads 1   a quarter of an hour of one core
     python evolution/balanced_races.py --quick       two seeds of short races, some seconds
 
 The worlds are those with names, which `balance.py` has chosen. Policies rate moves by named inputs
@@ -35,7 +35,7 @@ RACE = {
 EPOCHS = {"schedule.pursuer_epochs": 20, "schedule.evader_epochs": 20, "schedule.joint_epochs": 10}
 """Epochs of a generation."""
 QUICK = {"schedule.generations": 8, "learner.population": 4, "evaluation_episodes": 4}
-WINDOWS = ("last half", "whole")
+WINDOWS = ("first half", "last half", "whole")
 SHOWN = ("arms race", "one-sided progress", "intransitivity", "forgetting", "disengagement")
 SEEDS = 10
 
@@ -84,11 +84,6 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     return numbers
 
 
-def counted(single: FloatArray) -> str:
-    """Return in how many of the races each of `SHOWN` is found."""
-    return " / ".join(map(str, single.sum(axis=0)))
-
-
 def table(numbers: Numbers) -> str:
     """Return what races are in each world, in Markdown."""
     rows = []
@@ -98,17 +93,21 @@ def table(numbers: Numbers) -> str:
             cells = [f"{numbers[f'{world}: {t} {scripts[t]}']:.3f} {scripts[t]}" for t in TEAMS]
             rows.append([f"{world}; best scripts", "", "", *cells, "", "", ""])
         for kind in (each for each in kinds_in(numbers) if each.startswith(f"{world}; ")):
-            told = ", ".join(numbers[f"found, last half in {kind}"]) or "cannot tell"
-            singles = [counted(numbers[f"single, {window} in {kind}"]) for window in WINDOWS]
+            told = [
+                ", ".join(numbers[f"found, {each} in {kind}"]) or "cannot tell" for each in WINDOWS
+            ]
+            single = np.array(
+                [numbers[f"single, {each} in {kind}"].sum(axis=0) for each in WINDOWS]
+            )
+            counts = [" / ".join(map(str, each)) for each in (single[:, 0], single[-1, 1:])]
             scores = [mean(numbers[f"{kind} / {team}"], 3) for team in TEAMS]
             count = str(len(numbers[f"{kind} / pursuer"]))
-            rows.append(
-                [kind, count, f"{numbers[f'matches of {kind}']:,}", *scores, told, *singles]
-            )
-    heads = ["races", "seeds", "matches", *(f"{team}s" for team in TEAMS)]
-    heads += ["found in the last half", *(f"in single races, {window}" for window in WINDOWS)]
-    told = f"In single races: {' / '.join(SHOWN)}."
-    return f"{told}\n\n{markdown(heads, rows)}\n\n{of_cells()}"
+            matches = f"{numbers[f'matches of {kind}']:,}"
+            rows.append([kind, count, matches, *scores, " / ".join(told), *counts])
+    windows = " / ".join(WINDOWS)
+    heads = ["races", "seeds", "matches", *(f"{team}s" for team in TEAMS), f"found: {windows}"]
+    heads += [f"arms races: {windows}", f"in single whole races: {' / '.join(SHOWN[1:])}"]
+    return f"{markdown(heads, rows)}\n\n{of_cells()}"
 
 
 def of_cells() -> str:

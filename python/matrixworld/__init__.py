@@ -10,7 +10,7 @@ policies, matches   `Network`, `Rating`, `Program`, `INPUTS`, `Population`, `SCR
                     `rollout`, `EpisodeStatistics`, `NetworkPolicy`, `score_policy`
 episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
-evolution           `evolve`, `open_runs`; packages `coevolution`, `analysis` and `plots`
+evolution           `Game`, `evolve`, `open_runs`; packages `coevolution`, `analysis`, `plots`
 ground truth        package `solver`
 ==================  ===============================================================================
 
