@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 18212a87bab2ead02d0563eb6b7a7037da6ec0b21e04ed788176253486f69c96 */
+/* built from web/ by "npm run build"; sources 4a3726b2d7a6d63b7844a3f1bc8a98cd5bcb6e3fd9fdbe8eb535f96cbace5e58 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,wn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

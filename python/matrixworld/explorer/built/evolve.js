@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 18212a87bab2ead02d0563eb6b7a7037da6ec0b21e04ed788176253486f69c96 */
+/* built from web/ by "npm run build"; sources 4a3726b2d7a6d63b7844a3f1bc8a98cd5bcb6e3fd9fdbe8eb535f96cbace5e58 */
 "use strict";(()=>{var zr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},nt={DISAPPEAR:0,REACH:1,BOUNCE:2},Br={OCCUPATION:0,SURROUND:1},Gr={FAULT:0,INVOLVED:1};var Dn=["obstacle","teammate","adversary"],Wn=["vertex","edge","chain"],Hr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],zn=["p\
 ursuer_{number}","evader_{number}"],jr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},rt={"both held":"both bounce","both doomed":"\

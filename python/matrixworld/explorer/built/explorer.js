@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 18212a87bab2ead02d0563eb6b7a7037da6ec0b21e04ed788176253486f69c96 */
+/* built from web/ by "npm run build"; sources 4a3726b2d7a6d63b7844a3f1bc8a98cd5bcb6e3fd9fdbe8eb535f96cbace5e58 */
 "use strict";(()=>{var ln={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Xe={DISAPPEAR:0,REACH:1,BOUNCE:2},cn={OCCUPATION:0,SURROUND:1},un={FAULT:0,INVOLVED:1};var mr=["obstacle","teammate","adversary"],pr=["vertex","edge","chain"],mn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],dr=["p\
 ursuer_{number}","evader_{number}"],pn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Qe={"both held":"both bounce","both doomed":"\
@@ -552,8 +552,8 @@ s`);return g},d=>{for(let h of H){let g=e.hover[h]??e.selected[h];Qr(d,g,`of-${h
 top,w=v=>Math.abs(h.y(o[v][f]??1/0)-y),b=w("pursuer")<=w("evader")?"pursuer":"evader";f>=0&&f<o[b].length&&e.select({[b]:f})});return Re(p.element,e,()=>t.payoff.
 shape),{element:ue("Ratings",`One number for each generation, which cycles do not fit${n.pursuer.low?", with 95 % intervals over episodes":""}. The game itself:\
  ${N(r.offset,0)} points for the ${m.pursuer}.`,en([m.pursuer,"of-pursuers"],[m.evader,"of-evaders"]),p.element),update:p.update}}function Al(t,e){let r=[0];for(let n of t)
-r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}function Ks(t,e){if(H.every(n=>!t.teams[n].words&&!Ot(t,n)))return null;let r=u("div",{class:"evolved"});return{element:ue("What evolved","Each move gets a rati\
-ng from these numbers of the cell that it leads to, and the best one is taken.",r),update:()=>r.replaceChildren(...H.map(n=>Tl(t,n,e.selected[n])))}}function Tl(t,e,r){
+r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}function Ks(t,e){if(H.every(n=>!t.teams[n].words&&!Ot(t,n)))return null;let r=u("div",{class:"evolved"});return{element:ue("What evolved","Each move is rated by\
+ named inputs of the cell that it leads to, and the best one is taken.",r),update:()=>r.replaceChildren(...H.map(n=>Tl(t,n,e.selected[n])))}}function Tl(t,e,r){
 let{words:n,kept:o}=t.teams[e],s=Fe(t,e,r),a=t.teams[e].script??U(t,e,r);return u("section",{"aria-label":k(t).teams[e]},u("h3",{class:e},ce(a)),n&&r===o.at(-1)?
 u("p",{},n):null,s?u("p",{class:"small muted"},s):El(e,Z(t,e,r),Pt(t,e,r)))}function El(t,e,r){if(typeof e=="string"||e.kind==="cells")return null;if(e.kind==="\
 program")return u("p",{},u("code",{},r));if(e.hidden.length)return u("p",{class:"small muted"},`A network with ${e.hidden.join(" and ")} hidden units rates each\
