@@ -16,7 +16,7 @@ export function evolvedPanel(run: Run, store: Store): Panel | null {
   if (TEAMS.every((team) => !run.teams[team].words && !ratesMoves(run, team))) return null;
   const place = html("div", { class: "evolved" });
   return {
-    element: card("What evolved", "Each move gets a rating from these numbers of the cell that it leads to, and the best one is taken.", place),
+    element: card("What evolved", "Each move is rated by named inputs of the cell that it leads to, and the best one is taken.", place),
     update: () => place.replaceChildren(...TEAMS.map((team) => ofTeam(run, team, store.selected[team]))),
   };
 }

@@ -552,8 +552,8 @@ s`);return g},d=>{for(let h of H){let g=e.hover[h]??e.selected[h];Qr(d,g,`of-${h
 top,w=v=>Math.abs(h.y(o[v][f]??1/0)-y),b=w("pursuer")<=w("evader")?"pursuer":"evader";f>=0&&f<o[b].length&&e.select({[b]:f})});return Re(p.element,e,()=>t.payoff.
 shape),{element:ue("Ratings",`One number for each generation, which cycles do not fit${n.pursuer.low?", with 95 % intervals over episodes":""}. The game itself:\
  ${N(r.offset,0)} points for the ${m.pursuer}.`,en([m.pursuer,"of-pursuers"],[m.evader,"of-evaders"]),p.element),update:p.update}}function Al(t,e){let r=[0];for(let n of t)
-r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}function Ks(t,e){if(H.every(n=>!t.teams[n].words&&!Ot(t,n)))return null;let r=u("div",{class:"evolved"});return{element:ue("What evolved","Each move gets a rati\
-ng from these numbers of the cell that it leads to, and the best one is taken.",r),update:()=>r.replaceChildren(...H.map(n=>Tl(t,n,e.selected[n])))}}function Tl(t,e,r){
+r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}function Ks(t,e){if(H.every(n=>!t.teams[n].words&&!Ot(t,n)))return null;let r=u("div",{class:"evolved"});return{element:ue("What evolved","Each move is rated by\
+ named inputs of the cell that it leads to, and the best one is taken.",r),update:()=>r.replaceChildren(...H.map(n=>Tl(t,n,e.selected[n])))}}function Tl(t,e,r){
 let{words:n,kept:o}=t.teams[e],s=Fe(t,e,r),a=t.teams[e].script??U(t,e,r);return u("section",{"aria-label":k(t).teams[e]},u("h3",{class:e},ce(a)),n&&r===o.at(-1)?
 u("p",{},n):null,s?u("p",{class:"small muted"},s):El(e,Z(t,e,r),Pt(t,e,r)))}function El(t,e,r){if(typeof e=="string"||e.kind==="cells")return null;if(e.kind==="\
 program")return u("p",{},u("code",{},r));if(e.hidden.length)return u("p",{class:"small muted"},`A network with ${e.hidden.join(" and ")} hidden units rates each\
