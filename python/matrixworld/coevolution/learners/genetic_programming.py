@@ -244,8 +244,4 @@ class GeneticProgramming(learner.Learner):
 
     def tell(self, state: State, results: learner.Results) -> State:
         """Make the candidates the population, with this fitness."""
-        before = {name: value for name, value in state.items() if name != "candidates"}
-        population = state["candidates"]
-        fitness = learner.checked_fitness(results.fitness, len(population))
-        champion = np.array(np.argmax(fitness))
-        return {**before, "population": population, "fitness": fitness, "champion": champion}
+        return learner.scored(state, results)

@@ -235,6 +235,15 @@ def fittest(fitness: FloatArray, k: int) -> Indices:
     return np.argsort(-fitness, kind="stable")[:k]
 
 
+def scored(state: State, results: Results) -> State:
+    """Return the state in which the candidates are the population, with this fitness."""
+    before = {name: value for name, value in state.items() if name != "candidates"}
+    population = state["candidates"]
+    fitness = checked_fitness(results.fitness, len(population))
+    champion = np.array(np.argmax(fitness))
+    return {**before, "population": population, "fitness": fitness, "champion": champion}
+
+
 def inside_bounds(state: State, genomes: Genomes) -> Genomes:
     """Return genomes clipped to the bounds that a state holds."""
     return np.clip(genomes, state["low"], state["high"]) if "low" in state else genomes
