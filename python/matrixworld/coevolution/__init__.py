@@ -24,7 +24,8 @@ from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
-from matrixworld.coevolution.game import Game, check_game
+from matrixworld.coevolution.game import Game as Game  # `matrixworld.Game`
+from matrixworld.coevolution.game import check_game
 from matrixworld.coevolution.groups import Comparison, RunGroup, compare, judge, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
 from matrixworld.coevolution.learners import (
@@ -59,7 +60,6 @@ __all__ = [
     "EvolutionStrategy",
     "FailedRunsError",
     "FitnessSettings",
-    "Game",
     "GeneticAlgorithm",
     "GeneticProgramming",
     "InTurns",

@@ -122,21 +122,21 @@ def episode_specs(config: WorldConfig) -> Specs:
 
     Letters and axes are those of `array_specs`.
 
-    =========================  ================  =======  ======================================
-    acted                      (A,)              bool     alive when the step began, in an
-                                                          episode that had not ended
-    ended                      ()                bool     whether the episode ended in this step
-    final_views                (A, 3, fov, fov)  uint8    views at the end of the episode
+    =========================  ==================  =======  ======================================
+    acted                      (A,)                bool     alive when the step began, in an
+                                                            episode that had not ended
+    ended                      ()                  bool     whether the episode ended in this step
+    final_views                (A, 3, fov, fov)    uint8    views at the end of the episode
     final_inputs               (A, moves, inputs)  float32  inputs at the end of the episode
-    episode_capture_rate       ()                float32  as in `EpisodeStatistics`
-    episode_ever_capture_rate  ()                float32  as in `EpisodeStatistics`
-    episode_length             ()                int32    steps
-    episode_return             (2,)              float64  rewards summed over team and steps
-    episode_survivors          (2,)              int32    agents alive at the end
-    episode_collisions         (2, 3)            int32    agent-steps in a collision
-    episode_faults             (2, 3)            int32    agent-steps at fault in a collision
-    episode_agent_steps        (2,)              int64    steps of agents alive as they began
-    =========================  ================  =======  ======================================
+    episode_capture_rate       ()                  float32  as in `EpisodeStatistics`
+    episode_ever_capture_rate  ()                  float32  as in `EpisodeStatistics`
+    episode_length             ()                  int32    steps
+    episode_return             (2,)                float64  rewards summed over team and steps
+    episode_survivors          (2,)                int32    agents alive at the end
+    episode_collisions         (2, 3)              int32    agent-steps in a collision
+    episode_faults             (2, 3)              int32    agent-steps at fault in a collision
+    episode_agent_steps        (2,)                int64    steps of agents alive as they began
+    =========================  ==================  =======  ======================================
 
     ``final_views``, ``final_inputs`` and the ``episode_...`` arrays are written when an episode
     ends, and stay until the next episode of that world ends.
