@@ -38,6 +38,7 @@ from time import process_time
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 import matrixworld as mw
 from common import SMALL_RACE, Numbers, Runs, by_seed, experiment, kept, markdown, mean, solved
@@ -277,12 +278,19 @@ def verdict(numbers: Numbers, place: str, team: Team) -> str:
     return "; ".join(always) or f"**none** (at most {most} of {seeds} seeds)"
 
 
+def spread(values: ArrayLike, digits: int = 3) -> str:
+    """Return the mean, and the least and the largest value, as text."""
+    ends = np.mean(values), np.min(values), np.max(values)
+    found, least, most = (f"{end:.{digits}f}" for end in ends)
+    return f"{found} ({least} to {most})"
+
+
 def row(numbers: Numbers, place: str, team: Team) -> list[str]:
     """Return a row of a table of results."""
     name, score = best_script(numbers, place, team)
-    of_kinds = (numbers[f"{place}: {kind} / {team}"] for kind in SHOWN)
-    results = [mean(each, bounds=(0.0, 1.0)) for each in of_kinds]
-    return [place, f"{score:.3f} {name}", *results, verdict(numbers, place, team)]
+    of_kinds = [numbers[f"{place}: {kind} / {team}"] for kind in SHOWN]
+    seeds, results = str(len(of_kinds[0])), map(spread, of_kinds)
+    return [place, seeds, f"{score:.3f} {name}", *results, verdict(numbers, place, team)]
 
 
 def places_in(numbers: Numbers) -> list[str]:
@@ -295,9 +303,8 @@ def table(numbers: Numbers) -> str:
     """Return scores, guarantees and costs as tables in Markdown."""
     places = places_in(numbers)
     variants = [place for place in places if place not in SOLVED]
-    heads = ["", "best script", *SHOWN, "beat the scripts in all seeds"]
-    seeds = len(numbers[f"{places[0]}: {RATING} / seconds"])
-    parts = [f"Means over {seeds} seeds of each kind [95 %, Student's t over the seeds]."]
+    heads = ["", "seeds", "best script", *SHOWN, "beat the scripts in all seeds"]
+    parts = ["Means over the seeds (least to most)."]
     for team in TEAMS:
         rows = [row(numbers, place, team) for place in variants]
         head = f"Held-out scores of {team}s in the default world of each variant"
@@ -323,11 +330,11 @@ def costs(numbers: Numbers, variants: list[str]) -> str:
     rows = []
     for kind in SHOWN:
         genes, matches, seconds = (
-            np.stack([numbers[f"{place}: {kind} / {name}"] for place in variants])
+            np.concatenate([numbers[f"{place}: {kind} / {name}"] for place in variants])
             for name in ("genes", "matches", "seconds")
         )
-        ends = f"{seconds.mean():.1f} ({seconds.min():.1f} to {seconds.max():.1f})"
-        rows.append([kind, f"{genes.mean():,.0f}", f"{matches.mean():,.0f}", ends])
+        sizes = f"{genes.mean():,.0f}", f"{matches.mean():,.0f}"
+        rows.append([kind, *sizes, spread(seconds, 1)])
     heads = ["", "genes (of programs: instructions)", "matches", "seconds (least to most)"]
     return markdown(heads, rows).replace("|  |", "| |", 1)
 
