@@ -158,13 +158,13 @@ def random_programs(settings: RaceSettings) -> dict[str, Any]:
     game = settings.training_game
     assert isinstance(game, Pursuit)
     teams = {t: np.stack([game.untrained(t, rng) for _ in range(RANDOM)]) for t in TEAMS}
-    half, matches = settings.schedule.training_matches(settings) // 2, 0
+    episodes, matches = settings.match_episodes, 0
+    half = settings.schedule.training_matches(settings) // episodes // 2
     for count, rounds in ((RANDOM, half // RANDOM), (BEST, half // BEST)):
         own = np.tile(np.arange(count), max(1, rounds))
         rivals = np.concatenate([rng.permutation(count) for _ in range(max(1, rounds))])
         seeds = rng.integers(2**63, size=len(own), dtype=np.uint64)
         sides = (mw.Population(teams[team], game.policy) for team in TEAMS)
-        episodes = settings.match_episodes
         played = mw.rollout(
             game.world, *sides, mw.Matches.of(own, rivals, seeds), episodes=episodes, threads=1
         )
