@@ -6,8 +6,8 @@
 Short hall-of-fame races of ratings without hidden layers in three worlds: with all inputs, and
 without one of them, in both teams. The *loss* of an input is the held-out score of the last
 generation with all inputs minus that without it, in races of the same seed. The episodes are the
-same for all. In another kind only three inputs are left: inputs stand in for each other, and that
-each of two costs nothing does not mean that both do.
+same for all. Inputs stand in for each other, and that each of two costs nothing does not mean that
+both do; so in one kind only three inputs are left, and in one several are left out together.
 
 Stated before the runs, of the mean loss over worlds and teams, one number of each seed, with its
 95 % interval over the seeds:
@@ -48,6 +48,9 @@ QUICK = {"schedule.generations": 2, "schedule.joint_epochs": 2}
 ALL, FEW = "all inputs", ("adversary", "teammate", "room")
 LEFT_OUT = {f"without {name}": name for name in mw.INPUTS}
 ONLY = f"only {' '.join(FEW)}"
+NOTHING_LOST = ("open_side", "crowd", "room", "stay")
+TOGETHER = f"without {' '.join(NOTHING_LOST)}"
+"""Added when the table of ten seeds said of each of these that it costs nothing."""
 EPISODES, NOTHING = 50, 0.02
 """Episodes against each held-out opponent; the loss below which an input costs nothing."""
 
@@ -55,8 +58,8 @@ EPISODES, NOTHING = 50, 0.02
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return the settings of races with all inputs, and without some, in each world."""
     chosen = {ALL: tuple(mw.INPUTS), ONLY: FEW}
-    for kind, left_out in LEFT_OUT.items():
-        chosen[kind] = tuple(name for name in mw.INPUTS if name != left_out)
+    for kind, *left_out in (*LEFT_OUT.items(), (TOGETHER, *NOTHING_LOST)):
+        chosen[kind] = tuple(name for name in mw.INPUTS if name not in left_out)
     found = {}
     for place, world in WORLDS.items():
         settings = {f"world.{name}": value for name, value in world.items()}
@@ -110,7 +113,7 @@ def table(numbers: Numbers) -> str:
     }
     heads = ["", "mean loss", "", *scores]
     rows = [[ALL, "", "", *(mean(each, bounds=(0.0, 1.0)) for each in scores.values())]]
-    for kind in (*LEFT_OUT, ONLY):
+    for kind in (*LEFT_OUT, TOGETHER, ONLY):
         loss = losses(numbers, kind)
         together = loss.mean(axis=(0, 1))
         each = [f"{value:+.3f}" for value in loss.mean(axis=2).ravel()]
