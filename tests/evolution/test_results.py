@@ -18,7 +18,6 @@ import common
 import convergence
 import ground_truth
 import hall_of_fame
-import inputs
 import interval_coverage as coverage
 import judgement_tables
 import learned_exploitability as learned
@@ -28,6 +27,7 @@ import paper_claims
 import paper_surrounding
 import policies
 import race_budgets
+import rating_inputs
 import safe_learning
 import scripted_pursuit
 import yoked_races
@@ -45,8 +45,8 @@ def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
 
 
 OF_A_TABLE = (
-    baselines, actor_critic_races, convergence, ground_truth, hall_of_fame, inputs, learned,
-    page_races, policies, map_races, race_budgets, safe_learning, yoked_races,
+    baselines, actor_critic_races, convergence, ground_truth, hall_of_fame, learned,
+    page_races, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES: dict[str, Callable[[Path], str]] = {
@@ -155,9 +155,9 @@ def game(team: str, values: list[float]) -> str:
         (beating, ("program", 0.6, 0.61, 0.7), "program"),
         (beating, ("rating", 0.6, 0.6, 0.7), "**none** (at most 1 of 2 seeds)"),
         (beating, ("rating", 0.995, 1.0, 1.0), "script perfect"),
-        (inputs.verdict, ([0.01, 0.02, 0.03],), "cannot tell"),
-        (inputs.verdict, ([0.02, 0.02, 0.03],), "counts"),
-        (inputs.verdict, ([-0.01, 0.0, 0.001],), "costs nothing"),
+        (rating_inputs.verdict, ([0.01, 0.02, 0.03],), "cannot tell"),
+        (rating_inputs.verdict, ([0.02, 0.02, 0.03],), "counts"),
+        (rating_inputs.verdict, ([-0.01, 0.0, 0.001],), "costs nothing"),
     ],
 )
 def test_verdicts(judge: Callable[..., str], given: tuple[Any, ...], verdict: str) -> None:

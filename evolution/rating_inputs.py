@@ -1,7 +1,7 @@
 """Which inputs do ratings need? Each one left out in turn, and everything learned anew.
 
-    python evolution/inputs.py             ten seeds of each, ten minutes of one core
-    python evolution/inputs.py --quick     small worlds and two seeds, some seconds
+    python evolution/rating_inputs.py             ten seeds of each, ten minutes of one core
+    python evolution/rating_inputs.py --quick     small worlds and two seeds, some seconds
 
 Short hall-of-fame races of ratings without hidden layers in three worlds: with all inputs, and
 without one of them, in both teams. The *loss* of an input is the held-out score of the last
