@@ -158,10 +158,12 @@ def experiment(
     root, results = (each / "quick" if args.quick else each for each in (args.runs, args.results))
 
     def finished(planned: Mapping[str, list[Any]]) -> dict[str, list[SavedRun]]:
+        # Seed by seed, so that what is finished at any time is a fair sample of the kinds.
         settings = {
-            f"{slug(kind)}/{seed}": each
+            f"{slug(kind)}/{seed}": of_kind[seed]
+            for seed in range(max(map(len, planned.values()), default=0))
             for kind, of_kind in planned.items()
-            for seed, each in enumerate(of_kind)
+            if seed < len(of_kind)
         }
         runs = finish_all(settings, root, play=play, threads=args.threads, where=args.cluster)
         return {

@@ -28,7 +28,9 @@ import matrixworld as mw
 import page_races
 import paper_claims
 import paper_surrounding
+import policies
 import race_budgets
+import rating_inputs
 import safe_learning
 import scripted_pursuit
 import yoked_races
@@ -47,7 +49,7 @@ def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
 
 OF_A_TABLE = (
     baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame, learned,
-    page_races, map_races, race_budgets, safe_learning, yoked_races,
+    page_races, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES: dict[str, Callable[[Path], str]] = {
@@ -116,6 +118,18 @@ def claim(values: list[float], side: str) -> str:
     return one.cell(only, p).split("**")[1]
 
 
+def beating(kind: str, best: float, *scores: float) -> str:
+    """Return what is said of programs of these scores, where ratings have none."""
+    numbers: dict[str, Any] = {
+        "scripts in O: pursuer": np.array(["chaser", "random"]),
+        "scores in O: pursuer": np.array([best, 0.1]),
+    }
+    for each in policies.READABLE:
+        of_kind = scores if each == kind else np.zeros(len(scores))
+        numbers[f"O: {each} / pursuer"] = np.array(of_kind)
+    return policies.verdict(numbers, "O", "pursuer")
+
+
 def game(team: str, values: list[float]) -> str:
     # The published interval is 0.8 +- 2.262 * 0.1 / sqrt(10) = 0.8 +- 0.072.
     one = baselines.Game("a game", team, "random", 0.8, 0.1)
@@ -147,6 +161,12 @@ def game(team: str, values: list[float]) -> str:
         (game, ("pursuer", [0.5, 0.95, 0.99]), "cannot tell"),
         (game, ("evader", [0.1, 0.11, 0.12]), "reached"),
         (game, ("evader", [0.97, 0.98, 0.99]), "not reached"),
+        (beating, ("program", 0.6, 0.61, 0.7), "program"),
+        (beating, ("rating", 0.6, 0.6, 0.7), "**none** (at most 1 of 2 seeds)"),
+        (beating, ("rating", 0.995, 1.0, 1.0), "script perfect"),
+        (rating_inputs.verdict, ([0.01, 0.02, 0.03],), "cannot tell"),
+        (rating_inputs.verdict, ([0.02, 0.02, 0.03],), "counts"),
+        (rating_inputs.verdict, ([-0.01, 0.0, 0.001],), "costs nothing"),
     ],
 )
 def test_verdicts(judge: Callable[..., str], given: tuple[Any, ...], verdict: str) -> None:

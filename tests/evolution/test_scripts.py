@@ -12,6 +12,7 @@ import common
 import deap_example
 import matrixworld as mw
 import memory
+import policies
 import readable
 from evolution_scripts import SCRIPTS, read, run_quickly
 from matrixworld import coevolution
@@ -175,3 +176,20 @@ def test_the_readable_example_evolves_programs_that_beat_untrained_ones() -> Non
         before, after = readable.play(team, [first, last], **rivals)
         assert after > before + 0.1
         assert len(last) <= readable.PROGRAM.length
+
+
+def test_random_programs_play_as_many_matches_as_a_race(monkeypatch):
+    settings = policies.kinds(True)["TO 4 x 4: program"]  # 32 episodes a match
+    monkeypatch.setattr(policies, "RANDOM", 10)
+    monkeypatch.setattr(policies, "BEST", 3)
+    found = policies.random_programs(settings)
+    race = settings.schedule.training_matches(settings)
+    assert 0.8 * race <= found["matches"] <= race
+    # Of ten random programs the best one is better than the middle one, exactly.
+    world, game = settings.world, settings.training_game
+    rng = np.random.default_rng(settings.seed)
+    for team in coevolution.TEAMS:
+        sign = 1 if team == "pursuer" else -1
+        every = [mw.Population(game.untrained(team, rng), game.policy) for _ in range(10)]
+        results = [sign * policies.result(world, team, each, 2) for each in every]
+        assert sign * found[team] > np.median(results)
