@@ -5,7 +5,7 @@
 
 Short hall-of-fame races in the default worlds of all nine variants, with about the same matches
 for all kinds: networks over *cells*, *ratings* without and with a hidden layer, and *programs*. The
-settings of a kind hold for all variants; they follow from a pilot of ten races with seed 0, other
+settings of a kind hold for all variants; they follow from pilots of fifteen races with seed 0, other
 budgets and fewer episodes, in O, S, SB and R. Beside them stand
 
 - the *scripts* that make sense for a team, and their careful versions; the best one counts;
