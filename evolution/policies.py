@@ -5,8 +5,8 @@
 
 Short hall-of-fame races in the default worlds of all nine variants, with about the same matches
 for all kinds: networks over *cells*, *ratings* without and with a hidden layer, and *programs*. The
-settings of a kind hold for all variants; they follow from pilots of fifteen races with seed 0, other
-budgets and fewer episodes, in O, S, SB and R. Beside them stand
+settings of a kind hold for all variants; they follow from pilots of fifteen races with seed 0,
+other budgets and fewer episodes, in O, S, SB and R. Beside them stand
 
 - the *scripts* that make sense for a team, and their careful versions; the best one counts;
 - the *best of 250 random programs* of each team. They play half of the matches of a race against
