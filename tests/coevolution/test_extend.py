@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from matrixworld.coevolution import RaceSettings, Run, open_run
+from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.run import lengthen
 from tiny_race import StopAt, alternating, played, playing, results, tiny_race, tiny_single
 
@@ -48,6 +49,20 @@ def test_a_longer_race_can_be_stopped_and_plays_new_cells_only(tmp_path: Path) -
     assert not open_run(path).finished
     playing(Run(path, threads=1), StopAt(5)).run()
     assert results(path) == results(tmp_path / "long")
+
+
+def test_scores_that_are_kept_are_those_of_the_last_generation(tmp_path: Path) -> None:
+    race = played(tiny_race(generations=1), tmp_path / "race")
+    [before] = kept_scores([race])
+    [after] = kept_scores([race.extend(2, threads=1)])
+    for team in ("pursuers", "evaders"):
+        assert before[team]["generations"] == [1]
+        assert after[team]["generations"] == [2]
+    assert kept_scores([race]) == [after]  # not played again
+    file = race.path / "scores.json"
+    written = file.stat().st_mtime_ns
+    kept_scores([open_run(race.path)])
+    assert file.stat().st_mtime_ns == written
 
 
 def test_races_that_cannot_become_longer(tmp_path: Path) -> None:

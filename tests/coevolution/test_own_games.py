@@ -282,6 +282,7 @@ def test_a_game_that_keeps_all_promises(game):
         ({"teams": ("cats", "cats")}, ValueError, "teams: expected two different words"),
         ({"teams": ("big cats", "mice")}, ValueError, "teams: expected two different words"),
         ({"bounds": ([0, 0], [1, 1])}, ValueError, "bounds: expected one value, or one for"),
+        ({"bounds": (1,)}, ValueError, "bounds: expected the least and the largest value"),
         ({"bounds": (1, 0)}, ValueError, "bounds: expected least < largest value"),
         ({"deterministic": 1}, TypeError, "deterministic: expected "),
         ({"show": "text"}, TypeError, "show: expected a function"),

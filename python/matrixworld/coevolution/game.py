@@ -137,6 +137,9 @@ class Game:
             raise ValueError(f"teams: expected two different words, got {self.teams!r}")
         checks.check_bool("deterministic", self.deterministic)
         if self.bounds is not None:
+            if len(checks.check_sequence("bounds", self.bounds, "numbers")) != 2:
+                expected = "the least and the largest value"
+                raise ValueError(f"bounds: expected {expected}, got {len(self.bounds)} values")
             low, high = (checks.check_floats("bounds", each, np.float32) for each in self.bounds)
             for each in (low, high):
                 if each.ndim and {each.shape} != {(size,) for size in sizes}:

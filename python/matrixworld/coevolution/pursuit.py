@@ -248,7 +248,7 @@ DEFAULT_WORLD, DEFAULT_POLICY = WorldConfig(), Cells()
 
 @dataclass(frozen=True, eq=False)
 class Pursuit(Game):
-    """Pursuit and evasion: episodes of a world, in which both teams have the same policy network.
+    """Pursuit and evasion: episodes of a world, in which both teams have policies of one shape.
 
     Parameters
     ----------
@@ -331,7 +331,7 @@ class Pursuit(Game):
             check_fits("opponents", team.policy, self.world)
 
     def check_start(self, population: Population) -> None:
-        """Raise ValueError if a genome to start from has another network."""
+        """Raise ValueError if a genome to start from has another policy."""
         if population.policy != self.policy:
             got = population.policy
             raise ValueError(f"start: expected a genome of {self.policy}, got {got}")

@@ -26,7 +26,7 @@ def other(team: Team) -> Team:
 
 
 Genome = NDArray[np.float32]
-"""What a member of a team is, such as the weights of its policy network, shape (genes,)."""
+"""What a member of a team is, such as the weights of its policy, shape (genes,)."""
 Genomes = NDArray[np.float32]
 """One genome a row, shape (n, genes)."""
 Seeds = NDArray[np.uint64]

@@ -460,7 +460,10 @@ def _kept(run: SavedRun) -> dict[str, Any] | None:
         kept = read_json(run.path / SCORES)
     except (FileNotFoundError, DamagedFileError):
         return None
-    return kept if kept.items() >= SCORED_BY.items() else None
+    # A race that has gone on has other last generations.
+    teams = {team: kept.get(f"{team}s", {}) for team in run.settings.learning_teams}
+    last = all(e.get("generations") == [run.generation(t, -1)] for t, e in teams.items())
+    return kept if last and kept.items() >= SCORED_BY.items() else None
 
 
 # Policies that learned elsewhere:
