@@ -222,8 +222,11 @@ def test_settings_that_a_game_has_not_are_refused():
     }.items():  # fmt: skip
         with pytest.raises(ValueError, match=f"^{name.partition('.')[0]}.*: expected no value in"):
             race(**{name: value})
-    with pytest.raises(ValueError, match="^learner: expected es, ga, cma or your own in a game"):
-        RaceSettings.of({"game": coins, "learner": "actor-critic"})
+    for learner in ("actor-critic", "gp"):
+        with pytest.raises(
+            ValueError, match="^learner: expected es, ga, cma or your own in a game"
+        ):
+            RaceSettings.of({"game": coins, "learner": learner})
 
 
 def changed(play=higher, genes=2, **fields):

@@ -113,6 +113,11 @@ class RaceSettings(Section):
 
     def _check_fits(self, path: str, learner: Learner) -> None:
         """Raise ValueError if a learner cannot learn here, or would change what a mask fixes."""
+        if self.game and not learner.any_game:
+            raise ValueError(
+                f"{path}: expected es, ga, cma or your own in a game of your own, got "
+                f"{learner.kind}"
+            )
         kind = None if self.game else self.policy.kind
         if kind and kind not in learner.policies:
             raise ValueError(

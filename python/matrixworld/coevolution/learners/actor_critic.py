@@ -242,6 +242,7 @@ class ActorCritic(learner.Learner):
 
     kind: ClassVar[str] = "actor-critic"
     policies: ClassVar[tuple[str, ...]] = ("cells",)
+    any_game: ClassVar[bool] = False
     ignores: ClassVar[tuple[str, ...]] = ("fitness", "policy.initial_weight")
     defaults: ClassVar[Mapping[str, Any]] = {
         "policy.hidden": (400, 300),
@@ -292,10 +293,7 @@ class ActorCritic(learner.Learner):
 
     def check_fits(self, path: str, game: Game) -> None:
         """Raise ValueError for networks with memory, or one critic for agents that take turns."""
-        if not isinstance(game, Pursuit):
-            raise ValueError(
-                f"{path}: expected es, ga, cma or your own in a game of your own, got {self.kind}"
-            )
+        assert isinstance(game, Pursuit)  # as its `any_game` says
         interaction, policy = game.world.rules.interaction, game.policy
         if self.central_critic and interaction is not Interaction.SIMULTANEOUS:
             # Each agent learns from the world before its own turn.

@@ -184,6 +184,7 @@ class GeneticProgramming(learner.Learner):
     kind: ClassVar[str] = "gp"
     ignores: ClassVar[tuple[str, ...]] = ()
     policies: ClassVar[tuple[str, ...]] = ("program",)
+    any_game: ClassVar[bool] = False
 
     population: int = by_race(48, "candidates per epoch", least=2)
     tournament: int = setting(4, "individuals in a tournament by fitness", least=1)

@@ -151,6 +151,8 @@ class Learner(Section):
     """Settings of a run, or sections of them, that have no effect with the learner."""
     policies: ClassVar[tuple[str, ...]] = ("cells", "rating")
     """Kinds of policies in pursuit whose genomes the learner improves."""
+    any_game: ClassVar[bool] = True
+    """Whether it improves any vectors, and so the genomes of a game of your own, too."""
     defaults: ClassVar[Mapping[str, Any]] = {}
     """Settings of a run that have other defaults with the learner, by their paths."""
     learning_time: ClassVar[float] = 1.0
