@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -25,6 +25,8 @@ from matrixworld.coevolution.evaluation.tournament import team_size
 from matrixworld.coevolution.groups import RunGroup, job_directory
 from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import find_runs
+from matrixworld.coevolution.types import Team
+from matrixworld.world.config import WorldConfig
 
 # Judgements:
 
@@ -190,9 +192,11 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
     metavar="NUMBER|all",
     help="which one, negative numbers from the last; all: means of every one  [default: the last]",
 )
+@click.option("--training-worlds", "trained", is_flag=True, help="in each world of training, too")
 @options.shared("episodes", "steps", "seed", "json", "force", "threads", "cluster")
 def score_command(
     runs: list[Path],
+    trained: bool,
     json_file: Path | None,
     force: bool,
     threads: int | None,
@@ -214,40 +218,61 @@ def score_command(
     options.check_outputs(json_file, force=force)
     with usage_errors():
         groups = options.finished_groups(runs, unfinished=True)
-        every = [run for group in groups for run in group.runs]
+        places = [(group, world) for group in groups for world in _worlds(group, trained)]
+        every = [(run, world) for group, world in places for run in group.runs]
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
             played = held_out.score_runs(
                 every, threads=threads, executor=executor, report=bar, **chosen
             )
     matches = sum(each.matches for of_run in played for each in of_run.values())
-    found = {}
-    for group in groups:
+    found: dict[str, Any] = {}
+    for group, world in places:
         of_runs = [played.pop(0) for _ in group.runs]
-        finished = f": {console.seeds_finished(group)}" if group.several else ""
-        console.print_head(f"{group.name}{finished}")
-        plain: dict[str, Any] = {
-            "seeds": list(group.seeds),
-            "missing": list(group.missing),
-            "held_out": held_out.HELD_OUT_VERSION,
-        }
-        for team, first in of_runs[0].items():
-            scores = [of_run[team] for of_run in of_runs]
-            console.say(held_out.score_table(scores))
-            if first.left_out:
-                console.print_wrapped(f"Left out: {first.left_out}.")
-            rows = range(len(first.generations))
-            by_seed = zip(group.seeds, scores, strict=True)
-            plain[f"{team}s"] = {
-                "generations": list(first.generations),
-                "estimates": plain_values([held_out.estimates_of(scores, row) for row in rows]),
-                "by_seed": {str(seed): each.to_json() for seed, each in by_seed},
+        if world is None:
+            finished = f": {console.seeds_finished(group)}" if group.several else ""
+            console.print_head(f"{group.name}{finished}")
+            found[group.name] = {
+                "seeds": list(group.seeds),
+                "missing": list(group.missing),
+                "held_out": held_out.HELD_OUT_VERSION,
+                **_print_scores(group, of_runs),
             }
-        console.print_missing(group)
-        found[group.name] = plain
+            console.print_missing(group)
+        else:
+            size = f"{world.rows} x {world.cols}, {world.n_pursuers} v {world.n_evaders}"
+            walls = ", with obstacles" if world.density or world.map is not None else ""
+            console.print_head(f"{group.name} in a world of training: {size}{walls}")
+            in_world = {"world": world.to_json(), **_print_scores(group, of_runs)}
+            found[group.name].setdefault("training_worlds", []).append(in_world)
     console.say()
     console.print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
     console.say(f"{matches:,} matches were played.")
     options.write_json(json_file, {"seed": chosen["seed"], "groups": found})
+
+
+def _worlds(group: RunGroup, trained: bool) -> list[WorldConfig | None]:
+    """Return the worlds in which the runs of a group are scored; None is their own."""
+    return [None, *(group.runs[0].settings.training_worlds if trained else ())]
+
+
+def _print_scores(
+    group: RunGroup, of_runs: Sequence[Mapping[Team, held_out.HeldOutScores]]
+) -> dict[str, Any]:
+    """Print the scores of the runs of a group, and return them as values of JSON by team."""
+    plain = {}
+    for team, first in of_runs[0].items():
+        scores = [of_run[team] for of_run in of_runs]
+        console.say(held_out.score_table(scores))
+        if first.left_out:
+            console.print_wrapped(f"Left out: {first.left_out}.")
+        rows = range(len(first.generations))
+        by_seed = zip(group.seeds, scores, strict=True)
+        plain[f"{team}s"] = {
+            "generations": list(first.generations),
+            "estimates": plain_values([held_out.estimates_of(scores, row) for row in rows]),
+            "by_seed": {str(seed): each.to_json() for seed, each in by_seed},
+        }
+    return plain
 
 
 # Tournaments:

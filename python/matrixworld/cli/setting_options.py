@@ -39,7 +39,13 @@ PATHS = {name: path for name in NAMES for path in paths_of(name)}
 """Options of their own, and the settings that they set."""
 AS_BEFORE = {"evader_learner", "schedule.evaders_meet"}
 """Settings that have the sections of the setting before them."""
-TYPES = {bool: "true|false", Ellipsis: "SIZES", int: "INTEGER", float: "NUMBER"}
+TYPES = {
+    bool: "true|false",
+    WorldConfig: "WORLDS",
+    Ellipsis: "SIZES",
+    int: "INTEGER",
+    float: "NUMBER",
+}
 """How the help names the value of a setting; any other one is a text."""
 OTHER_DEFAULTS = {
     "schedule=hall-of-fame": AtOnce().defaults,

@@ -329,9 +329,9 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
     }
     if any("fitness" in each.ignores for each in learners):  # views, for actor and critic
         assert isinstance(game, Pursuit)  # as these learners need
-        agents = max(game.world.n_pursuers, game.world.n_evaders)
-        steps = episodes * settings.train_steps * agents
-        needed["views"] = 4 * steps * CHANNELS * game.world.fov**2
+        worlds = settings.training_worlds or [replace(game.world, max_steps=settings.train_steps)]
+        steps = max(w.max_steps * max(w.n_pursuers, w.n_evaders) for w in worlds)
+        needed["views"] = 4 * episodes * steps * CHANNELS * game.world.fov**2
     return needed
 
 

@@ -98,6 +98,16 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
 sections.PLAIN[WorldConfig] = sections.Plain(_world, WORLD_HELP)
 
 
+def world_of(other: Any, usual: Mapping[str, Any]) -> WorldConfig:
+    """Return a world from what it has other than the `usual` fields, or from its name."""
+    if isinstance(other, WorldConfig):
+        return other
+    changes = {"kind": other} if isinstance(other, str) else other
+    if not isinstance(changes, Mapping):
+        raise TypeError(f"expected the fields of a world, got {checks.shown(other)}")
+    return _world({**usual, **WORLDS.get(changes.get("kind", ""), {}), **changes})
+
+
 def _mask(default: str, more: str = "") -> Any:
     return setting(
         default,

@@ -412,6 +412,7 @@ class AtOnce(OfGenerations):
         for team in TEAMS:
             run.update_sampler(team, generation, generation)
         for epoch in range(self.joint_epochs):
+            run.begin_epoch("pursuer", generation, epoch)
             populations = {team: run.ask(team, generation, epoch) for team in TEAMS}
             played = self._play(run, generation, epoch, populations)
             run.report(f"generation {generation}: both")

@@ -29,7 +29,7 @@ from matrixworld.coevolution.game import Game, Scores
 from matrixworld.coevolution.learners.learner import Learner, Results
 from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.progress import LOG, OnEpoch, Progress, Report, silent
-from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit
+from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit, WorldConfig
 from matrixworld.coevolution.race import Against, OfGenerations
 from matrixworld.coevolution.sections import PluginError, different_settings
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
@@ -276,6 +276,8 @@ class Run:
 
     def learn(self, stage: int) -> None:
         """Run one stage, as the kind of race says."""
+        if isinstance(self.settings.training_game, Pursuit):
+            self.play_in(self.settings.training_game.world)  # until an epoch draws another one
         self.settings.schedule.learn(self, stage)
 
     def evaluate(self) -> types.Payoff:
@@ -385,7 +387,14 @@ class Run:
         return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
 
     def begin_epoch(self, team: Team, generation: int, epoch: int) -> None:
-        """Prepare an epoch in which a team learns in turns; a subclass may change the world."""
+        """Draw the world of an epoch; where both teams learn at once, `team` is the first."""
+        if self.settings.training_worlds:
+            rng = self.generator(Purpose.WORLD, team, generation, epoch)
+            self.play_in(self.settings.drawn_world(rng))
+
+    def play_in(self, world: WorldConfig) -> None:
+        """Play the matches that follow in another world."""
+        self.game = replace(self.game, world=world)  # type: ignore[call-arg]  # of pursuit
 
     def ask(self, team: Team, generation: int, epoch: int) -> Genomes:
         """Return the candidates (n, genes) of a team."""

@@ -271,6 +271,8 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
                 value = PLAIN[hint].read(value)
         checks.check_instance(name, value, hint)
         return value
+    if get_origin(hint) is tuple and PLAIN.keys() & {*get_args(hint)}:
+        return checks.check_sequence(name, value, "mappings")  # read by `RaceSettings`
     if get_origin(hint) is tuple and str in get_args(hint):
         texts = checks.check_sequence(name, value, "texts")
         if not all(isinstance(text, str) for text in texts):
@@ -440,7 +442,12 @@ def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
             for name, each in value.to_json().items():
                 yield f"{here}.{name}", each, PLAIN[type(value)].help[name]
         else:
-            yield here, list(value) if isinstance(value, tuple) else value, text
+            yield here, [*map(_plain, value)] if isinstance(value, tuple) else value, text
+
+
+def _plain(value: Any) -> Any:
+    """Return a part of a value as JSON holds it."""
+    return value.to_json() if type(value) in PLAIN else value
 
 
 def values_of(section: Section) -> dict[str, Any]:

@@ -317,6 +317,7 @@ def score(
     episodes: int = EPISODES,
     steps: int | None = None,
     seed: int = SEED,
+    world: WorldConfig | None = None,
     threads: int | None = None,
     report: Report = silent,
     executor: Executor | None = None,
@@ -336,6 +337,8 @@ def score(
         Maximum steps of an episode. By default as in the run's evaluation.
     seed : int, optional
         Seed of the episodes, by default the same for all runs.
+    world : WorldConfig, optional
+        The world, by default that of the run: another size or map, other numbers of agents.
     threads, executor
         As in `tournament`.
     report : callable, optional
@@ -348,13 +351,13 @@ def score(
 
     Notes
     -----
-    The world is that of the run. A script that the run trained against is left out, and so are
+    A script that the run trained against is left out, and so are
     evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
     """
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)
     checks.check_threads(threads)
-    world = run.pursuit.world
+    world = world or run.pursuit.world
     world = world if steps is None else replace(world, max_steps=steps)
     sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
     return _scores(
@@ -422,11 +425,14 @@ def best_scripts(
 
 
 def score_runs(
-    runs: Sequence[SavedRun], *, report: Report = silent, **options: Any
+    runs: Sequence[tuple[SavedRun, WorldConfig | None]], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:
-    """Return the scores of several runs, with one progress for all; options as those of `score`."""
+    """Return the scores of runs, each in a world or its own, with one progress for all.
+
+    Options are those of `score`.
+    """
     found = []
-    for number, run in enumerate(runs):
+    for number, (run, world) in enumerate(runs):
         # Runs of a job play about equally many matches.
         def part(one: Progress, number: int = number) -> None:
             place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
@@ -434,7 +440,7 @@ def score_runs(
             report(Progress(place + one.what, done, len(runs) * one.total))
 
         # A reader of its own: the archives of all runs together may be large.
-        found.append(score(SavedRun(run.path), report=part, **options))
+        found.append(score(SavedRun(run.path), world=world, report=part, **options))
     return found
 
 
@@ -447,7 +453,7 @@ def kept_scores(
     """
     missing = [run for run in runs if _kept(run) is None]
     if missing:
-        played = score_runs(missing, report=report, threads=threads)
+        played = score_runs([(run, None) for run in missing], report=report, threads=threads)
         for run, teams in zip(missing, played, strict=True):
             plain = {f"{team}s": each.to_json() for team, each in teams.items()}
             save_json(run.path / SCORES, {**SCORED_BY, **plain})
