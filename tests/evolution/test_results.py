@@ -59,10 +59,7 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "judgement/errors.md": judgement_tables.report_of,
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
-        {
-            name: [row and scripted_pursuit.Row(*row) for row in rows]
-            for name, rows in json.loads(read(at / "numbers.json")).items()
-        }
+        scripted_pursuit.read_rows(read(at / "numbers.json"))
     ),
 }
 """Published tables, and how they are made from the other files of their directory."""
@@ -324,9 +321,9 @@ def test_evaders_of_the_authors_move_to_free_cells_one_by_one() -> None:
     # A pursuer, and three evaders in a corner: the first one has no free side until another left.
     positions = np.array([[5, 5], [0, 0], [0, 1], [1, 0]])
     for seed in range(20):
-        moves = scripted_pursuit.open_moves(positions, 1, np.random.default_rng(seed))
+        moves = scripted_pursuit.open_moves(positions, 1, 40, np.random.default_rng(seed))
         assert moves[0] == 0
         assert moves[1] in (2, 3)  # east or south of (0, 1)
         assert moves[2] in (2, 3)
-    found = list(scripted_pursuit.sides(positions, 1))
+    found = list(scripted_pursuit.sides(positions, 1, 40))
     assert found == [[], [2, 3], [2, 3]]
