@@ -78,23 +78,6 @@ def test_a_choice_by_the_truth_loses_nothing_and_one_by_its_opposite_all() -> No
         assert found == pytest.approx([lost, lost, order, order], abs=1e-3)
 
 
-@pytest.mark.slow
-def test_intervals_of_areas_hold_without_a_relation() -> None:
-    """Of 100 samples of thirty seeds without a relation, few intervals exclude one half."""
-    missed = 0
-    for sample in range(100):
-        said, truth = np.random.default_rng(sample).uniform(-0.1, 0.1, (2, 30, 5))
-        found = ground_truth.jackknife(
-            lambda seeds, said=said, truth=truth: ground_truth.area(
-                said[seeds], truth[seeds] > 0.02, truth[seeds] < 0.005
-            ),
-            30,
-        )
-        low, high = map(float, found.split("[")[1].strip("]").split(","))
-        missed += not low <= 0.5 <= high
-    assert missed <= 12
-
-
 @pytest.mark.nightly
 def test_the_script_plays_solves_and_goes_on_where_it_stopped(tmp_path: Path):
     options = ("--threads", "1", "--kinds", "chase-generalists")
