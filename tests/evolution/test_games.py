@@ -57,7 +57,7 @@ def test_games_keep_their_promises(game):
 def test_a_race_that_is_killed_in_the_middle_ends_as_if_it_had_not_been(name, tmp_path):
     settings, directory = race(*RACES[name]), tmp_path / "run"
     create(settings, directory)
-    child = killed.process(killed.finish_until_killed, directory, 600)
+    child = killed.process(killed.finish_until_killed, directory, 100)
     child.join()
     assert child.exitcode == -signal.SIGKILL
     assert 0 < Run(directory).stage < settings.schedule.n_stages
