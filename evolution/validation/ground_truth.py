@@ -1,6 +1,6 @@
 """Can a race be judged by its own matrix? Races in worlds whose perfect play is known.
 
-    python evolution/validation/ground_truth.py           30 seeds of each race, two core-hours
+    python evolution/validation/ground_truth.py           30 seeds of each race, three core-hours
     python evolution/validation/ground_truth.py --quick   two seeds of tiny races, some seconds
 
 The truth about a generation is what it *guarantees*: its score (capture rate of pursuers, escape
@@ -11,9 +11,14 @@ stands what the package's measures say. The worlds:
 - *surround* (two against one): agents take turns, pursuers capture by surrounding;
 - *together* (two against one): all move at once, as in O. There whoever knows the probabilities of
   a champion beats it nearly always, so that no champion guarantees anything: a control, in which
-  no measure should find a rise.
+  no measure should find a rise;
+- five worlds more, with turns and of one schedule, specialists, so that measures have an interval
+  over worlds: *ring* (one against one around a block), *diagonal* (one against one, eight
+  directions), *rooms* (two against one, two rooms and a door), *pairs* (two against two), *trio*
+  (three against one, capture by surrounding). Their races keep their payoff matrices. Worlds,
+  schedule and tables were decided before these races were played.
 
-Questions, over the three worlds with turns:
+Questions, over the first three worlds:
 
 - *rises*: did a team become better? It *rises* in a race if what it guarantees changes by `RISES`
   or more (least-squares slope times length), and does not if it changes by `STAYS` at most; in
@@ -21,6 +26,10 @@ Questions, over the three worlds with turns:
   `RISES` or more. Hits are of races that rise, false alarms of those that do not. The *area* under
   the curve of both, over all thresholds, is the probability that a race which rises has the larger
   change of the measure: 1 is perfect, 0.5 is chance.
+- *worlds*: the area of each measure in each of the eight worlds with turns, for a team of which
+  `ENOUGH` races rise and as many do not; its mean has an interval over worlds, and so has its
+  difference from that of the mean over all opponents of the race. *Deviation ratings* and *Soft
+  Condorcet* are computed from the payoff matrices of the five.
 - *choice*: which generation of a race is best? *Lost* is what the best one guarantees minus what
   the generation guarantees to which a measure gives the highest score (of equals the latest).
 - *generations*: Spearman's correlation with the truth over the generations of a race; races whose
@@ -79,8 +88,25 @@ WORLDS: dict[str, dict[str, Any]] = {
     "together": {
         "rules": "O", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 5,
     },
+    "ring": {
+        "rules": "TO", "rows": 4, "cols": 4, "n_pursuers": 1, "n_evaders": 1, "max_steps": 5,
+        "obstacles": ["....", ".##.", ".##.", "...."],
+    },
+    "diagonal": {
+        "rules": "TO", "rows": 5, "cols": 5, "n_pursuers": 1, "n_evaders": 1, "max_steps": 5,
+        "diagonal": True,
+    },
+    "rooms": {
+        "rules": "TO", "rows": 5, "cols": 5, "n_pursuers": 2, "n_evaders": 1, "max_steps": 5,
+        "obstacles": ["..#..", "..#..", ".....", "..#..", "..#.."],
+    },
+    "pairs": {"rules": "TO", "rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 2, "max_steps": 4},
+    "trio": {
+        "rules": SURROUND, "rows": 3, "cols": 3, "n_pursuers": 3, "n_evaders": 1, "max_steps": 4,
+    },
 }  # fmt: skip
 CONTROL = "together"
+FIVE = ("ring", "diagonal", "rooms", "pairs", "trio")
 SCHEDULES: dict[str, dict[str, Any]] = {
     "specialists": {"schedule": "specialist-specialist"},
     "generalists": {"schedule": "generalist-generalist"},
@@ -124,13 +150,14 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
         f"{name}, {schedule}": settings(world, changes, quick)
         for name, world in WORLDS.items()
         for schedule, changes in SCHEDULES.items()
+        if name not in FIVE or schedule == "specialists"
     }
 
 
 def settings(world: dict[str, Any], schedule: dict[str, Any], quick: bool) -> RaceSettings:
     """Return the settings of a race; its networks see the whole world."""
     game = {f"world.{name}": value for name, value in world.items()}
-    game |= {"world.fov": 2 * world["rows"] - 1, "train_steps": world["max_steps"]}
+    game |= {"world.fov": 2 * max(world["rows"], world["cols"]) - 1, "train_steps": world["max_steps"]}
     # In an epoch of both teams an individual meets three opponents, and not one.
     epochs = 2 if quick else EPOCHS
     alone = {f"schedule.{team}_epochs": epochs for team in TEAMS}
