@@ -122,6 +122,7 @@ QUICK = {"learner.population": 4, "schedule.generations": 8, "match_episodes": 2
 EPOCHS = 30
 HELD_OUT_EPISODES = 100
 RISES, STAYS = 0.02, 0.005
+ENOUGH = 3
 GROUP = 10
 """Races of a group."""
 
@@ -157,7 +158,10 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
 def settings(world: dict[str, Any], schedule: dict[str, Any], quick: bool) -> RaceSettings:
     """Return the settings of a race; its networks see the whole world."""
     game = {f"world.{name}": value for name, value in world.items()}
-    game |= {"world.fov": 2 * max(world["rows"], world["cols"]) - 1, "train_steps": world["max_steps"]}
+    game |= {
+        "world.fov": 2 * max(world["rows"], world["cols"]) - 1,
+        "train_steps": world["max_steps"],
+    }
     # In an epoch of both teams an individual meets three opponents, and not one.
     epochs = 2 if quick else EPOCHS
     alone = {f"schedule.{team}_epochs": epochs for team in TEAMS}
