@@ -23,10 +23,10 @@ Questions, over the first three worlds:
 - *rises*: did a team become better? It *rises* in a race if what it guarantees changes by `RISES`
   or more (least-squares slope times length), and does not if it changes by `STAYS` at most; in
   between the truth is open, and the race is not counted. A measure says so if it changes by
-  `RISES` or more. Hits are of races that rise, false alarms of those that do not; measures differ
-  in both, so false alarms stand also at the threshold at which each has `EQUAL_HITS`. The *area* under
-  the curve of both, over all thresholds, is the probability that a race which rises has the larger
-  change of the measure: 1 is perfect, 0.5 is chance.
+  `RISES` or more. Hits are of races that rise, false alarms of those that do not, also at the
+  threshold at which each measure has `EQUAL_HITS`. The *area* under the curve of both, over all
+  thresholds, is the probability that a race which rises has the larger change of the measure: 1 is
+  perfect, 0.5 is chance.
 - *worlds*: the area of each measure in each of the eight worlds with turns, for a team of which
   `ENOUGH` races rise and as many do not; its mean has an interval over worlds, and so has its
   difference from that of the mean over all opponents of the race. *Deviation ratings* and *Soft
