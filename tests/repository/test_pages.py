@@ -100,18 +100,6 @@ def test_names_of_the_package_that_replace_others() -> None:
             place = getattr(place, part)
 
 
-def test_infos_and_status_that_replace_others() -> None:
-    infos = PUBLISHED.split("## Infos")[1].split("## Experiments")[0]
-    told = [row.strip("|").split("|") for row in infos.splitlines() if row.startswith("| ")][1:]
-    keys = {key for row in told for key in re.findall(r"`(\w+)`", row[1])}
-    # Outputs that were added later have no counterpart in the published code.
-    env = mw.parallel_env("O", rows=4, cols=4, n_pursuers=1, n_evaders=1)
-    told_by_us = env.reset(seed=0)[1]["pursuer_0"].keys()
-    assert keys == told_by_us - {"cost", "evader_survival_rate", "pursuer_survival_rate"}
-    fields = {name for row in told for name in re.findall(r"`(\w+)[`\[]", row[2])}
-    assert fields <= set(vars(env.status))
-
-
 # The page on files
 
 FILES = read("docs/files.md")
@@ -163,12 +151,6 @@ def test_the_files_of_a_run(tmp_path: Path) -> None:
     made = {path.name for path in run.iterdir() if not path.name.startswith(".")}
     by_command = {"scores.json", "*.png"}
     assert {re.sub(r"\d{4}", "0007", name) for name in made} == set(stated) - by_command
-
-
-def test_a_recorded_episode(tmp_path: Path) -> None:
-    played = replace(mw.record("O", "chaser", "fleer", seed=0), seat=3)
-    played.save(tmp_path / "episode.npz")
-    check_arrays(tmp_path / "episode.npz", "## A recorded episode")
 
 
 def test_each_promise_of_the_security_page_has_a_test() -> None:
