@@ -55,6 +55,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 from scipy import optimize, special, stats
 
 import _paths  # noqa: F401
@@ -395,8 +396,14 @@ def _area_of(said: FloatArray, rises: BoolArray, stays: BoolArray, seeds: Any) -
     return area(said[seeds], rises[seeds], stays[seeds])
 
 
-def table_of_worlds(numbers: Numbers, team: Team) -> str:
-    """Return the area of each measure in each world in which enough races of a team rise or not."""
+def areas_of_worlds(
+    numbers: Numbers, team: Team
+) -> tuple[dict[str, tuple[BoolArray, BoolArray]], dict[str, FloatArray]]:
+    """Return the worlds in which enough races of a team rise or not, and the areas there.
+
+    Worlds by name, with what rises and what does not (seeds, kinds); areas (worlds,) by measure,
+    NaN where it is not known.
+    """
     t = TEAMS.index(team)
     worlds: dict[str, tuple[BoolArray, BoolArray]] = {}
     for world in WORLDS:
@@ -407,7 +414,7 @@ def table_of_worlds(numbers: Numbers, team: Team) -> str:
         if min(rises.sum(), stays.sum()) >= ENOUGH:
             worlds[world] = rises, stays
     areas = {
-        label: np.array(
+        name: np.array(
             [
                 area(linear_change(stacked(numbers, name, world))[..., t], *known)
                 if name in MEASURES or world in FIVE
@@ -415,16 +422,50 @@ def table_of_worlds(numbers: Numbers, team: Team) -> str:
                 for world, known in worlds.items()
             ]
         )
-        for name, label in (MEASURES | RATINGS).items()
+        for name in MEASURES | RATINGS
     }
-    usual = areas[MEASURES["all"]]
+    return worlds, areas
+
+
+def figure(numbers: Numbers) -> Figure:
+    """Draw how well the matrix of a race and held-out opponents tell whether evaders rose."""
+    worlds, areas = areas_of_worlds(numbers, "evader")
+    order = np.argsort(areas["held_out"] - areas["all"])
+    matrix, held_out = areas["all"][order], areas["held_out"][order]
+    names = [list(worlds)[k] for k in order]
+    found = Figure(figsize=(7, 0.4 * len(worlds) + 1.5), layout="constrained")
+    axis = found.subplots()
+    axis.hlines(names, matrix, held_out, color="lightgray", linewidth=3, zorder=0)
+    for scores, label, color in (
+        (matrix, "the race's own matrix", "tab:gray"),
+        (held_out, "held-out opponents", "tab:blue"),
+    ):
+        axis.plot(scores, names, "o", color=color, markersize=9)
+        axis.annotate(
+            label, (scores[-1], names[-1]), (0, 12), textcoords="offset points", color=color,
+            ha="center", weight="bold",
+        )  # fmt: skip
+    axis.axvline(0.5, color="black", linewidth=0.8)
+    axis.annotate("chance", (0.5, names[0]), (4, 0), textcoords="offset points", va="center")
+    axis.set_xlabel("probability that evaders who became better are told from others")
+    axis.margins(y=0.2)
+    axis.spines[["top", "right", "left"]].set_visible(False)
+    axis.tick_params(left=False)
+    return found
+
+
+def table_of_worlds(numbers: Numbers, team: Team) -> str:
+    """Return the area of each measure in each world in which enough races of a team rise or not."""
+    worlds, areas = areas_of_worlds(numbers, team)
     rows = []
-    for label, each in areas.items():
+    for name, each in areas.items():
         found = np.isfinite(each)
         if found.sum() < 2:
             continue
-        over_worlds = mean(each[found], 2, bounds=(0.0, 1.0)), mean((each - usual)[found], 2, "+")
-        rows.append([label, *(f"{a:.2f}" if a >= 0 else "-" for a in each), *over_worlds])
+        more = (each - areas["all"])[found]
+        over_worlds = mean(each[found], 2, bounds=(0.0, 1.0)), mean(more, 2, "+")
+        cells = (f"{a:.2f}" if a >= 0 else "-" for a in each)
+        rows.append([(MEASURES | RATINGS)[name], *cells, *over_worlds])
     heads = [f"{world}: {up.sum()} / {flat.sum()}" for world, (up, flat) in worlds.items()]
     return markdown([f"{team}s: score against", *heads, "mean", "minus all opponents"], rows)
 
@@ -578,4 +619,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30)
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30, draw=figure)
