@@ -131,12 +131,6 @@ def test_the_files_of_a_run(tmp_path: Path) -> None:
     assert {re.sub(r"\d{4}", "0007", name) for name in made} == set(stated) - by_command
 
 
-def test_a_recorded_episode(tmp_path: Path) -> None:
-    played = replace(mw.record("O", "chaser", "fleer", seed=0), seat=3)
-    played.save(tmp_path / "episode.npz")
-    check_arrays(tmp_path / "episode.npz", "## A recorded episode")
-
-
 def test_each_promise_of_the_security_page_has_a_test() -> None:
     rows = re.findall(r"^\| .+$", read("SECURITY.md"), re.M)
     promises = [row for row in rows if not row.startswith(("| Promise", "| ---"))]
