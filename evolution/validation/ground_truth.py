@@ -1,6 +1,6 @@
 """Can a race be judged by its own matrix? Races in worlds whose perfect play is known.
 
-    python evolution/validation/ground_truth.py           30 seeds of each race, two core-hours
+    python evolution/validation/ground_truth.py           30 seeds of each race, three core-hours
     python evolution/validation/ground_truth.py --quick   two seeds of tiny races, some seconds
 
 The truth about a generation is what it *guarantees*: its score (capture rate of pursuers, escape
@@ -11,16 +11,26 @@ stands what the package's measures say. The worlds:
 - *surround* (two against one): agents take turns, pursuers capture by surrounding;
 - *together* (two against one): all move at once, as in O. There whoever knows the probabilities of
   a champion beats it nearly always, so that no champion guarantees anything: a control, in which
-  no measure should find a rise.
+  no measure should find a rise;
+- five worlds more, with turns and of one schedule, specialists, so that measures have an interval
+  over worlds: *ring* (one against one around a block), *diagonal* (one against one, eight
+  directions), *rooms* (two against one, two rooms and a door), *pairs* (two against two), *trio*
+  (three against one, capture by surrounding). Their races keep their payoff matrices. Worlds,
+  schedule and tables were decided before these races were played.
 
-Questions, over the three worlds with turns:
+Questions, over the first three worlds:
 
 - *rises*: did a team become better? It *rises* in a race if what it guarantees changes by `RISES`
   or more (least-squares slope times length), and does not if it changes by `STAYS` at most; in
   between the truth is open, and the race is not counted. A measure says so if it changes by
-  `RISES` or more. Hits are of races that rise, false alarms of those that do not. The *area* under
-  the curve of both, over all thresholds, is the probability that a race which rises has the larger
-  change of the measure: 1 is perfect, 0.5 is chance.
+  `RISES` or more. Hits are of races that rise, false alarms of those that do not, also at the
+  threshold at which each measure has `EQUAL_HITS`. The *area* under the curve of both, over all
+  thresholds, is the probability that a race which rises has the larger change of the measure: 1 is
+  perfect, 0.5 is chance.
+- *worlds*: the area of each measure in each of the eight worlds with turns, for a team of which
+  `ENOUGH` races rise and as many do not; its mean has an interval over worlds, and so has its
+  difference from that of the mean over all opponents of the race. *Deviation ratings* and *Soft
+  Condorcet* are computed from the payoff matrices of the five.
 - *choice*: which generation of a race is best? *Lost* is what the best one guarantees minus what
   the generation guarantees to which a measure gives the highest score (of equals the latest).
 - *generations*: Spearman's correlation with the truth over the generations of a race; races whose
@@ -45,7 +55,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy import stats
+from matplotlib.figure import Figure
+from scipy import optimize, special, stats
 
 import _paths  # noqa: F401
 import matrixworld as mw
@@ -67,7 +78,7 @@ from judgement_tables import RATE_HEADS, count_verdicts, errors_of, read_counts
 from judgement_truths import WINDOWS
 from matrixworld import Capture, Interaction, Outcome, Rules, analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, score
-from matrixworld.coevolution.types import BoolArray, FloatArray, other
+from matrixworld.coevolution.types import BoolArray, FloatArray, Payoff, other
 
 SURROUND = Rules(Interaction.AGENT_TURNS, evader=Outcome.BOUNCE, capture=Capture.SURROUND)
 WORLDS: dict[str, dict[str, Any]] = {
@@ -79,8 +90,25 @@ WORLDS: dict[str, dict[str, Any]] = {
     "together": {
         "rules": "O", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 5,
     },
+    "ring": {
+        "rules": "TO", "rows": 4, "cols": 4, "n_pursuers": 1, "n_evaders": 1, "max_steps": 5,
+        "obstacles": ["....", ".##.", ".##.", "...."],
+    },
+    "diagonal": {
+        "rules": "TO", "rows": 5, "cols": 5, "n_pursuers": 1, "n_evaders": 1, "max_steps": 5,
+        "diagonal": True,
+    },
+    "rooms": {
+        "rules": "TO", "rows": 5, "cols": 5, "n_pursuers": 2, "n_evaders": 1, "max_steps": 5,
+        "obstacles": ["..#..", "..#..", ".....", "..#..", "..#.."],
+    },
+    "pairs": {"rules": "TO", "rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 2, "max_steps": 4},
+    "trio": {
+        "rules": SURROUND, "rows": 3, "cols": 3, "n_pursuers": 3, "n_evaders": 1, "max_steps": 4,
+    },
 }  # fmt: skip
 CONTROL = "together"
+FIVE = ("ring", "diagonal", "rooms", "pairs", "trio")
 SCHEDULES: dict[str, dict[str, Any]] = {
     "specialists": {"schedule": "specialist-specialist"},
     "generalists": {"schedule": "generalist-generalist"},
@@ -96,6 +124,8 @@ QUICK = {"learner.population": 4, "schedule.generations": 8, "match_episodes": 2
 EPOCHS = 30
 HELD_OUT_EPISODES = 100
 RISES, STAYS = 0.02, 0.005
+ENOUGH = 3
+EQUAL_HITS = 0.9
 GROUP = 10
 """Races of a group."""
 
@@ -109,6 +139,7 @@ MEASURES = {
     "held_out": "held-out opponents",
     "others": "champions of other seeds",
 }
+RATINGS = {"deviation": "deviation ratings within the race", "condorcet": "Soft Condorcet ratings"}
 """What a generation is scored against; numbers (seeds, teams, generations), as ``truth``."""
 JUDGED = ("arms race", "one-sided progress", "rise", "stagnation")
 """Conditions whose truth is known; ``verdicts`` (seeds, windows, conditions) are those on them, and
@@ -124,13 +155,17 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
         f"{name}, {schedule}": settings(world, changes, quick)
         for name, world in WORLDS.items()
         for schedule, changes in SCHEDULES.items()
+        if name not in FIVE or schedule == "specialists"
     }
 
 
 def settings(world: dict[str, Any], schedule: dict[str, Any], quick: bool) -> RaceSettings:
     """Return the settings of a race; its networks see the whole world."""
     game = {f"world.{name}": value for name, value in world.items()}
-    game |= {"world.fov": 2 * world["rows"] - 1, "train_steps": world["max_steps"]}
+    game |= {
+        "world.fov": 2 * max(world["rows"], world["cols"]) - 1,
+        "train_steps": world["max_steps"],
+    }
     # In an epoch of both teams an individual meets three opponents, and not one.
     epochs = 2 if quick else EPOCHS
     alone = {f"schedule.{team}_epochs": epochs for team in TEAMS}
@@ -180,6 +215,58 @@ def measures_of(capture_rate: FloatArray, team: Team) -> dict[str, FloatArray]:
     }
 
 
+def ratings_of(payoff: Payoff) -> dict[str, Any]:
+    """Return `RATINGS` of both teams, and the capture rate in each episode of each pair."""
+    sides = payoff.matrix, 1 - payoff.matrix.T
+    return {
+        "deviation": [deviation_ratings(own) for own in sides],
+        "condorcet": [soft_condorcet(own) for own in sides],
+        "scores": payoff.scores.astype(np.float16),
+    }
+
+
+def deviation_ratings(scores: FloatArray) -> FloatArray:
+    """Return the deviation ratings of rows, for scores (rows, opponents) in a zero-sum game.
+
+    They are scores against a mixture of opponents, of the equilibrium that minimises the largest
+    of them, then the second largest, and so on (Marris et al. 2025, "Deviation ratings: a general,
+    clone-invariant rating method"). A row is settled if its bound has a price.
+    """
+    n, m = scores.shape
+    ratings = np.full(n, np.nan)
+    while (open_ := np.isnan(ratings)).any():
+        found = optimize.linprog(
+            np.append(np.zeros(m), 1.0),  # the largest score that is still open
+            A_ub=np.column_stack([scores, -open_.astype(float)]),
+            b_ub=np.where(open_, 0.0, ratings + 1e-5),
+            A_eq=np.append(np.ones(m), 0.0)[None],
+            b_eq=[1.0],
+            bounds=[(0, None)] * m + [(None, None)],
+        )
+        ratings[open_ & (found.ineqlin.marginals < -1e-7)] = found.fun
+    return ratings
+
+
+def soft_condorcet(scores: FloatArray) -> FloatArray:
+    """Return ratings of rows by the votes of opponents, for scores (rows, opponents).
+
+    Each opponent prefers the row that scores more; the ratings minimise the sum of sigmoids over
+    all preferences that they contradict (Lanctot et al. 2025, "Soft Condorcet optimization for
+    ranking of general agents"). They lie in [0, 100].
+    """
+    wins = (scores[:, None] > scores[None]).mean(axis=-1)
+    lead = wins - wins.T
+
+    def loss(ratings: FloatArray) -> tuple[float, FloatArray]:
+        against = special.expit(ratings[None] - ratings[:, None])
+        return float((wins * against).sum()), -(lead * against * (1 - against)).sum(axis=1)
+
+    start = np.full(len(scores), 50.0)
+    return np.asarray(
+        optimize.minimize(loss, start, jac=True, bounds=[(0.0, 100.0)] * len(scores)).x
+    )
+
+
 def against_others(runs: Runs, kind: str, run: SavedRun) -> list[FloatArray]:
     """Return the scores of each generation of a race against champions of all other seeds."""
     world, seed, place = run.settings.world, run.settings.seed, kind.split(", ")[0]
@@ -212,6 +299,8 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
             {kind: of_kind},
             lambda run, kind=kind: {"others": against_others(runs, kind, run)},  # type: ignore[misc]
         )
+        if kind.split(", ")[0] in FIVE:
+            numbers |= by_seed({kind: of_kind}, lambda run: ratings_of(run.payoff()))
         groups = [of_kind[k : k + GROUP] for k in range(0, len(of_kind), GROUP)]
         numbers[f"{kind} / of groups"] = [
             verdicts(np.stack([run.payoff().scores for run in group])) for group in groups
@@ -223,11 +312,12 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
 
 
 def of_kinds(numbers: Numbers, name: str, world: str | None = None) -> dict[str, FloatArray]:
-    """Return a number of the races of all kinds, in one world or in those with turns."""
+    """Return a number of the races of all kinds, in one world or in the first three."""
     return {
         kind: numbers[f"{kind} / {name}"]
         for kind in kinds_in(numbers)
-        if (place := kind.split(", ")[0]) == world or (world is None and place != CONTROL)
+        if (place := kind.split(", ")[0]) == world
+        or (world is None and place not in (CONTROL, *FIVE))
     }
 
 
@@ -290,18 +380,94 @@ def table_of_rises(numbers: Numbers) -> str:
         for t in range(len(TEAMS)):
             each, up, flat = said[..., t], rises[..., t], stays[..., t]
             found = partial(_area_of, each, up, flat)
+            equal = np.quantile(each[up], 1 - EQUAL_HITS)
             cells += [share(each >= RISES, up), share(each >= RISES, flat)]
-            cells.append(jackknife(found, len(each)))
+            cells += [share(each >= equal, flat), jackknife(found, len(each))]
         rows.append(cells)
     heads = ["score against"]
     for t, team in enumerate(TEAMS):
         heads += [f"{team}s: hits of {rises[..., t].sum()}"]
-        heads += [f"{team}s: false alarms of {stays[..., t].sum()}", f"{team}s: area"]
+        heads += [f"{team}s: false alarms of {stays[..., t].sum()}"]
+        heads += [f"at {EQUAL_HITS:.0%} hits", f"{team}s: area"]
     return markdown(heads, rows)
 
 
 def _area_of(said: FloatArray, rises: BoolArray, stays: BoolArray, seeds: Any) -> float:
     return area(said[seeds], rises[seeds], stays[seeds])
+
+
+def areas_of_worlds(
+    numbers: Numbers, team: Team
+) -> tuple[dict[str, tuple[BoolArray, BoolArray]], dict[str, FloatArray]]:
+    """Return the worlds in which enough races of a team rise or not, and the areas there.
+
+    Worlds by name, with what rises and what does not (seeds, kinds); areas (worlds,) by measure,
+    NaN where it is not known.
+    """
+    t = TEAMS.index(team)
+    worlds: dict[str, tuple[BoolArray, BoolArray]] = {}
+    for world in WORLDS:
+        if world == CONTROL or not of_kinds(numbers, "truth", world):
+            continue
+        truth = linear_change(stacked(numbers, "truth", world))[..., t]
+        rises, stays = truth >= RISES, truth <= STAYS
+        if min(rises.sum(), stays.sum()) >= ENOUGH:
+            worlds[world] = rises, stays
+    areas = {
+        name: np.array(
+            [
+                area(linear_change(stacked(numbers, name, world))[..., t], *known)
+                if name in MEASURES or world in FIVE
+                else np.nan
+                for world, known in worlds.items()
+            ]
+        )
+        for name in MEASURES | RATINGS
+    }
+    return worlds, areas
+
+
+def figure(numbers: Numbers) -> Figure:
+    """Draw how well the matrix of a race and held-out opponents tell whether evaders rose."""
+    worlds, areas = areas_of_worlds(numbers, "evader")
+    order = np.argsort(areas["held_out"] - areas["all"])
+    matrix, held_out = areas["all"][order], areas["held_out"][order]
+    names = [list(worlds)[k] for k in order]
+    found = Figure(figsize=(7, 0.4 * len(worlds) + 1.5), layout="constrained")
+    axis = found.subplots()
+    axis.hlines(names, matrix, held_out, color="lightgray", linewidth=3, zorder=0)
+    for scores, label, color in (
+        (matrix, "the race's own matrix", "tab:gray"),
+        (held_out, "held-out opponents", "tab:blue"),
+    ):
+        axis.plot(scores, names, "o", color=color, markersize=9)
+        axis.annotate(
+            label, (scores[-1], names[-1]), (0, 12), textcoords="offset points", color=color,
+            ha="center", weight="bold",
+        )  # fmt: skip
+    axis.axvline(0.5, color="black", linewidth=0.8)
+    axis.annotate("chance", (0.5, names[0]), (4, 0), textcoords="offset points", va="center")
+    axis.set_xlabel("probability that evaders who became better are told from others")
+    axis.margins(y=0.2)
+    axis.spines[["top", "right", "left"]].set_visible(False)
+    axis.tick_params(left=False)
+    return found
+
+
+def table_of_worlds(numbers: Numbers, team: Team) -> str:
+    """Return the area of each measure in each world in which enough races of a team rise or not."""
+    worlds, areas = areas_of_worlds(numbers, team)
+    rows = []
+    for name, each in areas.items():
+        found = np.isfinite(each)
+        if found.sum() < 2:
+            continue
+        more = (each - areas["all"])[found]
+        over_worlds = mean(each[found], 2, bounds=(0.0, 1.0)), mean(more, 2, "+")
+        cells = (f"{a:.2f}" if a >= 0 else "-" for a in each)
+        rows.append([(MEASURES | RATINGS)[name], *cells, *over_worlds])
+    heads = [f"{world}: {up.sum()} / {flat.sum()}" for world, (up, flat) in worlds.items()]
+    return markdown([f"{team}s: score against", *heads, "mean", "minus all opponents"], rows)
 
 
 def table_of_control(numbers: Numbers) -> str:
@@ -442,6 +608,8 @@ def table(numbers: Numbers) -> str:
         table_of_truth(numbers),
         "## Did a team become better?",
         table_of_rises(numbers),
+        "## In how many worlds? Areas; in the heads, races that rise / that do not",
+        *(table_of_worlds(numbers, team) for team in TEAMS),
         "## Which generation is best?",
         table_of_choices(numbers),
     ]
@@ -451,4 +619,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30)
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30, draw=figure)

@@ -336,24 +336,33 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     return text
 
 
-def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
-    """Draw the share of "present" by size of effect, a line for each noise.
-
-    A point stands for `least` races or more.
-    """
-    noises = sorted({row["noise"] for row in rows}, key=lambda noise: _natural((noise,)))
-    figure, axes = plt.subplots(2, 4, figsize=(14, 6.5), sharey=True, constrained_layout=True)
-    for condition, axis in zip(CONDITIONS, axes.flat, strict=True):
-        for noise in noises:
-            points = _points([r for r in rows if r["condition"] == condition], noise, least)
-            style = "--" if noise.startswith("30") else "-"
-            axis.plot(*np.reshape(points, (-1, 2)).T, style, marker="o", markersize=4, label=noise)
-        axis.set(title=condition, xlabel=SIZES[condition][0], ylim=(-0.03, 1.03))
-    for axis in axes[:, 0]:
-        axis.set_ylabel('share of "present"')
-    figure.legend(*axes.flat[0].get_legend_handles_labels(), ncols=6, loc="outside lower center")
-    figure.savefig(file, dpi=90)
+def draw_power(rows: Sequence[Row], file: Path) -> None:
+    """Draw at which gain half of the arms races are found, a bar for each number of episodes."""
+    races = [row for row in rows if row["condition"] == "arms race"]
+    found = {noise: _half_found(races, noise) for noise in {row["noise"] for row in races}}
+    noises = sorted(found, key=found.__getitem__, reverse=True)
+    figure, axis = plt.subplots(figsize=(7, 2.8), constrained_layout=True)
+    bars = axis.barh([_in_words(noise) for noise in noises], [found[n] for n in noises])
+    axis.bar_label(bars, fmt="{:.2f}", padding=4)
+    axis.set_title("With few episodes only large arms races are found", weight="bold")
+    axis.set_xlabel(
+        "gain of both teams, in capture rate, at which half of the arms races are found"
+    )
+    axis.spines[["top", "right", "left"]].set_visible(False)
+    axis.tick_params(left=False)
+    figure.savefig(file, dpi=120)
     plt.close(figure)
+
+
+def _half_found(rows: Sequence[Row], noise: str) -> float:
+    """Return the size of an effect at which half are found, between the bins of the counts."""
+    sizes, shares = np.array(_points(rows, noise, least=5)).T
+    return float(np.interp(0.5, np.maximum.accumulate(shares), sizes))
+
+
+def _in_words(noise: str) -> str:
+    evaders, episodes = noise.split(", ")
+    return f"{episodes} episodes a pair, {evaders if evaders[0] == '3' else 'one evader'}"
 
 
 def _points(rows: Sequence[Row], noise: str, least: int) -> list[tuple[float, float]]:

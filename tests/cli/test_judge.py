@@ -14,7 +14,6 @@ from matrixworld._util.files import read_json
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs
 from matrixworld.analysis.judgement import summary
-from matrixworld.cli.evaluate import print_strip
 from matrixworld.cli.evolve import report
 from matrixworld.coevolution import SavedRun, evolve, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
@@ -72,21 +71,6 @@ def test_all_measures_come_after_the_judgement():
     assert found["file.npz"] == {"judgement": judge(payoffs).to_json(), "measures": measures}
     share = MEASURES["transitive_share"].of(payoffs).value
     assert re.search(rf"    transitive share +{share:.3f}", told)
-
-
-def test_a_strip_of_many_seeds_is_in_parts(capsys):
-    scores = np.random.default_rng(0).random((70, 4, 4, 2))  # too many seeds for one line
-    judgement = judge(scores, per_episode=True)
-    print_strip(judgement, [*range(70)], [70])
-    lines = capsys.readouterr().out.splitlines()
-    assert max(map(len, lines)) <= 100
-    heads = [line.split() for line in lines if line.startswith("seed")]
-    assert [int(word) for head in heads for word in head[1:] if word.isdigit()] == [*range(71)]
-    assert ["together" in head for head in heads] == [False] * (len(heads) - 1) + [True]
-    signs = {"present": "+", "absent": "-", "cannot tell": "?"}
-    rows = [line for line in lines if line.startswith("cycling")]
-    shown = [sign for row in rows for sign in re.findall(r"(?<=  )[-+?.](?=\s|$)", row)]
-    assert shown == [*(signs[verdict] for verdict in judgement.findings["cycling"].by_run), "."]
 
 
 def test_files_of_means_need_their_number_of_episodes():

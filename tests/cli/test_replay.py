@@ -80,16 +80,6 @@ def test_every_step_or_one_is_explained():
     assert replayed(*STILL, "--steps", 2, "--explain").startswith("no conflicts\n")
 
 
-def test_a_film_of_a_long_episode_takes_about_ten_seconds(monkeypatch):
-    seen = {}
-    monkeypatch.setattr(replay, "save", lambda *args, **look: seen.update(look))
-    said = replayed(*STILL, "--steps", 400, "--out", "x.gif")
-    assert said.startswith("Every 4 steps are a frame, so that it takes about 10 seconds.\n")
-    assert seen["every"] == 4
-    assert "Every" not in replayed(*STILL, "--steps", 400, "--out", "x.gif", "--every", 1)
-    assert seen["every"] == 1
-
-
 def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     said = played(run, "--episodes", 3, "--steps", 12, "--seed", 5, "--threads", 1)
     made = run / "tournament-3x12-seed5.npz"

@@ -26,7 +26,7 @@ from matrixworld.coevolution import (
 from matrixworld.coevolution.learners import OwnLearner
 from matrixworld.coevolution.opponents import OwnOpponents
 from own_code import Crash, Fails, Hardest, HillClimber, InPlace, Oldest
-from tiny_race import alternating, played, results, tiny_race
+from tiny_race import alternating, played, tiny_race
 
 
 @pytest.fixture
@@ -250,18 +250,3 @@ def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
     assert Run(tmp_path / "run").stage == 0  # the last finished one
     with pytest.raises(PluginError, match="called exit"):  # it does not end the program
         played(tiny_race(learner="own_code:Exits"), tmp_path / "exits")
-
-
-def test_a_class_of_the_package_by_its_path_gives_the_same_run(tmp_path):
-    package = "matrixworld.coevolution"
-    own = {
-        "learner": f"{package}:CmaEs",
-        "learner.settings": {"sigma": 0.1, "population": 4},
-        "evaders_meet": f"{package}.opponents:SharedSampling",
-    }
-    built_in = {"learner": "cma", "sigma": 0.1, "evaders_meet": "shared-sampling"}
-    one, other = (
-        results(played(alternating(hidden=(), **each), tmp_path / str(number)).path)
-        for number, each in enumerate((own, built_in))
-    )
-    assert all(one[name] == other[name] for name in ("log.csv", "pursuers.npy", "evaders.npy"))

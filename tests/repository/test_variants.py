@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pettingzoo
 import pytest
 from PIL import Image
 
@@ -80,17 +79,6 @@ def test_the_tables_of_an_environment(make_pages: Any, variant: str) -> None:
     surround = rules.capture is mw.Capture.SURROUND
     removed = rules.captured_disappear if surround else rules.evader is mw.Outcome.DISAPPEAR
     assert (stated["a captured evader"] == "disappears") == removed
-
-
-@pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_an_environment_is_made_by_its_name(variant: str) -> None:
-    rules, name = mw.VARIANTS[variant], f"pursuit_evasion_{variant.lower()}_v0"
-    if not hasattr(pettingzoo, "make"):
-        pytest.skip("PettingZoo has `make` from 1.27 on")
-    parallel = pettingzoo.make("parallel", f"matrixworld/{name}", max_cycles=3, rows=20)
-    assert (parallel.config.max_steps, parallel.config.rows) == (3, 20)
-    assert parallel.config.rules == rules
-    assert pettingzoo.make("aec", f"matrixworld/{name}").unwrapped.config.rules == rules
 
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)

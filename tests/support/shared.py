@@ -43,6 +43,9 @@ def pytest_configure(config: pytest.Config) -> None:
     # The root of all `tmp_path`: files of runs are synced, which takes milliseconds on a disk.
     if MEMORY:
         os.environ.setdefault("PYTEST_DEBUG_TEMPROOT", MEMORY)
+    # Tests of a file share what they play: each file is of one worker of pytest-xdist.
+    if getattr(config.option, "dist", None) == "load":
+        config.option.dist = "loadfile"
 
 
 @pytest.fixture(scope="session")

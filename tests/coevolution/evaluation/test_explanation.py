@@ -4,7 +4,7 @@ import json
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,10 +18,8 @@ from matrixworld.coevolution.evaluation.explanation import (
     sentence,
     terms_of,
 )
-from matrixworld.coevolution.learners import BuiltInLearner
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.types import other
-from pages import read
 from tiny_race import played, tiny_race, tiny_single
 
 NAMES = list(mw.INPUTS)
@@ -60,6 +58,7 @@ SENTENCES = [
 @pytest.mark.parametrize(("team", "effects", "expected"), SENTENCES)
 def test_sentences(team: Any, effects: dict[str, float], expected: str) -> None:
     assert sentence(team, effects) == expected
+    assert [*PHRASES] == [*mw.INPUTS]
 
 
 @pytest.mark.parametrize(("team", "weight", "said"), [("pursuer", -1, 0), ("evader", 1, 1)])
@@ -220,27 +219,6 @@ def test_what_no_tree_imitates_is_refused(tmp_path: Path) -> None:
         run.explain(run.settings.learning_teams[0])
     with pytest.raises(ValueError, match="expected one that learned"):
         run.explain(other(run.settings.learning_teams[0]))
-
-
-# The page:
-
-
-def rows_of(page: str, head: str) -> dict[str, list[str]]:
-    """Return the rows of the table below a head, by their first cell."""
-    table = page.partition(f"| {head} |")[2].partition("\n\n")[0]
-    rows = [line.strip("| ").split(" | ") for line in table.splitlines()[2:]]
-    return {row[0].strip("`"): row[1:] for row in rows}
-
-
-def test_the_page_has_the_pairs_and_the_inputs_that_exist() -> None:
-    page = read("docs/explain.md")
-    kinds, learners = rows_of(page, "`policy`"), get_args(BuiltInLearner)
-    for kind in {kind for learner in learners for kind in learner.policies}:
-        expected = {learner.kind for learner in learners if kind in learner.policies}
-        assert set(re.findall(r"`([\w-]+)`", kinds[kind][1])) == expected
-    told = {name: text for name, [text] in rows_of(page, "input").items()}
-    assert told == dict(mw.INPUTS)
-    assert [*PHRASES] == [*mw.INPUTS]
 
 
 def test_parts_of_a_program_that_are_worth_nothing_are_left_out() -> None:
