@@ -240,7 +240,7 @@ def _resumable(root: Path) -> Iterator[None]:
     try:
         yield
     except (Exception, KeyboardInterrupt) as error:
-        # Stopped before anything was made, the command itself is repeated; what is damaged stays so.
+        # Stopped before anything was made, the command itself is repeated; damage stays.
         known = click.ClickException | DamagedFileError | LockedError
         if isinstance(error, known) or not storage.find_runs(root):
             raise
