@@ -26,12 +26,12 @@ from matrixworld.coevolution import storage, types
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.fitness import Table
 from matrixworld.coevolution.game import Game, Scores
-from matrixworld.coevolution.learners.learner import Learner, Results
+from matrixworld.coevolution.learners.learner import Learner, Results, check_genomes
 from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.progress import LOG, OnEpoch, Progress, Report, silent
 from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit
 from matrixworld.coevolution.race import Against, OfGenerations
-from matrixworld.coevolution.sections import PluginError, different_settings
+from matrixworld.coevolution.sections import different_settings, no_exit
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import (
@@ -56,6 +56,7 @@ class DisengagementWarning(UserWarning):
 # New runs:
 
 
+@no_exit("create")
 def create(
     settings: RaceSettings,
     directory: str | Path,
@@ -255,21 +256,21 @@ class Run:
                 total_matches(self.settings, self._pairs()),
             )
             while self.stage < schedule.n_stages:
+                where = f"stage {self.stage + 1} of the run {path}"
                 try:
-                    self.learn(self.stage)
-                except SystemExit as error:  # it would end the program without a word
-                    where = f"stage {self.stage + 1} of the run {path}"
-                    raise PluginError(f"{where}: code of your own called exit") from error
+                    with no_exit(where):
+                        self.learn(self.stage)
                 except Exception as error:
                     if sys.version_info >= (3, 11):
-                        error.add_note(f"in stage {self.stage + 1} of the run {path}")
+                        error.add_note(f"in {where}")
                     raise
                 self._end_stage()
             if self.files.finished:
                 self.files.summary()  # only to raise an error if one of them is damaged
                 self.files.payoff()
             else:
-                payoff = self.evaluate()
+                with no_exit(f"evaluation of the run {path}"):
+                    payoff = self.evaluate()
                 self.files.save_results(payoff.arrays(), self.summary(payoff))
                 LOG.info("%s: ended", path)
         return storage.SavedRun(path)
@@ -390,7 +391,11 @@ class Run:
     def ask(self, team: Team, generation: int, epoch: int) -> Genomes:
         """Return the candidates (n, genes) of a team."""
         rng = self.generator(Purpose.LEARN, team, generation, epoch)
-        candidates, self.states[team] = self.learners[team].ask(self.states[team], rng)
+        learner = self.learners[team]
+        candidates, self.states[team] = learner.ask(self.states[team], rng)
+        expected = len(learner.seed_groups), self.game.genome_size(team)
+        name = f"ask of {self.settings.learner_path(team)} {learner.kind or type(learner).__name__}"
+        check_genomes(name, candidates, expected)
         return candidates
 
     def tell(
@@ -632,4 +637,8 @@ def finish(
     report, on_epoch : callable, optional
         As for `Run.run`.
     """
+    files = storage.RunWriter(directory)
+    if files.exists and files.finished and not files.has_checkpoint:  # as a page saves it
+        files.payoff()
+        return storage.SavedRun(directory)
     return Run(directory, threads=threads).run(report, on_epoch)
