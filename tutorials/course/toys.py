@@ -15,7 +15,7 @@ other plays fictitious play (Brown 1951), whose average approaches the equilibri
 two populations of bit strings, where more ones win, in one dimension or another. Selection uses
 wins alone; the number of ones, the objective, is only observed. A mutation rate of 0.005 a bit can
 be read in two ways: here it flips the bit. To redraw the bit at this rate changes half as many, as
-``flips=0.0025``; ``docs/coevolution.md`` has the results of both.
+``flips=0.0025``; ``tests/course/test_toys.py`` has the results of both.
 
 *Hosts and parasites* (Cartlidge & Bullock 2004, "Combating coevolutionary disengagement by reducing
 parasite virulence", Evolutionary Computation 12(2)): the scalar game, but a bit that mutates
@@ -175,6 +175,12 @@ GAMES = {"scalar": SCALAR, "focusing": FOCUSING, "intransitive": INTRANSITIVE}
 A genome is how many of its bits are ones, for each number. In the focusing game other numbers drift
 away. In the intransitive one a beats b, b beats c, and c beats a: a population can win and lose
 ones."""
+
+
+def beats(game: Game, a: ArrayLike, b: ArrayLike) -> BoolArray:
+    """Return (M,) whether a beats b, by ones (M, numbers); if neither does, it is a draw."""
+    rng = np.random.default_rng(0)  # which these games do not use
+    return np.asarray(game.play(np.asarray(a), np.asarray(b), rng)) == 1.0
 
 
 @dataclass(frozen=True)
