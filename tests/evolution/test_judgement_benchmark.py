@@ -141,7 +141,7 @@ def test_chances_are_the_means_of_many_matches(game: str) -> None:
 def a_history(game: str, totals: np.ndarray) -> History:
     """Return a history of pairs of individuals with `totals` ones, (k, dimensions)."""
     ones = np.repeat(np.repeat(totals[:, None, None, :], 2, axis=1), 2, axis=2)
-    return History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals) - 1, 2, 2)))
+    return History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals), 2, 2)))
 
 
 def test_truths_of_histories_by_hand() -> None:
