@@ -609,7 +609,11 @@ def table(numbers: Numbers) -> str:
         "## Did a team become better?",
         table_of_rises(numbers),
         "## In how many worlds? Areas; in the heads, races that rise / that do not",
-        *(table_of_worlds(numbers, team) for team in TEAMS),
+        *(
+            table_of_worlds(numbers, team)
+            for team in TEAMS
+            if len(areas_of_worlds(numbers, team)[0]) > 1
+        ),
         "## Which generation is best?",
         table_of_choices(numbers),
     ]

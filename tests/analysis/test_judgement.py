@@ -105,18 +105,6 @@ def test_a_walk_may_rise_without_a_trend() -> None:
     assert (found["rise"].verdict, found["one-sided progress"].verdict) == (PRESENT, CANNOT_TELL)
 
 
-def test_episodes_may_share_their_worlds() -> None:
-    # In each episode a generation of pursuers has its own world, which is easy or hard.
-    moved = 0
-    for seed in range(8):
-        rng = np.random.default_rng(seed)
-        worlds = np.clip(rng.normal(0.5, 0.15, (31, 1, 10)), 0, 1) * np.ones((31, 31, 1))
-        found = of_scores(rng.binomial(30, worlds) / 30).windows["whole"]
-        low, high = found["rise"].estimates["pursuer_change"].ends
-        moved += not low <= 0.0 <= high
-    assert moved <= 2  # 0.4 of 8 are expected at 95%
-
-
 def test_few_or_unknown_episodes_give_no_verdict_on_what_noise_can_fake() -> None:
     few = of_scores(drawn(logistic(15, 0.3), 2)).findings
     assert {few[name].verdict for name in (*CIRCLES, "forgetting")} == {CANNOT_TELL}

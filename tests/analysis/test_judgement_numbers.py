@@ -130,18 +130,6 @@ def test_the_amplitude_of_a_cycle_is_found_under_noise() -> None:
     assert found.low > 0.2**2
 
 
-def test_noise_is_not_intransitive() -> None:
-    found = []
-    for seed in range(12):
-        scores = played(np.full((15, 15), 0.5), 4, seed)
-        noise = scores.var(axis=2, ddof=1) / 4
-        found.append(squared_intransitivity(scores.mean(axis=2), noise))
-    assert np.mean([one.value for one in found]) <= 0.0
-    assert sum(one.low > 0.0 for one in found) <= 1
-    # What sorting and fitting hide is allowed for.
-    assert np.mean([one.biased_high for one in found]) == pytest.approx(0.0, abs=0.005)
-
-
 @given(rates)
 def test_forgetting_agrees_with_its_definition(matrix: np.ndarray) -> None:
     found = analysis.forgetting(matrix)

@@ -4,6 +4,7 @@ import os
 import pickle
 import sys
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import pytest
@@ -25,7 +26,7 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.learners import OwnLearner
 from matrixworld.coevolution.opponents import OwnOpponents
-from own_code import Crash, Fails, Hardest, HillClimber, InPlace, Oldest
+from own_code import Crash, Exits, Fails, Hardest, HillClimber, InPlace, Oldest
 from tiny_race import alternating, played, tiny_race
 
 
@@ -173,6 +174,9 @@ def test_a_sampler_that_keeps_all_promises(count):
         check_sampler(sampler, count=count)
 
 
+EXITS = tiny_race(learner="own_code:Exits")
+
+
 def changed(base=HillClimber, **methods):
     return dataclass(frozen=True)(type("Changed", (base,), methods))()
 
@@ -248,5 +252,10 @@ def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
     if sys.version_info >= (3, 11):
         assert caught.value.__notes__ == [f"in stage 1 of the run {tmp_path / 'run'}"]
     assert Run(tmp_path / "run").stage == 0  # the last finished one
-    with pytest.raises(PluginError, match="called exit"):  # it does not end the program
-        played(tiny_race(learner="own_code:Exits"), tmp_path / "exits")
+    for end in (partial(check_learner, Exits()), partial(played, EXITS, tmp_path / "exits")):
+        with pytest.raises(PluginError, match="called exit"):  # it does not end the program
+            end()
+    with pytest.raises(
+        PluginError, match=r"^ask of learner TooFew: .* float32 \(4, .*, got .*\(3, "
+    ):
+        played(tiny_race(learner="own_code:TooFew"), tmp_path / "few")

@@ -8,7 +8,15 @@ import pytest
 
 from matrixworld import Matches, Population, rollout
 from matrixworld._util.files import load_arrays
-from matrixworld.coevolution import TEAMS, DisengagementWarning, InTurns, Run, StopRun, open_run
+from matrixworld.coevolution import (
+    TEAMS,
+    DisengagementWarning,
+    InTurns,
+    Run,
+    RunInMemory,
+    StopRun,
+    open_run,
+)
 from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.run import total_matches
 from matrixworld.coevolution.sections import hints_of, sections_in
@@ -91,6 +99,19 @@ def test_matches_are_counted_predicted_and_logged(name: str, tmp_path: Path) -> 
     predicted = total_matches(settings, evaluated // settings.evaluation_episodes) - evaluated
     # A mixture may have fewer members than opponents are asked for.
     assert training <= predicted if "nash" in name else training == predicted
+
+
+@pytest.mark.parametrize("settings", [tiny_race(), hall_of_fame(), alternating("nash")])
+def test_a_race_in_memory_is_the_one_in_a_directory(settings: Any, tmp_path: Path) -> None:
+    run, race = played(settings, tmp_path / "run"), RunInMemory(settings, threads=1)
+    race.train()
+    for team, genomes in run.archive().items():
+        np.testing.assert_array_equal(race.genomes(team), genomes)
+    fitness = [f"{row['fitness_mean']:.9g}" for row in race.rows]
+    assert fitness == [f"{mean:.9g}" for mean in run.log()["fitness_mean"]]
+    assert race.counts["matches"] == run.matches()
+    with pytest.raises(ValueError, match="expected those of a race, got those of one team alone"):
+        RunInMemory(tiny_single())
 
 
 def test_another_seed_is_another_race() -> None:

@@ -160,7 +160,11 @@ WRONG: dict[str, dict[str, Any]] = {
         "without a zero": student.of_the_largest,
     },
     "7.2": {"best": 0.8, "below": 0.75, "above": 0.95, "nine": 9},
-    "7.3": {"the wins": lambda wins: wins, "zeros": lambda wins: 0 * wins},
+    "7.3": {
+        "the wins": lambda wins: wins,
+        "zeros": lambda wins: 0 * wins,
+        "no fifth win": lambda wins: np.minimum(wins, 4),
+    },
     "8.1": {
         "both teams": (64000, 250),
         "epochs": (1000, 250),
@@ -229,11 +233,7 @@ RIGHT: dict[str, list[Any]] = {
     "5.4": [student.both_rise],
     "6.1": [lambda matrix: analysis.checkerboards(matrix).count],
     "6.3": [student.hall(4), lambda available, rng: np.array(student.hall(4)(available, rng))],
-    "7.3": [
-        lambda wins: np.minimum(wins, 4),
-        lambda wins: -abs(wins - 3),
-        lambda wins: reduced_virulence(wins, 0.6),
-    ],
+    "7.3": [lambda wins: -abs(wins - 3), lambda wins: reduced_virulence(wins, 0.6)],
     "9.2": [-break_even(), np.float32(break_even())],
     "9.3": [np.ceil(298.07)],
     "10.4": [

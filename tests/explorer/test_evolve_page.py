@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from browser import LAPTOP, PHONE, Browser
+from browser import LAPTOP, Browser
 from command_line import matrixworld_command
 from matrixworld import Matches, Population, Rating, WorldConfig, rollout
 from matrixworld.explorer.evolve_page import PAGE, evolve_page
@@ -125,19 +125,3 @@ def test_a_wall_that_would_cut_off_a_cell_is_refused(browser: Browser, page: Pat
         browser.wait(f"{told}.slice(0, 23) === '{sentence}'")
     browser.wait(f"{rows}[0] === '...#........' && {rows}[1] === '##..........'")
     assert browser.errors() == []
-
-
-@pytest.mark.nightly
-def test_two_races_stand_side_by_side_and_a_person_takes_over(browser: Browser, page: Path) -> None:
-    browser.prefer(prefers_reduced_motion="reduce")
-    opened(browser, page, SMALL + "&beside=hall-of-fame&learner=ga", PHONE)
-    assert not browser.js("matrixworldEvolve.lanes[0].newest.runs")  # no motion unless asked for
-    browser.click(".evolve")
-    browser.wait(f"{STATE} === 'ended'", 240)
-    assert browser.js("matrixworldEvolve.lanes.map((lane) => lane.newestGeneration)") == [15, 15]
-    browser.driver.execute_script("document.querySelector('.to-play').click()")
-    browser.press("d")
-    browser.wait("document.querySelector('.take-over .play-told').textContent.includes('Step 1')")
-    assert browser.js("document.documentElement.scrollWidth") <= PHONE[0]
-    assert browser.errors() == []
-    browser.prefer()

@@ -14,8 +14,8 @@ from PIL import Image
 import shown_games
 from browser import PHONE, Browser, data_of
 from matrixworld.coevolution import SavedRun, evolve
-from matrixworld.explorer import explore, runs_page, shows
-from matrixworld.explorer.runs_page import SO_FAR, GrowingPage, explorer_page
+from matrixworld.explorer import explore, shows
+from matrixworld.explorer.runs_page import explorer_page
 from shown_games import short_race
 from tiny_race import tiny_race
 
@@ -77,13 +77,6 @@ def test_a_page_holds_few_cells_and_bytes_of_all_its_runs(
     assert next(iter(run["game"]["shows"])) == "15 15"
 
 
-def test_the_page_has_no_engine_no_genomes_and_no_playground(job: Job) -> None:
-    page = explorer_page([job["words"], job["pictures"]])
-    for part in ("script-engine", "playground", "genomes-0-pursuer"):
-        assert f'id="{part}"' not in page
-    assert 'id="script-engine"' in explorer_page([job["words"], job["pursuit"]])
-
-
 def test_headings_and_settings_name_the_game(job: Job) -> None:
     plain = data(job["words"])
     assert plain["heading"] == "1 race of hosts and parasites, game words"
@@ -115,28 +108,6 @@ def test_another_source_is_told_and_a_game_that_is_not_there_refused(tmp_path: P
     with pytest.raises(ValueError, match="no_such_games:words: expected a module"):
         explore(tmp_path / "run")
     assert not page.path.exists()
-
-
-def test_the_page_grows_and_shows_pairs_at_the_end(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(runs_page, "SECONDS", 0.0)
-    monkeypatch.setattr(runs_page, "SHARE", np.inf)
-    page, seen = GrowingPage(tmp_path, ["run"]), list[Any]()
-
-    def look(progress: object) -> None:
-        page.write()
-        seen.append(data_of(tmp_path / "explorer.html")["runs"][0])
-
-    run = evolve(short_race(shown_games.words), tmp_path / "run", threads=1, report=look)
-    assert not any(each["game"]["shows"] for each in seen)
-    assert seen[-1]["findings"]["table"]  # it has ended
-    before = [each["payoff"] for each in seen if each["payoff"]["episodes"] == SO_FAR]
-    assert [before[0]["shape"], before[-1]["shape"]] == [[1, 1], [4, 4]]
-    assert before[-1]["capture_rates"] == run.payoff().scores[:, :, :SO_FAR].tolist()
-    assert seen[-1]["game"]["missing"].endswith("when the run has ended.")
-    explore(tmp_path / "run", file=tmp_path / "explorer.html", force=True)
-    assert len(data_of(tmp_path / "explorer.html")["runs"][0]["game"]["shows"]) == 16
 
 
 @pytest.mark.slow

@@ -103,6 +103,7 @@ def of_runs(directory: Path) -> Iterator[Any]:
         run = Run(directory / name, threads=1)
         yield from (settings, run)
         yield from (run.run(), run)
+    yield coevolution.RunInMemory(tiny_race(), threads=1)
     saved = coevolution.open_run(directory / "race")
     yield from (saved, saved.policy("pursuer", -1, seed=0), saved.payoff(), saved)
     [group] = coevolution.open_groups(directory / "race")

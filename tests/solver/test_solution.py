@@ -1,5 +1,7 @@
 """Exact solutions of small worlds, against theory, an own trial and slow computations."""
 
+import signal
+import time
 import warnings
 from collections.abc import Callable, Iterator
 from copy import copy
@@ -314,3 +316,34 @@ def test_rules_with_turns(name: str) -> None:
 def test_two_evaders_as_the_slow_reading(rules: str) -> None:
     row = CUSTOM[rules] if rules in CUSTOM else mw.VARIANTS[rules]
     assert_same_values(on_ring(row, rows=2, n_pursuers=1, n_evaders=2), 2)
+
+
+def test_a_long_call_tells_its_share_and_stops_at_a_signal(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the middle of one call of the engine, on one thread: the states, and a step back."""
+
+    def stop(*_: Any) -> None:
+        raise TimeoutError
+
+    before = signal.signal(signal.SIGALRM, stop)
+    try:
+        for size, steps in ((9, None), (5, 500)):
+            told: dict[str, list[float]] = {}
+
+            def tell(what: str, share: float, told: dict[str, list[float]] = told) -> None:
+                told.setdefault(what, []).append(share)
+
+            config = mw.WorldConfig("O", rows=size, cols=size, n_pursuers=2, n_evaders=1)
+            with pytest.raises(TimeoutError):  # noqa: PT012, whichever call it is in
+                if steps:
+                    states = States(config, threads=1, report=tell)
+                signal.setitimer(signal.ITIMER_REAL, 1.0)
+                began = time.monotonic()
+                solve(states, steps=steps) if steps else States(config, threads=1, report=tell)
+            assert time.monotonic() - began < 2.0
+            shares = told["perfect play" if steps else "states"]
+            assert len(shares) > 3
+            assert shares == sorted(shares)
+            assert 0.0 < shares[-1] < 1.0
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)

@@ -1,8 +1,6 @@
 """The built engine is that of the sources, and plays as the extension does, bit for bit."""
 
 import runpy
-import shutil
-import subprocess
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -41,24 +39,6 @@ def test_the_tables_are_those_of_the_package() -> None:
     """If this fails, run ``python web/write_tables.py``."""
     tables = program("web/write_tables.py")
     assert tables.TABLES.read_text(encoding="utf-8") == tables.text()
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize(
-    ("driver", "argument", "answer"),
-    [("multiply_add", "0.2", "1085184 cases"), ("recurrent_units", "1009", "4256660 cases")],
-)
-def test_arithmetic_of_our_own(driver: str, argument: str, answer: str, tmp_path: Path) -> None:
-    """Multiply-add on processors without one, and functions of recurrent layers within bounds."""
-    compiler = shutil.which("c++")
-    if compiler is None:
-        pytest.skip("needs a C++ compiler")
-    options = ["-std=c++17", "-O2", "-ffp-contract=off", "-w", f"-I{ROOT / 'cpp'}"]
-    built = tmp_path / driver
-    subprocess.run([compiler, *options, ROOT / f"cpp/tests/{driver}.cpp", "-o", built], check=True)
-    done = subprocess.run([built, argument], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout
-    assert f"{answer}, 0 wrong" in done.stdout
 
 
 def game(number: int, config: mw.WorldConfig, expected: SimpleNamespace) -> dict[str, Any]:
@@ -432,11 +412,3 @@ def test_pages_know_perfect_play(run_command: Commands, name: str, payoff: Payof
         expected = [share for agent in moment.marginals for share in agent or [-1]]
         assert shares == pytest.approx(expected, abs=1e-9)
     assert max(max(moment.lost) for moment in moments) > 0.1
-
-
-@pytest.mark.parametrize(
-    ("changes", "why"), [({"n_pursuers": 3, "rows": 6}, "too large"), ({"obstacles": 0.1}, "anew")]
-)
-def test_pages_say_why_unsolved(run_command: Commands, changes: dict[str, Any], why: str) -> None:
-    config = replace(SOLVED["O"], **changes).to_json()
-    assert why in run_command(do="solve", config=config, start={}, actions=[])["why"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
@@ -14,7 +14,8 @@ from typing import Any
 import click
 from tqdm import tqdm
 
-from matrixworld._util.files import LockedError, save_json
+from matrixworld.__main__ import INTERRUPTED
+from matrixworld._util.files import DamagedFileError, LockedError, save_json
 from matrixworld.analysis.judgement import summary
 from matrixworld.cli import cluster, console, options, pages, setting_options
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs, storage
@@ -81,17 +82,19 @@ def _write_page(ctx: click.Context) -> None:
     pages.open_page(page, opens=True)
 
 
-def _shows(name: str, show: Callable[[click.Context], None], text: str) -> options.Option:
-    """Return an option that prints or writes something, and the command does nothing else."""
+SHOWS = {
+    "page": (_write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"),
+    "variants": (_print_variants, "print the nine variants of the game as a table of rules"),
+    "worlds": (_print_worlds, "print the worlds that have names as a table"),
+    "help_all": (setting_options.help_all, "print this page and all settings"),
+}
+"""Options that print or write something, and the command does nothing else."""
 
-    def callback(ctx: click.Context, param: click.Parameter, value: bool) -> None:
-        if value:
-            show(ctx)
-            ctx.exit()
 
-    return click.option(
-        name, is_flag=True, is_eager=True, expose_value=False, callback=callback, help=text
-    )
+def _shows(function: Any) -> Any:
+    for name, (_, text) in reversed(SHOWS.items()):
+        function = click.option(options.option_name(name), is_flag=True, help=text)(function)
+    return function
 
 
 @click.command("evolve", epilog=EXAMPLES)
@@ -164,12 +167,7 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
     metavar="FILE",
     help="settings from a .toml file, or the config.json of a run; options replace them",
 )
-@_shows(
-    "--page", _write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"
-)
-@_shows("--variants", _print_variants, "print the nine variants of the game as a table of rules")
-@_shows("--worlds", _print_worlds, "print the worlds that have names as a table")
-@_shows("--help-all", setting_options.help_all, "print this page and all settings")
+@_shows
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
@@ -200,7 +198,13 @@ def evolve_command(
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
     """
-    given = options.given(settings)
+    context = click.get_current_context()
+    everything = options.given(context.params)
+    for name in SHOWS.keys() & everything:
+        options.refuse_beside(options.option_name(name), everything.keys() - {name})
+        SHOWS[name][0](context)
+        return
+    given = options.given({n: each for n, each in settings.items() if n not in SHOWS})
     with console.warnings_as_notes():
         if resumed is None and force:
             raise click.UsageError("--force: expected --resume beside it")
@@ -236,13 +240,14 @@ def _resumable(root: Path) -> Iterator[None]:
     try:
         yield
     except (Exception, KeyboardInterrupt) as error:
-        # Stopped before anything was made, the command itself is repeated.
-        if isinstance(error, click.ClickException | LockedError) or not storage.find_runs(root):
+        # Stopped before anything was made, the command itself is repeated; damage stays.
+        known = click.ClickException | DamagedFileError | LockedError
+        if isinstance(error, known) or not storage.find_runs(root):
             raise
         again = options.resume_command(root)
         console.note(f"\nStopped. Finished parts are saved; to continue:\n  {again}")
         if isinstance(error, KeyboardInterrupt):
-            raise click.exceptions.Exit(console.INTERRUPTED) from None
+            raise click.exceptions.Exit(INTERRUPTED) from None
         raise
 
 
@@ -286,13 +291,8 @@ def _found(
         refused = options.refusal(root, "a directory that holds a run")
         raise click.UsageError(f"--resume: {refused}")
     generations = given.get("generations")
-    others = (name for name in given if name != "generations")
-    names = [*(["--out"] if output else []), *map(options.option_name, others)]
-    if names:
-        raise click.UsageError(
-            f"--resume: expected no settings but --generations beside it, because a run keeps its "
-            f"own, got {', '.join(names)}"
-        )
+    beside = [*(["output"] if output else []), *(name for name in given if name != "generations")]
+    options.refuse_beside("--resume", beside, ": a run keeps its own, all but --generations")
     with setting_options.usage_errors():
         jobs.change(root, generations=generations, force=force)
     return root, jobs.found_job(root)

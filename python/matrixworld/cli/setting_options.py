@@ -108,8 +108,13 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
     """
     file: Mapping[str, Any] = given.get("config", {})
     changes = {path: given[name] for name, path in PATHS.items() if name in given}
-    changes |= given.get("sets", ())
     names: Sequence[str] = given.get("schedule", ())
+    taken = {*changes, *(["schedule"] if names else []), *(["seed"] if "seeds" in given else [])}
+    for path, value in given.get("sets", ()):
+        if path in taken:
+            raise click.UsageError(f"--set {path}: expected one value of a setting, got several")
+        taken.add(path)
+        changes[path] = value
     if ALL in names:
         names = [*SCHEDULES, *(name for name in names if name != ALL)]
     elif not names:

@@ -123,6 +123,15 @@ class PluginError(RuntimeError):
     """
 
 
+@contextmanager
+def no_exit(where: str) -> Iterator[None]:
+    """Raise PluginError where code of your own exits: the program would end as if all was well."""
+    try:
+        yield
+    except SystemExit as error:
+        raise PluginError(f"{where}: code of your own called exit") from error
+
+
 @dataclass(frozen=True)
 class OwnCode(Section):
     """Base of what stands for a section of your own: its name, and its settings.

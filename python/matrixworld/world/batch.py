@@ -72,12 +72,15 @@ class Batch(Turns):
             specs = array_specs(self.config)
             few = {name: spec for name, spec in specs.items() if name not in LARGE}
             buffers = new_arrays(few, self.n_worlds)
-        self.buffers: dict[str, NDArray[Any]] = buffers
+        self._buffers = buffers
         # The engine checks the buffers and keeps them alive.
-        self._core = _core.Batch(
-            self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers
-        )
+        self._core = _core.Batch(self.config.setup, self.n_worlds, n_threads, autoreset, buffers)
         self.reset(0)
+
+    @property
+    def buffers(self) -> dict[str, NDArray[Any]]:
+        """The arrays that the engine writes into; another array put into the dict is not one."""
+        return self._buffers
 
     def reset(
         self,
@@ -189,7 +192,7 @@ class Batch(Turns):
 
 
 def _mask(given: ArrayLike) -> NDArray[np.bool_]:
-    mask = np.ascontiguousarray(given)
+    mask = np.ascontiguousarray(checks.unmasked("mask", given))
     if mask.dtype != np.bool_:
         raise TypeError(f"mask: expected dtype bool, got {mask.dtype}")
     return mask

@@ -351,11 +351,9 @@ class Population(Readable):
 
     def __post_init__(self) -> None:
         checks.check_instance("policy", self.policy, Policy)
-        given = np.atleast_2d(self.genomes)
-        floats = np.issubdtype(given.dtype, np.floating)
-        if not floats or isinstance(given, np.ma.MaskedArray):
-            got = type(given).__name__ if floats else given.dtype
-            raise TypeError(f"genomes: expected dtype float32, got {got}")
+        given = np.atleast_2d(checks.unmasked("genomes", self.genomes))
+        if not np.issubdtype(given.dtype, np.floating):
+            raise TypeError(f"genomes: expected dtype float32, got {given.dtype}")
         with np.errstate(over="ignore"):  # what is too large becomes infinite, and is refused
             genomes = given.astype(np.float32, copy=False)
         expected = (len(genomes), self.policy.genome_size)

@@ -82,8 +82,8 @@ class World(Turns, arrays.WorldArrays):
         sets it.
     positions, alive, rewards, terminated, ...
         All that `matrixworld.array_specs` lists: the present moment, and results of the last step.
-        What has the shape () is a number of Python. `views`, `inputs` and `state` are
-        methods.
+        What has the shape () is a number of Python; none can be assigned to. `views`, `inputs` and
+        `state` are methods.
 
     Notes
     -----
@@ -252,6 +252,11 @@ class World(Turns, arrays.WorldArrays):
             if name not in arrays.WORLD_FIELDS:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
             return arrays.python_value(self.read(name)[name])
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            if name in arrays.WORLD_FIELDS:  # it would hide what the engine tells
+                raise AttributeError(f"{name}: expected no assignment: the world computes it")
+            super().__setattr__(name, value)
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *arrays.WORLD_FIELDS]
