@@ -3,7 +3,6 @@
 import runpy
 from collections.abc import Callable
 from itertools import combinations, permutations, product
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,13 +11,12 @@ import pytest
 import matrixworld as mw
 from course import chapter_10, check, kept
 from course.chapter_5 import four_races
-from course.chapter_9 import WEIGHTS, WORLD, Mask, pack, play_masked
+from course.chapter_9 import WORLD, Mask, play_masked
 from matrixworld import analysis
-from matrixworld.coevolution import evolve
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.masks import action_masks, forbidding_cells
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
-from student_functions import STEPS, left_waits
+from student_functions import left_waits
 from student_functions import right_of_way as as_on_a_road
 
 # ---- Notebook 3 ----------------------------------------------------------------------------------
@@ -197,18 +195,6 @@ PACKS = (*(f"penalty{number}" for number in range(7)), "mask", "late_mask")
 # ---- Notebook 10 ---------------------------------------------------------------------------------
 
 
-@pytest.mark.nightly
-def test_the_kept_truth_is_that_of_its_races(tmp_path: Path) -> None:
-    """Of one race. Run ``tutorials/make/chapter_10.py`` if it fails."""
-    stored, maker = kept("chapter_10"), runpy.run_path(str(TUTORIALS / "make" / "chapter_10.py"))
-    run = evolve(maker["settings"]("specialist-specialist", 3), tmp_path / "race", threads=1)
-    numbers = maker["numbers"](run)
-    assert numbers.pop("value") == stored["value"]
-    for name, (of_pursuers, of_evaders) in numbers.items():
-        assert np.array_equal(stored[f"pursuer: {name}"][0, 3], of_pursuers)
-        assert np.array_equal(stored[f"evader: {name}"][0, 3], of_evaders)
-
-
 def test_the_kept_truth_is_what_the_notebook_says() -> None:
     """Run ``tutorials/run.py 10`` if it fails."""
     stored = kept("chapter_10")
@@ -233,36 +219,6 @@ def test_answers_to_the_newest_never_improve_and_those_to_the_nash_mixture_do() 
         newest, nash = (names["respond"](game, names[n], 12)[-1] for n in ("newest", "nash"))
         assert newest > 0.95
         assert nash < 0.4
-
-
-def wishes(view: np.ndarray, weights: np.ndarray) -> list[float]:
-    """Return the wishes for the five actions, cell by cell as the table says."""
-    of = dict(zip(WEIGHTS, weights, strict=True))
-    found = [of["stay"]]
-    evaders = [(r - 5, c - 5) for r, c in np.argwhere(view[EVADERS])]
-    found[0] += of["hold"] * sum(abs(r) + abs(c) == 1 for r, c in evaders)
-    for row, col in STEPS[1:]:
-        wish = of["wall"] * view[OBSTACLES, 5 + row, 5 + col]
-        wish += of["teammate"] * view[PURSUERS, 5 + row, 5 + col]
-        for r, c in evaders:
-            wish += of["approach"] * (r * row + c * col) / max(abs(r) + abs(c), 1)
-        for down, right in STEPS[1:]:
-            r, c = row + down, col + right
-            if (r, c) != (0, 0):
-                wish += of["crowd"] * view[PURSUERS, 5 + r, 5 + c]
-        found.append(wish)
-    return found
-
-
-def test_the_network_wishes_what_the_table_says() -> None:
-    rng = np.random.default_rng(0)
-    # A few agents in each view, as in play.
-    views = (rng.random((20, 3, 11, 11)) < 0.1).astype(np.uint8)
-    weights = rng.normal(size=6)
-    own = pack(weights)
-    found = own.policy.logits(own.genomes[0], views)
-    expected = [wishes(view, weights) for view in views]
-    np.testing.assert_allclose(found, expected, atol=1e-4)
 
 
 def test_a_forbidden_action_is_never_chosen() -> None:
