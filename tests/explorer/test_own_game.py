@@ -77,6 +77,13 @@ def test_a_page_holds_few_cells_and_bytes_of_all_its_runs(
     assert next(iter(run["game"]["shows"])) == "15 15"
 
 
+def test_the_page_has_no_engine_no_genomes_and_no_playground(job: Job) -> None:
+    page = explorer_page([job["words"], job["pictures"]])
+    for part in ("script-engine", "playground", "genomes-0-pursuer"):
+        assert f'id="{part}"' not in page
+    assert 'id="script-engine"' in explorer_page([job["words"], job["pursuit"]])
+
+
 def test_headings_and_settings_name_the_game(job: Job) -> None:
     plain = data(job["words"])
     assert plain["heading"] == "1 race of hosts and parasites, game words"
