@@ -44,13 +44,6 @@ def test_the_help_of_all_settings_has_every_one_with_its_default():
         assert default in shown
 
 
-def test_without_options_the_settings_are_those_of_the_package():
-    assert settings_of({}) == [RaceSettings(schedule=name) for name in MAIN_JOB]
-    assert settings_of({"schedule": ("against",), "sets": [("schedule.opponent", "still")]}) == [
-        RaceSettings.of({"schedule": "against", "schedule.opponent": "still"})
-    ]
-
-
 def test_options_become_settings():
     more = {"anneal": "true", "diagonal": "true", "activation": "tanh", "sigma": ".2"}
     more |= {"hidden": "5,4", "obstacles": "0.1", "schedule": "generalist-specialist"}

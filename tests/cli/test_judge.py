@@ -15,14 +15,13 @@ from matrixworld._util.readable import plain_values
 from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs
 from matrixworld.analysis.judgement import summary
 from matrixworld.cli.evolve import report
-from matrixworld.coevolution import SavedRun, evolve, finish, open_run, score
+from matrixworld.coevolution import SavedRun, evolve, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
-from matrixworld.coevolution.jobs import create_job, job_of
+from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.types import TEAMS
-from tiny_race import tiny_race
+from tiny_race import LONG, SCHEDULES, tiny_race
 
 EVOLVED = {**RACE, "generations": 13, "evaluation_episodes": 5, "schedule": "specialist-specialist"}
-LONG = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
 
 
 def means_of(kind: str, episodes: int = 30) -> np.ndarray:
@@ -117,26 +116,14 @@ def test_all_commands_come_to_the_same_judgement():
     assert set(reported["measures"]) == set(MEASURES)
 
 
-FIRST, SECOND = SCHEDULES = ("specialist-specialist", "generalist-generalist")
-SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)  # one has not begun
-JOB = job_of([tiny_race(schedule=name, seed=seed, **LONG) for name in SCHEDULES for seed in ASKED])
-
-
-@pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two schedules with four seeds each, of which the last one has not begun."""
-    root = tmp_path_factory.mktemp("made") / "job"
-    create_job(JOB, root)
-    for name, settings in JOB.items():
-        if settings.seed in SEEDS:
-            finish(root / name, threads=1)
-    return root
+FIRST, SECOND = SCHEDULES
+SEEDS = (0, 1, 2)
 
 
 @pytest.fixture
-def job(made: Path) -> Path:
+def job(seeds: Path) -> Path:
     """A copy of the job in the working directory."""
-    return Path(shutil.copytree(made, "job"))
+    return Path(shutil.copytree(seeds, "job"))
 
 
 def results(root: Path) -> list[SavedRun]:
@@ -144,7 +131,7 @@ def results(root: Path) -> list[SavedRun]:
 
 
 def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, undrawn):
-    report(JOB, job, results(job), {}, 0.0, threads=1)
+    report(found_job(job), job, results(job), {}, 0.0, threads=1)
     said = capsys.readouterr().out
     assert max(map(len, said.splitlines())) <= 80
     assert len(said.splitlines()) <= 24  # seen at once
@@ -172,7 +159,7 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, u
 
 def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     failed = job / FIRST / "seed-1"
-    asked = {name: each for name, each in JOB.items() if FIRST in name}
+    asked = {name: each for name, each in found_job(job).items() if FIRST in name}
     report(asked, job, results(job)[:1], {failed: "payoff.npz: cut or altered"}, 0.0, 1)
     said = capsys.readouterr().out
     assert "Not finished: seeds 1, 2, 3." in said

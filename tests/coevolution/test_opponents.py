@@ -97,6 +97,16 @@ def test_prioritized_weighs_opponents_by_their_games_of_which_earlier_ones_count
     assert np.bincount(first, minlength=4) / 800 == pytest.approx(expected, abs=0.06)
 
 
+def test_opponents_of_weight_0_are_sampled_only_if_the_others_do_not_suffice():
+    sampler = opponents.Prioritized()
+    state = told(sampler, ([0, 1, 2], [[1, 1, 0]]))
+    for seed in range(20):
+        sample = chosen(sampler, 4, 3, seed=seed, state=state)
+        assert {2, 3} < set(sample)
+        assert sample[2] in (0, 1)
+    assert sampler.probabilities(told(sampler, ([0, 1], [[1, 1]])), 2).tolist() == [0.5, 0.5]
+
+
 def test_shared_sample_by_hand():
     # Opponent 0 beats individuals 0, 1, 2; 1 beats 0, 1; 2 beats 3; 3 beats none.
     beats = [[1, 1, 1, 0], [1, 1, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0]]

@@ -45,14 +45,6 @@ def test_a_script_says_the_same_again_from_what_it_keeps(name: str, tmp_path: Pa
     assert runs == {path: path.stat().st_mtime_ns for path in runs}
 
 
-@pytest.mark.nightly
-def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
-    run_quickly("evolve_held_out", tmp_path)
-    run_quickly("evolve_held_out", tmp_path, "--processes", "2", "--output", "again.npz")
-    assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
-    assert "| evolved-2 | " in run_quickly("evolve_held_out", tmp_path, "--table", "held_out.npz")
-
-
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     return {
         f"races, {n} epochs": tiny_race().changed(epochs(n)) for n in ((1,) if quick else (1, 2))

@@ -19,7 +19,7 @@ from matrixworld.plots.saved import (
     collisions_per_1000,
     figures_of,
 )  # fmt: skip
-from shown_games import pictures, short_race, words
+from own_games import pictures, short_race, words
 from tiny_race import tiny_race, tiny_single
 
 TOGETHER = ["seeds", "verdicts", "held_out"]

@@ -16,7 +16,7 @@ import pettingzoo
 import pytest
 
 import matrixworld
-from matrixworld.version import DISTRIBUTION, __version__, install_hint
+from matrixworld.version import DISTRIBUTION, install_hint
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -86,18 +86,6 @@ def test_the_package_knows_the_name_and_the_extras_of_its_distribution() -> None
     named = set(re.findall(r'imported\("[\w.]+", "([\w-]+)"\)', source))
     assert named
     assert named <= set(PROJECT["project"]["optional-dependencies"])
-
-
-def test_the_version_has_one_source() -> None:
-    assert "version" in PROJECT["project"]["dynamic"]
-    source = PROJECT["tool"]["scikit-build"]["metadata"]["version"]["input"]
-    assert f'\n__version__ = "{__version__}"\n' in (ROOT / source).read_text(encoding="utf-8")
-    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
-    assert re.findall(r"^version: (.+)$", citation, re.MULTILINE) == [__version__]
-    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    sections = re.findall(r"^## \[(.+?)\]", changes, re.MULTILINE)
-    assert sections[0] in {"Unreleased", __version__}
-    assert __version__ in sections[:2]
 
 
 def test_the_licence_names_those_of_all_compiled_code() -> None:

@@ -2,7 +2,6 @@
 
 import json
 import re
-import runpy
 from pathlib import Path
 
 import numpy as np
@@ -66,14 +65,6 @@ def test_the_exercises_that_the_teachers_page_names_exist() -> None:
     for name in named:
         chapter, _, item = name.partition(".")
         assert isinstance(exercises(int(chapter))[name], Exercise) is item.isdigit(), name
-
-
-def test_answers_for_a_class_are_what_dice_and_hands_do(capsys: pytest.CaptureFixture[str]) -> None:
-    runpy.run_path(str(DOCS / "class_material" / "simulate.py"), run_name="__main__")
-    told = re.findall(r"\d+\.\d|\d+ %", capsys.readouterr().out)
-    assert len(told) == 9
-    answers = read("docs/class_material/answers.md")
-    assert [number for number in told if number not in answers] == []
 
 
 # The page on files

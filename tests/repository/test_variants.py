@@ -9,7 +9,6 @@ import pytest
 from PIL import Image
 
 import matrixworld as mw
-from matrixworld.envs import VARIANT_TEXTS
 
 DOCS = Path(__file__).parents[2] / "docs"
 MOVES = {
@@ -24,10 +23,6 @@ def make_pages() -> Iterator[Any]:
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(DOCS)
         yield importlib.import_module("make_pages")
-
-
-def test_every_variant_has_a_text() -> None:
-    assert set(VARIANT_TEXTS) == set(mw.VARIANTS), "entries of matrixworld/envs/variants.toml"
 
 
 def test_the_readme_has_the_rules_of_each_variant() -> None:

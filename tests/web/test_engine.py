@@ -358,23 +358,6 @@ def test_settings_are_refused(run_command: Commands, changes: dict[str, Any], me
     assert got["error"].startswith(message)
 
 
-@pytest.mark.parametrize(
-    ("start", "actions", "field"),
-    [
-        ({"pursuers": [[0, 0]] * 3}, None, "positions"),
-        ({"seed": str(2**64)}, None, "seed"),
-        (None, [7] * 7, "actions"),
-        (None, [0], "actions"),
-    ],
-)
-def test_a_refused_call_leaves_the_world_as_it_was(
-    run_command: Commands, start: Any, actions: Any, field: str
-) -> None:
-    got = run_command(do="refuse", config=OPEN, start=start, actions=actions)
-    assert got["message"].startswith(f"{field}: expected")
-    assert got["same"]
-
-
 SOLVED = {
     "O": mw.WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=6),
     "TO": mw.WorldConfig("TO", rows=3, cols=4, n_pursuers=2, n_evaders=1, max_steps=6),
