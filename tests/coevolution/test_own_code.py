@@ -70,6 +70,12 @@ def test_a_name_that_cannot_be_one_is_refused(name):
             RaceSettings.of({path: name})
 
 
+@dataclass(frozen=True)
+class Bred(GeneticAlgorithm):
+    population: int = 8
+    bits: int = 1
+
+
 def test_a_class_and_an_instance_stand_for_their_name_and_settings():
     given = {"sigma": np.float32(0.5), "shrink": 1}
     named = OwnLearner(code="own_code:HillClimber", settings=given)
@@ -80,6 +86,9 @@ def test_a_class_and_an_instance_stand_for_their_name_and_settings():
     made = RaceSettings(learner=HillClimber(sigma=0.5)).learner
     assert made.settings == {"population": 4, "shrink": 0.9, "sigma": 0.5}
     assert made.load() == HillClimber(sigma=0.5)
+    derived = RaceSettings(learner=Bred(bits=3)).learner  # not the built-in one, which has no bits
+    assert isinstance(derived, OwnLearner)
+    assert derived.load() == Bred(bits=3)
     for met in (Oldest, Oldest(), "own_code:Oldest"):
         settings = RaceSettings.of({"schedule.evaders_meet": met})
         assert settings.schedule.evaders_meet == OwnOpponents(code="own_code:Oldest")

@@ -35,6 +35,7 @@ from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
 from matrixworld.coevolution import Game, GeneticAlgorithm, RaceSettings, RunInMemory
+from matrixworld.coevolution.game import Scores
 from matrixworld.coevolution.learners.genetic_algorithm import TOURNAMENT
 from matrixworld.coevolution.learners.learner import Task, select_tournament
 from matrixworld.coevolution.types import (
@@ -44,6 +45,7 @@ from matrixworld.coevolution.types import (
     Genomes,
     Indices,
     IntArray,
+    Matches,
     Rng,
     State,
     Team,
@@ -51,22 +53,16 @@ from matrixworld.coevolution.types import (
 
 # ---- Rock-paper-scissors -------------------------------------------------------------------------
 
-HandHistory = dict[Team, list[int]]
-"""Team -> its hand in each generation: `ROCK`, `PAPER` or `SCISSORS`."""
-
-ROCK, PAPER, SCISSORS = range(3)
 PAYOFF = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
-"""Of the pursuers' hands (rows) against the evaders', whose own payoff is one minus it."""
+"""Of the pursuers' rock, paper and scissors (rows) against the evaders', who get one minus it."""
 
 
-def play_hands(a: FloatArray, b: FloatArray, rng: np.random.Generator) -> FloatArray:
+def play_hands(a: FloatArray, b: FloatArray, rng: Rng) -> FloatArray:
     """Return the scores of strategies (M, 3), probabilities of the hands."""
     return np.asarray(np.einsum("mi,ij,mj->m", a, PAYOFF, b))
 
 
-HANDS = Game(
-    play_hands, 3, ("pursuers", "evaders"), lambda rng: np.eye(3)[ROCK], deterministic=True
-)
+HANDS = Game(play_hands, 3, ("pursuers", "evaders"), lambda rng: np.eye(3)[0], deterministic=True)
 """Rock-paper-scissors; both teams start with rock."""
 
 
@@ -94,8 +90,8 @@ RACES_OF_HANDS: dict[str, dict[str, Any]] = {
 """Schedules: answers to the newest hand, and to all past hands, in turns or at the same time."""
 
 
-def race_of_hands(name: str, generations: int, seed: int = 0) -> HandHistory:
-    """Play one of `RACES_OF_HANDS`, and return the hands of each team.
+def race_of_hands(name: str, generations: int, seed: int = 0) -> dict[Team, list[int]]:
+    """Play one of `RACES_OF_HANDS`, and return the hands of each team, 0 to 2.
 
     `generations` are those after the first one.
     """
@@ -145,30 +141,22 @@ HOST_BIAS, PARASITE_BIAS = 0.5, 0.75
 """Probability that a redrawn bit is a one."""
 
 
-def farthest(a: FloatArray, b: FloatArray, rng: Any) -> FloatArray:
-    """Return scores by the number in which individuals differ most: 1 where a's is larger."""
-    return _by(np.argmax(np.abs(a - b), axis=1), a, b)
+def _numbers_game(count: int, extreme: Callable[..., Indices]) -> Game:
+    """Return a game of some numbers; the one with the extreme difference decides."""
+
+    def play(a: FloatArray, b: FloatArray, rng: Rng) -> FloatArray:
+        each, deciding = np.arange(len(a)), extreme(np.abs(a - b), axis=1)
+        return np.asarray((1.0 + np.sign(a[each, deciding] - b[each, deciding])) / 2.0)
+
+    def zeros(rng: Rng) -> FloatArray:
+        return np.zeros(count)
+
+    return Game(play, count, ("hosts", "parasites"), zeros, deterministic=True)
 
 
-def nearest(a: FloatArray, b: FloatArray, rng: Any) -> FloatArray:
-    """Return scores by the number in which individuals differ least."""
-    return _by(np.argmin(np.abs(a - b), axis=1), a, b)
-
-
-def _by(deciding: Any, a: FloatArray, b: FloatArray) -> FloatArray:
-    each = np.arange(len(a))
-    return np.asarray((1.0 + np.sign(a[each, deciding] - b[each, deciding])) / 2.0)
-
-
-def _of_numbers(play: Any, count: int) -> Game:
-    return Game(
-        play, count, ("hosts", "parasites"), lambda rng: np.zeros(count), deterministic=True
-    )
-
-
-SCALAR, FOCUSING, INTRANSITIVE = (
-    _of_numbers(farthest, 1), _of_numbers(farthest, 10), _of_numbers(nearest, 2)
-)  # fmt: skip
+SCALAR = _numbers_game(1, np.argmax)
+FOCUSING = _numbers_game(10, np.argmax)
+INTRANSITIVE = _numbers_game(2, np.argmin)
 GAMES = {"scalar": SCALAR, "focusing": FOCUSING, "intransitive": INTRANSITIVE}
 """Numbers games: more ones win, in the number in which individuals differ most, or least.
 
@@ -219,10 +207,10 @@ class Bits(GeneticAlgorithm):
 
 @dataclass(frozen=True)
 class History:
-    """G generations of two populations of n individuals."""
+    """Two populations of n individuals, from the start to generation G."""
 
     game: Game
-    ones: IntArray  # of each individual, (G + 1, 2, n, dimensions), from the start to the end
+    ones: IntArray  # of each individual, (G + 1, 2, n, numbers)
     wins: FloatArray  # matches that each individual won, (G + 1, 2, n)
 
     @property
@@ -240,7 +228,7 @@ class History:
         """Whether individuals of both populations differ in their wins, (G + 1,)."""
         return np.asarray((np.ptp(self.wins, axis=2) > 0.0).all(axis=1))
 
-    def scores(self, generations: ArrayLike, episodes: int, rng: np.random.Generator) -> FloatArray:
+    def scores(self, generations: ArrayLike, episodes: int, rng: Rng) -> FloatArray:
         """Play matches between k generations, each of two individuals drawn with replacement.
 
         Returns the scores (k, k, episodes) of side 0 (rows) against side 1 (columns).
@@ -257,26 +245,22 @@ class History:
 class _Watched(RunInMemory):
     """A race that keeps its populations and their wins, and selects by wins alone."""
 
-    def __init__(self, settings: RaceSettings, parasites: Callable[[FloatArray], Any]) -> None:
-        super().__init__(settings, threads=1)
-        self.ones: list[Any] = []
-        self.wins: list[Any] = []
-        self.parasites = parasites
+    ones: list[list[Genomes]]
+    wins: list[list[IntArray]]
+    parasites: Callable[[FloatArray], Any]
 
-    def play(self, pursuers: Any, evaders: Any, matches: Any) -> Any:
+    def play(self, pursuers: Any, evaders: Any, matches: Matches) -> Scores:
         """Play the matches of an epoch."""
         scores = super().play(pursuers, evaders, matches)
-        won = [scores.of(team)[:, 0] == 1.0 for team in TEAMS]
+        won = zip(matches[:2], (scores.of(team)[:, 0] == 1.0 for team in TEAMS), strict=True)
         self.ones.append([pursuers.genomes, evaders.genomes])
-        self.wins.append(
-            [np.bincount(*each, POPULATION) for each in zip(matches, won, strict=False)]
-        )
+        self.wins.append([np.bincount(*each, POPULATION) for each in won])
         return scores
 
-    def fitness(self, team: Team, scores: Any, table: Any) -> FloatArray:
+    def fitness(self, team: Team, scores: Scores, table: Any) -> FloatArray:
         """Return the fitness of individuals by their wins; draws are worth nothing."""
-        wins = self.wins[-1][TEAMS.index(team)]
-        return np.asarray(wins if team == "pursuer" else self.parasites(wins.copy()), float)
+        hosts, parasites = self.wins[-1]
+        return np.asarray(hosts if team == "pursuer" else self.parasites(parasites * 1.0), float)
 
 
 def evolve(
@@ -290,16 +274,17 @@ def evolve(
 ) -> History:
     """Evolve two populations against each other, from all zeros.
 
-    Each generation is an epoch of a race in which all learn at the same time: each individual plays
-    some opponents, paired by random permutations, and both sides breed by their wins. `parasites`
-    takes the wins (n,) of side 1 and returns its fitness.
+    A generation is an epoch of a race in which both learn at the same time: each individual plays
+    some opponents, and both sides breed by their wins. `parasites` returns the fitness of side 1
+    for its wins (n,).
     """
     schedule = {
         "kind": "hall-of-fame", "generations": 1, "joint_epochs": generations + 1,
         "contemporaries": opponents, "hall_sample": 0,
     }  # fmt: skip
     settings = RaceSettings.of(game=game, learner=learner, schedule=schedule, seed=seed)
-    race = _Watched(settings, parasites)
+    race = _Watched(settings, threads=1)
+    race.ones, race.wins, race.parasites = [], [], parasites
     race.train()
     return History(game, np.array(race.ones).astype(int), np.array(race.wins))
 

@@ -1,9 +1,10 @@
 """A run: stages of learning, each saved at its end, and then an evaluation.
 
-A kind of race says what a stage is and how teams learn in it (`race`); a `Run` is what its loop
-works with. Everything that a stage changes (states of learners and samplers, archive, counters,
-log) is saved at its end. A run that is stopped within a stage, even by a power cut, repeats that
-stage when it goes on, and ends bit for bit as if it had never been stopped.
+A kind of race says what a stage is and how teams learn in it (`race`); a `RunInMemory` is what its
+loop works with, and a `Run` is one in a directory. Everything that a stage changes (states of
+learners and samplers, archive, counters, log) is saved at its end. A run that is stopped within a
+stage, even by a power cut, repeats that stage when it goes on, and ends bit for bit as if it had
+never been stopped.
 """
 
 from __future__ import annotations
@@ -210,6 +211,7 @@ class RunInMemory:
     """
 
     def __init__(self, settings: RaceSettings, *, threads: int | None = None) -> None:
+        check_instance("settings", settings, RaceSettings)
         check_threads(threads)
         self.settings: RaceSettings = settings
         self.threads: int | None = threads

@@ -318,7 +318,7 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     without a kind is of the class of that section, or of the default one.
     """
     known = sections_in(hint)
-    if isinstance(given, Section) and isinstance(given, tuple(known.values())):
+    if isinstance(given, Section) and type(given) in known.values():  # derived ones are own code
         return given
     own: Any = known.get("own")
     if own is not None and isinstance(given, own.base):
