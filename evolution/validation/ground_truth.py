@@ -35,11 +35,12 @@ Questions, over the first three worlds:
   the generation guarantees to which a measure gives the highest score (of equals the latest).
 - *generations*: Spearman's correlation with the truth over the generations of a race; races whose
   generations all guarantee the same do not count.
-- *judgement*: arms race: both teams rise; false if one does not. One-sided progress: one rises, the
-  other does not; false if both or none rise. Rise: a team rises; false if none does. Stagnation: no
-  team changes by more than `STAYS`; false if one changes by `RISES`. The judgement is about scores
-  against the opponents of the race, so an error here is an error of the reader who takes it for
-  more. Groups are ten races of the same settings; their truth is the mean course.
+- *judgement*, in the five worlds: arms race: both teams rise; false if one does not. One-sided
+  progress: one rises, the other does not; false if both or none rise. Rise: a team rises; false if
+  none does. Stagnation: no team changes by more than `STAYS`; false if one changes by `RISES`. The
+  judgement is about scores against the opponents of the race, so an error here is an error of the
+  reader who takes it for more. Groups are ten races of the same settings; their truth is the mean
+  course.
 
 Numbers have four digits. Intervals are over seeds, whose races are independent: each seed gives one
 number, over all its races. Areas have a jackknife that leaves out one seed after the other. Each
@@ -78,7 +79,7 @@ from judgement_tables import RATE_HEADS, count_verdicts, errors_of, read_counts
 from judgement_truths import WINDOWS
 from matrixworld import Capture, Interaction, Outcome, Rules, analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, score
-from matrixworld.coevolution.types import BoolArray, FloatArray, Payoff, other
+from matrixworld.coevolution.types import BoolArray, FloatArray, other
 
 SURROUND = Rules(Interaction.AGENT_TURNS, evader=Outcome.BOUNCE, capture=Capture.SURROUND)
 WORLDS: dict[str, dict[str, Any]] = {
@@ -143,7 +144,7 @@ RATINGS = {"deviation": "deviation ratings within the race", "condorcet": "Soft 
 """What a generation is scored against; numbers (seeds, teams, generations), as ``truth``."""
 JUDGED = ("arms race", "one-sided progress", "rise", "stagnation")
 """Conditions whose truth is known; ``verdicts`` (seeds, windows, conditions) are those on them, and
-``of groups`` (groups, windows, conditions)."""
+``of groups`` (groups, windows, conditions). If the judgement changes, `judged` makes both anew."""
 
 
 # ---- Races and their numbers ---------------------------------------------------------------------
@@ -176,18 +177,36 @@ def settings(world: dict[str, Any], schedule: dict[str, Any], quick: bool) -> Ra
 
 
 def numbers_of(run: SavedRun) -> dict[str, Any]:
-    """Return truth, measures and verdicts of a race that need no other race."""
-    payoff = run.payoff()
+    """Return truth and measures of a race that need no other race."""
+    matrix = run.payoff().matrix
+    sides = matrix, 1 - matrix.T
     pursuers, evaders = (guaranteed(run, team) for team in TEAMS)
     held_out = score(run, generation=None, episodes=HELD_OUT_EPISODES)
-    each = [measures_of(payoff.matrix, team) for team in TEAMS]
+    each = [measures_of(matrix, team) for team in TEAMS]
     return {
         "truth": [pursuers.tolist(), (1 - evaders).tolist()],
         **{name: [of_team[name].tolist() for of_team in each] for name in each[0]},
+        "deviation": [deviation_ratings(own).tolist() for own in sides],
+        "condorcet": [soft_condorcet(own).tolist() for own in sides],
         "held_out": [held_out[team].rates.mean(axis=(1, 2)).tolist() for team in TEAMS],
-        "verdicts": verdicts(payoff.scores),
         "value": solved(run.settings.world).value,
     }
+
+
+def in_five(kind: str) -> bool:
+    """Return whether a kind of races is of one of the worlds whose scores are kept."""
+    return kind.split(", ")[0] in FIVE
+
+
+def judged(numbers: Numbers) -> dict[str, Any]:
+    """Return what the judgement says of each race of `FIVE`, and of groups, from kept scores."""
+    found: dict[str, Any] = {}
+    for kind in filter(in_five, kinds_in(numbers)):
+        scores = numbers[f"{kind} / scores"]
+        groups = [scores[k : k + GROUP] for k in range(0, len(scores), GROUP)]
+        found[f"{kind} / verdicts"] = np.array([verdicts(race) for race in scores])
+        found[f"{kind} / of groups"] = np.array([verdicts(group) for group in groups])
+    return found
 
 
 def verdicts(capture_rates: FloatArray) -> list[list[str]]:
@@ -212,16 +231,6 @@ def measures_of(capture_rate: FloatArray, team: Team) -> dict[str, FloatArray]:
         "nash": np.asarray(getattr(analysis.nash_averaging(capture_rate), f"{team}_averages")),
         # As a score against an equal opponent.
         "elo": 1 / (1 + np.exp(-elo)),
-    }
-
-
-def ratings_of(payoff: Payoff) -> dict[str, Any]:
-    """Return `RATINGS` of both teams, and the capture rate in each episode of each pair."""
-    sides = payoff.matrix, 1 - payoff.matrix.T
-    return {
-        "deviation": [deviation_ratings(own) for own in sides],
-        "condorcet": [soft_condorcet(own) for own in sides],
-        "scores": payoff.scores.astype(np.float16),
     }
 
 
@@ -287,7 +296,7 @@ def against_others(runs: Runs, kind: str, run: SavedRun) -> list[FloatArray]:
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return truth, `MEASURES` and verdicts of all races, and verdicts on groups of them.
+    """Return truth and `MEASURES` of all races; ratings, scores and verdicts of those of `FIVE`.
 
     Files beside the runs keep what needs no other race.
     """
@@ -299,16 +308,15 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
             {kind: of_kind},
             lambda run, kind=kind: {"others": against_others(runs, kind, run)},  # type: ignore[misc]
         )
-        if kind.split(", ")[0] in FIVE:
-            numbers |= by_seed({kind: of_kind}, lambda run: ratings_of(run.payoff()))
-        groups = [of_kind[k : k + GROUP] for k in range(0, len(of_kind), GROUP)]
-        numbers[f"{kind} / of groups"] = [
-            verdicts(np.stack([run.payoff().scores for run in group])) for group in groups
-        ]
-    return {
+        if in_five(kind):
+            numbers[f"{kind} / scores"] = np.stack(
+                [run.payoff().scores.astype(np.float16) for run in of_kind]
+            )
+    numbers = {
         name: each if np.asarray(each).dtype.kind in "UTi" else np.round(each, 4)
         for name, each in numbers.items()
     }
+    return numbers | judged(numbers)
 
 
 def of_kinds(numbers: Numbers, name: str, world: str | None = None) -> dict[str, FloatArray]:
@@ -558,7 +566,7 @@ def truths_of(truth: FloatArray, window: str) -> dict[str, tuple[bool | None, fl
     return dict(zip(JUDGED, found, strict=True))
 
 
-SINGLE, GROUPS, TOGETHER = "single races", f"groups of {GROUP}", "single races of the control"
+SINGLE, GROUPS = "single races", f"groups of {GROUP}"
 OTHERS = ("held back", "toy game", "real race")
 TOYS = Path(__file__).parents[1] / "results" / "judgement" / "counts.csv"
 
@@ -566,10 +574,9 @@ TOYS = Path(__file__).parents[1] / "results" / "judgement" / "counts.csv"
 def table_of_errors(numbers: Numbers) -> str:
     """Return the errors of the judgement here, beside those of synthetic races and toys."""
     judged: list[dict[str, Any]] = []  # in the form of `judgement_errors.judged`
-    for source, name, world in (
-        (SINGLE, "verdicts", None), (GROUPS, "of groups", None), (TOGETHER, "verdicts", CONTROL),
-    ):  # fmt: skip
-        for kind, said in of_kinds(numbers, name, world).items():
+    for source, name in ((SINGLE, "verdicts"), (GROUPS, "of groups")):
+        for kind in filter(in_five, kinds_in(numbers)):
+            said = numbers[f"{kind} / {name}"]
             truth = numbers[f"{kind} / truth"]
             size = -(-len(truth) // len(said))
             means = [truth[k : k + size].mean(axis=0) for k in range(0, len(truth), size)]
@@ -581,7 +588,7 @@ def table_of_errors(numbers: Numbers) -> str:
     rows = [
         [name, sample, *errors_of(counts, condition=name, sample=sample)]
         for name in JUDGED
-        for sample in (SINGLE, GROUPS, TOGETHER, *OTHERS)
+        for sample in (SINGLE, GROUPS, *OTHERS)
     ]
     return markdown(("condition", "sample", *RATE_HEADS), rows)
 
