@@ -27,7 +27,7 @@ Questions, over the first three worlds:
   threshold at which each measure has `EQUAL_HITS`. The *area* under the curve of both, over all
   thresholds, is the probability that a race which rises has the larger change of the measure: 1 is
   perfect, 0.5 is chance.
-- *worlds*: the area of each measure in each of the eight worlds with turns, for a team of which
+- *worlds*: the area of each measure on evaders in each of the eight worlds with turns in which
   `ENOUGH` races rise and as many do not; its mean has an interval over worlds, and so has its
   difference from that of the mean over all opponents of the race. *Deviation ratings* and *Soft
   Condorcet* are computed from the payoff matrices of the five.
@@ -404,27 +404,35 @@ def _area_of(said: FloatArray, rises: BoolArray, stays: BoolArray, seeds: Any) -
     return area(said[seeds], rises[seeds], stays[seeds])
 
 
-def areas_of_worlds(
-    numbers: Numbers, team: Team
-) -> tuple[dict[str, tuple[BoolArray, BoolArray]], dict[str, FloatArray]]:
-    """Return the worlds in which enough races of a team rise or not, and the areas there.
+Known = tuple[BoolArray, BoolArray]
+"""Which races rise, and which do not (seeds, kinds)."""
 
-    Worlds by name, with what rises and what does not (seeds, kinds); areas (worlds,) by measure,
-    NaN where it is not known.
-    """
-    t = TEAMS.index(team)
-    worlds: dict[str, tuple[BoolArray, BoolArray]] = {}
+
+def worlds_of(numbers: Numbers, team: Team, *, both: bool) -> dict[str, Known]:
+    """Return the worlds with turns in which enough races of a team do not rise, and rise."""
+    found = {}
     for world in WORLDS:
         if world == CONTROL or not of_kinds(numbers, "truth", world):
             continue
-        truth = linear_change(stacked(numbers, "truth", world))[..., t]
-        rises, stays = truth >= RISES, truth <= STAYS
-        if min(rises.sum(), stays.sum()) >= ENOUGH:
-            worlds[world] = rises, stays
-    areas = {
+        truth = linear_change(stacked(numbers, "truth", world))[..., TEAMS.index(team)]
+        known = truth >= RISES, truth <= STAYS
+        if known[1].sum() >= ENOUGH and (known[0].sum() >= ENOUGH or not both):
+            found[world] = known
+    return found
+
+
+def in_worlds(
+    numbers: Numbers,
+    team: Team,
+    worlds: dict[str, Known],
+    number: Callable[[FloatArray, BoolArray, BoolArray], float],
+) -> dict[str, FloatArray]:
+    """Return a number of each measure in each world (worlds,), NaN where it is not known."""
+    t = TEAMS.index(team)
+    return {
         name: np.array(
             [
-                area(linear_change(stacked(numbers, name, world))[..., t], *known)
+                number(linear_change(stacked(numbers, name, world))[..., t], *known)
                 if name in MEASURES or world in FIVE
                 else np.nan
                 for world, known in worlds.items()
@@ -432,50 +440,74 @@ def areas_of_worlds(
         )
         for name in MEASURES | RATINGS
     }
-    return worlds, areas
+
+
+def alarms(said: FloatArray, rises: BoolArray, stays: BoolArray) -> float:
+    """Return the share of false alarms of a measure."""
+    return float((said[stays] >= RISES).mean())
+
+
+def hits(said: FloatArray, rises: BoolArray, stays: BoolArray) -> float:
+    """Return the share of hits of a measure; NaN without enough races that rise."""
+    return float((said[rises] >= RISES).mean()) if rises.sum() >= ENOUGH else float("nan")
+
+
+def over_worlds(worlds: dict[str, Known], found: dict[str, FloatArray]) -> str:
+    """Return numbers by world as a table, with their means, and their differences from gains."""
+    rows = []
+    for name, each in found.items():
+        known = np.isfinite(each)
+        if known.sum() > 1:
+            cells = (f"{a:.2f}" if a >= 0 else "-" for a in each)
+            more = mean((each - found["all"])[known], 2, "+")
+            average = mean(each[known], 2, bounds=(0.0, 1.0))
+            rows.append([(MEASURES | RATINGS)[name], *cells, average, more])
+    heads = [f"{world}: {up.sum()} / {flat.sum()}" for world, (up, flat) in worlds.items()]
+    return markdown(["score against", *heads, "mean", "minus all opponents"], rows)
+
+
+def table_of_worlds(numbers: Numbers) -> list[str]:
+    """Return areas and false alarms on evaders by world, as paragraphs."""
+    both, some = (worlds_of(numbers, "evader", both=each) for each in (True, False))
+    if len(some) < 2:
+        return []
+    # Soft Condorcet ratings have no threshold in common with scores.
+    of_scores = in_worlds(numbers, "evader", some, alarms)
+    del of_scores["condorcet"]
+    return [
+        "Evaders; in the heads, races that rise / that do not. Areas:",
+        over_worlds(both, in_worlds(numbers, "evader", both, area)),
+        "False alarms, also where evaders never rise; added when the areas were known:",
+        over_worlds(some, of_scores),
+    ]
 
 
 def figure(numbers: Numbers) -> Figure:
-    """Draw how well the matrix of a race and held-out opponents tell whether evaders rose."""
-    worlds, areas = areas_of_worlds(numbers, "evader")
-    order = np.argsort(areas["held_out"] - areas["all"])
-    matrix, held_out = areas["all"][order], areas["held_out"][order]
+    """Draw false alarms and hits on evaders of two measures, by world."""
+    worlds = worlds_of(numbers, "evader", both=False)
+    wrong = in_worlds(numbers, "evader", worlds, alarms)
+    order = np.argsort(wrong["all"])
     names = [list(worlds)[k] for k in order]
-    found = Figure(figsize=(7, 0.4 * len(worlds) + 1.5), layout="constrained")
-    axis = found.subplots()
-    axis.hlines(names, matrix, held_out, color="lightgray", linewidth=3, zorder=0)
-    for scores, label, color in (
-        (matrix, "the race's own matrix", "tab:gray"),
-        (held_out, "held-out opponents", "tab:blue"),
+    found = Figure(figsize=(8, 0.3 * len(worlds) + 1.2), layout="constrained")
+    for axis, head, shares in zip(
+        found.subplots(1, 2, sharex=True, sharey=True),
+        ("false alarms: evaders did not become better", "hits: evaders became better"),
+        (wrong, in_worlds(numbers, "evader", worlds, hits)),
+        strict=True,
     ):
-        axis.plot(scores, names, "o", color=color, markersize=9)
-        axis.annotate(
-            label, (scores[-1], names[-1]), (0, 12), textcoords="offset points", color=color,
-            ha="center", weight="bold",
-        )  # fmt: skip
-    axis.axvline(0.5, color="black", linewidth=0.8)
-    axis.annotate("chance", (0.5, names[0]), (4, 0), textcoords="offset points", va="center")
-    axis.set_xlabel("probability that evaders who became better are told from others")
-    axis.margins(y=0.2)
-    axis.spines[["top", "right", "left"]].set_visible(False)
-    axis.tick_params(left=False)
+        matrix, held_out = shares["all"][order], shares["held_out"][order]
+        axis.hlines(names, matrix, held_out, color="lightgray", linewidth=3, zorder=0)
+        for scores, label, color in (
+            (matrix, "the race's own matrix", "tab:gray"),
+            (held_out, "held-out opponents", "tab:blue"),
+        ):
+            axis.plot(scores, names, "o", color=color, label=label, clip_on=False)
+        axis.set_title(head, fontsize=10)
+        axis.set(xlim=(0.0, 1.0), xlabel='share said to be "better"')
+        axis.spines[["top", "right", "left"]].set_visible(False)
+        axis.tick_params(left=False)
+    axis.legend(loc="center left", frameon=False)
     return found
-
-
-def table_of_worlds(numbers: Numbers, team: Team) -> str:
-    """Return the area of each measure in each world in which enough races of a team rise or not."""
-    worlds, areas = areas_of_worlds(numbers, team)
-    rows = []
-    for name, each in areas.items():
-        found = np.isfinite(each)
-        if found.sum() < 2:
-            continue
-        more = (each - areas["all"])[found]
-        over_worlds = mean(each[found], 2, bounds=(0.0, 1.0)), mean(more, 2, "+")
-        cells = (f"{a:.2f}" if a >= 0 else "-" for a in each)
-        rows.append([(MEASURES | RATINGS)[name], *cells, *over_worlds])
-    heads = [f"{world}: {up.sum()} / {flat.sum()}" for world, (up, flat) in worlds.items()]
-    return markdown([f"{team}s: score against", *heads, "mean", "minus all opponents"], rows)
 
 
 def table_of_control(numbers: Numbers) -> str:
@@ -615,12 +647,8 @@ def table(numbers: Numbers) -> str:
         table_of_truth(numbers),
         "## Did a team become better?",
         table_of_rises(numbers),
-        "## In how many worlds? Areas; in the heads, races that rise / that do not",
-        *(
-            table_of_worlds(numbers, team)
-            for team in TEAMS
-            if len(areas_of_worlds(numbers, team)[0]) > 1
-        ),
+        "## In how many worlds?",
+        *table_of_worlds(numbers),
         "## Which generation is best?",
         table_of_choices(numbers),
     ]
