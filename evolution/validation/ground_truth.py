@@ -27,7 +27,7 @@ Questions, over the first three worlds:
   threshold at which each measure has `EQUAL_HITS`. The *area* under the curve of both, over all
   thresholds, is the probability that a race which rises has the larger change of the measure: 1 is
   perfect, 0.5 is chance.
-- *worlds*: the area of each measure in each of the eight worlds with turns, for a team of which
+- *worlds*: the area of each measure on evaders in each of the eight worlds with turns in which
   `ENOUGH` races rise and as many do not; its mean has an interval over worlds, and so has its
   difference from that of the mean over all opponents of the race. *Deviation ratings* and *Soft
   Condorcet* are computed from the payoff matrices of the five.
@@ -35,11 +35,12 @@ Questions, over the first three worlds:
   the generation guarantees to which a measure gives the highest score (of equals the latest).
 - *generations*: Spearman's correlation with the truth over the generations of a race; races whose
   generations all guarantee the same do not count.
-- *judgement*: arms race: both teams rise; false if one does not. One-sided progress: one rises, the
-  other does not; false if both or none rise. Rise: a team rises; false if none does. Stagnation: no
-  team changes by more than `STAYS`; false if one changes by `RISES`. The judgement is about scores
-  against the opponents of the race, so an error here is an error of the reader who takes it for
-  more. Groups are ten races of the same settings; their truth is the mean course.
+- *judgement*, in the five worlds: arms race: both teams rise; false if one does not. One-sided
+  progress: one rises, the other does not; false if both or none rise. Rise: a team rises; false if
+  none does. Stagnation: no team changes by more than `STAYS`; false if one changes by `RISES`. The
+  judgement is about scores against the opponents of the race, so an error here is an error of the
+  reader who takes it for more. Groups are ten races of the same settings; their truth is the mean
+  course.
 
 Numbers have four digits. Intervals are over seeds, whose races are independent: each seed gives one
 number, over all its races. Areas have a jackknife that leaves out one seed after the other. Each
@@ -78,7 +79,7 @@ from judgement_tables import RATE_HEADS, count_verdicts, errors_of, read_counts
 from judgement_truths import WINDOWS
 from matrixworld import Capture, Interaction, Outcome, Rules, analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, score
-from matrixworld.coevolution.types import BoolArray, FloatArray, Payoff, other
+from matrixworld.coevolution.types import BoolArray, FloatArray, other
 
 SURROUND = Rules(Interaction.AGENT_TURNS, evader=Outcome.BOUNCE, capture=Capture.SURROUND)
 WORLDS: dict[str, dict[str, Any]] = {
@@ -143,7 +144,7 @@ RATINGS = {"deviation": "deviation ratings within the race", "condorcet": "Soft 
 """What a generation is scored against; numbers (seeds, teams, generations), as ``truth``."""
 JUDGED = ("arms race", "one-sided progress", "rise", "stagnation")
 """Conditions whose truth is known; ``verdicts`` (seeds, windows, conditions) are those on them, and
-``of groups`` (groups, windows, conditions)."""
+``of groups`` (groups, windows, conditions). If the judgement changes, `judged` makes both anew."""
 
 
 # ---- Races and their numbers ---------------------------------------------------------------------
@@ -176,18 +177,36 @@ def settings(world: dict[str, Any], schedule: dict[str, Any], quick: bool) -> Ra
 
 
 def numbers_of(run: SavedRun) -> dict[str, Any]:
-    """Return truth, measures and verdicts of a race that need no other race."""
-    payoff = run.payoff()
+    """Return truth and measures of a race that need no other race."""
+    matrix = run.payoff().matrix
+    sides = matrix, 1 - matrix.T
     pursuers, evaders = (guaranteed(run, team) for team in TEAMS)
     held_out = score(run, generation=None, episodes=HELD_OUT_EPISODES)
-    each = [measures_of(payoff.matrix, team) for team in TEAMS]
+    each = [measures_of(matrix, team) for team in TEAMS]
     return {
         "truth": [pursuers.tolist(), (1 - evaders).tolist()],
         **{name: [of_team[name].tolist() for of_team in each] for name in each[0]},
+        "deviation": [deviation_ratings(own).tolist() for own in sides],
+        "condorcet": [soft_condorcet(own).tolist() for own in sides],
         "held_out": [held_out[team].rates.mean(axis=(1, 2)).tolist() for team in TEAMS],
-        "verdicts": verdicts(payoff.scores),
         "value": solved(run.settings.world).value,
     }
+
+
+def in_five(kind: str) -> bool:
+    """Return whether a kind of races is of one of the worlds whose scores are kept."""
+    return kind.split(", ")[0] in FIVE
+
+
+def judged(numbers: Numbers) -> dict[str, Any]:
+    """Return what the judgement says of each race of `FIVE`, and of groups, from kept scores."""
+    found: dict[str, Any] = {}
+    for kind in filter(in_five, kinds_in(numbers)):
+        scores = numbers[f"{kind} / scores"]
+        groups = [scores[k : k + GROUP] for k in range(0, len(scores), GROUP)]
+        found[f"{kind} / verdicts"] = np.array([verdicts(race) for race in scores])
+        found[f"{kind} / of groups"] = np.array([verdicts(group) for group in groups])
+    return found
 
 
 def verdicts(capture_rates: FloatArray) -> list[list[str]]:
@@ -212,16 +231,6 @@ def measures_of(capture_rate: FloatArray, team: Team) -> dict[str, FloatArray]:
         "nash": np.asarray(getattr(analysis.nash_averaging(capture_rate), f"{team}_averages")),
         # As a score against an equal opponent.
         "elo": 1 / (1 + np.exp(-elo)),
-    }
-
-
-def ratings_of(payoff: Payoff) -> dict[str, Any]:
-    """Return `RATINGS` of both teams, and the capture rate in each episode of each pair."""
-    sides = payoff.matrix, 1 - payoff.matrix.T
-    return {
-        "deviation": [deviation_ratings(own) for own in sides],
-        "condorcet": [soft_condorcet(own) for own in sides],
-        "scores": payoff.scores.astype(np.float16),
     }
 
 
@@ -287,7 +296,7 @@ def against_others(runs: Runs, kind: str, run: SavedRun) -> list[FloatArray]:
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return truth, `MEASURES` and verdicts of all races, and verdicts on groups of them.
+    """Return truth and `MEASURES` of all races; ratings, scores and verdicts of those of `FIVE`.
 
     Files beside the runs keep what needs no other race.
     """
@@ -299,16 +308,15 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
             {kind: of_kind},
             lambda run, kind=kind: {"others": against_others(runs, kind, run)},  # type: ignore[misc]
         )
-        if kind.split(", ")[0] in FIVE:
-            numbers |= by_seed({kind: of_kind}, lambda run: ratings_of(run.payoff()))
-        groups = [of_kind[k : k + GROUP] for k in range(0, len(of_kind), GROUP)]
-        numbers[f"{kind} / of groups"] = [
-            verdicts(np.stack([run.payoff().scores for run in group])) for group in groups
-        ]
-    return {
+        if in_five(kind):
+            numbers[f"{kind} / scores"] = np.stack(
+                [run.payoff().scores.astype(np.float16) for run in of_kind]
+            )
+    numbers = {
         name: each if np.asarray(each).dtype.kind in "UTi" else np.round(each, 4)
         for name, each in numbers.items()
     }
+    return numbers | judged(numbers)
 
 
 def of_kinds(numbers: Numbers, name: str, world: str | None = None) -> dict[str, FloatArray]:
@@ -396,27 +404,35 @@ def _area_of(said: FloatArray, rises: BoolArray, stays: BoolArray, seeds: Any) -
     return area(said[seeds], rises[seeds], stays[seeds])
 
 
-def areas_of_worlds(
-    numbers: Numbers, team: Team
-) -> tuple[dict[str, tuple[BoolArray, BoolArray]], dict[str, FloatArray]]:
-    """Return the worlds in which enough races of a team rise or not, and the areas there.
+Known = tuple[BoolArray, BoolArray]
+"""Which races rise, and which do not (seeds, kinds)."""
 
-    Worlds by name, with what rises and what does not (seeds, kinds); areas (worlds,) by measure,
-    NaN where it is not known.
-    """
-    t = TEAMS.index(team)
-    worlds: dict[str, tuple[BoolArray, BoolArray]] = {}
+
+def worlds_of(numbers: Numbers, team: Team, *, both: bool) -> dict[str, Known]:
+    """Return the worlds with turns in which enough races of a team do not rise, and rise."""
+    found = {}
     for world in WORLDS:
         if world == CONTROL or not of_kinds(numbers, "truth", world):
             continue
-        truth = linear_change(stacked(numbers, "truth", world))[..., t]
-        rises, stays = truth >= RISES, truth <= STAYS
-        if min(rises.sum(), stays.sum()) >= ENOUGH:
-            worlds[world] = rises, stays
-    areas = {
+        truth = linear_change(stacked(numbers, "truth", world))[..., TEAMS.index(team)]
+        known = truth >= RISES, truth <= STAYS
+        if known[1].sum() >= ENOUGH and (known[0].sum() >= ENOUGH or not both):
+            found[world] = known
+    return found
+
+
+def in_worlds(
+    numbers: Numbers,
+    team: Team,
+    worlds: dict[str, Known],
+    number: Callable[[FloatArray, BoolArray, BoolArray], float],
+) -> dict[str, FloatArray]:
+    """Return a number of each measure in each world (worlds,), NaN where it is not known."""
+    t = TEAMS.index(team)
+    return {
         name: np.array(
             [
-                area(linear_change(stacked(numbers, name, world))[..., t], *known)
+                number(linear_change(stacked(numbers, name, world))[..., t], *known)
                 if name in MEASURES or world in FIVE
                 else np.nan
                 for world, known in worlds.items()
@@ -424,50 +440,74 @@ def areas_of_worlds(
         )
         for name in MEASURES | RATINGS
     }
-    return worlds, areas
+
+
+def alarms(said: FloatArray, rises: BoolArray, stays: BoolArray) -> float:
+    """Return the share of false alarms of a measure."""
+    return float((said[stays] >= RISES).mean())
+
+
+def hits(said: FloatArray, rises: BoolArray, stays: BoolArray) -> float:
+    """Return the share of hits of a measure; NaN without enough races that rise."""
+    return float((said[rises] >= RISES).mean()) if rises.sum() >= ENOUGH else float("nan")
+
+
+def over_worlds(worlds: dict[str, Known], found: dict[str, FloatArray]) -> str:
+    """Return numbers by world as a table, with their means, and their differences from gains."""
+    rows = []
+    for name, each in found.items():
+        known = np.isfinite(each)
+        if known.sum() > 1:
+            cells = (f"{a:.2f}" if a >= 0 else "-" for a in each)
+            more = mean((each - found["all"])[known], 2, "+")
+            average = mean(each[known], 2, bounds=(0.0, 1.0))
+            rows.append([(MEASURES | RATINGS)[name], *cells, average, more])
+    heads = [f"{world}: {up.sum()} / {flat.sum()}" for world, (up, flat) in worlds.items()]
+    return markdown(["score against", *heads, "mean", "minus all opponents"], rows)
+
+
+def table_of_worlds(numbers: Numbers) -> list[str]:
+    """Return areas and false alarms on evaders by world, as paragraphs."""
+    both, some = (worlds_of(numbers, "evader", both=each) for each in (True, False))
+    if len(some) < 2:
+        return []
+    # Soft Condorcet ratings have no threshold in common with scores.
+    of_scores = in_worlds(numbers, "evader", some, alarms)
+    del of_scores["condorcet"]
+    return [
+        "Evaders; in the heads, races that rise / that do not. Areas:",
+        over_worlds(both, in_worlds(numbers, "evader", both, area)),
+        "False alarms, also where evaders never rise; added when the areas were known:",
+        over_worlds(some, of_scores),
+    ]
 
 
 def figure(numbers: Numbers) -> Figure:
-    """Draw how well the matrix of a race and held-out opponents tell whether evaders rose."""
-    worlds, areas = areas_of_worlds(numbers, "evader")
-    order = np.argsort(areas["held_out"] - areas["all"])
-    matrix, held_out = areas["all"][order], areas["held_out"][order]
+    """Draw false alarms and hits on evaders of two measures, by world."""
+    worlds = worlds_of(numbers, "evader", both=False)
+    wrong = in_worlds(numbers, "evader", worlds, alarms)
+    order = np.argsort(wrong["all"])
     names = [list(worlds)[k] for k in order]
-    found = Figure(figsize=(7, 0.4 * len(worlds) + 1.5), layout="constrained")
-    axis = found.subplots()
-    axis.hlines(names, matrix, held_out, color="lightgray", linewidth=3, zorder=0)
-    for scores, label, color in (
-        (matrix, "the race's own matrix", "tab:gray"),
-        (held_out, "held-out opponents", "tab:blue"),
+    found = Figure(figsize=(8, 0.3 * len(worlds) + 1.2), layout="constrained")
+    for axis, head, shares in zip(
+        found.subplots(1, 2, sharex=True, sharey=True),
+        ("false alarms: evaders did not become better", "hits: evaders became better"),
+        (wrong, in_worlds(numbers, "evader", worlds, hits)),
+        strict=True,
     ):
-        axis.plot(scores, names, "o", color=color, markersize=9)
-        axis.annotate(
-            label, (scores[-1], names[-1]), (0, 12), textcoords="offset points", color=color,
-            ha="center", weight="bold",
-        )  # fmt: skip
-    axis.axvline(0.5, color="black", linewidth=0.8)
-    axis.annotate("chance", (0.5, names[0]), (4, 0), textcoords="offset points", va="center")
-    axis.set_xlabel("probability that evaders who became better are told from others")
-    axis.margins(y=0.2)
-    axis.spines[["top", "right", "left"]].set_visible(False)
-    axis.tick_params(left=False)
+        matrix, held_out = shares["all"][order], shares["held_out"][order]
+        axis.hlines(names, matrix, held_out, color="lightgray", linewidth=3, zorder=0)
+        for scores, label, color in (
+            (matrix, "the race's own matrix", "tab:gray"),
+            (held_out, "held-out opponents", "tab:blue"),
+        ):
+            axis.plot(scores, names, "o", color=color, label=label, clip_on=False)
+        axis.set_title(head, fontsize=10)
+        axis.set(xlim=(0.0, 1.0), xlabel='share said to be "better"')
+        axis.spines[["top", "right", "left"]].set_visible(False)
+        axis.tick_params(left=False)
+    axis.legend(loc="center left", frameon=False)
     return found
-
-
-def table_of_worlds(numbers: Numbers, team: Team) -> str:
-    """Return the area of each measure in each world in which enough races of a team rise or not."""
-    worlds, areas = areas_of_worlds(numbers, team)
-    rows = []
-    for name, each in areas.items():
-        found = np.isfinite(each)
-        if found.sum() < 2:
-            continue
-        more = (each - areas["all"])[found]
-        over_worlds = mean(each[found], 2, bounds=(0.0, 1.0)), mean(more, 2, "+")
-        cells = (f"{a:.2f}" if a >= 0 else "-" for a in each)
-        rows.append([(MEASURES | RATINGS)[name], *cells, *over_worlds])
-    heads = [f"{world}: {up.sum()} / {flat.sum()}" for world, (up, flat) in worlds.items()]
-    return markdown([f"{team}s: score against", *heads, "mean", "minus all opponents"], rows)
 
 
 def table_of_control(numbers: Numbers) -> str:
@@ -558,7 +598,7 @@ def truths_of(truth: FloatArray, window: str) -> dict[str, tuple[bool | None, fl
     return dict(zip(JUDGED, found, strict=True))
 
 
-SINGLE, GROUPS, TOGETHER = "single races", f"groups of {GROUP}", "single races of the control"
+SINGLE, GROUPS = "single races", f"groups of {GROUP}"
 OTHERS = ("held back", "toy game", "real race")
 TOYS = Path(__file__).parents[1] / "results" / "judgement" / "counts.csv"
 
@@ -566,10 +606,9 @@ TOYS = Path(__file__).parents[1] / "results" / "judgement" / "counts.csv"
 def table_of_errors(numbers: Numbers) -> str:
     """Return the errors of the judgement here, beside those of synthetic races and toys."""
     judged: list[dict[str, Any]] = []  # in the form of `judgement_errors.judged`
-    for source, name, world in (
-        (SINGLE, "verdicts", None), (GROUPS, "of groups", None), (TOGETHER, "verdicts", CONTROL),
-    ):  # fmt: skip
-        for kind, said in of_kinds(numbers, name, world).items():
+    for source, name in ((SINGLE, "verdicts"), (GROUPS, "of groups")):
+        for kind in filter(in_five, kinds_in(numbers)):
+            said = numbers[f"{kind} / {name}"]
             truth = numbers[f"{kind} / truth"]
             size = -(-len(truth) // len(said))
             means = [truth[k : k + size].mean(axis=0) for k in range(0, len(truth), size)]
@@ -581,7 +620,7 @@ def table_of_errors(numbers: Numbers) -> str:
     rows = [
         [name, sample, *errors_of(counts, condition=name, sample=sample)]
         for name in JUDGED
-        for sample in (SINGLE, GROUPS, TOGETHER, *OTHERS)
+        for sample in (SINGLE, GROUPS, *OTHERS)
     ]
     return markdown(("condition", "sample", *RATE_HEADS), rows)
 
@@ -608,12 +647,8 @@ def table(numbers: Numbers) -> str:
         table_of_truth(numbers),
         "## Did a team become better?",
         table_of_rises(numbers),
-        "## In how many worlds? Areas; in the heads, races that rise / that do not",
-        *(
-            table_of_worlds(numbers, team)
-            for team in TEAMS
-            if len(areas_of_worlds(numbers, team)[0]) > 1
-        ),
+        "## In how many worlds?",
+        *table_of_worlds(numbers),
         "## Which generation is best?",
         table_of_choices(numbers),
     ]
