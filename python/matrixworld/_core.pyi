@@ -321,7 +321,9 @@ def inputs() -> list[tuple[str, str, str, float]]:
 def operations() -> list[tuple[str, int]]:
     """Name and number of arguments of each operation of programs."""
 
-def right_of_way(setup: Setup, evaders: bool) -> list[list[tuple[int, int, int]]]:
+def right_of_way(
+    setup: Setup, evaders: bool, step: int | None = None
+) -> list[list[tuple[int, int, int]]]:
     """What forbids each move by the right of way: (channel, row, column) from the agent."""
 
 def philox(counter: Sequence[int], key: Sequence[int]) -> list[int]:

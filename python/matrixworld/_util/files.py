@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from importlib.util import find_spec
 from pathlib import Path, PurePosixPath
+from tokenize import TokenError
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -68,7 +69,7 @@ EXPANDS, MOST_SMALL = 100, 2**26
 UNREADABLE = (
     *(AttributeError, EOFError, KeyError, MemoryError, NotImplementedError, OSError),
     *(OverflowError, RecursionError, RuntimeError, TypeError, ValueError),
-    *(zipfile.BadZipFile, zlib.error),
+    *(SyntaxError, TokenError, zipfile.BadZipFile, zlib.error),
 )
 """What zipfile and NumPy raise while they read a damaged archive."""
 

@@ -278,7 +278,7 @@ class Game:
         """Return genomes of opponents whose `shape_of` is given."""
         return self.population(team, genomes)
 
-    def check_opponents(self, opponents: Any) -> None:
+    def check_opponents(self, team: Team, opponents: Any) -> None:
         """Raise ValueError if opponents do not fit the game."""
 
     def check_start(self, population: Any) -> None:

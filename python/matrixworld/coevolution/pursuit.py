@@ -335,10 +335,11 @@ class Pursuit(Game):
         """Return genomes of opponents that may have policies of another shape."""
         return Population(genomes, policy_of(shape))
 
-    def check_opponents(self, team: TeamPolicy) -> None:
-        """Raise ValueError if opponents do not fit the world."""
-        if isinstance(team, Population):
-            check_fits("opponents", team.policy, self.world)
+    def check_opponents(self, team: Team, opponents: TeamPolicy) -> None:
+        """Raise ValueError if opponents, who play for `team`, do not fit the world."""
+        if isinstance(opponents, Population):
+            check_fits("opponents", opponents.policy, self.world)
+            masks.check_team("opponents", opponents, self.world, team)
 
     def check_start(self, population: Population) -> None:
         """Raise ValueError if a genome to start from has another policy."""

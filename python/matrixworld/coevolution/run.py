@@ -144,7 +144,7 @@ def check_sources(
         policy = schedule.opponent
     elif opponents is None:
         policy = _last(settings, schedule.opponent, other(schedule.team))
-    game.check_opponents(policy)
+    game.check_opponents(other(schedule.team), policy)
     if start is None and schedule.start is not None:
         population = _last(settings, schedule.start, schedule.team)
         game.check_start(population)
@@ -261,13 +261,14 @@ class RunInMemory:
         return self.settings.teams[TEAMS.index(team)]
 
     def population(self, team: Team, genomes: Genomes) -> Any:
-        """Return genomes (n, genes) of a team as what plays; DivergedError for infinite ones."""
+        """Return genomes (n, genes) of a team as what plays; DivergedError for too large ones."""
         try:
             return self.game.population(team, genomes)
         except ValueError as error:
-            if np.isfinite(genomes).all():  # of another shape, by a learner of the user's own
+            if np.shape(genomes)[1:] != (self.game.genome_size(team),):  # by a learner of your own
                 raise
-            raise self.learners[team].diverged(self.settings.learner_path(team)) from error
+            path = self.settings.learner_path(team)
+            raise self.learners[team].diverged(path, str(error)) from error
 
     def opponents(self, team: Team) -> Any:
         """Return whom a team can meet now: all generations of the other team."""

@@ -14,7 +14,8 @@ from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
 from matrixworld._util import checks
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import TEAMS, Team, TeamPolicy, check_team
+from matrixworld.world.masks import check_team
+from matrixworld.world.policy import TEAMS, Team, TeamPolicy
 
 _MOST_BYTES = 2**31
 """More states would take hours to solve, wherever they fit."""
@@ -147,7 +148,11 @@ class States:
         ValueError if a script sees nothing that it looks for in some state, and so walks on.
         """
         checks.check_choice("team", team, TEAMS)
-        plain, evaders, n = check_team("champion", policy), team == "evader", self.n_turns
+        plain, evaders, n = (
+            check_team("champion", policy, self.config, team),
+            team == "evader",
+            self.n_turns,
+        )
         return tuple(
             self.core.weigh(turn, evaders, plain, self.threads, self.told("play", turn, n))
             for turn in range(n)

@@ -13,7 +13,8 @@ from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, shown
 from matrixworld.world import arrays
 from matrixworld.world.config import MapLike, WorldConfig, WorldSettings, read_map
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
-from matrixworld.world.policy import EnginePolicy, check_agents, check_team
+from matrixworld.world.masks import check_team
+from matrixworld.world.policy import EnginePolicy, check_agents, team_of
 from matrixworld.world.render import Scene
 from matrixworld.world.rules import Rules
 
@@ -214,7 +215,11 @@ class World(Turns, arrays.WorldArrays):
         agents and of agents that are not in `agents`; in an ended episode all do.
         """
         arrays.check_written("actions", actions)
-        self._core.decide(check_team("policy", policy), *check_agents(agents), actions)
+        self._core.decide(
+            check_team("policy", policy, self.config, team_of(self.config, agents)),
+            *check_agents(agents),
+            actions,
+        )
 
     def _require_open(self) -> None:
         if self.terminated or self.truncated:

@@ -199,14 +199,14 @@ class Learner(Section):
         """Return an untrained genome of a team."""
         return game.untrained(team, rng)
 
-    def diverged(self, path: str) -> DivergedError:
-        """Return the error for genes that are not finite; `path` is the setting of the learner."""
+    def diverged(
+        self, path: str, problem: str = "expected finite genes, got NaN or infinity"
+    ) -> DivergedError:
+        """Return the error for genes that are too large; `path` is the setting of the learner."""
         named = [f"{path}.{name} (now {getattr(self, name):g})" for name in self.steps]
         lower = f"; lower {' or '.join(named)}" if named else ""
         name = self.kind or type(self).__name__
-        return DivergedError(
-            f"{path} {name}: expected finite genes, got NaN or infinity: it diverges{lower}"
-        )
+        return DivergedError(f"{path} {name}: {problem}: it diverges{lower}")
 
 
 def check_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
