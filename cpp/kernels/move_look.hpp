@@ -88,7 +88,7 @@ struct MoveLook {
     const std::uint8_t* walls;        // around its cell
     std::ptrdiff_t walls_stride;
     const std::uint16_t (*forbids)[kNearCells + 1];  // by team and near cell; behind them 0
-    std::uint64_t number;                // of this look
+    std::uint64_t number;                            // of this look
 
     MoveRows* rows;  // what is written
 };
