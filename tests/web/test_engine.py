@@ -95,7 +95,7 @@ def team(config: mw.WorldConfig, hidden: tuple[int, ...], seed: int, **more: Any
 RATING = mw.Rating(tuple(mw.INPUTS), mask="right-of-way")
 PROGRAMS = [
     "min(unclaimed - 0.3 * room, teammate) - 3 * must_yield if 0.5 < adversary else ahead",
-    "where(stay - exits, max(-crowd, pressure * 2), less(open_side, 0.4) + room * room)",
+    "where(0.5 - exits, max(-teammate, pressure * 2), less(open_side, 0.4) + room * room)",
 ]
 RATED = {
     "a weighted sum, right of way": ("SB", RATING, {"obstacles": 0.1}),
