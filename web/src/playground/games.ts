@@ -4,9 +4,9 @@ import type { Live } from "../board/live.ts";
 import type { Engine } from "../engine/engine.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
-import { ladder, linkTo, randomSeed, resultInSeat, resultOf, teamOf } from "./played.ts";
+import { ladder, randomSeed, resultInSeat, resultOf, teamOf } from "./played.ts";
 import type { Played, Player, Result } from "./played.ts";
-import type { PlayView } from "./view.ts";
+import type { Game, PlayView } from "./view.ts";
 
 const SIDE = 20;
 const STEPS = 60;
@@ -48,13 +48,19 @@ export function escapeGame(view: PlayView, world: WorldConfig, pursuers: readonl
   round();
 }
 
-/** Play a match on from its moves; `players` are compared at its end, and `place` names it in a link; null for none. */
-export function playOn(engine: Engine, view: PlayView, title: string, played: Played, players: readonly Player[], place: Parameters<typeof linkTo>[0] | null): void {
+/** What plays a match on: its title, who is compared at its end and what is said there, and its link. */
+interface PlayedOn extends Pick<Game, "title" | "about" | "link" | "linkName"> {
+  readonly players: readonly Player[];
+  readonly told?: (result: Result) => string;
+}
+
+/** Play a match on from its moves. */
+export function playOn(engine: Engine, view: PlayView, played: Played, on: PlayedOn): void {
+  const { players, told, ...game } = on;
   view.play({
-    title, played,
-    ending: (live, now) => [comparison(engine, live, now, ladder(players))],
-    again: () => playOn(engine, view, title, { ...played, moves: played.moves.slice(0, played.from) }, players, place),
-    link: (now) => place && linkTo(place, now),
+    ...game, played,
+    ending: (live, now) => [told ? html("p", {}, told(resultOf(live, played.seat))) : "", comparison(engine, live, now, ladder(players))],
+    again: () => playOn(engine, view, { ...played, moves: played.moves.slice(0, played.from) }, on),
   });
 }
 
