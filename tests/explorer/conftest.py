@@ -2,11 +2,11 @@
 
 import pytest
 
-from browser import browser
+from browser import browser, friend
 from matrixworld.coevolution import SavedRun, evolve
 from tiny_race import tiny_race, tiny_single
 
-__all__ = ["browser"]
+__all__ = ["browser", "friend"]
 
 
 @pytest.fixture(scope="module")

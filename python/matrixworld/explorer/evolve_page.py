@@ -23,7 +23,7 @@ from matrixworld.world.masks import right_of_way_cells
 PAGE = "evolve.html"
 """Name of the page."""
 
-FIELD = "open field"
+FIELD = "meadow"
 """The world of the page without walls, which is small enough for networks."""
 STEPS = 120
 """Of a match in the worlds in balance: enough for a chase, and fewer than they have elsewhere."""

@@ -18,6 +18,7 @@ const rowsOf = <Value>(size: number): Value[][] => Array.from({ length: size }, 
 export class GrowingRun implements Run {
   readonly learning = TEAMS;
   readonly settings = [];
+  readonly command = "";
   readonly training = { capture_rate: [], generation: [], learner: [], epochs: 1, window: 1, matches: 0 };
   readonly limits = "";
   readonly name: string;

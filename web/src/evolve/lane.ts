@@ -82,7 +82,7 @@ export class Lane extends EventTarget {
     this.#mate = new Mate(page, (told) => this.#hear(told));
     this.chases = new Chases(() => this.#play(), this.before, this.after);
     this.before.element.classList.add("before");
-    this.boards = html("div", { class: "boards" }, this.before.element, this.after.element);
+    this.boards = html("div", { class: "pair" }, this.before.element, this.after.element);
     this.#weights = new Weights(engine, data, () => this.#renew(true));
     this.#inspector = new Inspector(() => {});
     const asked = html("section", { class: "card asked", "aria-label": "An agent", hidden: true }, html("button", { type: "button", class: "leave", onclick: () => this.#ask(null, null) }, "Close"), this.#inspector.element);
@@ -111,7 +111,7 @@ export class Lane extends EventTarget {
     this.#begin();
     this.settings = plan.at(-1)?.settings ?? settings;
     [this.state, this.done, this.epochs, this.kept] = ["evolving", 0, 0, null];
-    this.changed.splice(0, Infinity, ...plan.map(({ at }) => at));
+    this.changed.splice(0);
     this.#order({ type: "start", settings, masks: this.#data.masks, plan, until });
     this.#tell();
   }
@@ -206,7 +206,7 @@ export class Lane extends EventTarget {
       for (const team of TEAMS) this.#scores[team][told.number] = told.scores[team];
     } else if (told.type === "changed") {
       this.#run.extend(told.settings);
-      if (!told.planned) this.changed.push(told.at);
+      this.changed.push(told.at);
       this.epochs = told.at;
       if (told.settings.schedule.generations > this.#run.newest && this.state === "ended") this.#goOn();
     } else if (told.type === "anew") {
@@ -368,12 +368,12 @@ export class Lane extends EventTarget {
       return cell ? mean(cell.capture_rates) : null;
     };
     if (this.state === "waiting" || newest < 1) {
-      const caught = rate(0) ?? this.#weights.rate(this.#run.genomesOf({ pursuer: 0, evader: 0 }));
+      const caught = rate(0) ?? this.#weights.rate(this.#run.genomesOf({ pursuer: 0, evader: 0 }), { pursuer: 0, evader: 0 });
       return [`${percent(caught)} of the evaders are caught.`, ...(caught > MANY ? ["By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt."] : [])];
     }
     const [now, first] = [rate(newest) ?? rate(newest - 1), rate(0)];
-    return [`Generation ${newest} of ${this.settings.schedule.generations}`, ...(now === null ? [] : [`the pursuers catch ${percent(now)}`]),
-      ...(first === null ? [] : [`in generation 0 they caught ${percent(first)}`])];
+    const caught = now === null || first === null ? "" : `: the pursuers catch ${percent(now)} of the evaders, in generation 0 ${percent(first)}`;
+    return [`Generation ${newest} of ${this.settings.schedule.generations}${caught}.`];
   }
 
   #showMeasures(): void {

@@ -7,7 +7,9 @@ import { copyLink, readOnly, saveFile } from "../page/dialog.ts";
 import { hasAddress, html, started } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import { top } from "../page/top.ts";
+import type { WorldConfig } from "../engine/types.ts";
 import { legend } from "../board/legend.ts";
+import { Live } from "../board/live.ts";
 import { withCell } from "../playground/scene.ts";
 import { randomSeed } from "../playground/played.ts";
 import { GENERATIONS, MOST_GENERATIONS, settingsOf, whyNotPlayed } from "./choice.ts";
@@ -30,6 +32,8 @@ import { work } from "./worker.ts";
 
 /** Milliseconds after the last stroke until a race goes on among new walls. */
 const REST = 250;
+/** Starts of which a game takes the one with the farthest opponent. */
+const STARTS = 8;
 
 const button = (text: string, title: string, onclick: () => void, style = ""): HTMLButtonElement =>
   html("button", { type: "button", title: title || null, class: style || null, onclick }, text);
@@ -60,6 +64,8 @@ class Page {
   #changes: Partial<Choice>[] = [];
   #choice: Choice;
   #due = 0;
+  /** Whether a race is played again, with changes that are still to come. */
+  #replays = false;
   #kept = "";
 
   constructor(data: EvolveData, engine: Engine) {
@@ -149,6 +155,7 @@ class Page {
 
   /** Play a story again, and let it rest where it was watched to. */
   #replay({ choice, changes, watched }: Story): void {
+    this.#replays = true;
     let now = choice;
     const choices = changes.map(({ change }) => (now = { ...now, ...change }));
     for (const [number, lane] of this.lanes.entries()) {
@@ -170,6 +177,11 @@ class Page {
   readonly #ask: Ask = (change, anew = false) => {
     const lanes = this.#schedules().length;
     const waiting = this.lanes.every(({ state }) => state === "waiting");
+    if (this.#replays && !anew) { // from here on it is another race than the one of the link
+      this.#changes = this.#changes.slice(0, Math.min(...this.lanes.map(({ changed }) => changed.length)));
+      this.#choice = this.#changes.reduce<Choice>((last, each) => ({ ...last, ...each }), this.#first);
+    }
+    this.#replays = false;
     const asked = { ...this.#choice, ...change };
     const why = asked.generations > MOST_GENERATIONS ? `A race has at most ${MOST_GENERATIONS} generations here.` : whyNotPlayed(asked, this.#data.worlds[asked.world]!);
     this.#controls.show(why ? this.#choice : asked);
@@ -219,7 +231,20 @@ class Page {
     const policies = { pursuer: run.playing("pursuer", champions.pursuer), evader: run.playing("evader", champions.evader) };
     const players = Array.from({ length: (run.best?.[team] ?? run.newest) + 1 }, (_, generation) => ({ name: `generation ${generation}`, text: "", policy: () => run.policy(team, generation) }));
     this.#duel.play(team, { world: run.world, policies, players, seed: this.#choice.seed, rate: Math.round(100 * (outcome?.rate ?? 0)), friend: null },
-      { seed: String(randomSeed()), episode: 0 });
+      { seed: this.#fairSeed(run.world, team), episode: 0 });
+  }
+
+  /** Return a seed whose match does not begin with an opponent beside the person. */
+  #fairSeed(world: WorldConfig, team: Team): string {
+    const { n_pursuers, n_evaders } = world;
+    const [seat, first, last] = team === "evader" ? [n_pursuers, 0, n_pursuers] : [0, n_pursuers, n_pursuers + n_evaders];
+    const nearest = (seed: bigint): number => {
+      const cells = new Live(this.#engine, world, { seed }).recording.moments[0]!.positions;
+      const away = (axis: number, other: number): number => Math.abs(cells[2 * seat + axis]! - cells[2 * other + axis]!);
+      return Math.min(...Array.from({ length: last - first }, (_, place) => away(0, first + place) + away(1, first + place)));
+    };
+    const seeds = Array.from({ length: STARTS }, randomSeed).map((seed) => [seed, nearest(seed)] as const);
+    return String(seeds.reduce((best, each) => (each[1] > best[1] ? each : best))[0]);
   }
 
   // ---- What is shown ----------------------------------------------------------------------------
@@ -251,6 +276,7 @@ class Page {
     const address = addressOf(this.#data, this.#story);
     this.#field.hidden = this.#field.value !== this.#link();
     if (hasAddress() && address.length <= LONGEST && (location.hash || address)) history.replaceState(null, "", `#${address}`);
+    if (state === "ended" || state === "stopped") this.#replays = false;
     if (state === "ended" && this.lanes.every(({ outcome }) => outcome)) void this.#keep(address);
     this.#showShelf();
   }
@@ -259,9 +285,10 @@ class Page {
   async #keep(address: string): Promise<void> {
     if (this.#kept === address || !hasAddress()) return;
     this.#kept = address;
+    const title = `${this.#choice.world}, seed ${this.#choice.seed}: ${percent(this.lanes[0]!.outcome!.rate)} are caught`;
     const lanes = await Promise.all(this.lanes.map((lane) => lane.keep()));
     if (this.#kept !== address || !lanes.every(canSave)) return;
-    keep({ address, title: `${this.#choice.world}, seed ${this.#choice.seed}: ${percent(this.lanes[0]!.outcome!.rate)} are caught` }, lanes);
+    keep({ address, title }, lanes);
     this.#showShelf();
   }
 
@@ -285,9 +312,15 @@ class Page {
     else this.#told.textContent = "This race has too many changes for a link: save it.";
   }
 
+  /** The link as a picture may show it: without the folders of a person's own disk. */
+  get #public(): string {
+    const link = this.#link() ?? location.href;
+    return location.protocol === "file:" ? link.slice(link.split("#")[0]!.lastIndexOf("/") + 1) : link;
+  }
+
   get #shown(): Shown[] {
     const { before, after } = this.lanes[0]!;
-    return [before, after].filter(({ recording }) => recording).map((each) => ({ title: each.title, recording: each.recording! }));
+    return [before, after].filter(({ recording }) => recording).map((each) => ({ title: each.title.split(":")[0]!, recording: each.recording! }));
   }
 
   #saveFilm(): void {
@@ -296,7 +329,7 @@ class Page {
 
   async #saveCard(): Promise<void> {
     const { outcome, settings } = this.lanes[0]!;
-    const lines = [...(outcome?.sentence.split(/(?<=\.) /) ?? [`Generation ${this.lanes[0]!.newestGeneration}`]), `${this.#choice.world}, seed ${settings.seed}, ${settings.schedule.generations} generations: evolve.html of matrixworld`];
+    const lines = [...(outcome?.sentence.split(/(?<=\.) /) ?? [`Generation ${this.lanes[0]!.newestGeneration}`]), `${this.#choice.world}, seed ${settings.seed}, ${settings.schedule.generations} generations of pursuers and evaders that learn against each other`, this.#public];
     saveFile(`chase-seed-${this.#choice.seed}.png`, await cardOf(this.#shown, lines));
   }
 

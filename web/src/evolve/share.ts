@@ -66,8 +66,8 @@ export function cardOf(shown: readonly Shown[], lines: readonly string[]): Promi
     ctx.drawImage(boardOf(each, Infinity, side), left, 80);
   });
   lines.forEach((line, number) => {
-    ctx.font = ctx.font.replace(/^\S+ \S+/, number < lines.length - 1 ? "500 27px" : "400 20px");
-    ctx.fillText(line, gap, 655 + 42 * number, width - 2 * gap);
+    ctx.font = ctx.font.replace(/^\S+ \S+/, number < lines.length - 2 ? "500 27px" : "400 19px");
+    ctx.fillText(line, gap, 650 + 37 * number, width - 2 * gap);
   });
   return new Promise((resolve) => canvas.toBlob((blob) => resolve(blob!)));
 }

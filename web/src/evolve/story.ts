@@ -45,7 +45,7 @@ export function markOf(data: EvolveData): string {
   return (hash >>> 0).toString(36);
 }
 
-const BETWEEN = { changes: "!", parts: "~", value: "*", races: "_" } as const;
+const BETWEEN = { changes: "~~", parts: "~", value: ":", races: "_" } as const;
 /** While a race goes on, it is watched to its end. */
 const END = "end";
 

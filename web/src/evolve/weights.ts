@@ -17,7 +17,6 @@ import { effectsOf, sentence } from "./words.ts";
 /** The least end of the bars, and what a bar can become of the largest weight. */
 const LEAST = 2;
 const MORE = 1.5;
-const EPISODES = 20;
 
 export class Weights {
   readonly element = html("section", { class: "card weights-card", "aria-label": "Weights of named inputs", hidden: true });
@@ -46,9 +45,14 @@ export class Weights {
     return this.#own?.[team] ?? this.#evolved[team];
   }
 
-  get #evolved(): OfTeams<Float32Array> {
+  /** The generations that are shown. */
+  get #shown(): OfTeams<number> {
     const { newest, best } = this.#run!;
-    return this.#run!.genomesOf(best ?? { pursuer: newest, evader: newest });
+    return best ?? { pursuer: newest, evader: newest };
+  }
+
+  get #evolved(): OfTeams<Float32Array> {
+    return this.#run!.genomesOf(this.#shown);
   }
 
   /** Show the best or the newest generation of a race, unless a person has set weights in it. */
@@ -99,10 +103,10 @@ export class Weights {
     for (const team of TEAMS) this.#words[team].textContent = sentence(this.#data, team, effectsOf(this.#engine, match, team, policies));
   }
 
-  /** The mean capture rate of some matches. */
-  rate({ pursuer, evader }: OfTeams<Float32Array>, run = this.#run!): number {
+  /** The mean capture rate of the matches that generations have in the evaluation, with other genomes: those of the cell, if they are its own. */
+  rate({ pursuer, evader }: OfTeams<Float32Array>, at = this.#shown, run = this.#run!): number {
     const one = new Int32Array(1);
-    const matches = { pursuer: one, evader: one, seed: BigUint64Array.of(BigInt(run.seed)) };
-    return mean(this.#engine.rollouts(run.world, run.playing("pursuer", pursuer), run.playing("evader", evader), matches, EPISODES).capture_rate as Float32Array);
+    const matches = { pursuer: one, evader: one, seed: BigUint64Array.of(BigInt(run.seeds[at.pursuer]![at.evader]!)) };
+    return mean(this.#engine.rollouts(run.world, run.playing("pursuer", pursuer), run.playing("evader", evader), matches, run.payoff.episodes).capture_rate as Float32Array);
   }
 }

@@ -24,7 +24,7 @@ export type Order =
 export type Told =
   | RaceEvent
   | { readonly type: "ready" | "began" }
-  | { readonly type: "changed"; readonly at: number; readonly settings: RaceSettings; readonly planned: boolean }
+  | { readonly type: "changed"; readonly at: number; readonly settings: RaceSettings }
   | { readonly type: "stopped"; readonly at: number }
   | { readonly type: "end"; readonly at: number; readonly seconds: number }
   | { readonly type: "saved"; readonly race: Finished }
@@ -95,9 +95,9 @@ export function work(end: End<Told, Order>): void {
   let due = false;
   const turns = new MessageChannel();
 
-  const change = (settings: RaceSettings, planned: boolean): void => {
+  const change = (settings: RaceSettings): void => {
     const event = race!.change(settings);
-    tell({ type: "changed", at: race!.epochs, settings, planned });
+    tell({ type: "changed", at: race!.epochs, settings });
     if (event) tell(event);
     if (!steps && race!.finished <= settings.schedule.generations) [steps, going] = [race!.run(), true];
     else if (!going) missing = race!.catchUp();
@@ -112,10 +112,10 @@ export function work(end: End<Told, Order>): void {
   /** Play one step; return whether there was one. */
   const step = (): boolean => {
     if (going && steps) {
-      while (plan.length && plan[0]!.at <= race!.epochs) change(plan.shift()!.settings, true);
+      while (plan.length && plan[0]!.at <= race!.epochs) change(plan.shift()!.settings);
       const { value, done } = steps.next();
       if (done) {
-        [steps, going] = [null, false];
+        [steps, going, missing] = [null, false, race!.catchUp()]; // a late change has left some matches
         tell({ type: "end", at: race!.epochs, seconds: milliseconds / 1000 });
       } else if (value.type === "rest") rest();
       else tell(value);
@@ -143,8 +143,11 @@ export function work(end: End<Told, Order>): void {
       [steps, missing, plan, going, milliseconds, race.until] = [race.run(), null, [...order.plan], true, 0, order.until];
       tell({ type: "began" });
     } else if (!race) return;
-    else if (order.type === "change") change(order.settings, false);
-    else if (order.type === "go") [race.until, going] = [Infinity, true];
+    else if (order.type === "change") {
+      plan = []; // from here on it is another race
+      race.until = Infinity;
+      change(order.settings);
+    } else if (order.type === "go") [race.until, going] = [Infinity, true];
     else if (order.type === "stop") going && rest();
     else {
       const { settings, archive, rows, cells, counters, finished } = race;

@@ -19,7 +19,7 @@ import type { Lesson, WidgetPart } from "./data.ts";
 /** The race of the chase: the specialists', with the most captures at its end. */
 const CHASE = 1;
 /** The world of the races that evolve in the lesson, by networks. */
-const WORLD = "open field";
+const WORLD = "meadow";
 
 /** The last generations of a race, one match after the other. */
 export function chase({ runs }: Lesson, engine: Promise<Engine>): HTMLElement {

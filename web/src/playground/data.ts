@@ -66,7 +66,8 @@ export interface PlaygroundData extends PageData {
 
 /** Return the data that the page holds; the explorer adds its champions. */
 export function pageData(): PlaygroundData {
-  const data = JSON.parse(document.getElementById("data")!.textContent!) as PlaygroundData;
+  const given = JSON.parse(document.getElementById("data")!.textContent!) as PlaygroundData;
+  const data = { ...given, scene: document.getElementById("scene")?.textContent ?? given.scene };
   const champions = document.getElementById("champions")?.textContent;
   return champions ? { ...data, champions: JSON.parse(champions, revived) as Champions } : data;
 }
