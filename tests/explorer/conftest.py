@@ -3,10 +3,11 @@
 import pytest
 
 from browser import browser, friend
+from firefox import firefox
 from matrixworld.coevolution import SavedRun, evolve
 from tiny_race import tiny_race, tiny_single
 
-__all__ = ["browser", "friend"]
+__all__ = ["browser", "firefox", "friend"]
 
 
 @pytest.fixture(scope="module")

@@ -1,13 +1,19 @@
 """The page on which a race evolves: one file, and a race that can be watched and changed."""
 
+import json
 import webbrowser
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
+from typing import Any
 
 import numpy as np
 import pytest
 
 from browser import LAPTOP, PHONE, Browser
 from command_line import matrixworld_command
+from firefox import Firefox
 from matrixworld import Matches, Population, Rating, WorldConfig, rollout
 from matrixworld.explorer.evolve_page import PAGE, evolve_page
 
@@ -79,9 +85,9 @@ def choose(browser: Browser, name: str, value: str) -> None:
 
 @pytest.mark.slow
 def test_a_race_is_its_link_goes_on_and_is_not_lost(
-    browser: Browser, friend: Browser, page: Path
+    browser: Browser, friend: Browser, firefox: Firefox, page: Path
 ) -> None:
-    """Bit for bit in another profile: with changes on the way, stopped, and with more of it."""
+    """Bit for bit in other browsers: with changes on the way, stopped, and with more of it."""
     opened(browser, page, QUICK)
     assert "of the evaders are caught" in browser.js(FACTS)
     browser.click(".evolve")
@@ -107,6 +113,9 @@ def test_a_race_is_its_link_goes_on_and_is_not_lost(
         assert friend.js(GENOMES) == genomes
         assert friend.js(FACTS) == facts
     last = browser.js("location.hash"), browser.js(GENOMES)
+    firefox.open(page.as_uri() + last[0])
+    firefox.wait(f"document.body.dataset.ready && {ENDED}")
+    assert firefox.js(GENOMES) == last[1]
     browser.wait("document.querySelector('.shelf').hidden")
     browser.reload()
     assert (browser.js("location.hash"), browser.js(GENOMES)) == last
@@ -171,6 +180,55 @@ def test_what_is_wrong_with_a_link_is_said(
         "0" if message == "too long" else "7"
     )
     assert browser.errors() == []
+
+
+WORKERS = "script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src 'none'"
+ABSENT = "(document.querySelector('.absent, .problem')?.textContent ?? '')"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("policy", "message"),
+    [
+        ("", ""),
+        (WORKERS, ""),
+        ("script-src 'unsafe-inline'", "'wasm-unsafe-eval' is missing"),
+        ("script-src 'self'", "forbidden where it lies"),
+    ],
+)
+def test_a_page_works_where_it_is_published_or_says_what_it_lacks(
+    browser: Browser, firefox: Firefox, page: Path, policy: str, message: str
+) -> None:
+    """Over HTTP, with the policies of schools and hosts."""
+
+    class Handler(SimpleHTTPRequestHandler):
+        def end_headers(self) -> None:
+            if policy:
+                self.send_header("Content-Security-Policy", policy)
+            super().end_headers()
+
+        def log_message(self, *args: object) -> None:
+            pass
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(page.parent)))
+    Thread(target=server.serve_forever, daemon=True).start()
+    address = f"http://127.0.0.1:{server.server_port}/{page.name}{QUICK}"
+    browser.resize(*LAPTOP)
+    browser.driver.get("about:blank")
+    browser.driver.get(address)
+    firefox.open(address)
+    told: list[Any] = []
+    for each in (browser, firefox):
+        each.wait(f"{ABSENT} || window.matrixworldEvolve", 60)
+        if message:
+            each.wait(f"{ABSENT}.includes({json.dumps(message)})", 20)
+        else:
+            each.js("document.querySelector('.evolve').click()")
+            each.wait(ENDED, 120)
+            told.append(each.js(GENOMES))
+    server.shutdown()
+    assert not told or told[0] == told[1]
+    browser.errors()
 
 
 @pytest.mark.slow

@@ -55,8 +55,8 @@ POLICIES: dict[str, dict[str, Any]] = {
     CELLS: {"policy": CELLS, "policy.hidden": ()},
 }
 EPOCHS = {RATING: (16, (8, 8), 16, (8,)), CELLS: (32, (30, 20), 16, (20,))}
-"""Candidates and epochs in turns, candidates and epochs at once: races of some seconds in a browser,
-in which both teams visibly learn. Without hidden layers a genome has so few numbers that few
+"""Candidates and epochs in turns, candidates and epochs at once: races of seconds in a browser, in
+which both teams visibly learn. Without hidden layers a genome has so few numbers that few
 matches tell which ones are good."""
 
 

@@ -53,6 +53,8 @@ export interface TeamData {
 /** A world, and what plays in it against a person. */
 export interface OpponentsData {
   readonly world: WorldConfig;
+  /** The rounds of "Can you escape it?"; none where pursuers of three strengths play in a smaller world. */
+  readonly rounds: readonly { readonly world: WorldConfig; readonly pursuers: ScriptName; readonly text: string }[];
   readonly teams: Readonly<Record<"pursuer" | "evader", TeamData>>;
 }
 

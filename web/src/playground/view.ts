@@ -232,6 +232,7 @@ export class PlayView {
         html("button", { type: "button", onclick: save }, "Save"),
         link && html("button", { type: "button", onclick: () => copyLink(field, link) }, game.linkName ?? "Link")), field);
     this.element.dataset["state"] = "ended";
+    this.player.jump(live.length); // what is said of the last step stands beside the result
     this.#judge();
     const own = this.#losses.filter(({ team }) => team === teamOf(live.config, played.seat));
     if (own.length) this.#ending.children[0]!.after(html("p", { class: "small muted" }, worstText(own)));
