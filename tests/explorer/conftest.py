@@ -2,11 +2,12 @@
 
 import pytest
 
-from browser import browser
+from browser import browser, friend
+from firefox import firefox
 from matrixworld.coevolution import SavedRun, evolve
 from tiny_race import tiny_race, tiny_single
 
-__all__ = ["browser"]
+__all__ = ["browser", "firefox", "friend"]
 
 
 @pytest.fixture(scope="module")

@@ -5,6 +5,7 @@ import hashlib
 import io
 import json
 import re
+from collections import Counter
 from collections.abc import Callable
 from html import unescape
 from os.path import relpath
@@ -68,12 +69,7 @@ SCENE = TAB.format("Rules and conflicts") + "; "
 BUTTON = "[...document.querySelectorAll('.top button')].find((b) => b.textContent === '{}').click()"
 PRESS = "document.querySelector('{}').click()"
 OPENED: dict[str, list[str]] = {
-    "evolve": [
-        PRESS.format(".evolve"),
-        "; ".join(map(PRESS.format, (".evolve", ".doings button:nth-child(3)"))),
-        "; ".join(map(PRESS.format, (".side", ".evolve"))),
-        "; ".join(map(PRESS.format, (".evolve", ".to-play"))),
-    ],
+    "evolve": [PRESS.format(".evolve"), "matrixworldEvolve.lanes[0].after.choose(0)"],
     "lesson": ["location.hash = '#votes'"],
     "explorer": [*(PRESS.format(name) for name in (".keys-button", ".to-play"))],
     "playground": [
@@ -132,6 +128,51 @@ def test_paper_is_light_with_nothing_to_press(browser: Browser, page: str, tmp_p
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     assert browser.js("document.querySelector('.top .tools').offsetParent") is None
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+
+SHEETS = sorted((REPOSITORY / "docs" / "class_material").glob("*.html"))
+TEXT = """[...document.querySelectorAll("h1, h2, h3, p, li, td, th, figcaption, legend, label")]
+    .filter((each) => each.checkVisibility({ visibilityProperty: true })
+      && !each.closest("button, select, nav, .heard, .lane-title, .controls, .play-keys, .setup,"
+        + "footer.card, .arena, .layout"))
+    .map((each) => [...each.childNodes].filter((node) => node.nodeType === 3)
+      .map((node) => node.textContent).join(" ")).join(" ")"""
+"""What a page tells: texts that are no buttons or choices, nor how they are used."""
+
+
+def words(text: str) -> Counter[str]:
+    return Counter(re.findall(r"[A-Za-z]{3,}", text.lower()))
+
+
+@pytest.mark.slow
+def test_paper_has_all_words_of_the_screen(browser: Browser, tmp_path: Path) -> None:
+    """Of all pages, of the lesson with all predictions made, and of the sheets for a class."""
+    pypdf = pytest.importorskip("pypdf")
+    for name, make in MADE.items():
+        (tmp_path / name).mkdir()
+        write_page(tmp_path / f"{name}.html", make(tmp_path / name))
+    for file in [*(tmp_path / f"{name}.html" for name in MADE), *SHEETS]:
+        browser.resize(*DESKTOP)
+        browser.driver.get(file.as_uri())
+        if file not in SHEETS:
+            browser.wait("document.body.dataset.ready === 'true'")
+        for form in range(20 if file.stem == "lesson" else 0):
+            browser.driver.execute_script(
+                """const form = document.querySelectorAll("form.prediction")[arguments[0]];
+                form?.querySelector("input").click();
+                form?.querySelector("button:not([hidden])")?.click();""",
+                form,
+            )
+        screen = words(browser.js(TEXT))
+        printed = browser.driver.execute_cdp_cmd(
+            "Page.printToPDF", {"paperWidth": 8.27, "paperHeight": 11.69, "preferCSSPageSize": True}
+        )
+        pages = pypdf.PdfReader(io.BytesIO(base64.b64decode(printed["data"]))).pages
+        paper = words(" ".join(page.extract_text() for page in pages))
+        missing = (screen - paper).total()
+        assert missing <= 0.02 * screen.total(), f"{file.stem}: {screen - paper}"
+        if file in SHEETS:
+            assert len(pages) == browser.js("document.querySelectorAll('body > svg').length")
 
 
 @pytest.mark.nightly

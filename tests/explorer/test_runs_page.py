@@ -3,6 +3,7 @@
 import base64
 import json
 import re
+import shlex
 import shutil
 import sys
 import zlib
@@ -13,11 +14,13 @@ import numpy as np
 import pytest
 
 from browser import READY, Browser
+from command_line import matrixworld_command
 from matrixworld import INPUTS, World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis.judgement import summary
 from matrixworld.coevolution import TEAMS, SavedRun, create, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.coevolution.storage import open_runs
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import explorer_page, run_data, runs_data
@@ -137,9 +140,8 @@ def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
 def test_a_step_opens_in_the_playground(page: Browser, job: Job) -> None:
     page.js("location.hash = '#run=0&pursuers=1&evaders=2&episode=0&step=3'")
     page.wait(f"{PLAYED} === '0 1 2 0 ' && matrixworldExplorer.step === 3")
-    here = page.driver.current_window_handle
     page.press("g")
-    page.driver.switch_to.window(page.driver.window_handles[-1])
+    page.driver.switch_to.frame(page.driver.find_element("css selector", ".what-if iframe"))
     try:
         page.wait(READY)
         scene = page.js(
@@ -158,8 +160,10 @@ def test_a_step_opens_in_the_playground(page: Browser, job: Job) -> None:
             assert cells == episode.last_positions[moment].ravel().tolist()
         assert page.errors() == []
     finally:
-        page.driver.close()
-        page.driver.switch_to.window(here)
+        page.driver.switch_to.default_content()
+    page.click(".what-if > .leave")
+    assert page.js("document.querySelector('.what-if')") is None
+    assert page.js("matrixworldExplorer.step") == 3
 
 
 @pytest.fixture(scope="module")
@@ -263,6 +267,16 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> 
     shown = {each["name"]: each["value"] for each in data["settings"]}
     assert shown["world.rows"] == "6"
     assert not {"learner", "seed"} & shown.keys()
+
+
+def test_the_command_of_the_settings_plays_the_same_race(job: Job, tmp_path: Path) -> None:
+    """Also of a team alone, and with values that a shell would split."""
+    for name, run in job.items():
+        program, *options = shlex.split(as_read(run)["command"])
+        assert program == "matrixworld"
+        matrixworld_command(*options, "--out", tmp_path / name, "--threads", "1")
+        [again] = open_runs(tmp_path / name)
+        assert again.settings == run.settings
 
 
 def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:

@@ -132,9 +132,8 @@ class Browser:
         return {where: violations for where, violations in found.items() if violations}
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """A browser for the tests of one file, which are skipped where there is none."""
+def chromium() -> Browser:
+    """Start Chromium with a profile of its own; a test is skipped where there is none."""
     webdriver = pytest.importorskip("selenium.webdriver")
     program, driver = (next(filter(None, map(shutil.which, n)), None) for n in (NAMES, DRIVERS))
     if program is None or driver is None:
@@ -149,8 +148,18 @@ def browser() -> Iterator[Browser]:
     # The sandbox does not start for the administrator, who runs tests in containers.
     if hasattr(os, "geteuid") and os.geteuid() == 0:
         options.add_argument("--no-sandbox")
-    chrome = webdriver.Chrome(options=options, service=webdriver.ChromeService(driver))
+    return Browser(webdriver.Chrome(options=options, service=webdriver.ChromeService(driver)))
+
+
+def _started() -> Iterator[Browser]:
+    started = chromium()
     try:
-        yield Browser(chrome)
+        yield started
     finally:
-        chrome.quit()
+        started.driver.quit()
+
+
+browser = pytest.fixture(scope="module", name="browser")(_started)
+"""A browser for the tests of one file, which are skipped where there is none."""
+friend = pytest.fixture(scope="module", name="friend")(_started)
+"""Another one: what somebody sees who opens a link on another machine."""

@@ -35,6 +35,7 @@ from click.testing import CliRunner
 TESTS = Path(__file__).resolve().parents[1]
 sys.path[1:1] = [str(TESTS / folder) for folder in ("cli", "contract")]
 
+from one_by_one import assert_same_one_by_one  # noqa: E402
 from test_borders import CASES, borders, make_template, problem_of, tree, usual  # noqa: E402
 from test_reference import compare  # noqa: E402
 
@@ -44,7 +45,6 @@ from killed import SETTINGS, play_run, run_until_killed  # noqa: E402
 from matrixworld.cli import main as command  # noqa: E402
 from matrixworld.coevolution import RaceSettings, Run, create, finish  # noqa: E402
 from matrixworld.coevolution.learners.learner import DivergedError  # noqa: E402
-from one_by_one import assert_same_one_by_one  # noqa: E402
 from right_of_way import play  # noqa: E402
 from rows import archive  # noqa: E402
 from scenes import FIELDS, random_scene  # noqa: E402

@@ -12,15 +12,16 @@ import pytest
 from browser import data_of
 from command_line import matrixworld_command, run_together
 from matrixworld._util.files import DamagedFileError
-from matrixworld.analysis import judge
+from matrixworld.analysis import CONDITIONS, judge
 from matrixworld.analysis.strength import late_forgetting
 from matrixworld.cli.options import unpacked
 from matrixworld.coevolution import RaceSettings, evolve, open_run, seeding
 from matrixworld.coevolution import run as run_module
+from matrixworld.coevolution.evaluation.explanation import PHRASES, WORDS, sentence
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners import learner as learner_module
 from matrixworld.coevolution.storage import FORMAT
-from matrixworld.coevolution.types import TEAMS
+from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.evolve_page import masks_of
 from matrixworld.explorer.runs_page import explorer_page
 from matrixworld.version import __version__
@@ -194,3 +195,59 @@ def test_commands_read_a_saved_race(tmp_path: Path) -> None:
     assert not (tmp_path / "race" / "payoff.npz").exists()  # the directory is not changed
     (tmp_path / "race" / "config.json").write_text("{}")
     assert "config.json" in matrixworld_command("judge", archive, code=2).output
+
+
+UP = ("arms race", "one-sided progress", "rise")
+
+
+def courses(kind: int, rng: np.random.Generator, n: int) -> tuple[np.ndarray, np.ndarray, float]:
+    """Return strengths of both teams by generation, and how far they turn in a circle."""
+    t = np.linspace(0.0, 1.0, n)
+    walks = rng.normal(0.0, 0.5, (2, n)).cumsum(axis=1)
+    both = [
+        (3 * t, 3 * t), (3 * t, 0 * t), (0 * t, 3 * t), (0 * t, 0 * t), tuple(walks),
+        (2.0 * (t > 0.01), 3.0 * (t > 0.1)), (-2 * t, 2 * t), (0 * t, 0 * t), (6 * t + 4, 0 * t),
+        (4 * np.sin(np.pi * t),) * 2,
+    ][kind % 10]  # fmt: skip
+    return both[0], both[1], 2.0 * (kind % 10 == 7)
+
+
+@pytest.mark.slow
+def test_the_sentence_of_a_race_never_contradicts_its_judgement() -> None:
+    """The page says that a team became better, or weaker; 200 races, of every verdict."""
+    rng, n, races = np.random.default_rng(0), 12, []
+    for kind in range(200):
+        pursuers, evaders, circle = courses(kind, rng, n)
+        strength, phase = rng.normal(0.0, 0.3, (2, n)), 4 * np.pi * np.linspace(0, 1, n)
+        ahead = (pursuers + strength[0])[:, None] - (evaders + strength[1])
+        odds = ahead + circle * np.sin(phase[:, None] - phase)
+        races.append(rng.binomial(4, 1 / (1 + np.exp(-odds[..., None])), (n, n, 6)) / 4)
+    told = run_node("outcome.mjs", {"races": [r.tolist() for r in races], "told": [], "data": {}})
+    said, present = set(), set()
+    for race, outcome in zip(races, told["outcomes"], strict=True):
+        found = judge(race, per_episode=True).windows["whole"]
+        present |= {name for name, each in found.items() if each.verdict == "present"}
+        rose = {t for name in UP if found[name].verdict == "present" for t in found[name].teams}
+        still = found["stagnation"].verdict == "present"
+        one_sided = found["one-sided progress"].verdict == "present"
+        none = all(found[name].verdict == "absent" for name in UP)
+        for team, its in outcome["teams"].items():
+            said.add(its["verdict"])
+            other = one_sided and f"{team}s" not in rose
+            assert its["verdict"] != "better" or not (still or none or other)
+            assert its["verdict"] != "weaker" or not (still or f"{team}s" in rose)
+    assert present == set(CONDITIONS)
+    assert said == {"better", "weaker", "cannot tell"}
+
+
+def test_what_agents_do_is_told_as_by_explain() -> None:
+    rng = np.random.default_rng(1)
+    told: list[tuple[Team, dict[str, float]]] = [
+        (team, dict(zip(PHRASES, (rng.normal(size=len(PHRASES)) ** 3).tolist(), strict=True)))
+        for team in TEAMS
+        for _ in range(20)
+    ]
+    data = {"phrases": PHRASES, "words": WORDS}
+    given = {"races": [], "told": told, "data": data}
+    expected = [sentence(team, effects) for team, effects in told]
+    assert run_node("outcome.mjs", given)["sentences"] == expected

@@ -55,7 +55,7 @@ from matrixworld.explorer.teams import kept_generations, packed, plain_policy, s
 from matrixworld.version import __version__
 from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPT_TEXTS, SCRIPTS, Population, TeamPolicy
+from matrixworld.world.policy import SCRIPT_TEXTS, SCRIPTS, Population, Script, TeamPolicy
 from matrixworld.world.render import png
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
@@ -185,11 +185,22 @@ NETWORK_TEXT = "a network that evolved in a race"
 class Opponents(NamedTuple):
     """A world, and what plays for each team in it, by name, roughly from weak to strong.
 
-    Populations have one genome.
+    Populations have one genome. `rounds`: worlds of the game "Can you escape it?", each with the
+    name of its pursuers; without any, pursuers of three strengths play in a smaller world.
     """
 
     world: WorldConfig
     players: Mapping[Team, Mapping[str, TeamPolicy]]
+    rounds: Sequence[tuple[WorldConfig, Script]] = ()
+
+
+ROUNDS: Sequence[tuple[int, int, float, Script]] = (
+    (10, 3, 0.0, "clumsy-chaser"), (12, 4, 0.0, "hunter"), (14, 5, 0.1, "hunter"),
+)  # fmt: skip
+"""Side, pursuers, obstacles and what plays in the rounds of "Can you escape it?". Of 120 matches in
+the game O an evader that plays as `dodger` escapes in .80, .50 and .18, one that stands still in
+.00, .00 and .05 (and one that walks at random never more often)."""
+ROUND_STEPS = 60
 
 
 def shipped(variant: Rules | str) -> Opponents:
@@ -200,7 +211,15 @@ def shipped(variant: Rules | str) -> Opponents:
     config = WorldConfig(
         rules, rows=20, cols=20, n_pursuers=sizes[0], n_evaders=sizes[1], max_steps=200
     )
-    return Opponents(config, {team: _by_strength(held_out(team, rules)) for team in TEAMS})
+    players = {team: _by_strength(held_out(team, rules)) for team in TEAMS}
+    if rules.capture is Capture.SURROUND:
+        return Opponents(config, players)
+    rounds = [
+        (WorldConfig(rules, size=side, n_pursuers=n, n_evaders=1, obstacles=share,
+                     max_steps=ROUND_STEPS), name)
+        for side, n, share, name in ROUNDS
+    ]  # fmt: skip
+    return Opponents(config, players, rounds)
 
 
 def _by_strength(players: Mapping[str, TeamPolicy]) -> dict[str, TeamPolicy]:
@@ -241,7 +260,11 @@ def plain_opponents(opponents: Opponents) -> tuple[dict[str, Any], dict[str, byt
         }
         if learned:
             genomes[team] = packed(np.concatenate([each.genomes for each in learned]))
-    return {"world": opponents.world.to_json(), "teams": teams}, genomes
+    rounds = [
+        {"world": world.to_json(), "pursuers": name, "text": SCRIPT_TEXTS[name]}
+        for world, name in opponents.rounds
+    ]
+    return {"world": opponents.world.to_json(), "teams": teams, "rounds": rounds}, genomes
 
 
 def _text(name: str, player: TeamPolicy) -> str:

@@ -16,9 +16,11 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -226,6 +228,7 @@ def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str
         "seed": str(settings.seed),
         "world": settings.world.to_json() if settings.world else None,
         "settings": plain_settings(settings),
+        "command": command_of(settings),
         "training": training_curve(run.log(), settings),
         "payoff": plain_payoff(payoff, shape),
         # As text: a number of JavaScript holds 53 of the 64 bits.
@@ -310,9 +313,15 @@ def _usual(settings: RaceSettings) -> RaceSettings:
 
 
 def _shown(value: Any) -> str:
-    if isinstance(value, str):
-        return value
-    return "default" if value is None else json.dumps(value)
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def command_of(settings: RaceSettings) -> str:
+    """Return the command that plays a run again."""
+    sets = [f"{each['name']}={each['value']}" for each in plain_settings(settings)]
+    given = {"schedule": [settings.schedule.name], "seed": [str(settings.seed)], "set": sets}
+    options = [[f"--{name}", value] for name, values in given.items() for value in values]
+    return shlex.join(["matrixworld", "evolve", *chain.from_iterable(options)])
 
 
 # ---- What the analysis says ----------------------------------------------------------------------

@@ -1,4 +1,4 @@
-// A board on which one match follows the other, without end.
+// A board on which a match is played, and two of them that begin together: before and after learning.
 
 import { Board, stillMotion } from "../board/board.ts";
 import { recordingOf } from "../board/from_engine.ts";
@@ -12,77 +12,66 @@ import { html } from "../page/dom.ts";
 /** Steps a second. */
 const SPEED = 8;
 /** Milliseconds between two matches, and those that a match lasts before a newer generation takes its place. */
-const PAUSE = 700;
-const LEAST = 1400;
+const PAUSE = 900;
+const LEAST = 1800;
 
-export class Chase {
+/** A match on a board. It dispatches `agent` when a person points at one, and `step` and `over` while it goes on. */
+export class Chase extends EventTarget {
   readonly element: HTMLElement;
   readonly player = new Player(0, { speed: SPEED, still: stillMotion() });
-  readonly title = html("figcaption");
-  /** Of the newest team on the board. */
-  generation = 0;
-  readonly #canvas = html("canvas");
+  match: Match | null = null;
+  /** The agent that a person has pointed at. */
+  agent: number | null = null;
+  readonly #title = html("figcaption");
+  readonly #canvas = html("canvas", { onclick: ({ clientX, clientY }: MouseEvent) => this.#choose(clientX, clientY) });
   readonly #board: Board;
   readonly #told = html("p", { class: "small muted numbers" });
   /** Why a wall was not drawn: below the board, which stays where it is. */
   readonly #refused = html("p", { class: "small", role: "status" });
-  readonly #next: () => Match | null;
   #recording: Recording | null = null;
-  #began = 0;
-  #due = 0;
-  #runs = !stillMotion();
+  #draws = false;
 
-  /** `next` plays the match that comes next. */
-  constructor(next: () => Match | null) {
-    this.#next = next;
+  constructor() {
+    super();
     this.#board = new Board(this.#canvas, { numbers: false });
-    this.element = html("figure", { class: "chase" }, this.title, this.#canvas, this.#told, this.#refused);
+    this.element = html("figure", { class: "chase" }, this.#title, this.#canvas, this.#told, this.#refused);
     this.player.addEventListener("frame", () => this.#draw());
     this.player.addEventListener("step", () => this.#tell());
-    this.player.addEventListener("state", () => {
-      if (this.#runs && !this.player.playing && this.player.length && this.player.step === this.player.length) this.#soon();
-    });
+    this.player.addEventListener("state", () => this.over && this.dispatchEvent(new Event("over")));
   }
 
-  /** What the board shows, in words for readers who do not see it. */
-  set label(text: string) {
-    this.#canvas.ariaLabel = text;
+  get over(): boolean {
+    return this.player.length > 0 && !this.player.playing && this.player.step === this.player.length;
   }
 
-  /** Whether matches are played; otherwise the last one rests. */
-  get runs(): boolean {
-    return this.#runs;
+  get title(): string {
+    return this.#title.textContent;
   }
 
-  set runs(runs: boolean) {
-    this.#runs = runs;
-    clearTimeout(this.#due);
-    if (runs) this.player.play();
-    else this.player.pause();
+  get recording(): Recording | null {
+    return this.#recording;
   }
 
-  /** Begin the next match: at once, or when the present one has been seen for a moment. */
-  renew(at_once = false): void {
-    if (at_once || !this.#recording || performance.now() - this.#began > LEAST) this.#begin();
-    else this.#soon(LEAST);
-  }
-
-  #soon(wait = PAUSE): void {
-    clearTimeout(this.#due);
-    this.#due = setTimeout(() => this.#begin(), wait);
-  }
-
-  #begin(): void {
-    clearTimeout(this.#due);
-    const match = this.#next();
-    if (!match) return;
-    this.#recording = recordingOf(match);
-    this.#began = performance.now();
+  /** Show a match from its start; the title says who plays. */
+  show(match: Match, title: string): void {
+    [this.match, this.#recording] = [match, recordingOf(match)];
+    this.#title.textContent = title;
+    this.#canvas.ariaLabel = `A match. ${title}`;
     this.player.jump(0);
     this.player.length = match.length;
     this.player.marks = captureSteps(this.#recording);
     this.#tell();
-    if (this.#runs) this.player.play();
+  }
+
+  /** Mark an agent, and tell who asks of it. */
+  choose(agent: number | null): void {
+    this.agent = agent;
+    this.#board.look = { selected: agent, viewers: agent === null ? [] : [agent] };
+    this.dispatchEvent(new Event("agent"));
+  }
+
+  #choose(x: number, y: number): void {
+    if (!this.#draws) this.choose(this.#board.agentAt(x, y));
   }
 
   #draw(): void {
@@ -91,7 +80,8 @@ export class Chase {
 
   #tell(): void {
     const evaders = this.#recording?.moments[this.player.step]?.everCaptured;
-    if (evaders) this.#told.textContent = `generation ${this.generation} · ${Array.from(evaders).filter(Boolean).length} of ${evaders.length} caught · step ${this.player.step}`;
+    if (evaders) this.#told.textContent = `${Array.from(evaders).filter(Boolean).length} of ${evaders.length} caught in ${this.player.step} steps`;
+    this.dispatchEvent(new Event("step"));
   }
 
   // ---- Walls ------------------------------------------------------------------------------------
@@ -126,7 +116,7 @@ export class Chase {
       this.#board.look = { cursor };
     });
     return (on) => {
-      active = on;
+      active = this.#draws = on;
       this.#canvas.classList.toggle("drawn-on", on);
       this.#canvas.tabIndex = on ? 0 : -1;
       this.#canvas.setAttribute("role", on ? "application" : "img");
@@ -135,9 +125,66 @@ export class Chase {
   }
 
   /** Show walls before a match is played among them. */
-  show(walls: Uint8Array): void {
+  showWalls(walls: Uint8Array): void {
     if (!this.#recording) return;
     this.#recording = { ...this.#recording, obstacles: walls };
     this.#draw();
   }
+}
+
+/** Boards whose matches begin together, one after the other without end. */
+export class Chases {
+  readonly boards: readonly Chase[];
+  readonly #next: () => void;
+  #began = -Infinity;
+  #due = 0;
+  #runs = !stillMotion();
+
+  /** `next` shows the matches that come next. */
+  constructor(next: () => void, ...boards: Chase[]) {
+    [this.#next, this.boards] = [next, boards];
+    for (const each of boards) each.addEventListener("over", () => this.#runs && boards.every(({ over }) => over) && this.#soon(PAUSE));
+  }
+
+  /** Whether matches are played; otherwise the last ones rest. */
+  get runs(): boolean {
+    return this.#runs;
+  }
+
+  set runs(runs: boolean) {
+    this.#runs = runs;
+    clearTimeout(this.#due);
+    this.#due = 0;
+    for (const { player } of this.boards) {
+      if (runs) player.play();
+      else player.pause();
+    }
+  }
+
+  /** Begin the next matches: at once, or when the present ones have been seen for a moment. */
+  renew(at_once = false): void {
+    if (at_once || performance.now() - this.#began > LEAST) this.#begin();
+    else if (!this.#due) this.#soon(LEAST);
+  }
+
+  #soon(wait: number): void {
+    clearTimeout(this.#due);
+    this.#due = setTimeout(() => this.#begin(), wait);
+  }
+
+  #begin(): void {
+    clearTimeout(this.#due);
+    [this.#due, this.#began] = [0, performance.now()];
+    this.#next();
+    if (this.#runs) for (const { player } of this.boards) player.play();
+  }
+}
+
+/** Let boards rest while nobody sees them. */
+export function whileSeen(chases: Chases, place: Element): void {
+  let ran = chases.runs;
+  new IntersectionObserver(([entry]) => {
+    if (!entry!.isIntersecting) [ran, chases.runs] = [chases.runs, false];
+    else if (ran && !chases.runs) chases.runs = true;
+  }).observe(place);
 }

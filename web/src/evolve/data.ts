@@ -3,18 +3,26 @@
 import { text } from "../explorer/data.ts";
 import type { Mask } from "./network.ts";
 import type { OfTeams } from "./race.ts";
-import type { RaceSettings, Ratings } from "./settings.ts";
+import type { WorldConfig } from "../engine/types.ts";
+import type { RaceSettings } from "./settings.ts";
 
 export type LearnerName = "es" | "ga";
+
+/** What a genome is: weights of named inputs that rate moves, or a network over cells. */
+export type PolicyName = "rating" | "cells";
 
 export interface EvolveData {
   readonly version: string;
   readonly format: number;
-  /** The settings with which the page begins, by learner and schedule. */
-  readonly races: Readonly<Record<LearnerName, Readonly<Record<string, RaceSettings>>>>;
-  /** Policies that rate moves, instead of the networks of these races. */
-  readonly ratings: Ratings;
+  /** By name; the page begins with the first one. */
+  readonly worlds: Readonly<Record<string, WorldConfig>>;
+  /** The settings of races, by policy, learner and schedule; their worlds are those of a choice. */
+  readonly races: Readonly<Record<PolicyName, Readonly<Record<LearnerName, Readonly<Record<string, RaceSettings>>>>>>;
   readonly masks: OfTeams<Mask>;
+  /** What an agent does by an input: whose rating falls with it, rises with it; and what it minds. */
+  readonly phrases: Readonly<Record<string, readonly [falls: string, rises: string, minds: string]>>;
+  /** What fills the places of phrases. */
+  readonly words: OfTeams<Readonly<Record<string, string>>>;
 }
 
 export const readData = (): EvolveData => JSON.parse(text("data")) as EvolveData;

@@ -18,18 +18,21 @@ const rowsOf = <Value>(size: number): Value[][] => Array.from({ length: size }, 
 export class GrowingRun implements Run {
   readonly learning = TEAMS;
   readonly settings = [];
+  readonly command = "";
   readonly training = { capture_rate: [], generation: [], learner: [], epochs: 1, window: 1, matches: 0 };
   readonly limits = "";
   readonly name: string;
   readonly schedule: string;
   readonly seed: string;
-  readonly seeds: readonly (readonly string[])[];
+  seeds: readonly (readonly string[])[] = [];
   world: WorldConfig;
   payoff: Payoff & { capture_rate: number[][]; capture_rates: number[][][]; lengths: number[][][] };
   teams: OfTeams<TeamData>;
   findings: Findings | null = null;
   /** Genomes of all generations so far. */
   readonly genomes: Record<Team, Float32Array[]> = { pursuer: [], evader: [] };
+  /** The best generation of each team, if it is known. */
+  best: OfTeams<number> | null = null;
   readonly #masks: OfTeams<Mask>;
   /** Tells the genomes of this race from those of others on the page. */
   readonly #key: string;
@@ -38,8 +41,6 @@ export class GrowingRun implements Run {
   constructor(settings: RaceSettings, masks: OfTeams<Mask>, name: string, key: string) {
     [this.#settings, this.#masks, this.#key, this.name, this.schedule] = [settings, masks, key, name, name];
     [this.world, this.seed] = [settings.world, String(settings.seed)];
-    const size = settings.schedule.generations + 1;
-    this.seeds = Array.from({ length: size }, (_, g) => Array.from({ length: size }, (_none, h) => String(evaluationSeed(settings.seed, g, h))));
     this.payoff = this.#empty();
     this.teams = this.#teams();
   }
@@ -50,7 +51,9 @@ export class GrowingRun implements Run {
   }
 
   #empty(): GrowingRun["payoff"] {
-    const size = this.#settings.schedule.generations + 1;
+    const { seed, schedule: { generations } } = this.#settings;
+    const size = generations + 1;
+    this.seeds = Array.from({ length: size }, (_, g) => Array.from({ length: size }, (_none, h) => String(evaluationSeed(seed, g, h))));
     return {
       first: [0, 0], shape: [size, size], episodes: this.#settings.evaluation_episodes,
       capture_rate: rowsOf(size), capture_rates: rowsOf(size), lengths: rowsOf(size),
@@ -77,6 +80,24 @@ export class GrowingRun implements Run {
     return policyOf(shapeOf(this.#settings, this.#masks, team), genome);
   }
 
+  /** Return the genomes of generations. */
+  genomesOf({ pursuer, evader }: OfTeams<number>): OfTeams<Float32Array> {
+    return { pursuer: this.genomes.pursuer[pursuer]!, evader: this.genomes.evader[evader]! };
+  }
+
+  /** The race goes on to more generations. */
+  extend(settings: RaceSettings): void {
+    const { capture_rate, capture_rates, lengths, shape: [size] } = this.payoff;
+    this.#settings = { ...this.#settings, schedule: settings.schedule };
+    if (size > settings.schedule.generations) return;
+    this.payoff = this.#empty();
+    for (let g = 0; g < size; g++) {
+      Object.assign(this.payoff.capture_rate[g]!, capture_rate[g]);
+      Object.assign(this.payoff.capture_rates[g]!, capture_rates[g]);
+      Object.assign(this.payoff.lengths[g]!, lengths[g]);
+    }
+  }
+
   add(genomes: OfTeams<Float32Array>): void {
     for (const team of TEAMS) this.genomes[team].push(genomes[team]);
     this.teams = this.#teams();
@@ -87,6 +108,7 @@ export class GrowingRun implements Run {
     this.#settings = settings;
     this.world = settings.world;
     for (const team of TEAMS) this.genomes[team] = [...genomes[team]];
+    this.best = null;
     [this.payoff, this.teams, this.findings] = [this.#empty(), this.#teams(), null];
   }
 

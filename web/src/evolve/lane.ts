@@ -1,99 +1,145 @@
-// One race on the page: its worker, the boards of the newest generations, the matrix and the curve that grow.
+// One race on the page: its boards before and after learning, what came out, and the matrix and the curve that grow.
 
 import type { Engine, Match } from "../engine/engine.ts";
+import type { GenomePolicy } from "../engine/types.ts";
 import { chart, frame, legend, line } from "../explorer/chart.ts";
+import { Inspector } from "../explorer/inspector.ts";
 import { MatchPanel } from "../explorer/match.ts";
 import { MatrixPanel } from "../explorer/matrix.ts";
 import { Store } from "../explorer/store.ts";
-import { TakeOver } from "../explorer/take_over.ts";
 import { html } from "../page/dom.ts";
-import type { GenomePolicy } from "../engine/types.ts";
-import { Chase } from "./chase.ts";
+import { Chase, Chases } from "./chase.ts";
 import type { EvolveData } from "./data.ts";
 import { scheduleName } from "./data.ts";
 import { GrowingRun } from "./growing_run.ts";
 import { generalization, lateForgetting, mean } from "./measures.ts";
+import { evidenceOf, outcomeOf, percent } from "./outcome.ts";
+import type { Outcome } from "./outcome.ts";
 import { FIXED, Race } from "./race.ts";
 import type { Cell, OfTeams } from "./race.ts";
 import type { Finished } from "./save.ts";
 import { TEAMS } from "./settings.ts";
+import type { RaceSettings, Team } from "./settings.ts";
 import { Weights } from "./weights.ts";
-import type { RaceSettings } from "./settings.ts";
-import type { Order, Told } from "./worker.ts";
+import { Mate } from "./worker.ts";
+import type { Order, Planned, Told } from "./worker.ts";
 
-const percent = (rate: number): string => `${Math.round(100 * rate)} %`;
 /** Milliseconds between two drawings of what grows. */
 const REST = 100;
+/** If generation 0 catches more than this, it is said why. */
+const MANY = 0.3;
 let count = 0;
+
+/** A race that has ended, as it is kept: what can be saved, and what is shown besides. */
+export interface Kept extends Finished {
+  readonly scores: OfTeams<readonly (number | null)[]>;
+  readonly seconds: number;
+}
 
 /** A race, and all that shows it. It dispatches `state` when it begins, gets on or ends. */
 export class Lane extends EventTarget {
   readonly element: HTMLElement;
-  readonly newest: Chase;
-  readonly beginning: Chase;
+  readonly chases: Chases;
+  readonly boards: HTMLElement;
+  readonly before = new Chase();
+  readonly after = new Chase();
   settings: RaceSettings;
   state: "waiting" | "evolving" | "ended" | "stopped" = "waiting";
-  /** Share of the epochs that have been played. */
+  /** Share of the epochs that have been played, how many, and those after which each change came. */
   done = 0;
+  epochs = 0;
+  readonly changed: number[] = [];
   seconds = 0;
+  outcome: Outcome | null = null;
+  /** Whether the worker knows nothing of the race: it was kept, and is shown again. */
+  kept: Kept | null = null;
   readonly #data: EvolveData;
   readonly #engine: Engine;
-  readonly #worker: Worker;
+  readonly #mate: Mate;
   readonly #title = html("h2", { class: "lane-title" });
   readonly #facts = html("p", { class: "facts numbers" });
-  readonly #room = html("div", { class: "lane-room", hidden: true });
-  readonly #measures = html("section", { class: "card measures", hidden: true });
+  readonly #room = html("div", { class: "lane-room" });
+  readonly #measures = html("section", { class: "card measures" });
+  readonly #more = html("details", { class: "lane-more", hidden: true }, html("summary", {}, "More: every generation against every other, scores and collisions"), this.#room, this.#measures);
   readonly #dialogs = html("div");
+  readonly #inspector: Inspector;
   readonly #weights: Weights;
   #run!: GrowingRun;
   #scores: OfTeams<(number | null)[]> = { pursuer: [], evader: [] };
   #cells = new Map<string, Cell>();
   #store!: Store;
-  #takeOver!: TakeOver;
   #drawChart: () => void = () => {};
   #episode = 0;
   #follows = true;
+  #heard = false;
   #due = 0;
   #saved: ((race: Finished) => void) | null = null;
 
-  constructor(data: EvolveData, engine: Engine, worker: Worker, settings: RaceSettings) {
+  /** `page`: the name of the script that carries out the race in a worker. */
+  constructor(data: EvolveData, engine: Engine, page: string, settings: RaceSettings) {
     super();
-    [this.#data, this.#engine, this.#worker, this.settings] = [data, engine, worker, settings];
-    this.newest = new Chase(() => this.#match(this.#run.newest));
-    this.beginning = new Chase(() => this.#match(0));
-    this.beginning.element.classList.add("beginning");
-    this.#weights = new Weights(engine, () => this.#renew(true));
-    const boards = html("div", { class: "boards" }, this.newest.element, this.beginning.element);
-    this.element = html("section", { class: "lane" }, this.#title, this.#facts, boards, this.#room, this.#weights.element, this.#measures, this.#dialogs);
-    worker.onmessage = ({ data: told }: MessageEvent<Told>) => this.#hear(told);
+    [this.#data, this.#engine, this.settings] = [data, engine, settings];
+    this.#mate = new Mate(page, (told) => this.#hear(told));
+    this.chases = new Chases(() => this.#play(), this.before, this.after);
+    this.before.element.classList.add("before");
+    this.boards = html("div", { class: "pair" }, this.before.element, this.after.element);
+    this.#weights = new Weights(engine, data, () => this.#renew(true));
+    this.#inspector = new Inspector(() => {});
+    const asked = html("section", { class: "card asked", "aria-label": "An agent", hidden: true }, html("button", { type: "button", class: "leave", onclick: () => this.#ask(null, null) }, "Close"), this.#inspector.element);
+    for (const chase of [this.before, this.after]) {
+      chase.addEventListener("agent", () => chase.agent !== null && this.#ask(chase, chase.agent));
+      chase.addEventListener("step", () => !asked.hidden && chase.agent !== null && this.#look(chase));
+    }
+    this.element = html("section", { class: "lane" }, this.#title, this.#facts, this.boards, asked, this.#weights.element, this.#more, this.#dialogs);
     this.reset(settings);
   }
 
   /** Show generation 0 of a race that has not begun. */
   reset(settings: RaceSettings): void {
-    this.#order({ type: "stop" });
-    [this.settings, this.state, this.done] = [settings, "waiting", 0];
+    this.#mate.send({ type: "stop" });
+    [this.settings, this.state, this.done, this.epochs, this.kept] = [settings, "waiting", 0, 0, null];
     this.#begin();
     const { archive } = new Race(this.#engine, settings, this.#data.masks);
     this.#run.add({ pursuer: archive.pursuer[0]!, evader: archive.evader[0]! });
-    this.#room.hidden = this.#measures.hidden = true;
     this.#renew(true);
     this.#tell();
   }
 
-  /** Begin the race anew. */
-  start(): void {
+  /** Begin the race anew, with what is planned on its way, and let it rest after so many epochs. */
+  start(settings: RaceSettings, plan: readonly Planned[] = [], until = Infinity): void {
+    this.settings = settings;
     this.#begin();
-    [this.state, this.done] = ["evolving", 0];
-    this.#room.hidden = false;
-    this.#measures.hidden = true;
-    this.#order({ type: "start", settings: this.settings, masks: this.#data.masks });
+    this.settings = plan.at(-1)?.settings ?? settings;
+    [this.state, this.done, this.epochs, this.kept] = ["evolving", 0, 0, null];
+    this.changed.splice(0);
+    this.#order({ type: "start", settings, masks: this.#data.masks, plan, until });
     this.#tell();
+  }
+
+  /** Show a race that was kept. */
+  restore(settings: RaceSettings, kept: Kept, epochs: number, changed: readonly number[]): void {
+    this.settings = kept.settings;
+    this.#begin();
+    for (const number of Array(kept.finished).keys()) this.#run.add({ pursuer: kept.archive.pursuer[number]!, evader: kept.archive.evader[number]! });
+    for (const [name, cell] of kept.cells) {
+      this.#run.addCell(cell);
+      this.#cells.set(name, cell);
+    }
+    this.#scores = { pursuer: [...kept.scores.pursuer], evader: [...kept.scores.evader] };
+    [this.settings, this.kept, this.seconds, this.epochs, this.done] = [settings, kept, kept.seconds, epochs, 1];
+    this.changed.splice(0, Infinity, ...changed);
+    this.#end("ended");
+    this.#show();
   }
 
   stop(): void {
     this.#order({ type: "stop" });
-    if (this.state === "evolving") this.state = "stopped";
+  }
+
+  /** Go on after a stop. */
+  go(): void {
+    this.state = "evolving";
+    this.#order({ type: "go" });
     this.#tell();
   }
 
@@ -105,18 +151,18 @@ export class Lane extends EventTarget {
     this.#tell();
   }
 
-  /** Let a person play against the newest generation. */
-  takeOver(): void {
-    const newest = this.#run.newest;
-    this.#takeOver.play({ run: 0, pursuer: newest, evader: newest, episode: 0, seed: null }, { seat: this.#run.world.n_pursuers, from: 0, moves: [] });
-  }
-
   /** Return what can be saved. */
   saved(): Promise<Finished> {
+    if (this.kept) return Promise.resolve(this.kept);
     return new Promise((resolve) => {
       this.#saved = resolve;
       this.#order({ type: "save" });
     });
+  }
+
+  /** Return what is kept of a race that has ended. */
+  async keep(): Promise<Kept> {
+    return { ...(await this.saved()), scores: this.#scores, seconds: this.seconds };
   }
 
   /** Generations that have been evolved. */
@@ -124,20 +170,30 @@ export class Lane extends EventTarget {
     return this.#run.newest;
   }
 
+  /** The world of the race now, and what plays for both teams: the best generations of a race that has ended, or weights that a person has set. */
+  get champions(): OfTeams<Float32Array> {
+    return { pursuer: this.#weights.genome("pursuer"), evader: this.#weights.genome("evader") };
+  }
+
+  get run(): GrowingRun {
+    return this.#run;
+  }
+
   close(): void {
-    this.#worker.terminate();
-    this.newest.runs = this.beginning.runs = false;
+    this.#mate.close();
+    this.chases.runs = false;
   }
 
   #order(order: Order): void {
-    this.#worker.postMessage(order);
+    this.#mate.send(order);
   }
 
   // ---- What the worker tells --------------------------------------------------------------------
 
   #hear(told: Told): void {
+    if (told.type === "began") this.#heard = true;
+    if (!this.#heard) return; // of a race that is no longer shown
     if (told.type === "generation") {
-      if (this.state !== "evolving") return;
       this.#run.add(told.genomes);
       this.#renew(told.number === 0);
     } else if (told.type === "cell") {
@@ -145,25 +201,49 @@ export class Lane extends EventTarget {
       this.#run.addCell(told.cell);
       if (this.#follows && pursuer === evader && pursuer === this.#run.newest) this.#store.select({ pursuer, evader });
       this.#cells.set(`${pursuer} ${evader}`, told.cell);
+      if (this.state === "stopped" || this.state === "ended") this.#end(this.state);
     } else if (told.type === "scores") {
       for (const team of TEAMS) this.#scores[team][told.number] = told.scores[team];
+    } else if (told.type === "changed") {
+      this.#run.extend(told.settings);
+      this.changed.push(told.at);
+      this.epochs = told.at;
+      if (told.settings.schedule.generations > this.#run.newest && this.state === "ended") this.#goOn();
     } else if (told.type === "anew") {
       this.#run.change(told.settings, told.genomes);
       this.#clear();
       this.#renew(true);
     } else if (told.type === "epoch") {
+      this.epochs += 1;
       this.done = told.done / told.of;
+    } else if (told.type === "stopped") {
+      this.#end("stopped");
     } else if (told.type === "end") {
-      if (this.state === "evolving") [this.state, this.seconds, this.done] = ["ended", told.seconds, 1];
-      this.#showMeasures();
+      [this.seconds, this.done] = [told.seconds, 1];
+      this.#end("ended");
     } else if (told.type === "saved") {
       this.#saved?.(told.race);
-    } else {
+    } else if (told.type === "failed") {
       this.#facts.textContent = `The race failed: ${told.message}`;
       this.state = "stopped";
     }
     // Cells come quicker than they need to be drawn.
     if (!this.#due) this.#due = setTimeout(() => requestAnimationFrame(() => this.#show()), REST);
+  }
+
+  #goOn(): void {
+    [this.state, this.outcome] = ["evolving", null];
+    this.#run.best = null;
+  }
+
+  /** The race rests: show what came out, as far as all matches are played. */
+  #end(state: "stopped" | "ended"): void {
+    const before = this.outcome;
+    this.state = state;
+    this.outcome = outcomeOf(this.#cells, this.#run.newest + 1);
+    this.#run.best = this.outcome?.best ?? null;
+    if (this.outcome && !before) this.#renew(true);
+    this.#showMeasures();
   }
 
   #show(): void {
@@ -176,6 +256,7 @@ export class Lane extends EventTarget {
   #clear(): void {
     this.#cells = new Map();
     this.#scores = { pursuer: [], evader: [] };
+    this.outcome = null;
     this.#measures.hidden = true;
   }
 
@@ -186,12 +267,12 @@ export class Lane extends EventTarget {
     const name = scheduleName(this.settings);
     this.#run = new GrowingRun(this.settings, this.#data.masks, name, key);
     this.#clear();
-    this.#follows = true;
+    this.#ask(null, null);
+    [this.#follows, this.#heard] = [true, false];
     this.#store = new Store({ run: 0, pursuer: 0, evader: 0, episode: 0, seed: null });
     const [matrix, match] = [new MatrixPanel([this.#run], this.#store), new MatchPanel([this.#run], this.#store, null)];
     matrix.element.ariaLabel = `Payoff matrix. ${name}`; // of two races, each has its own name
-    this.#takeOver = new TakeOver([this.#run], this.#store, match, false);
-    this.#takeOver.start(this.#engine);
+    match.actions.remove();
     const dialog = html("dialog", { class: "of-cell-match", "aria-label": "Match", onclose: () => match.player.pause() },
       html("button", { type: "button", class: "leave", onclick: () => dialog.close() }, "Close"), match.element);
     let started = false;
@@ -222,66 +303,106 @@ export class Lane extends EventTarget {
       html("section", { class: "card scores" }, html("h3", {}, "Against opponents that never change"),
         html("p", { class: "small muted" }, "Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),
         legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]), made.element));
-    this.#dialogs.replaceChildren(dialog, this.#takeOver.dialog);
+    this.#dialogs.replaceChildren(dialog);
   }
 
-  /** Play a match of the newest evaders, against pursuers of a generation. */
-  #match(pursuer: number): Match | null {
-    const evader = this.#run.newest;
-    if (evader < 0 || pursuer < 0) return null;
-    const { world, payoff, seeds } = this.#run;
-    const episode = this.#episode++ % payoff.episodes;
-    this.newest.title.textContent = evader ? "Newest against newest" : "Generation 0: nobody has learned anything yet";
-    this.beginning.title.textContent = "Pursuers of generation 0, newest evaders";
-    for (const chase of [this.newest, this.beginning]) chase.generation = evader;
-    for (const chase of [this.newest, this.beginning]) chase.label = `A match. ${chase.title.textContent}`;
-    const [pursuers, evaders] = TEAMS.map((team) => this.#run.playing(team, team === "pursuer" && pursuer < evader ? this.#run.genomes.pursuer[pursuer]! : this.#weights.genome(team))) as [GenomePolicy, GenomePolicy];
-    return this.#engine.match(world, pursuers, evaders, BigInt(seeds[pursuer]![evader]!), episode);
+  /** Show the next matches: of generation 0, and of the newest or the best one, from the same start. */
+  #play(): void {
+    const { newest, best } = this.#run;
+    if (newest < 0) return;
+    const [zero, episode] = [{ pursuer: 0, evader: 0 }, this.#episode++ % this.#run.payoff.episodes];
+    const match = (genomes: OfTeams<Float32Array>): Match =>
+      this.#engine.match(this.#run.world, ...this.#policies(genomes), BigInt(this.#run.seeds[0]![0]!), episode);
+    const { pursuer, evader } = best ?? { pursuer: newest, evader: newest };
+    const both = pursuer === evader ? `generation ${pursuer}` : `pursuers of generation ${pursuer}, evaders of generation ${evader}`;
+    this.before.show(match(this.#run.genomesOf(zero)), "Before: generation 0");
+    this.after.show(match(this.champions), !newest ? "Generation 0: nobody has learned anything yet" : best ? `After: ${both}` : `Now: ${both}`);
+    for (const chase of [this.before, this.after]) if (chase.agent !== null) this.#look(chase, true);
+  }
+
+  #policies({ pursuer, evader }: OfTeams<Float32Array>): [GenomePolicy, GenomePolicy] {
+    return [this.#run.playing("pursuer", pursuer), this.#run.playing("evader", evader)];
   }
 
   #renew(at_once: boolean): void {
     this.#weights.show(this.#run);
-    this.newest.renew(at_once);
-    if (this.#run.newest > 0 || this.state !== "waiting") this.beginning.renew(at_once);
+    this.chases.renew(at_once);
+  }
+
+  /** Tell what an agent on a board sees, and why it moves; null for none. */
+  #ask(chase: Chase | null, agent: number | null): void {
+    for (const each of [this.before, this.after]) if (each !== chase && each.agent !== null) each.choose(null);
+    (this.#inspector.element.parentElement ?? { hidden: true }).hidden = !chase;
+    if (!chase) return;
+    this.#look(chase, true);
+    this.#inspector.choose(agent);
+  }
+
+  #look(chase: Chase, anew = false): void {
+    if (anew) {
+      const before = chase === this.before;
+      const [pursuers, evaders] = this.#policies(before ? this.#run.genomesOf({ pursuer: 0, evader: 0 }) : this.champions);
+      const at = before ? 0 : this.#run.newest;
+      this.#inspector.show(this.#engine, this.#run, chase.match!, { run: 0, pursuer: at, evader: at, episode: 0, seed: null }, { pursuers, evaders });
+    }
+    this.#inspector.at(chase.player.step);
   }
 
   #tell(): void {
+    const { newest } = this.#run;
     this.element.dataset["state"] = this.state;
     this.#title.textContent = scheduleName(this.settings);
-    const cell = this.#cells.get(`${this.#run.newest} ${this.#run.newest}`) ?? this.#cells.get(`${this.#run.newest - 1} ${this.#run.newest - 1}`);
-    const parts = cell ? [
-      `Generation ${this.#run.newest} of ${this.settings.schedule.generations}`,
-      `the newest pursuers catch ${percent(mean(cell.capture_rates))} of the newest evaders`,
-      `${collisions(cell).toFixed(0)} collisions in 1000 moves`,
-    ] : [];
-    this.#facts.replaceChildren(...parts.map((text) => html("span", {}, text)));
+    this.#more.hidden = this.state === "waiting";
+    this.#facts.replaceChildren(...this.#told().map((text) => html("span", {}, text)));
+    this.element.dataset["newest"] = String(newest);
     this.dispatchEvent(new Event("state"));
   }
 
+  /** What is to be said of the race now. */
+  #told(): string[] {
+    const { newest } = this.#run;
+    if (this.outcome) return [this.outcome.sentence];
+    if (newest < 0) return [];
+    const rate = (number: number): number | null => {
+      const cell = this.#cells.get(`${number} ${number}`);
+      return cell ? mean(cell.capture_rates) : null;
+    };
+    if (this.state === "waiting" || newest < 1) {
+      const caught = rate(0) ?? this.#weights.rate(this.#run.genomesOf({ pursuer: 0, evader: 0 }), { pursuer: 0, evader: 0 });
+      return [`${percent(caught)} of the evaders are caught.`, ...(caught > MANY ? ["By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt."] : [])];
+    }
+    const [now, first] = [rate(newest) ?? rate(newest - 1), rate(0)];
+    const caught = now === null || first === null ? "" : `: the pursuers catch ${percent(now)} of the evaders, in generation 0 ${percent(first)}`;
+    return [`Generation ${newest} of ${this.settings.schedule.generations}${caught}.`];
+  }
+
   #showMeasures(): void {
+    const { outcome } = this;
+    this.#measures.hidden = !outcome;
     this.#measures.ariaLabel = `What came out. ${scheduleName(this.settings)}`;
+    if (!outcome) return;
     const rates = this.#run.payoff.capture_rate.slice(0, this.#run.newest + 1).map((row) => row.slice(0, this.#run.newest + 1));
-    if (rates.length < 2 || rates.some((row) => Array.from(row).includes(undefined as never))) return;
-    const rows: readonly (readonly [string, (team: "pursuer" | "evader") => string])[] = [
+    const newest = this.#cells.get(`${this.#run.newest} ${this.#run.newest}`)!;
+    const rows: readonly (readonly [string, (team: Team, place: number) => string])[] = [
       ["Score against scripts: generation 0", (team) => percent(this.#scores[team][0] ?? 0)],
       ["Score against scripts: newest generation", (team) => percent(this.#scores[team].at(-1) ?? 0)],
       ["Newest generation against all generations of the other team", (team) => percent(generalization(rates, team))],
       ["Below its own best so far, in the later half (forgetting)", (team) => percent(lateForgetting(rates, team))],
+      ["Collisions at fault in 1000 moves of the newest generation", (_, place) => collisions(newest, place).toFixed(1)],
     ];
     this.#measures.replaceChildren(
-      html("h3", {}, "What came out"),
+      html("h3", {}, "In numbers"),
+      ...TEAMS.map((team) => html("p", {}, evidenceOf(team, outcome.teams[team]))),
       html("table", { class: "numbers" },
         html("thead", {}, html("tr", {}, html("td"), ...TEAMS.map((team) => html("th", { scope: "col", class: team }, `${team}s`)))),
         html("tbody", {}, ...rows.map(([name, value]) =>
-          html("tr", {}, html("th", { scope: "row" }, name), ...TEAMS.map((team) => html("td", {}, value(team))))))),
-      html("p", { class: "small muted" }, "These are measures without a verdict: one race proves little. Save it, and ",
-        html("code", {}, "matrixworld judge"), " weighs luck and says what happened."));
-    this.#measures.hidden = false;
+          html("tr", {}, html("th", { scope: "row" }, name), ...TEAMS.map((team, place) => html("td", {}, value(team, place))))))),
+      html("p", { class: "small muted" }, "One race proves little: save it, and ", html("code", {}, "matrixworld judge"), " says what happened on its way, and how surely."));
   }
 }
 
-/** Collisions at fault of both teams, in 1000 moves. */
-function collisions({ means: { faults, agent_steps } }: Cell): number {
-  const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
-  return (1000 * sum(faults)) / Math.max(1, sum(agent_steps));
+/** Collisions at fault of a team, in 1000 moves. */
+function collisions({ means: { faults, agent_steps } }: Cell, team: number): number {
+  const each = faults.length / TEAMS.length;
+  return (1000 * faults.slice(team * each, (team + 1) * each).reduce((a, b) => a + b, 0)) / Math.max(1, agent_steps[team]!);
 }

@@ -3,12 +3,12 @@
 import type { Team } from "./settings.ts";
 
 /** Capture rates of pursuers (rows) against evaders (columns). */
-type Rates = readonly (readonly number[])[];
+export type Rates = readonly (readonly number[])[];
 
 export const mean = (values: ArrayLike<number>): number => Array.from(values).reduce((sum, each) => sum + each, 0) / values.length;
 
 /** Return the payoffs of a team's generations (rows) against those of the other team. */
-const fromSide = (rates: Rates, team: Team): Rates =>
+export const fromSide = (rates: Rates, team: Team): Rates =>
   team === "pursuer" ? rates : rates[0]!.map((_, evader) => rates.map((row) => 1 - row[evader]!));
 
 /** The mean payoff of a team's last generation against all opponents: `pursuer_generalization`, `evader_generalization`. */

@@ -39,6 +39,8 @@ export type Row = Readonly<Record<Exclude<(typeof COLUMNS)[number], "team">, num
 export type RaceEvent =
   /** Epochs played, of all of the race. */
   | { readonly type: "epoch"; readonly done: number; readonly of: number }
+  /** It has as many epochs as it may have for now. */
+  | { readonly type: "rest" }
   | { readonly type: "generation"; readonly number: number; readonly genomes: OfTeams<Float32Array> }
   | { readonly type: "cell"; readonly cell: Cell }
   /** Mean scores of a generation against scripts, from 0 to 1. */
@@ -61,6 +63,9 @@ export const shapeOf = ({ world, policy }: RaceSettings, masks: OfTeams<Mask>, t
 /** A race that is played step by step, and whose settings may change meanwhile. */
 export class Race {
   settings: RaceSettings;
+  /** Epochs that were played, and those after which the race rests. */
+  epochs = 0;
+  until = Infinity;
   /** Genomes of generations 0, 1, ... of each team. */
   readonly archive: Record<Team, Float32Array[]> = { pursuer: [], evader: [] };
   readonly rows: Row[] = [];
@@ -98,10 +103,10 @@ export class Race {
     return Math.min(this.archive.pursuer.length, this.archive.evader.length);
   }
 
-  /** Play the race; each step takes some milliseconds. */
+  /** Play the race, or go on with more generations; each step takes some milliseconds. */
   *run(): Generator<RaceEvent, void> {
-    yield* this.#tell(0);
-    for (let generation = 1; generation <= this.settings.schedule.generations; generation++) {
+    if (this.finished === 1) yield* this.#tell(0);
+    for (let generation = this.finished; generation <= this.settings.schedule.generations; generation++) {
       if (this.settings.schedule.kind === "alternating") {
         for (const team of TEAMS) {
           yield* this.#learn(team, generation);
@@ -161,6 +166,7 @@ export class Race {
   /** One team learns for the epochs of a generation. */
   *#learn(team: Team, generation: number): Generator<RaceEvent, void> {
     for (let epoch = 0; epoch < this.#epochs(team); epoch++) {
+      while (this.epochs >= this.until) yield { type: "rest" };
       const available = this.archive[otherOf(team)].length;
       const rule = this.settings.schedule[`${team}s_meet`];
       const opponent = rule === "latest" ? available - 1 : rule === "round-robin" ? epoch % available
@@ -185,6 +191,7 @@ export class Race {
   /** Both teams learn for the epochs of a generation (Rosin and Belew 1997). */
   *#learnAtOnce(generation: number): Generator<RaceEvent, void> {
     for (let epoch = 0; epoch < this.#epochs("pursuer"); epoch++) {
+      while (this.epochs >= this.until) yield { type: "rest" };
       const { schedule, learner: { population: n } } = this.settings;
       const [hall, living] = schedule.kind === "hall-of-fame" ? [schedule.hall_sample, schedule.contemporaries] : [0, 1];
       const asked = { pursuer: this.#ask("pursuer", generation, epoch), evader: this.#ask("evader", generation, epoch) };
@@ -226,6 +233,7 @@ export class Race {
     const [pursuers, evaders] = this.settings.schedule.kind === "hall-of-fame" ? [this.#epochs("pursuer"), 0] : [this.#epochs("pursuer"), this.#epochs("evader")];
     const inGeneration = epoch + 1 + (team === "evader" ? pursuers : 0);
     const each = pursuers + evaders;
+    this.epochs += 1;
     yield { type: "epoch", done: (generation - 1) * each + inGeneration, of: this.settings.schedule.generations * each };
     yield* this.catchUp();
   }

@@ -23,22 +23,24 @@ export interface Frame extends Readonly<Record<"left" | "right" | "top" | "botto
   at(clientX: number): number;
 }
 
-const MARGIN = { left: 46, right: 12, top: 10, bottom: 42 };
-/** Pixels of a tick's label. */
-const TICK_ROOM = { x: 56, y: 34 };
+const MARGIN = { right: 12, top: 10, bottom: 42 };
+/** Pixels of a tick's label; of its letters, and of the axis's own label beside it. */
+const TICK_ROOM = { x: 56, y: 34, letter: 8, label: 30 };
 
 /** Return an empty chart of a size in pixels. */
 export function frame(width: number, height: number, horizontal: Axis, vertical: Axis): Frame {
-  const [left, top] = [MARGIN.left, MARGIN.top];
-  const right = Math.max(left + 40, width - MARGIN.right);
+  const { top } = MARGIN;
   const bottom = Math.max(top + 40, height - MARGIN.bottom);
+  const rows = ticks(vertical.low, vertical.high, (bottom - top) / TICK_ROOM.y, vertical.whole);
+  const left = TICK_ROOM.label + TICK_ROOM.letter * Math.max(2, ...rows.map((value) => shown(value).length));
+  const right = Math.max(left + 40, width - MARGIN.right);
   const scale = (axis: Axis, from: number, to: number) => (value: number): number =>
     from + ((value - axis.low) / (axis.high - axis.low || 1)) * (to - from);
   const [x, y] = [scale(horizontal, left, right), scale(vertical, bottom, top)];
   const marks = svg("g");
   const root = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, class: "plot" });
   const axes = svg("g", { class: "axes" });
-  for (const value of ticks(vertical.low, vertical.high, (bottom - top) / TICK_ROOM.y, vertical.whole)) {
+  for (const value of rows) {
     axes.append(
       svg("line", { x1: left, x2: right, y1: y(value), y2: y(value), class: "grid" }),
       svg("text", { x: left - 8, y: y(value), "text-anchor": "end", "dominant-baseline": "middle" }, shown(value)),

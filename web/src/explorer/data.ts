@@ -85,6 +85,8 @@ export interface Run {
   /** A game of one's own. */
   readonly game?: OwnGame | null;
   readonly settings: readonly Readonly<Record<"name" | "value" | "help", string>>[];
+  /** What plays the run again. */
+  readonly command: string;
   readonly training: Training;
   readonly payoff: Payoff;
   readonly seeds: readonly (readonly string[])[];

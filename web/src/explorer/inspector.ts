@@ -1,6 +1,7 @@
 // What an agent sees, and what its policy answers.
 
 import type { Engine, Match, Solution, World } from "../engine/engine.ts";
+import type { TeamPolicy } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS, agentName } from "../page/names.ts";
 import { expressionOf, policyOf } from "./data.ts";
@@ -8,6 +9,11 @@ import type { Run } from "./data.ts";
 import type { Selection } from "./store.ts";
 import { drawView } from "./view.ts";
 import { whyTable } from "./why.ts";
+
+/** What plays for both teams. */
+type Policies = Readonly<Record<"pursuers" | "evaders", TeamPolicy>>;
+
+const policiesOf = (run: Run, { pursuer, evader }: Selection): Policies => ({ pursuers: policyOf(run, "pursuer", pursuer), evaders: policyOf(run, "evader", evader) });
 
 const MEMORY = "What it remembers: a number for each unit, from -1 to 1";
 
@@ -24,6 +30,7 @@ export class Inspector {
   #run: Run | null = null;
   #match: Match | null = null;
   #selection: Selection | null = null;
+  #policies: Policies | null = null;
   #agent: number | null = null;
   #step = 0;
 
@@ -41,7 +48,7 @@ export class Inspector {
   }
 
   /** Look at a match; the agent stays chosen. */
-  show(engine: Engine, run: Run, match: Match, selection: Selection): void {
+  show(engine: Engine, run: Run, match: Match, selection: Selection, policies = policiesOf(run, selection)): void {
     // A new world: one of the same seed may have played other networks.
     this.#world?.free();
     this.#world = engine.world(match.config);
@@ -49,7 +56,7 @@ export class Inspector {
       this.#solution = null;
       if (this.#agent !== null) this.choose(null);
     }
-    [this.#run, this.#match, this.#selection] = [run, match, selection];
+    [this.#run, this.#match, this.#selection, this.#policies] = [run, match, selection, policies];
   }
 
   /** The solution of the world of the match. */
@@ -80,12 +87,11 @@ export class Inspector {
   /** Show a moment: what the agent sees there, and the action that it takes next. */
   at(step: number): void {
     this.#step = step;
-    const [match, world, run, selection, agent] = [this.#match, this.#world, this.#run, this.#selection, this.#agent];
-    if (!match || !world || !run || !selection || agent === null) return;
+    const [match, world, run, selection, policies, agent] = [this.#match, this.#world, this.#run, this.#selection, this.#policies, this.#agent];
+    if (!match || !world || !run || !selection || !policies || agent === null) return;
     const team = agent < match.config.n_pursuers ? "pursuer" : "evader";
     this.#memory.replaceChildren();
     this.#name.replaceChildren(html("span", { class: team }, agentName(agent, match.config.n_pursuers)));
-    const policies = { pursuers: policyOf(run, "pursuer", selection.pursuer), evaders: policyOf(run, "evader", selection.evader) };
     match.seek(world, step, policies);
     // As it decides, in its own turn.
     const actions = match.actions.subarray(step * match.n_agents, (step + 1) * match.n_agents);

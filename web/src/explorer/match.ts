@@ -62,7 +62,7 @@ export class MatchPanel {
     this.#board = new Board(canvas, { numbers: false });
     this.#strip = new EpisodeStrip(store);
     this.inspector = new Inspector((agent) => this.#look(agent));
-    this.actions = html("div", { class: "beside" },
+    this.actions = html("div", { class: "match-actions" },
       html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over"),
       playground && playgroundButton(() => this.shown, playground));
     this.element = html(

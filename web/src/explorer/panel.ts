@@ -51,12 +51,12 @@ function reasonOf(text: string): string {
   return capital(reason.replace(/\.$/, ""));
 }
 
-/** The settings of the run that differ from the defaults. */
-export function settingsPanel({ settings, schedule, seed }: Run): Panel {
+/** The settings of the run that differ from the defaults, as the command takes them. */
+export function settingsPanel({ settings, command }: Run): Panel {
   const rows = settings.map(({ name, value, help }) => html("tr", {},
-    html("th", { scope: "row" }, `--${name.replaceAll("_", "-")}`), html("td", { class: "numbers" }, value), html("td", { class: "muted" }, help)));
+    html("th", { scope: "row" }, html("code", {}, `--set ${name}=${value}`)), html("td", { class: "muted" }, help)));
   const table = html("table", { class: "small" }, html("caption", { class: "heard" }, "Settings other than the default"), ...rows);
-  const element = card("Settings", `${schedule}, seed ${seed}; all others are the defaults of matrixworld evolve.`,
+  const element = card("Settings", "All others are the defaults. This command plays the race again:", html("pre", { class: "command" }, command),
     rows.length ? html("div", { class: "wide-table" }, table) : null);
   element.classList.add("settings");
   return { element };

@@ -4,7 +4,7 @@ import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
 import { playOn } from "../playground/games.ts";
-import { movesOf, teamOf } from "../playground/played.ts";
+import { linkTo, movesOf, teamOf } from "../playground/played.ts";
 import type { Moves } from "../playground/played.ts";
 import { PlayView } from "../playground/view.ts";
 import { placeOf } from "./address.ts";
@@ -23,12 +23,10 @@ export class TakeOver {
   readonly #runs: readonly Run[];
   readonly #store: Store;
   readonly #match: MatchPanel;
-  readonly #linked: boolean;
   #engine: Engine | null = null;
 
-  /** `linked`: whether the address of the page can name a match. */
-  constructor(runs: readonly Run[], store: Store, match: MatchPanel, linked = true) {
-    [this.#runs, this.#store, this.#match, this.#linked] = [runs, store, match, linked];
+  constructor(runs: readonly Run[], store: Store, match: MatchPanel) {
+    [this.#runs, this.#store, this.#match] = [runs, store, match];
     match.element.addEventListener("takeover", () => this.open());
   }
 
@@ -76,6 +74,6 @@ export class TakeOver {
     const policies = { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) };
     const played = { config: world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
     const address = { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) };
-    playOn(engine, this.view, title, played, players, this.#linked ? address : null);
+    playOn(engine, this.view, played, { title, players, link: (now) => linkTo(address, now) });
   }
 }

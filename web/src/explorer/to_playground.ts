@@ -28,14 +28,18 @@ export function playgroundButton(shown: () => Shown | null, data: PageData): HTM
   }, "What if?");
 }
 
-/** Open the playground in a tab of its own, with the step that is shown if it is not too large. */
+/** Open the playground over the page, with the step that is shown if it is not too large. */
 export function openPlayground(shown: Shown | null, data: PageData): void {
   const fits = shown !== null && shown.match.n_agents <= MOST_AGENTS
     && Math.max(shown.match.config.rows, shown.match.config.cols) <= MOST_SIDE;
-  const scene = fits ? linkOf(sceneOf(shown.match, shown.step), data) : "";
+  const scene = fits ? html("script", { type: "text/plain", id: "scene" }, linkOf(sceneOf(shown.match, shown.step), data)).outerHTML : "";
   const page = new TextDecoder().decode(bytesOf("playground")).replace(ENGINE_PLACE, () => text("script-engine"))
-    .replace("</noscript>", (found) => (fits ? found + championsElement(shown.champions) : found));
-  window.open(`${URL.createObjectURL(new Blob([page], { type: "text/html" }))}#${scene}`);
+    .replace("</noscript>", (found) => found + scene + (fits ? championsElement(shown.champions) : ""));
+  const frame = html("iframe", { title: "Playground", srcdoc: page });
+  const dialog = html("dialog", { class: "what-if", "aria-label": "What if?", onclose: () => dialog.remove() },
+    html("button", { type: "button", class: "leave", onclick: () => dialog.close() }, "Back to the match"), frame);
+  document.body.append(dialog);
+  dialog.showModal();
 }
 
 /** Return the moment before a step, with the actions of that step as what all agents do next. */

@@ -148,5 +148,5 @@ function show(): void {
   requestAnimationFrame(() => setTimeout(() => started(page.load())));
 }
 
-if (typeof document === "undefined") work();
+if (typeof document === "undefined") work(globalThis as unknown as Parameters<typeof work>[0]);
 else show();

@@ -2,12 +2,11 @@
 
 import { legend } from "../board/legend.ts";
 import { playerBar } from "../board/player_bar.ts";
-import type { Engine, Match } from "../engine/engine.ts";
-import { Chase } from "../evolve/chase.ts";
+import type { Engine } from "../engine/engine.ts";
+import { Chase, Chases, whileSeen } from "../evolve/chase.ts";
 import { settingsOf, usualChoice } from "../evolve/choice.ts";
 import { Lane } from "../evolve/lane.ts";
 import type { RaceSettings } from "../evolve/settings.ts";
-import { startWorker } from "../evolve/worker.ts";
 import { playedMatch } from "../explorer/data.ts";
 import { MatchPanel } from "../explorer/match.ts";
 import { MatrixPanel } from "../explorer/matrix.ts";
@@ -19,23 +18,21 @@ import type { Lesson, WidgetPart } from "./data.ts";
 
 /** The race of the chase: the specialists', with the most captures at its end. */
 const CHASE = 1;
+/** The world of the races that evolve in the lesson, by networks. */
+const WORLD = "meadow";
 
 /** The last generations of a race, one match after the other. */
 export function chase({ runs }: Lesson, engine: Promise<Engine>): HTMLElement {
   const run = runs[CHASE]!;
   const { shape: [rows, columns], episodes } = run.payoff;
-  let loaded: Engine | null = null;
+  const board = new Chase();
   let episode = 0;
-  const next = (): Match | null =>
-    loaded && playedMatch(loaded, run, { run: CHASE, pursuer: rows - 1, evader: columns - 1, episode: episode++ % episodes, seed: null });
-  const board = new Chase(next);
-  board.title.textContent = `Generation ${rows - 1} of both teams`;
-  board.label = `A match. ${board.title.textContent}`;
-  board.generation = rows - 1;
-  void engine.then((each) => {
-    loaded = each;
-    board.renew();
-    whileSeen(board);
+  void engine.then((loaded) => {
+    const chases = new Chases(() => board.show(
+      playedMatch(loaded, run, { run: CHASE, pursuer: rows - 1, evader: columns - 1, episode: episode++ % episodes, seed: null }),
+      `Generation ${rows - 1} of both teams`), board);
+    chases.renew();
+    whileSeen(chases, board.element);
   });
   return html("div", { class: "widget" }, board.element, playerBar(board.player), legend());
 }
@@ -47,8 +44,8 @@ export function evolving({ evolve }: Lesson, engine: Promise<Engine>, { grows = 
   const room = html("div", { class: "lanes", "data-count": 1 });
   void engine.then((loaded) => {
     let seed = -1;
-    const settings = (): RaceSettings => settingsOf(evolve, { ...usualChoice(evolve), seed: Math.max(0, seed) });
-    const lane = new Lane(evolve, loaded, startWorker("lesson"), settings());
+    const settings = (): RaceSettings => settingsOf(evolve, { ...usualChoice(evolve, WORLD), policy: "cells", seed: Math.max(0, seed) });
+    const lane = new Lane(evolve, loaded, "lesson", settings());
     const tell = (): void => {
       button.textContent = lane.state === "waiting" ? "Evolve" : lane.state === "evolving" ? "Stop" : "Again, with other luck";
       progress.value = lane.done;
@@ -56,26 +53,14 @@ export function evolving({ evolve }: Lesson, engine: Promise<Engine>, { grows = 
     button.addEventListener("click", () => {
       if (lane.state === "evolving") return lane.stop();
       seed++;
-      lane.settings = settings();
-      lane.start();
+      lane.start(settings());
     });
     lane.addEventListener("state", tell);
     room.append(lane.element);
-    [lane.newest, lane.beginning].forEach(whileSeen);
+    whileSeen(lane.chases, lane.boards);
     button.disabled = false;
   });
   return html("div", { class: `widget evolving ${grows ? "grows" : "boards"}` }, html("div", { class: "buttons" }, button, progress), room);
-}
-
-/** Let a board rest while nobody sees it. */
-function whileSeen(board: Chase): void {
-  let ran = board.runs;
-  new IntersectionObserver(([entry]) => {
-    if (!entry!.isIntersecting) {
-      ran = board.runs && (board.player.playing || board.player.step === board.player.length);
-      board.runs = false;
-    } else if (ran) board.runs = true;
-  }).observe(board.element);
 }
 
 /** The explorer's matrix and match, for all three races. */

@@ -19,6 +19,14 @@ export const keyList = (keys: Keys): HTMLElement =>
 
 export const readOnly = (label: string): HTMLInputElement => html("input", { type: "text", readonly: true, "aria-label": label });
 
+/** Show a link in a field, and copy it where the browser allows it. */
+export function copyLink(field: HTMLInputElement, link: string): void {
+  field.value = link;
+  field.hidden = false;
+  field.select();
+  void navigator.clipboard?.writeText(link).catch(() => {}); // it is selected: Ctrl+C copies it
+}
+
 /** Let the browser save a file. */
 export function saveFile(name: string, content: BlobPart): void {
   const place = URL.createObjectURL(new Blob([content], { type: "application/octet-stream" }));

@@ -43,7 +43,10 @@ export async function started(start: Promise<unknown>): Promise<void> {
     await start;
   } catch (error) {
     const place = document.querySelector("#page, main") ?? document.body;
-    place.prepend(html("p", { class: "card problem", role: "alert" }, `The page could not start: ${String(error)}`));
+    place.querySelector(".absent")?.remove();
+    place.prepend(html("p", { class: "card problem", role: "alert" }, error instanceof WebAssembly.CompileError || /WebAssembly/.test(String(error))
+      ? "This page plays by WebAssembly, which is forbidden where it lies ('wasm-unsafe-eval' is missing in the content policy): save the file, and open it from your disk."
+      : `The page could not start: ${String(error)}`));
     throw error;
   } finally {
     document.body.dataset["ready"] = "true";

@@ -53,6 +53,8 @@ export interface TeamData {
 /** A world, and what plays in it against a person. */
 export interface OpponentsData {
   readonly world: WorldConfig;
+  /** The rounds of "Can you escape it?"; none where pursuers of three strengths play in a smaller world. */
+  readonly rounds: readonly { readonly world: WorldConfig; readonly pursuers: ScriptName; readonly text: string }[];
   readonly teams: Readonly<Record<"pursuer" | "evader", TeamData>>;
 }
 
@@ -66,7 +68,8 @@ export interface PlaygroundData extends PageData {
 
 /** Return the data that the page holds; the explorer adds its champions. */
 export function pageData(): PlaygroundData {
-  const data = JSON.parse(document.getElementById("data")!.textContent!) as PlaygroundData;
+  const given = JSON.parse(document.getElementById("data")!.textContent!) as PlaygroundData;
+  const data = { ...given, scene: document.getElementById("scene")?.textContent ?? given.scene };
   const champions = document.getElementById("champions")?.textContent;
   return champions ? { ...data, champions: JSON.parse(champions, revived) as Champions } : data;
 }

@@ -4,57 +4,73 @@ import type { Live } from "../board/live.ts";
 import type { Engine } from "../engine/engine.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
-import { ladder, linkTo, randomSeed, resultInSeat, resultOf, teamOf } from "./played.ts";
+import type { OpponentsData } from "./data.ts";
+import { ladder, randomSeed, resultInSeat, resultOf, teamOf } from "./played.ts";
 import type { Played, Player, Result } from "./played.ts";
-import type { PlayView } from "./view.ts";
+import type { Game, PlayView } from "./view.ts";
 
 const SIDE = 20;
 const STEPS = 60;
 
-/** Return the world of "Can you escape it?": small, and with as few pursuers as can capture. */
-function escapeWorld(world: WorldConfig): WorldConfig {
+/** A round of "Can you escape it?": a world with a single evader, and its pursuers. */
+interface Round {
+  readonly config: WorldConfig;
+  readonly rival: Player;
+}
+
+/** Return rounds against pursuers of three strengths, in a small world with as few of them as can capture. */
+function roundsOf(world: WorldConfig, pursuers: readonly Player[]): Round[] {
   const most = world.rules.capture === "SURROUND" ? 8 : 4;
   const mapped = typeof world.obstacles !== "number";
   const side = (own: number): number => (mapped ? own : Math.min(own, SIDE));
-  return {
+  const config = {
     ...world, rows: side(world.rows), cols: side(world.cols), max_steps: STEPS, n_evaders: 1, n_pursuers: Math.min(world.n_pursuers, most),
   };
+  return ladder(pursuers).map((rival) => ({ config, rival }));
 }
 
-/** Play one evader in three rounds against stronger and stronger pursuers, for a score. */
-export function escapeGame(view: PlayView, world: WorldConfig, pursuers: readonly Player[]): void {
-  const [config, rivals, scores] = [escapeWorld(world), ladder(pursuers), [] as number[]];
-  const score = (): string => `${scores.reduce((sum, each) => sum + each, 0)} of ${STEPS * rivals.length}`;
-  const round = (): void => view.play({
-    title: `Can you escape it? Round ${scores.length + 1} of ${rivals.length}, pursuers: ${rivals[scores.length]!.name}`,
-    about: rivals[scores.length]!.text && `${rivals[scores.length]!.name}: ${rivals[scores.length]!.text}`,
-    played: {
-      config, seed: randomSeed(), episode: 0, seat: config.n_pursuers, from: 0, moves: [],
-      policies: { pursuer: rivals[scores.length]!.policy(), evader: "still" },
-    },
-    ending: (live) => {
-      scores.push(resultOf(live, config.n_pursuers).lasted);
-      const rows = rivals.map(({ name }, place) => html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, scores[place] ?? "")));
-      const left = scores.length < rivals.length;
-      return [
-        html("table", { class: "numbers" }, html("caption", {}, `Steps of ${STEPS} in each round`), ...rows),
-        html("p", { class: "play-score" }, left ? "Score so far: " : "Your score: ", html("strong", {}, score())),
-        left ? html("button", { type: "button", class: "primary", onclick: round }, "Next round") : "",
-      ];
-    },
-    again: () => escapeGame(view, world, pursuers),
-    link: () => null,
-  });
+/** Play one evader in three rounds that are harder and harder, for a score. */
+export function escapeGame(view: PlayView, data: Pick<OpponentsData, "world" | "rounds">, pursuers: readonly Player[]): void {
+  const rounds: readonly Round[] = data.rounds.length ? data.rounds.map(({ world: config, pursuers: name, text }) => ({ config, rival: { name: `${name.replaceAll("-", " ")}s`, text, policy: () => name } }))
+    : roundsOf(data.world, pursuers);
+  const scores: number[] = [];
+  const score = (): string => `${scores.reduce((sum, each) => sum + each, 0)} of ${rounds.reduce((sum, { config }) => sum + config.max_steps, 0)}`;
+  const round = (): void => {
+    const { config, rival } = rounds[scores.length]!;
+    view.play({
+      title: `Can you escape it? Round ${scores.length + 1} of ${rounds.length}, ${config.n_pursuers} pursuers: ${rival.name}`,
+      about: rival.text && `${rival.name}: ${rival.text}`,
+      played: { config, seed: randomSeed(), episode: 0, seat: config.n_pursuers, from: 0, moves: [], policies: { pursuer: rival.policy(), evader: "still" } },
+      ending: (live) => {
+        scores.push(resultOf(live, config.n_pursuers).lasted);
+        const rows = rounds.map(({ rival: { name } }, place) => html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, scores[place] ?? "")));
+        const left = scores.length < rounds.length;
+        return [
+          html("table", { class: "numbers" }, html("caption", {}, `Steps of ${config.max_steps} in each round`), ...rows),
+          html("p", { class: "play-score" }, left ? "Score so far: " : "Your score: ", html("strong", {}, score())),
+          left ? html("button", { type: "button", class: "primary", onclick: round }, "Next round") : "",
+        ];
+      },
+      again: () => escapeGame(view, data, pursuers),
+      link: () => null,
+    });
+  };
   round();
 }
 
-/** Play a match on from its moves; `players` are compared at its end, and `place` names it in a link; null for none. */
-export function playOn(engine: Engine, view: PlayView, title: string, played: Played, players: readonly Player[], place: Parameters<typeof linkTo>[0] | null): void {
+/** What plays a match on: its title, who is compared at its end and what is said there, and its link. */
+interface PlayedOn extends Pick<Game, "title" | "about" | "link" | "linkName"> {
+  readonly players: readonly Player[];
+  readonly told?: (result: Result) => string;
+}
+
+/** Play a match on from its moves. */
+export function playOn(engine: Engine, view: PlayView, played: Played, on: PlayedOn): void {
+  const { players, told, ...game } = on;
   view.play({
-    title, played,
-    ending: (live, now) => [comparison(engine, live, now, ladder(players))],
-    again: () => playOn(engine, view, title, { ...played, moves: played.moves.slice(0, played.from) }, players, place),
-    link: (now) => place && linkTo(place, now),
+    ...game, played,
+    ending: (live, now) => [told ? html("p", {}, told(resultOf(live, played.seat))) : "", comparison(engine, live, now, ladder(players))],
+    again: () => playOn(engine, view, { ...played, moves: played.moves.slice(0, played.from) }, on),
   });
 }
 

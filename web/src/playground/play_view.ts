@@ -9,7 +9,7 @@ import { agentName } from "../page/names.ts";
 import type { OpponentsData } from "./data.ts";
 import { readEpisode } from "./file.ts";
 import { escapeGame, playOn } from "./games.ts";
-import { movesOf, randomSeed } from "./played.ts";
+import { linkTo, movesOf, randomSeed } from "./played.ts";
 import type { Moves, Player } from "./played.ts";
 import { PlayView } from "./view.ts";
 
@@ -56,7 +56,7 @@ export class Games extends EventTarget {
   /** Begin a game. */
   begin(game: GameName): void {
     this.#show(game);
-    if (game === "escape") escapeGame(this.view, this.#data.world, this.#players.pursuer);
+    if (game === "escape") escapeGame(this.view, this.#data, this.#players.pursuer);
     else if (game === "match") this.#match();
     else {
       this.view.stop();
@@ -108,8 +108,9 @@ export class Games extends EventTarget {
     const [pursuer, evader] = [players.pursuer[choice.pursuer]!, players.evader[choice.evader]!];
     const policies = { pursuer: pursuer.policy(), evader: evader.policy() };
     const title = `You are ${agentName(moves.seat, config.n_pursuers)}. Pursuers: ${pursuer.name}; evaders: ${evader.name}`;
-    playOn(this.#engine, this.view, title, { config, seed: choice.seed, episode: 0, policies, ...moves }, players[team],
-      { pursuers: choice.pursuer, evaders: choice.evader, seed: choice.seed });
+    playOn(this.#engine, this.view, { config, seed: choice.seed, episode: 0, policies, ...moves }, {
+      title, players: players[team], link: (now) => linkTo({ pursuers: choice.pursuer, evaders: choice.evader, seed: choice.seed }, now),
+    });
   }
 
   #read(): void {

@@ -9,7 +9,7 @@ import { whyNotSolved } from "../engine/solution.ts";
 import type { TurnGame } from "../engine/solution.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { wordsOf } from "../explorer/words.ts";
-import { readOnly, saveFile } from "../page/dialog.ts";
+import { copyLink, readOnly, saveFile } from "../page/dialog.ts";
 import { hasAddress, html, select } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
 import { lossText, lossesOf, perfectText, scoreOf, solved, ticksOf, worstText, worthText } from "../page/solved.ts";
@@ -34,6 +34,8 @@ export interface Game {
   again(): void;
   /** The link to a played match; null where the page has no address for it. */
   link(played: Played): string | null;
+  /** What the link is for. */
+  readonly linkName?: string;
 }
 
 export class PlayView {
@@ -220,14 +222,17 @@ export class PlayView {
     const link = hasAddress() ? game.link(played) : null;
     const name = `${agentName(played.seat, live.config.n_pursuers)}-${live.length}-steps.npz`;
     const save = (): void => saveFile(name, episodeFile(this.#engine, live, played.seat) as BlobPart);
+    const field = readOnly("Link to this match");
+    field.hidden = true;
     this.#ending.replaceChildren(
       html("h3", { id: "play-headline" }, headline(live, played.seat)), ...game.ending(live, played),
       html("div", { class: "play-buttons" },
         html("button", { type: "button", class: "primary", onclick: () => game.again() }, "Again"),
         html("button", { type: "button", onclick: () => this.#watch() }, "Watch it"),
         html("button", { type: "button", onclick: save }, "Save"),
-        link && html("button", { type: "button", onclick: ({ currentTarget }: MouseEvent) => copied(currentTarget as HTMLElement, link) }, "Link")));
+        link && html("button", { type: "button", onclick: () => copyLink(field, link) }, game.linkName ?? "Link")), field);
     this.element.dataset["state"] = "ended";
+    this.player.jump(live.length); // what is said of the last step stands beside the result
     this.#judge();
     const own = this.#losses.filter(({ team }) => team === teamOf(live.config, played.seat));
     if (own.length) this.#ending.children[0]!.after(html("p", { class: "small muted" }, worstText(own)));
@@ -291,12 +296,3 @@ export function headline(live: Live, seat: number): string {
 }
 
 const evaders = ({ n_evaders }: WorldConfig): string => `${n_evaders} evader${n_evaders === 1 ? "" : "s"}`;
-
-/** Put a link beside what was pressed, and copy it where the browser allows it. */
-function copied(button: HTMLElement, link: string): void {
-  const field = readOnly("Link to this match");
-  field.value = link;
-  button.replaceWith(field);
-  field.select();
-  void navigator.clipboard?.writeText(link).catch(() => {}); // it is selected: Ctrl+C copies it
-}
