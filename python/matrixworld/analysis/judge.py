@@ -14,12 +14,19 @@ from matrixworld.analysis.judgement import (
     ABSENT,
     CANNOT_TELL,
     PRESENT,
+    PROGRESS,
     Estimates,
     Finding,
     Findings,
     Judgement,
 )
-from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
+from matrixworld.analysis.measures import (
+    FALLS_BACK,
+    MEASURES,
+    NO_EPISODES,
+    NOT_SUSTAINED,
+    TOO_SHORT,
+)
 from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
 from matrixworld.analysis.progress import PURSUERS_WIN
 
@@ -39,6 +46,8 @@ LEAST_FORGETTING = 0.05
 
 HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
+ONE_HALF = "the teams that rise in this half do not rise over the whole race"
+CIRCLE = "both teams lose again what they gain, as in a circle, whose end is not seen"
 ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
 
 
@@ -70,21 +79,21 @@ def judge(
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     check_level(level)
-    windows = {
-        name: _judge_window(payoffs, window, level) for name, window in payoffs.windows.items()
-    }
+    windows: dict[str, Findings] = {}
+    for name, window in payoffs.windows.items():
+        found = _judge_window(payoffs, window, level)
+        windows[name] = _as_sure(found, windows["whole"]) if windows else found
     return Judgement(
-        len(payoffs), payoffs.shape, payoffs.episodes, level, payoffs.late.name, windows,
-        payoffs.teams, payoffs.exact,
-    )  # fmt: skip
+        len(payoffs), payoffs.shape, payoffs.episodes, level, windows, payoffs.teams, payoffs.exact
+    )
 
 
 def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
     by_run = [_findings(run, window, level) for run in payoffs.runs]
     found = _findings(payoffs, window, level) if len(payoffs) > 1 else by_run[0]
     # Disengagement is judged over all runs, the other conditions over the engaged ones.
-    engaged = [run for run, each in enumerate(by_run) if not _is_disengaged(each)]
-    if not _is_disengaged(found) and len(engaged) < len(by_run):
+    engaged = [run for run, each in enumerate(by_run) if not _is_one_sided(each)]
+    if not _is_one_sided(found) and len(engaged) < len(by_run):
         if len(engaged) >= 2:
             others = _findings(payoffs.select(engaged), window, level)
         else:
@@ -111,14 +120,32 @@ def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
         estimates = {
             key: MEASURES[key].estimate(payoffs, window, level) for key in condition.measures
         }
-        hidden = name != "disengagement" and _is_disengaged(found)
+        hidden = name != "disengagement" and _is_one_sided(found)
         decided = Finding(CANNOT_TELL, HIDDEN) if hidden else condition.rule(estimates, found)
         found[name] = replace(decided, estimates=estimates)
     return found
 
 
-def _is_disengaged(findings: Findings) -> bool:
-    return findings["disengagement"].verdict == PRESENT
+def _is_one_sided(findings: Findings) -> bool:
+    """Return whether one team won nearly all matches, be they enough for a verdict or not."""
+    known = findings["disengagement"].estimates.get("one_sidedness")
+    return known is not None and known.value > PURSUERS_WIN
+
+
+def _as_sure(half: Findings, whole: Findings) -> Findings:
+    """Return the findings on a half, which shows no progress that the whole race speaks against.
+
+    Any smooth curve rises in some half, and any circle does: a team has to have risen over the
+    whole race, too, without circles.
+    """
+    circles = whole["intransitivity"].verdict == PRESENT
+    rose = () if circles else whole["rise"].teams
+    found = dict(half)
+    for name in PROGRESS:
+        alone = half[name].verdict == PRESENT != whole[name].verdict
+        if alone and not {*half[name].teams} <= {*rose}:
+            found[name] = replace(half[name], verdict=CANNOT_TELL, reason=ONE_HALF, teams=())
+    return found
 
 
 def _against(estimate: Estimate, margin: float, above: str, below: str) -> Finding:
@@ -150,6 +177,8 @@ def _disengagement(estimates: Estimates, known: Findings) -> Finding:
 def _arms_race(estimates: Estimates, known: Findings) -> Finding:
     gains = _ends(estimates, *GAINS)
     if all(low > 0.0 for low, _ in gains):
+        if _may_be_a_circle(estimates, known):
+            return Finding(CANNOT_TELL, CIRCLE)
         reason = "both teams rise by more than a random walk with such steps would"
         return Finding(PRESENT, reason, _teams(GAINS))
     if any(_does_not_gain(gain) for gain in gains):
@@ -166,12 +195,22 @@ def _one_sided_progress(estimates: Estimates, known: Findings) -> Finding:
         return Finding(ABSENT, "neither team has a trend")
     for key, (low, _), other in zip(GAINS, gains, gains[::-1], strict=True):
         if low > 0.0 and _does_not_gain(other):
+            if _may_be_a_circle(estimates, known):
+                return Finding(CANNOT_TELL, CIRCLE)
             reason = "only one team rises by more than a random walk with such steps would"
             return Finding(PRESENT, reason, _teams([key]))
     return Finding(CANNOT_TELL, "a random walk may explain the gain of at least one team")
 
 
+def _may_be_a_circle(estimates: Estimates, known: Findings) -> bool:
+    # Where strategies return, the circle is complete, and what remains of the gains is progress.
+    lost = all(estimates[key].note == FALLS_BACK for key in GAINS)
+    return lost and known["cycling"].verdict != PRESENT
+
+
 def _rise(estimates: Estimates, known: Findings) -> Finding:
+    if _may_be_a_circle(known["arms race"].estimates, known):
+        return Finding(CANNOT_TELL, CIRCLE)
     rose = [key for key in CHANGES if estimates[key].ends[0] > LEAST_GAIN]
     teams = _teams(key for key in rose if estimates[key].note != NOT_SUSTAINED)
     if teams:
@@ -284,11 +323,11 @@ RECURRENCES = ("pursuer_recurrence", "evader_recurrence")
 
 RULES: Mapping[str, Rule] = {
     "disengagement": Rule(("one_sidedness",), _disengagement, _noise),
+    "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
+    "cycling": Rule(RECURRENCES, _cycling, _noise),
     "arms race": Rule(GAINS, _arms_race, _nothing),
     "one-sided progress": Rule(GAINS, _one_sided_progress, _nothing),
     "rise": Rule(CHANGES, _rise, _nothing),
-    "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
-    "cycling": Rule(RECURRENCES, _cycling, _noise),
     "forgetting": Rule(DROPS, _forgetting, _single_episodes),
     "stagnation": Rule(CHANGES, _stagnation, _nothing),
 }

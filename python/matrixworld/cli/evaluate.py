@@ -111,14 +111,13 @@ def judge_command(
 
 
 def print_judgement(judgement: analysis.Judgement) -> None:
-    """Print a judgement: in words, the numbers of what was judged, its table, what limits it."""
-    for line in judgements.summary(judgement):
-        console.print_wrapped(line)
+    """Print a judgement: its sentence, what was judged, its table, what limits it."""
+    console.print_wrapped(analysis.sentence(judgement))
     runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
     pursuers, evaders = judgement.shape
     played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
     if judgement.exact:
-        played = ", exact scores"
+        played = ", all episodes equal"
     if judgement.teams == TEAMS:
         counted = f"{pursuers} pursuer and {evaders} evader generations"
     else:
@@ -136,7 +135,7 @@ def print_judgement(judgement: analysis.Judgement) -> None:
             f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions "
             "from noise; matrixworld tournament RUN --episodes NUMBER plays more."
         )
-    if judgement.window == "whole":
+    if min(judgement.shape) < 2 * GENERATIONS_TO_JUDGE:
         console.print_wrapped(
             f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, "
             f"and {2 * GENERATIONS_TO_JUDGE} to judge its halves."
@@ -321,7 +320,7 @@ def tournament_command(
         # Generations of two runs have no common order in time, and are not judged.
         judgement = None if rival else analysis.judge(payoff.payoffs())
         first, second = payoff.teams
-        shown = analysis.headline(judgement) if judgement else f"against {second} of {theirs.title}"
+        shown = analysis.sentence(judgement) if judgement else f"against {second} of {theirs.title}"
         title = f"{f'{first} of ' if rival else ''}{ours.title}\n{shown}"
         save_arrays(target, payoff.arrays())
         plots.save_figure(plots.payoff_heatmap(payoff.matrix, title=title), figure)

@@ -15,7 +15,7 @@ import click
 from tqdm import tqdm
 
 from matrixworld._util.files import LockedError, save_json
-from matrixworld.analysis.judgement import summary
+from matrixworld.analysis import sentence
 from matrixworld.cli import cluster, console, options, pages, setting_options
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs, storage
 from matrixworld.coevolution.evaluation.explanation import sentence_of
@@ -427,7 +427,7 @@ def _lines(group: RunGroup) -> list[str]:
     if not group.runs:
         return [console.seeds_finished(group)]
     if group.is_race:
-        return summary(group.judgement)
+        return [sentence(group.judgement)]
     settings, means = group.runs[0].settings, group.means()
     schedule = settings.schedule
     assert isinstance(schedule, Against)  # one team evolved

@@ -30,7 +30,6 @@ from matrixworld._util.files import DamagedFileError
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.intervals import generalization_over_episodes
-from matrixworld.analysis.judgement import headline_numbers
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.coevolution.evaluation.explanation import sentence_of
@@ -322,14 +321,12 @@ BOARDS = 12
 
 
 def findings(payoff: Payoff) -> dict[str, Any]:
-    """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
+    """Return judgement and curves of a race of at least 2 x 2 generations."""
     matrix = payoff.matrix
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
     judgement = analysis.judge(payoff.payoffs())
     return {
         "sentence": analysis.sentence(judgement),
-        "headline": analysis.headline(judgement),
-        "numbers": headline_numbers(judgement),
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
         "checkerboards": plain_values(boards),
@@ -340,8 +337,8 @@ def findings(payoff: Payoff) -> dict[str, Any]:
 
 def so_far_found(payoff: Payoff) -> dict[str, Any]:
     """Return what is shown of a race that goes on: curves, and no judgement."""
-    headline = f"generation {min(payoff.matrix.shape) - 1} so far"
-    return {"headline": headline, "table": [], **curves(payoff)}
+    sentence = f"Generation {min(payoff.matrix.shape) - 1} so far."
+    return {"sentence": sentence, "table": [], **curves(payoff)}
 
 
 def curves(payoff: Payoff) -> dict[str, Any]:
