@@ -81,6 +81,23 @@ def _averages_race(seed: int) -> LabelledRace:
     return _race_of_strategies(pursuers, evaders, seed)
 
 
+def _small_steps_race(seed: int) -> LabelledRace:
+    """Play exact scores of mixed hands that answer the other team's in small steps (hedge)."""
+    rng = np.random.default_rng([seed, 3])
+    chance = toys.capture_probabilities(np.eye(3), np.eye(3), luck=0.0)
+    step, hands = rng.uniform(0.02, 0.4), [rng.dirichlet(np.full(3, 5.0), 2)]
+    for _ in range(GENERATIONS - 1):
+        pursuers, evaders = hands[-1]
+        gains = np.array([chance @ evaders, -(pursuers @ chance)])
+        weights = hands[-1] * np.exp(step * 3.0 * gains)
+        hands.append(weights / weights.sum(axis=1, keepdims=True))
+    pursuers, evaders = np.array(hands).swapaxes(0, 1)
+    rates, still = pursuers @ chance @ evaders.T, np.zeros(GENERATIONS)
+    race = SyntheticRace(rates, still, still)
+    twice = np.repeat(rates[..., np.newaxis], 2, axis=2)
+    return LabelledRace(twice, {window: truths(race, window) for window in WINDOWS})
+
+
 def fictitious_play(rounds: int, seed: int) -> toys.HandHistory:
     """Play a race in which both teams respond to all past hands of the other, at the same time."""
     rng = np.random.default_rng(seed)
@@ -183,6 +200,7 @@ RACES: Mapping[str, Callable[[int], LabelledRace]] = {
     "rock-paper-scissors, generalists": lambda s: _scheduled_race("generalist-generalist", s),
     "rock-paper-scissors, fictitious play": _fictitious_play_race,
     "rock-paper-scissors, its averages": _averages_race,
+    "rock-paper-scissors, small steps": _small_steps_race,
     "scalar, climbing": _evenly_spaced(
         lambda seed: toys.numbers_game("scalar", seed, generations=150), 0, 150
     ),

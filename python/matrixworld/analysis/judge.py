@@ -46,7 +46,7 @@ LEAST_FORGETTING = 0.05
 
 HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
-ONE_HALF = "the teams that rise in this half do not rise over the whole race"
+ONE_HALF = "what rises in this half does not rise in the same way over the whole race"
 CIRCLE = "both teams lose again what they gain, as in a circle, whose end is not seen"
 ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
 
@@ -135,15 +135,14 @@ def _is_one_sided(findings: Findings) -> bool:
 def _as_sure(half: Findings, whole: Findings) -> Findings:
     """Return the findings on a half, which shows no progress that the whole race speaks against.
 
-    Any smooth curve rises in some half, and any circle does: a team has to have risen over the
-    whole race, too, without circles.
+    Any smooth curve rises in some half, and any circle does: both teams have to have risen over the
+    whole race, too, without circles; or the same is present there.
     """
     circles = whole["intransitivity"].verdict == PRESENT
-    rose = () if circles else whole["rise"].teams
+    both_rose = len(whole["rise"].teams) == 2 and not circles
     found = dict(half)
-    for name in PROGRESS:
-        alone = half[name].verdict == PRESENT != whole[name].verdict
-        if alone and not {*half[name].teams} <= {*rose}:
+    for name, known in (("arms race", both_rose), ("one-sided progress", False)):
+        if half[name].verdict == PRESENT != whole[name].verdict and not known:
             found[name] = replace(half[name], verdict=CANNOT_TELL, reason=ONE_HALF, teams=())
     return found
 
@@ -193,11 +192,12 @@ def _one_sided_progress(estimates: Estimates, known: Findings) -> Finding:
         return Finding(ABSENT, "both teams have a trend")
     if all(_does_not_gain(gain) for gain in gains):
         return Finding(ABSENT, "neither team has a trend")
-    for key, (low, _), other in zip(GAINS, gains, gains[::-1], strict=True):
-        if low > 0.0 and _does_not_gain(other):
+    for key, other in zip(GAINS, GAINS[::-1], strict=True):
+        still = _does_not_gain(estimates[other].ends) and estimates[other].value > -LEAST_GAIN
+        if estimates[key].ends[0] > 0.0 and still:
             if _may_be_a_circle(estimates, known):
                 return Finding(CANNOT_TELL, CIRCLE)
-            reason = "only one team rises by more than a random walk with such steps would"
+            reason = "one team rises by more than a random walk with such steps would, the other stands still"
             return Finding(PRESENT, reason, _teams([key]))
     return Finding(CANNOT_TELL, "a random walk may explain the gain of at least one team")
 

@@ -96,7 +96,7 @@ class Words(NamedTuple):
 
 
 WORDS: Mapping[str, Words] = {
-    "disengagement": Words("one team won nearly all matches, so nothing else can be told"),
+    "disengagement": Words("one team won nearly all matches"),
     "arms race": Words("{teams} improved", "rise"),
     "one-sided progress": Words("only {teams} improved", "rise"),
     "rise": Words("{teams} became stronger{doubt}"),
@@ -155,8 +155,6 @@ def _told(judgement: Judgement, window: str) -> dict[str, str]:
         if name in present[WHOLE]:
             # A half speaks for itself if the other one surely differs.
             places = halves if verdicts == {PRESENT, ABSENT} else [WHOLE]
-        elif name == "rise" and {*OF_STRENGTH} & {*present[WHOLE]}:
-            continue
         else:
             places = halves
         words = [_happened(judgement.windows[at], name) for at in places]
@@ -168,9 +166,10 @@ def _told(judgement: Judgement, window: str) -> dict[str, str]:
 
 
 def _present(judgement: Judgement, window: str) -> list[str]:
-    """Return the conditions that are present in a window and that no other one implies."""
-    present = judgement.present(window)
-    return [name for name in present if name not in {WORDS[each].implies for each in present}]
+    """Return the conditions that are present in a window and that nothing told implies."""
+    every = {name for at in judgement.windows for name in judgement.present(at)}
+    implied = {WORDS[name].implies for name in every}
+    return [name for name in judgement.present(window) if name not in implied]
 
 
 def _happened(findings: Findings, name: str) -> str:
@@ -187,13 +186,23 @@ def _happened(findings: Findings, name: str) -> str:
     )
 
 
+SUBJECTS = ("both teams ", *(f"the {team} " for team in TEAMS))
+"""What clauses begin with."""
+
+
 def _who(teams: tuple[str, ...]) -> str:
     return "both teams" if len(teams) == 2 else "".join(f"the {team}" for team in teams)
 
 
 def _at(judgement: Judgement, window: str, words: list[str]) -> list[str]:
     """Return what happened in a window in one clause, with the window in words; none of nothing."""
-    clause = " and ".join(words)
+    # "both teams did this and both teams did that" has one subject.
+    subjects = [next((who for who in SUBJECTS if each.startswith(who)), each) for each in words]
+    same = [one == other for one, other in zip(subjects, ["", *subjects], strict=False)]
+    clause = " and ".join(
+        each.removeprefix(who) if again else each
+        for each, who, again in zip(words, subjects, same, strict=True)
+    )
     if window == WHOLE or not words:
         return words and [clause]
     pursuers, evaders = judgement.shape
