@@ -200,8 +200,8 @@ class Source(NamedTuple):
 
 
 SOURCES = {
-    "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
     "hard": Source(synthetic_case, tuple(HARD), 3.0),
+    "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
     "power": Source(power_case, tuple(POWER), 1.0),
     "toy game": Source(toy_case, tuple(RACES), 0.25),
     "real race": Source(real_case, (FROZEN, SHUFFLED), 0.1),

@@ -156,7 +156,7 @@ def totals(rows: Iterable[Row], **wanted: str) -> dict[str, int]:
 PROGRESS = ("arms race", "one-sided progress")
 GROUPS = {1: "1", 3: "2 or 3", 10: "4 to 10"}
 """Sizes of groups by their most runs."""
-LEAST = 10
+LEAST = 8
 """Fewest races of a kind that may be the worst one."""
 ALLOWED = 0.05
 """False alarms that a judgement may have, as a share."""

@@ -14,7 +14,6 @@ from matrixworld.analysis.judgement import (
     ABSENT,
     CANNOT_TELL,
     PRESENT,
-    PROGRESS,
     Estimates,
     Finding,
     Findings,
@@ -197,7 +196,7 @@ def _one_sided_progress(estimates: Estimates, known: Findings) -> Finding:
         if estimates[key].ends[0] > 0.0 and still:
             if _may_be_a_circle(estimates, known):
                 return Finding(CANNOT_TELL, CIRCLE)
-            reason = "one team rises by more than a random walk with such steps would, the other stands still"
+            reason = "one team rises by more than a random walk would, the other stands still"
             return Finding(PRESENT, reason, _teams([key]))
     return Finding(CANNOT_TELL, "a random walk may explain the gain of at least one team")
 
