@@ -145,6 +145,16 @@ def sentence(judgement: Judgement) -> str:
     return in_words_of(judgement.teams, " ".join(said))
 
 
+def clarity(judgement: Judgement) -> tuple[bool, float]:
+    """Return how clearly a race shows who improved, for an order: the clearest is the largest.
+
+    Whether anything of that is known, then the least gain that the worse team surely has.
+    """
+    told = any({*OF_STRENGTH} & {*judgement.present(window)} for window in judgement.windows)
+    gains = judgement.findings["arms race"].estimates.values()
+    return told, min((gain.low or 0.0 for gain in gains), default=0.0)
+
+
 def _told(judgement: Judgement, window: str) -> dict[str, str]:
     """Return what is told of a window: conditions and their words."""
     present = {at: _present(judgement, at) for at in judgement.windows}

@@ -22,7 +22,7 @@ from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament
 from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.tournament import team_size
-from matrixworld.coevolution.groups import RunGroup, job_directory
+from matrixworld.coevolution.groups import RunGroup, by_clarity, job_directory
 from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import find_runs
 
@@ -70,7 +70,7 @@ def judge_command(
         raise click.UsageError("--episodes: expected a FILE; runs know their episodes")
     judged: dict[str, tuple[Payoffs, RunGroup | None]] = {}
     with usage_errors():
-        for group in options.finished_groups(runs) if runs else ():
+        for group in by_clarity(options.finished_groups(runs)) if runs else ():
             if not group.is_race:
                 raise click.UsageError(f"{group.name}: expected a race, got a run of one team")
             for one in group.singles if each else [group]:
@@ -147,7 +147,7 @@ def print_strip(
 ) -> None:
     """Print the verdict on each seed in columns, and how many seeds have which verdict."""
     every = sorted([*seeds, *missing])
-    beside = max(1, (console.WIDEST - 50) // (2 + max(len(str(seed)) for seed in every)))
+    beside = max(1, (console.width() - 50) // (2 + max(len(str(seed)) for seed in every)))
     for first in range(0, len(every), beside):
         part, is_last = every[first : first + beside], first + beside >= len(every)
         together = f"together (seeds: {', '.join(SIGNS.values())})" if is_last else ""

@@ -75,6 +75,8 @@ export interface Findings {
 
 export interface Run {
   readonly name: string;
+  /** What all seeds show together; empty for a single one. */
+  readonly together?: string;
   readonly schedule: string;
   readonly learning: readonly Team[];
   readonly seed: string;
