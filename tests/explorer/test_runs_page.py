@@ -15,7 +15,6 @@ import pytest
 from browser import READY, Browser
 from matrixworld import INPUTS, World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
-from matrixworld.analysis.judgement import summary
 from matrixworld.coevolution import TEAMS, SavedRun, create, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
@@ -268,7 +267,7 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> 
 def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     found, rates = as_read(race)["findings"], race.payoff().scores
     judgement = analysis.judge(rates, per_episode=True)
-    assert [found["sentence"], found["headline"], *found["numbers"]] == summary(judgement)
+    assert found["sentence"] == analysis.sentence(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
     assert found["reasons"] == analysis.explain(judgement).splitlines()
     ratings = analysis.elo_over_episodes(rates).pursuers

@@ -13,6 +13,7 @@ from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
 from matrixworld.analysis.judgement import (
     ABSENT,
     CANNOT_TELL,
+    CONDITIONS,
     PRESENT,
     Estimates,
     Finding,
@@ -102,8 +103,8 @@ def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
             }
         found = {**others, "disengagement": found["disengagement"]}
     return {
-        name: replace(each, by_run=tuple(one[name].verdict for one in by_run))
-        for name, each in found.items()
+        name: replace(found[name], by_run=tuple(one[name].verdict for one in by_run))
+        for name in CONDITIONS
     }
 
 

@@ -134,8 +134,8 @@ def sentence(judgement: Judgement) -> str:
     better, others = [], []
     for at in (WHOLE, *HALVES):
         told = _told(judgement, at)
-        better += _at(judgement, at, [told[name] for name in OF_STRENGTH if name in told])
-        others += _at(judgement, at, [told[name] for name in told if name not in OF_STRENGTH])
+        parts = better if {*OF_STRENGTH} & {*told} else others
+        parts += _at(judgement, at, [*told.values()])
     if better:
         lead = _of_runs(judgement) + "; ".join(better)
     else:

@@ -43,8 +43,8 @@ GAIN: Bounds = (-1.0, 1.0)
 class Measure:
     """A named number of a race, in a row of `MEASURES`; use `of`.
 
-    `label` names it in tables, and `short` in the table of a judgement. `late`: tables show it in
-    the window that headlines speak of, and not of the whole race. `form`: how it is printed, as in
+    `label` names it in tables, and `short` in the table of a judgement. `late`: tables of measures
+    show it in the last half, and not of the whole race. `form`: how it is printed, as in
     an f-string. `squared`: it is a square, whose root is printed.
     """
 

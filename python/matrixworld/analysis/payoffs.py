@@ -164,7 +164,7 @@ class Payoffs(Readable):
 
     @property
     def late(self) -> Window:
-        """The window that headlines and tables speak of: last half, of short races the whole."""
+        """The window of most tables of measures: last half, of short races the whole."""
         half = self.windows["last half"]
         return half if half.generations >= GENERATIONS_TO_JUDGE else self.windows["whole"]
 
