@@ -232,7 +232,7 @@ def test_a_sentence_is_about_the_whole_race_and_a_half_that_differs() -> None:
             arms="?", intransitivity="wfl", cycling="fl", forgetting="w"
         ),
         "The evaders became stronger, without a clear trend.": when(only, rise="w?", arms="?"),
-        "One team won nearly all matches.": when(disengagement="w", arms="?"),
+        "One team won nearly all matches.": when((), disengagement="w", arms="?"),
         "No clear progress.": when(arms="?"),
         "Neither team improved.": when(),
     }
@@ -298,6 +298,7 @@ def test_one_seed_does_not_decide_for_two_or_three(runs: int, others: np.ndarray
 @pytest.mark.parametrize("episodes", [2, 5, 10, 20])
 def test_a_race_that_one_team_wins_is_disengaged_at_any_number_of_episodes(episodes: int) -> None:
     judgement = of_scores(np.ones((16, 16, episodes)))
+    assert analysis.sentence(judgement) == "The pursuers won nearly all matches."
     for window in WINDOWS:
         assert judgement.present(window) == ("disengagement",)
 

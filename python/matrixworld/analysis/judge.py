@@ -27,7 +27,14 @@ from matrixworld.analysis.measures import (
     NOT_SUSTAINED,
     TOO_SHORT,
 )
-from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
+from matrixworld.analysis.payoffs import (
+    GENERATIONS_TO_JUDGE,
+    TEAMS,
+    Payoffs,
+    Source,
+    Window,
+    read_payoffs,
+)
 from matrixworld.analysis.progress import PURSUERS_WIN
 
 LEAST_GAIN = 0.05
@@ -43,6 +50,9 @@ LEAST_RECURRENCE = 0.15
 by .03 to .12, by chance."""
 LEAST_FORGETTING = 0.05
 """Forgetting: mean drop below the best ancestors above this."""
+
+CLOSE = 0.2
+"""Capture rates so close to 1 or 0 over a window say which team wins nearly all matches."""
 
 HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
@@ -165,12 +175,15 @@ def _against_all(estimates: Estimates, keys: tuple[str, ...], margin: float, bel
 
 
 def _disengagement(estimates: Estimates, known: Findings) -> Finding:
-    return _against(
+    found = _against(
         estimates["one_sidedness"],
         PURSUERS_WIN,
         f"one team gets more than {PURSUERS_WIN:.0%} of its payoff in half of the generations",
         f"neither team gets {PURSUERS_WIN:.0%} of its payoff in half of the generations",
     )
+    rate, winners = estimates["capture_rate"].value, dict(zip(TEAMS, (1.0, 0.0), strict=True))
+    teams = tuple(team for team, all_won in winners.items() if abs(rate - all_won) < CLOSE)
+    return replace(found, teams=teams if found.verdict == PRESENT else ())
 
 
 def _arms_race(estimates: Estimates, known: Findings) -> Finding:
@@ -322,7 +335,7 @@ DROPS = ("pursuer_forgetting", "evader_forgetting")
 RECURRENCES = ("pursuer_recurrence", "evader_recurrence")
 
 RULES: Mapping[str, Rule] = {
-    "disengagement": Rule(("one_sidedness",), _disengagement, _noise),
+    "disengagement": Rule(("one_sidedness", "capture_rate"), _disengagement, _noise),
     "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
     "cycling": Rule(RECURRENCES, _cycling, _noise),
     "arms race": Rule(GAINS, _arms_race, _nothing),

@@ -96,7 +96,7 @@ class Words(NamedTuple):
 
 
 WORDS: Mapping[str, Words] = {
-    "disengagement": Words("one team won nearly all matches"),
+    "disengagement": Words("{teams} won nearly all matches"),
     "arms race": Words("{teams} improved", "rise"),
     "one-sided progress": Words("only {teams} improved", "rise"),
     "rise": Words("{teams} became stronger{doubt}"),
@@ -131,7 +131,8 @@ def sentence(judgement: Judgement) -> str:
     check_instance("judgement", judgement, Judgement)
     if judgement.findings["arms race"].reason == TOO_SHORT:
         return f"Too short to be judged: {TOO_SHORT}."
-    better, others = [], []
+    better: list[str] = []
+    others: list[str] = []
     for at in (WHOLE, *HALVES):
         told = _told(judgement, at)
         parts = better if {*OF_STRENGTH} & {*told} else others
@@ -196,12 +197,12 @@ def _happened(findings: Findings, name: str) -> str:
     )
 
 
-SUBJECTS = ("both teams ", *(f"the {team} " for team in TEAMS))
+SUBJECTS = ("both teams ", "one team ", *(f"the {team} " for team in TEAMS))
 """What clauses begin with."""
 
 
 def _who(teams: tuple[str, ...]) -> str:
-    return "both teams" if len(teams) == 2 else "".join(f"the {team}" for team in teams)
+    return "both teams" if len(teams) == 2 else f"the {teams[0]}" if teams else "one team"
 
 
 def _at(judgement: Judgement, window: str, words: list[str]) -> list[str]:
