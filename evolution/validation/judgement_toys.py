@@ -78,6 +78,22 @@ def _averages_race(seed: int) -> LabelledRace:
     return _race_of_strategies(pursuers, evaders, seed)
 
 
+def _small_steps_race(seed: int) -> LabelledRace:
+    """Play exact scores of mixed hands that answer the other team's in small steps (hedge)."""
+    rng = np.random.default_rng([seed, 3])
+    step, hands = rng.uniform(0.02, 0.4), [rng.dirichlet(np.full(3, 5.0), 2)]
+    for _ in range(GENERATIONS - 1):
+        pursuers, evaders = hands[-1]
+        gains = np.array([toys.PAYOFF @ evaders, -(pursuers @ toys.PAYOFF)])
+        weights = hands[-1] * np.exp(step * 3.0 * gains)
+        hands.append(weights / weights.sum(axis=1, keepdims=True))
+    pursuers, evaders = np.array(hands).swapaxes(0, 1)
+    rates, still = pursuers @ toys.PAYOFF @ evaders.T, np.zeros(GENERATIONS)
+    race = SyntheticRace(rates, still, still)
+    twice = np.repeat(rates[..., np.newaxis], 2, axis=2)
+    return LabelledRace(twice, {window: truths(race, window) for window in WINDOWS})
+
+
 # ---- Populations of bits -------------------------------------------------------------------------
 
 
@@ -168,6 +184,7 @@ RACES: Mapping[str, Callable[[int], LabelledRace]] = {
     "rock-paper-scissors, generalists": _race_of_hands("generalists"),
     "rock-paper-scissors, fictitious play": _race_of_hands("fictitious play"),
     "rock-paper-scissors, its averages": _averages_race,
+    "rock-paper-scissors, small steps": _small_steps_race,
     "scalar, climbing": _evenly_spaced(
         lambda seed: toys.numbers_game("scalar", seed, generations=150), 0, 150
     ),

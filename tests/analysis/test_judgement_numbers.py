@@ -167,5 +167,9 @@ def test_means_over_runs_rest_on_values_that_err_to_a_known_side() -> None:
         analysis.Estimate(0.2, 0.0, 0.5, biased_low=x - 0.1, biased_high=x + 0.1)
         for x in (0.1, 0.2, 0.3)
     ]
-    reach = stats.t.ppf(0.975, 2) * 0.1 / 3**0.5
-    assert over_runs(singles, 0.95).ends == pytest.approx((0.1 - reach, 0.3 + reach))
+    assert over_runs(singles, 0.95).ends == (0.0, 0.5)  # of few runs, what contains all of them
+    # Of two more, which are the mean: the standard deviation is .1 / 2**.5.
+    reach = stats.t.ppf(0.975, 4) * 0.1 / 10**0.5
+    assert over_runs([*singles, *singles[1:2] * 2], 0.95).ends == pytest.approx(
+        (0.1 - reach, 0.3 + reach)
+    )

@@ -151,9 +151,10 @@ def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
         "runs/O-seed5/explorer.html shows the runs while they go on.",
         "O, 2 pursuers and 3 evaders, 1 race, in runs/O-seed5",
     ]
-    second = evolved(*one, code=2).stderr
-    assert "--out: expected a new or empty directory, got 'runs/O-seed5'; " in second
-    assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
+    assert "1 race, in runs/O-seed5-2" in evolved(*one).stderr  # never the same one again
+    third = evolved(*one, "--out", "runs/O-seed5", code=2).stderr
+    assert "--out: expected a new or empty directory, got 'runs/O-seed5'; " in third
+    assert "matrixworld evolve --resume runs/O-seed5 continues the run" in third
 
 
 def test_the_runs_of_a_job_are_in_the_order_of_their_schedules():

@@ -188,7 +188,7 @@ def test_sizes_by_hand() -> None:
 
 def judgement(kind: str, found: list[list[Any]], **setting: str) -> dict[str, Any]:
     return {
-        "source": "synthetic", "kind": kind, "seed": 0, "headline": "last half", "changes": [],
+        "source": "synthetic", "kind": kind, "seed": 0, "changes": [],
         "setting": {"noise": "win or loss, 10", "runs": "1", "episodes known": "unknown"} | setting,
         "found": found,
     }  # fmt: skip
@@ -204,13 +204,27 @@ def test_counts_by_hand() -> None:
     counts = tables.count_verdicts(both)
     assert tables.totals(counts, truth="True") == {"present": 1, "absent": 1, "cannot tell": 0}
     assert [row["sample"] for row in counts] == ["development", "held back"]
-    # Only the headline window.
+    # Only the whole race.
     by_setting = tables.count_by_setting(both)
-    assert tables.totals(by_setting, truth="False")["present"] == 0
+    assert tables.totals(by_setting, truth="True")["present"] == 0
     assert tables.totals(by_setting, setting="runs", value="1")["present"] == 1
-    text = tables.report(counts, by_setting, [])
+    text = tables.report([], counts, by_setting, [])
     assert "| cycling | development | 2 | 50.0% | 50.0% | 0.0% | 0 | - | - | - | - |" in text
     assert "| cycling | held back | decline | whole | 1 of 1 | 100.0% | yes |" in text
+
+
+def test_a_race_counts_once() -> None:
+    race = [
+        [window, "arms race", truth, 0.1, "present"]
+        for window, truth in (("whole", True), ("first half", False), ("last half", False))
+    ]
+    wrong = [
+        ["whole", "arms race", False, 0.0, "absent"],
+        ["whole", "cycling", False, 0.0, "present"],
+    ]
+    rows = tables.count_races([judgement("pure race", race), judgement("drift", wrong, runs="3")])
+    counted = {(r["kind"], r["runs"]): [*map(int, list(r.values())[3:])] for r in rows}
+    assert counted == {("drift", "2 or 3"): [1, 0, 0, 1], ("pure race", "1"): [1, 1, 1, 1]}
 
 
 @pytest.mark.parametrize(("count", "of"), [(0, 100), (3, 20), (19, 20)])

@@ -77,7 +77,7 @@ def test_titles_name_the_run_its_seed_and_what_was_judged(runs):
     for name in ("training", "payoff", "generalization", "lag_profile", "collisions"):
         figure = figures[runs / "hall" / f"{name}.png"]()
         title = figure.get_suptitle() or figure.axes[0].get_title()
-        shown = analysis.headline(group.judgement) if name == "payoff" else ""
+        shown = analysis.sentence(group.judgement) if name == "payoff" else ""
         assert title.startswith(f"hall (hall-of-fame), seed 5\n{shown}")
 
 

@@ -22,8 +22,6 @@ from matrixworld.coevolution.groups import RunGroup
 SHARES = 1000
 """Parts into which progress divides work that has no other ones."""
 TERMS = "Terms are explained in docs/glossary.md."
-WIDEST = 80
-"""Columns of printed text, also in a wider terminal."""
 TO_STDOUT = "matrixworld.json"
 """Key in the context of a command whose numbers take standard output, and its text the other."""
 
@@ -76,11 +74,15 @@ def print_head(text: str) -> None:
     say(f"\n{text}", bold=True)
 
 
+def width() -> int:
+    """Return the columns of the terminal."""
+    return shutil.get_terminal_size().columns
+
+
 def print_wrapped(text: str) -> None:
     """Print each line of a text as an indented paragraph as wide as the terminal."""
-    width = min(WIDEST, shutil.get_terminal_size().columns)
     for line in text.splitlines():
-        say(click.wrap_text(line, width, initial_indent="  ", subsequent_indent="    "))
+        say(click.wrap_text(line, width(), initial_indent="  ", subsequent_indent="    "))
 
 
 def print_table(rows: Sequence[Sequence[str]], align: str) -> None:

@@ -22,7 +22,7 @@ from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament
 from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.tournament import team_size
-from matrixworld.coevolution.groups import RunGroup, job_directory
+from matrixworld.coevolution.groups import RunGroup, by_clarity, job_directory
 from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import find_runs
 from matrixworld.coevolution.types import Team
@@ -72,7 +72,7 @@ def judge_command(
         raise click.UsageError("--episodes: expected a FILE; runs know their episodes")
     judged: dict[str, tuple[Payoffs, RunGroup | None]] = {}
     with usage_errors():
-        for group in options.finished_groups(runs) if runs else ():
+        for group in by_clarity(options.finished_groups(runs)) if runs else ():
             if not group.is_race:
                 raise click.UsageError(f"{group.name}: expected a race, got a run of one team")
             for one in group.singles if each else [group]:
@@ -113,14 +113,13 @@ def judge_command(
 
 
 def print_judgement(judgement: analysis.Judgement) -> None:
-    """Print a judgement: in words, the numbers of what was judged, its table, what limits it."""
-    for line in judgements.summary(judgement):
-        console.print_wrapped(line)
+    """Print a judgement: its sentence, what was judged, its table, what limits it."""
+    console.print_wrapped(analysis.sentence(judgement))
     runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
     pursuers, evaders = judgement.shape
     played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
     if judgement.exact:
-        played = ", exact scores"
+        played = ", all episodes equal"
     if judgement.teams == TEAMS:
         counted = f"{pursuers} pursuer and {evaders} evader generations"
     else:
@@ -138,7 +137,7 @@ def print_judgement(judgement: analysis.Judgement) -> None:
             f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions "
             "from noise; matrixworld tournament RUN --episodes NUMBER plays more."
         )
-    if judgement.window == "whole":
+    if min(judgement.shape) < 2 * GENERATIONS_TO_JUDGE:
         console.print_wrapped(
             f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, "
             f"and {2 * GENERATIONS_TO_JUDGE} to judge its halves."
@@ -150,7 +149,7 @@ def print_strip(
 ) -> None:
     """Print the verdict on each seed in columns, and how many seeds have which verdict."""
     every = sorted([*seeds, *missing])
-    beside = max(1, (console.WIDEST - 50) // (2 + max(len(str(seed)) for seed in every)))
+    beside = max(1, (console.width() - 50) // (2 + max(len(str(seed)) for seed in every)))
     for first in range(0, len(every), beside):
         part, is_last = every[first : first + beside], first + beside >= len(every)
         together = f"together (seeds: {', '.join(SIGNS.values())})" if is_last else ""
@@ -346,7 +345,7 @@ def tournament_command(
         # Generations of two runs have no common order in time, and are not judged.
         judgement = None if rival else analysis.judge(payoff.payoffs())
         first, second = payoff.teams
-        shown = analysis.headline(judgement) if judgement else f"against {second} of {theirs.title}"
+        shown = analysis.sentence(judgement) if judgement else f"against {second} of {theirs.title}"
         title = f"{f'{first} of ' if rival else ''}{ours.title}\n{shown}"
         save_arrays(target, payoff.arrays())
         plots.save_figure(plots.payoff_heatmap(payoff.matrix, title=title), figure)

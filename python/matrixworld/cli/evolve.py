@@ -16,12 +16,12 @@ from tqdm import tqdm
 
 from matrixworld.__main__ import INTERRUPTED
 from matrixworld._util.files import DamagedFileError, LockedError, save_json
-from matrixworld.analysis.judgement import summary
+from matrixworld.analysis import sentence
 from matrixworld.cli import cluster, console, options, pages, setting_options
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs, storage
 from matrixworld.coevolution.evaluation.explanation import sentence_of
 from matrixworld.coevolution.evaluation.scores import kept_scores
-from matrixworld.coevolution.groups import RunGroup, grouped
+from matrixworld.coevolution.groups import RunGroup, by_clarity, grouped
 from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.types import TEAMS, other
@@ -390,16 +390,17 @@ def report(
     done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
     page = f" Open {root / PAGE}" if finished else ""
     console.say(f"{done} in {took}.{page}", bold=True)
-    for group in groups:
+    for group in by_clarity(groups):
         console.print_head(group.name)
         console.print_wrapped("\n".join(_lines(group)))
         console.print_missing(group)
+    if any(group.several for group in races):
+        clearest = by_clarity([single for group in races for single in group.singles])[0]
+        console.print_head(f"The clearest race: {clearest.inside(root).name}")
+        console.print_wrapped(sentence(clearest.judgement))
     if of_pursuit:
-        console.print_head(
-            "Score against opponents nobody trained on (from 0 to 1, more is better)"
-        )
-        rows = [(g.name, *(f"{g.held_out(team).mean():.2f}" for team in TEAMS)) for g in of_pursuit]
-        console.print_table([("", "pursuers", "evaders"), *rows], "<>>")
+        console.say()
+        console.print_wrapped(_against_strangers(of_pursuit))
     for group in of_pursuit:
         if words := [said for team in TEAMS if (said := sentence_of(group.runs[0], team))]:
             console.print_head(f"What evolved: {group.name}, seed {group.seeds[0]}")
@@ -408,6 +409,23 @@ def report(
         console.print_wrapped(f"Failed: {path}: {problem}")
     for why, typed in _hints(finished, root) if finished else ():
         console.say(f"\n{why}\n  {typed}")
+
+
+def _against_strangers(groups: Sequence[RunGroup]) -> str:
+    """Return the scores of the best group against held-out opponents, and what stands beside."""
+
+    def means(group: RunGroup) -> list[float]:
+        return [float(group.held_out(team).mean()) for team in TEAMS]
+
+    best = max(groups, key=lambda group: sum(means(group)))
+    beside = [kept_scores(best.runs)[0][f"{team}s"] for team in TEAMS]
+    numbers = (
+        *zip(("pursuers", "evaders"), means(best), strict=True),
+        *((f"script {name}", value) for name, value in (each["best script"] for each in beside)),
+    )
+    told = ", ".join(f"{name} {value:.2f}" for name, value in numbers)
+    first = " and ".join(f"{each['untrained']:.2f}" for each in beside)
+    return f"Best against strangers: {best.name} ({told}; untrained teams {first})."
 
 
 def draw(groups: Sequence[RunGroup], root: Path) -> None:
@@ -427,7 +445,7 @@ def _lines(group: RunGroup) -> list[str]:
     if not group.runs:
         return [console.seeds_finished(group)]
     if group.is_race:
-        return summary(group.judgement)
+        return [sentence(group.judgement)]
     settings, means = group.runs[0].settings, group.means()
     schedule = settings.schedule
     assert isinstance(schedule, Against)  # one team evolved
@@ -453,7 +471,7 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
         return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]
     more = ("Verdict on each seed:", console.command("judge --each", root))
     if not any(group.several for group in groups):
-        why = "One seed proves little; with your other options:"
+        why = "One seed is one anecdote; with your other options:"
         more = (why, console.command("evolve --seeds 0-9"))
     return [more, ("Reasons and intervals:", console.command("judge --explain", root))]
 

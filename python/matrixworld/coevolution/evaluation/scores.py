@@ -64,12 +64,13 @@ SCORES = "scores.json"
 EPISODES, SEED = 100, 0
 """Episodes of each pair, and their seed, if nothing else is asked for."""
 CHOICE_EPISODES = 20
-"""Episodes of each pair by which the best generation is chosen: others than those of scores."""
+"""Episodes of each pair by which the best is chosen of many, and of what stands beside scores."""
 SCORED_BY = {
     "matrixworld": __version__,
     "held_out": HELD_OUT_VERSION,
     "episodes": EPISODES,
     "seed": SEED,
+    "beside": ["untrained", "best script"],
 }
 """What kept scores were played by. Scores by anything else are played anew."""
 
@@ -450,14 +451,30 @@ def kept_scores(
     """Return the scores of the last generations as values of JSON, by "pursuers" and "evaders".
 
     They are those of `score` without options, played once and kept in the directories of the runs.
+    Beside them are the mean scores of the first generation, ``untrained``, and of the ``best
+    script`` of each team, with its name.
     """
     missing = [run for run in runs if _kept(run) is None]
     if missing:
         played = score_runs([(run, None) for run in missing], report=report, threads=threads)
         for run, teams in zip(missing, played, strict=True):
-            plain = {f"{team}s": each.to_json() for team, each in teams.items()}
+            best = _scripts_beside(run.pursuit.world)
+            first = score(run, generation=0, episodes=CHOICE_EPISODES, threads=threads)
+            plain = {
+                f"{team}s": {
+                    **each.to_json(),
+                    "untrained": float(first[team].means[0]),
+                    "best script": [*best[team]],
+                }
+                for team, each in teams.items()
+            }
             save_json(run.path / SCORES, {**SCORED_BY, **plain})
     return [_kept(run) or {} for run in runs]
+
+
+@cache
+def _scripts_beside(world: WorldConfig) -> dict[Team, tuple[Script, float]]:
+    return best_scripts(world, episodes=CHOICE_EPISODES)
 
 
 def _kept(run: SavedRun) -> dict[str, Any] | None:

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a06e325b71b208b8be1de6dd805766dc47b0d3b314d6e2591253cfbb5e234780 */
+/* built from web/ by "npm run build"; sources ff261dc2356e852a4c6ab51388e6b3a710d99ab4c9b3337c8644317b55a57450 */
 "use strict";(()=>{var zn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},rt={DISAPPEAR:0,REACH:1,BOUNCE:2},Bn={OCCUPATION:0,SURROUND:1},Gn={FAULT:0,INVOLVED:1};var Ur=["obstacle","teammate","adversary"],Dr=["vertex","edge","chain"],Hn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Wr=["p\
 ursuer_{number}","evader_{number}"],jn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},nt={"both held":"both bounce","both doomed":"\

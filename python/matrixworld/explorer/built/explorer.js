@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a06e325b71b208b8be1de6dd805766dc47b0d3b314d6e2591253cfbb5e234780 */
+/* built from web/ by "npm run build"; sources ff261dc2356e852a4c6ab51388e6b3a710d99ab4c9b3337c8644317b55a57450 */
 "use strict";(()=>{var ln={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Xe={DISAPPEAR:0,REACH:1,BOUNCE:2},cn={OCCUPATION:0,SURROUND:1},un={FAULT:0,INVOLVED:1};var mr=["obstacle","teammate","adversary"],pr=["vertex","edge","chain"],mn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],dr=["p\
 ursuer_{number}","evader_{number}"],pn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Qe={"both held":"both bounce","both doomed":"\
@@ -127,49 +127,49 @@ Wa)}var P=Uint8Array,re=Uint16Array,Pr=Int32Array,Rt=new P([0,0,0,0,0,0,0,0,1,1,
 6,6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),Cr=new P([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Zn=function(t,e){for(var r=new re(31),n=0;n<31;++n)r[n]=
 e+=1<<t[n-1];for(var o=new Pr(r[30]),n=1;n<30;++n)for(var s=r[n];s<r[n+1];++s)o[s]=s-r[n]<<5|n;return{b:r,r:o}},Jn=Zn(Rt,2),Xn=Jn.b,kr=Jn.r;Xn[28]=258,kr[258]=28;
 var Qn=Zn($t,0),Fa=Qn.b,jn=Qn.r,Rr=new re(32768);for(E=0;E<32768;++E)ye=(E&43690)>>1|(E&21845)<<1,ye=(ye&52428)>>2|(ye&13107)<<2,ye=(ye&61680)>>4|(ye&3855)<<4,Rr[E]=
-((ye&65280)>>8|(ye&255)<<8)>>1;var ye,E,de=(function(t,e,r){for(var n=t.length,o=0,s=new re(e);o<n;++o)t[o]&&++s[t[o]-1];var a=new re(e);for(o=1;o<e;++o)a[o]=a[o-
+((ye&65280)>>8|(ye&255)<<8)>>1;var ye,E,pe=(function(t,e,r){for(var n=t.length,o=0,s=new re(e);o<n;++o)t[o]&&++s[t[o]-1];var a=new re(e);for(o=1;o<e;++o)a[o]=a[o-
 1]+s[o-1]<<1;var i;if(r){i=new re(1<<e);var l=15-e;for(o=0;o<n;++o)if(t[o])for(var c=o<<4|t[o],m=e-t[o],p=a[t[o]-1]++<<m,d=p|(1<<m)-1;p<=d;++p)i[Rr[p]>>l]=c}else
 for(i=new re(n),o=0;o<n;++o)t[o]&&(i[o]=Rr[a[t[o]-1]++]>>15-t[o]);return i}),Se=new P(288);for(E=0;E<144;++E)Se[E]=8;var E;for(E=144;E<256;++E)Se[E]=9;var E;for(E=
-256;E<280;++E)Se[E]=7;var E;for(E=280;E<288;++E)Se[E]=8;var E,lt=new P(32);for(E=0;E<32;++E)lt[E]=5;var E,Da=de(Se,9,0),za=de(Se,9,1),Ba=de(lt,5,0),Ha=de(lt,5,1),
+256;E<280;++E)Se[E]=7;var E;for(E=280;E<288;++E)Se[E]=8;var E,lt=new P(32);for(E=0;E<32;++E)lt[E]=5;var E,Da=pe(Se,9,0),za=pe(Se,9,1),Ba=pe(lt,5,0),Ha=pe(lt,5,1),
 Ar=function(t){for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},le=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},Tr=function(t,e){var r=e/
 8|0;return(t[r]|t[r+1]<<8|t[r+2]<<16)>>(e&7)},_r=function(t){return(t+7)/8|0},Lr=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),
 new P(t.subarray(e,r))};var Ga=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],q=function(t,e,r){var n=new Error(e||Ga[t]);
 if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,q),!r)throw n;return n},ja=function(t,e,r,n){var o=t.length,s=n?n.length:0;if(!o||e.f&&!e.l)return r||
 new P(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new P(o*3));var c=function(Ze){var Je=r.length;if(Ze>Je){var _e=new P(Math.max(Je*2,Ze));_e.set(r),r=_e}},m=e.f||0,p=e.
-p||0,d=e.b||0,h=e.l,g=e.d,f=e.m,y=e.n,w=o*8;do{if(!h){m=le(t,p,1);var b=le(t,p+1,3);if(p+=3,b)if(b==1)h=za,g=Ha,f=9,y=5;else if(b==2){var _=le(t,p,31)+257,C=le(
-t,p+10,15)+4,A=_+le(t,p+5,31)+1;p+=14;for(var M=new P(A),W=new P(19),I=0;I<C;++I)W[Cr[I]]=le(t,p+I*3,7);p+=C*3;for(var B=Ar(W),be=(1<<B)-1,Q=de(W,B,1),I=0;I<A;){
+p||0,d=e.b||0,h=e.l,g=e.d,f=e.m,y=e.n,w=o*8;do{if(!h){m=le(t,p,1);var b=le(t,p+1,3);if(p+=3,b)if(b==1)h=za,g=Ha,f=9,y=5;else if(b==2){var _=le(t,p,31)+257,k=le(
+t,p+10,15)+4,A=_+le(t,p+5,31)+1;p+=14;for(var M=new P(A),W=new P(19),I=0;I<k;++I)W[Cr[I]]=le(t,p+I*3,7);p+=k*3;for(var B=Ar(W),be=(1<<B)-1,Q=pe(W,B,1),I=0;I<A;){
 var V=Q[le(t,p,be)];p+=V&15;var v=V>>4;if(v<16)M[I++]=v;else{var F=0,$=0;for(v==16?($=3+le(t,p,3),p+=2,F=M[I-1]):v==17?($=3+le(t,p,7),p+=3):v==18&&($=11+le(t,p,
-127),p+=7);$--;)M[I++]=F}}var K=M.subarray(0,_),D=M.subarray(_);f=Ar(K),y=Ar(D),h=de(K,f,1),g=de(D,y,1)}else q(1);else{var v=_r(p)+4,S=t[v-4]|t[v-3]<<8,T=v+S;if(T>
+127),p+=7);$--;)M[I++]=F}}var K=M.subarray(0,_),D=M.subarray(_);f=Ar(K),y=Ar(D),h=pe(K,f,1),g=pe(D,y,1)}else q(1);else{var v=_r(p)+4,S=t[v-4]|t[v-3]<<8,T=v+S;if(T>
 o){l&&q(0);break}i&&c(d+S),r.set(t.subarray(v,T),d),e.b=d+=S,e.p=p=T*8,e.f=m;continue}if(p>w){l&&q(0);break}}i&&c(d+131072);for(var qe=(1<<f)-1,se=(1<<y)-1,ge=p;;ge=
 p){var F=h[Tr(t,p)&qe],ee=F>>4;if(p+=F&15,p>w){l&&q(0);break}if(F||q(2),ee<256)r[d++]=ee;else if(ee==256){ge=p,h=null;break}else{var te=ee-254;if(ee>264){var I=ee-
-257,O=Rt[I];te=le(t,p,(1<<O)-1)+Xn[I],p+=O}var pe=g[Tr(t,p)&se],Oe=pe>>4;pe||q(3),p+=pe&15;var D=Fa[Oe];if(Oe>3){var O=$t[Oe];D+=Tr(t,p)&(1<<O)-1,p+=O}if(p>w){l&&
+257,O=Rt[I];te=le(t,p,(1<<O)-1)+Xn[I],p+=O}var me=g[Tr(t,p)&se],Oe=me>>4;me||q(3),p+=me&15;var D=Fa[Oe];if(Oe>3){var O=$t[Oe];D+=Tr(t,p)&(1<<O)-1,p+=O}if(p>w){l&&
 q(0);break}i&&c(d+131072);var Pe=d+te;if(d<D){var xt=s-D,St=Math.min(D,Pe);for(xt+d<0&&q(3);d<St;++d)r[d]=n[xt+d]}for(;d<Pe;++d)r[d]=r[d-D]}}e.l=h,e.p=ge,e.b=d,
 e.f=m,h&&(m=1,e.m=f,e.d=g,e.n=y)}while(!m);return d!=r.length&&a?Lr(r,0,d):r.subarray(0,d)},ve=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},at=function(t,e,r){
 r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},Er=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var o=r.length,s=r.slice();if(!o)
 return{t:to,l:0};if(o==1){var a=new P(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(T,_){return T.f-_.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],c=0,
 m=1,p=2;for(r[0]={s:-1,f:i.f+l.f,l:i,r:l};m!=o-1;)i=r[r[c].f<r[p].f?c++:p++],l=r[c!=m&&r[c].f<r[p].f?c++:p++],r[m++]={s:-1,f:i.f+l.f,l:i,r:l};for(var d=s[0].s,n=1;n<
-o;++n)s[n].s>d&&(d=s[n].s);var h=new re(d+1),g=$r(r[m-1],h,0);if(g>e){var n=0,f=0,y=g-e,w=1<<y;for(s.sort(function(_,C){return h[C.s]-h[_.s]||_.f-C.f});n<o;++n){
+o;++n)s[n].s>d&&(d=s[n].s);var h=new re(d+1),g=$r(r[m-1],h,0);if(g>e){var n=0,f=0,y=g-e,w=1<<y;for(s.sort(function(_,k){return h[k.s]-h[_.s]||_.f-k.f});n<o;++n){
 var b=s[n].s;if(h[b]>e)f+=w-(1<<g-h[b]),h[b]=e;else break}for(f>>=y;f>0;){var v=s[n].s;h[v]<e?f-=1<<e-h[v]++-1:++n}for(;n>=0&&f;--n){var S=s[n].s;h[S]==e&&(--h[S],
 ++f)}g=e}return{t:new P(h),l:g}},$r=function(t,e,r){return t.s==-1?Math.max($r(t.l,e,r+1),$r(t.r,e,r+1)):e[t.s]=r},Vn=function(t){for(var e=t.length;e&&!t[--e];)
 ;for(var r=new re(++e),n=0,o=t[0],s=1,a=function(l){r[n++]=l},i=1;i<=e;++i)if(t[i]==o&&i!=e)++s;else{if(!o&&s>2){for(;s>138;s-=138)a(32754);s>2&&(a(s>10?s-11<<5|
 28690:s-3<<5|12305),s=0)}else if(s>3){for(a(o),--s;s>6;s-=6)a(8304);s>2&&(a(s-3<<5|8208),s=0)}for(;s--;)a(o);s=1,o=t[i]}return{c:r.subarray(0,n),n:e}},it=function(t,e){
 for(var r=0,n=0;n<e.length;++n)r+=t[n]*e[n];return r},eo=function(t,e,r){var n=r.length,o=_r(e+2);t[o]=n&255,t[o+1]=n>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<
 n;++s)t[o+s+4]=r[s];return(o+4+n)*8},Kn=function(t,e,r,n,o,s,a,i,l,c,m){ve(e,m++,r),++o[256];for(var p=Er(o,15),d=p.t,h=p.l,g=Er(s,15),f=g.t,y=g.l,w=Vn(d),b=w.c,
-v=w.n,S=Vn(f),T=S.c,_=S.n,C=new re(19),A=0;A<b.length;++A)++C[b[A]&31];for(var A=0;A<T.length;++A)++C[T[A]&31];for(var M=Er(C,7),W=M.t,I=M.l,B=19;B>4&&!W[Cr[B-1]];--B)
-;var be=c+5<<3,Q=it(o,Se)+it(s,lt)+a,V=it(o,d)+it(s,f)+a+14+3*B+it(C,W)+2*C[16]+3*C[17]+7*C[18];if(l>=0&&be<=Q&&be<=V)return eo(e,m,t.subarray(l,l+c));var F,$,K,
-D;if(ve(e,m,1+(V<Q)),m+=2,V<Q){F=de(d,h,0),$=d,K=de(f,y,0),D=f;var qe=de(W,I,0);ve(e,m,v-257),ve(e,m+5,_-1),ve(e,m+10,B-4),m+=14;for(var A=0;A<B;++A)ve(e,m+3*A,
+v=w.n,S=Vn(f),T=S.c,_=S.n,k=new re(19),A=0;A<b.length;++A)++k[b[A]&31];for(var A=0;A<T.length;++A)++k[T[A]&31];for(var M=Er(k,7),W=M.t,I=M.l,B=19;B>4&&!W[Cr[B-1]];--B)
+;var be=c+5<<3,Q=it(o,Se)+it(s,lt)+a,V=it(o,d)+it(s,f)+a+14+3*B+it(k,W)+2*k[16]+3*k[17]+7*k[18];if(l>=0&&be<=Q&&be<=V)return eo(e,m,t.subarray(l,l+c));var F,$,K,
+D;if(ve(e,m,1+(V<Q)),m+=2,V<Q){F=pe(d,h,0),$=d,K=pe(f,y,0),D=f;var qe=pe(W,I,0);ve(e,m,v-257),ve(e,m+5,_-1),ve(e,m+10,B-4),m+=14;for(var A=0;A<B;++A)ve(e,m+3*A,
 W[Cr[A]]);m+=3*B;for(var se=[b,T],ge=0;ge<2;++ge)for(var ee=se[ge],A=0;A<ee.length;++A){var te=ee[A]&31;ve(e,m,qe[te]),m+=W[te],te>15&&(ve(e,m,ee[A]>>5&127),m+=
 ee[A]>>12)}}else F=Da,$=Se,K=Ba,D=lt;for(var A=0;A<i;++A){var O=n[A];if(O>255){var te=O>>18&31;at(e,m,F[te+257]),m+=$[te+257],te>7&&(ve(e,m,O>>23&31),m+=Rt[te]);
-var pe=O&31;at(e,m,K[pe]),m+=D[pe],pe>3&&(at(e,m,O>>5&8191),m+=$t[pe])}else at(e,m,F[O]),m+=$[O]}return at(e,m,F[256]),m+$[256]},Va=new Pr([65540,131080,131088,
+var me=O&31;at(e,m,K[me]),m+=D[me],me>3&&(at(e,m,O>>5&8191),m+=$t[me])}else at(e,m,F[O]),m+=$[O]}return at(e,m,F[256]),m+$[256]},Va=new Pr([65540,131080,131088,
 131104,262176,1048704,1048832,2114560,2117632]),to=new P(0),Ka=function(t,e,r,n,o,s){var a=s.z||t.length,i=new P(n+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(n,i.
 length-o),c=s.l,m=(s.r||0)&7;if(e){m&&(l[0]=s.r>>3);for(var p=Va[e-1],d=p>>13,h=p&8191,g=(1<<r)-1,f=s.p||new re(32768),y=s.h||new re(g+1),w=Math.ceil(r/3),b=2*w,
-v=function(ur){return(t[ur]^t[ur+1]<<w^t[ur+2]<<b)&g},S=new Pr(25e3),T=new re(288),_=new re(32),C=0,A=0,M=s.i||0,W=0,I=s.w||0,B=0;M+2<a;++M){var be=v(M),Q=M&32767,
-V=y[be];if(f[Q]=V,y[be]=Q,I<=M){var F=a-M;if((C>7e3||W>24576)&&(F>423||!c)){m=Kn(t,l,0,S,T,_,A,W,B,M-B,m),W=C=A=0,B=M;for(var $=0;$<286;++$)T[$]=0;for(var $=0;$<
+v=function(ur){return(t[ur]^t[ur+1]<<w^t[ur+2]<<b)&g},S=new Pr(25e3),T=new re(288),_=new re(32),k=0,A=0,M=s.i||0,W=0,I=s.w||0,B=0;M+2<a;++M){var be=v(M),Q=M&32767,
+V=y[be];if(f[Q]=V,y[be]=Q,I<=M){var F=a-M;if((k>7e3||W>24576)&&(F>423||!c)){m=Kn(t,l,0,S,T,_,A,W,B,M-B,m),W=k=A=0,B=M;for(var $=0;$<286;++$)T[$]=0;for(var $=0;$<
 30;++$)_[$]=0}var K=2,D=0,qe=h,se=Q-V&32767;if(F>2&&be==v(M-se))for(var ge=Math.min(d,F)-1,ee=Math.min(32767,M),te=Math.min(258,F);se<=ee&&--qe&&Q!=V;){if(t[M+K]==
-t[M+K-se]){for(var O=0;O<te&&t[M+O]==t[M+O-se];++O);if(O>K){if(K=O,D=se,O>ge)break;for(var pe=Math.min(se,O-2),Oe=0,$=0;$<pe;++$){var Pe=M-se+$&32767,xt=f[Pe],St=Pe-
+t[M+K-se]){for(var O=0;O<te&&t[M+O]==t[M+O-se];++O);if(O>K){if(K=O,D=se,O>ge)break;for(var me=Math.min(se,O-2),Oe=0,$=0;$<me;++$){var Pe=M-se+$&32767,xt=f[Pe],St=Pe-
 xt&32767;St>Oe&&(Oe=St,V=Pe)}}}Q=V,V=f[Q],se+=Q-V&32767}if(D){S[W++]=268435456|kr[K]<<18|jn[D];var Ze=kr[K]&31,Je=jn[D]&31;A+=Rt[Ze]+$t[Je],++T[257+Ze],++_[Je],
-I=M+K,++C}else S[W++]=t[M],++T[t[M]]}}for(M=Math.max(M,I);M<a;++M)S[W++]=t[M],++T[t[M]];m=Kn(t,l,c,S,T,_,A,W,B,M-B,m),c||(s.r=m&7|l[m/8|0]<<3,m-=7,s.h=y,s.p=f,s.
+I=M+K,++k}else S[W++]=t[M],++T[t[M]]}}for(M=Math.max(M,I);M<a;++M)S[W++]=t[M],++T[t[M]];m=Kn(t,l,c,S,T,_,A,W,B,M-B,m),c||(s.r=m&7|l[m/8|0]<<3,m-=7,s.h=y,s.p=f,s.
 i=M,s.w=I)}else{for(var M=s.w||0;M<a+c;M+=65535){var _e=M+65535;_e>=a&&(l[m/8|0]=c,_e=a),m=eo(l,m+1,t.subarray(M,_e))}s.i=a}return Lr(i,0,n+_r(m)+o)},Ya=(function(){
 for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),qa=function(){var t=-1;return{p:function(e){for(var r=t,
 n=0;n<e.length;++n)r=Ya[r&255^e[n]]^r>>>8;t=r},d:function(){return~t}}};var Za=function(t,e,r,n,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new P(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
@@ -186,16 +186,16 @@ getHours()<<11|d.getMinutes()<<5|d.getSeconds()>>1),e+=4,s!=-1&&(z(t,e,r.crc),z(
 m),z(t,e+6,r.attrs),z(t,e+10,a),e+=14),t.set(n,e),e+=l,p)for(var g in c){var f=c[g],y=f.length;z(t,e,+g),z(t,e+2,y),t.set(f,e+4),e+=4+y}return m&&(t.set(i,e),e+=
 m),e},ti=function(t,e,r,n,o){z(t,e,101010256),z(t,e+8,r),z(t,e+10,r),z(t,e+12,n),z(t,e+16,o)};function so(t,e){e||(e={});var r={},n=[];oo(t,"",r,e);var o=0,s=0;for(var a in r){var i=r[a],l=i[0],c=i[1],m=c.level==0?0:8,p=kt(a),d=p.length,h=c.comment,g=h&&
 kt(h),f=g&&g.length,y=Or(c.extra);d>65535&&q(11);var w=m?Xa(l,c):l,b=w.length,v=qa();v.p(l),n.push(ro(c,{size:l.length,crc:v.d(),c:w,f:p,m:g,u:d!=a.length||g&&h.
-length!=f,o,compression:m})),o+=30+d+y+b,s+=76+2*(d+y)+(f||0)+b}for(var S=new P(s+22),T=o,_=s-o,C=0;C<n.length;++C){var p=n[C];qn(S,p.o,p,p.f,p.u,p.c.length);var A=30+
+length!=f,o,compression:m})),o+=30+d+y+b,s+=76+2*(d+y)+(f||0)+b}for(var S=new P(s+22),T=o,_=s-o,k=0;k<n.length;++k){var p=n[k];qn(S,p.o,p,p.f,p.u,p.c.length);var A=30+
 p.f.length+Or(p.extra);S.set(p.c,p.o+A),qn(S,o,p,p.f,p.u,p.c.length,p.o,p.m),o+=16+A+(p.m?p.m.length:0)}return ti(S,o,n.length,_,T),S}var N=(t,e=2)=>t==null?"-":t.toFixed(e);function ao(t,e,r){return e===null||r===null?N(t):`${N(t)} (${N(e)} to ${N(r)})`}function ct(t){let e=Math.abs(t),r=e>=1e4?
-e.toExponential(0):e.toFixed(e<100?2:0);return t<0&&Number(r)?`−${r}`:r}var io=t=>t.toLocaleString("en-GB"),ce=t=>t.charAt(0).toUpperCase()+t.slice(1);function ut(t,e,r,n=!1){
+e.toExponential(0):e.toFixed(e<100?2:0);return t<0&&Number(r)?`−${r}`:r}var io=t=>t.toLocaleString("en-GB"),de=t=>t.charAt(0).toUpperCase()+t.slice(1);function ut(t,e,r,n=!1){
 let o=(e-t)/Math.max(1,r),s=10**Math.floor(Math.log10(o||1)),a=[1,2,5,10].map(c=>c*s).find(c=>c>=o)??10*s;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),
 l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(c,m)=>(i+m)*a)}var ri={teams:{pursuer:"pursuers",evader:"evaders"},generation:{pursuer:"pursuer generation",evader:"evader generation"},score:"capture rate",means:{pursuer:"ca\
 ptures",evader:"escapes"},curves:{pursuer:"captures",evader:"escapes"},ends:["0 all escape","1 all caught"],lead:"Each cell is a match between two generations: \
 the brighter, the more evaders are captured. Click one to watch it.",click:"watch its match"},ni=([t,e])=>({teams:{pursuer:t,evader:e},generation:{pursuer:`gene\
 ration of ${t}`,evader:`generation of ${e}`},score:`score of the ${t}`,means:{pursuer:t,evader:e},curves:{pursuer:"scores",evader:"scores"},ends:[`0 the ${e} wi\
 n`,`1 the ${t} win`],lead:`Each cell is a pair of generations: the brighter, the higher the score of the ${t}. Click one to see more of it.`,click:"see more of \
-it"}),k=({game:t})=>t?ni(t.teams):ri,U=(t,e,r)=>`${k(t).teams[e]} of generation ${r}`,oi=200;function lo(t,e,{pursuer:r,evader:n},o){let{text:s,image:a}=e.shows[`${r}\
+it"}),C=({game:t})=>t?ni(t.teams):ri,U=(t,e,r)=>`${C(t).teams[e]} of generation ${r}`,oi=200;function lo(t,e,{pursuer:r,evader:n},o){let{text:s,image:a}=e.shows[`${r}\
  ${n}`]??{},i=Me(t,r,n)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length} episodes: ${i.map(c=>N(c)).join(", ")}`;return[s===void 0?null:u("pre",{tabindex:0,
 "aria-label":"What the game shows of this pair"},s),a===void 0?null:u("img",{src:a,alt:"What the game shows of this pair",onload:({target:c})=>c.classList.toggle(
 "pixels",c.naturalWidth<oi)}),...(s??a)===void 0?[u("p",{class:"muted"},e.missing),si(t,e,r,n,o)]:[],i.length>1?u("p",{class:"small numbers"},l):null].filter(c=>c!==
@@ -240,12 +240,12 @@ style.backgroundImage=bo(),u("p",{class:"scale-of-rates small muted"},t,r,e)}var
 e.selected.run));return e.on("match hover",o),o(),n.hidden=t.length<2,n}function ui(t,e,r){let[n,o]=t.payoff.shape,s=!t.name.startsWith(t.schedule),a=ci/Math.max(
 n,o),i=u("canvas",{"aria-hidden":"true"});Wt(i,t.payoff,{left:0,top:0,width:o*a,height:n*a});let l=u("span",{class:"place"}),c=u("button",{type:"button",class:"\
 race",title:`${t.name} (key ${e+1})`,onclick:()=>Wr(t,e,r)},u("span",{class:"small-matrix"},i,l),u("span",{class:"race-text"},u("strong",{},s?t.name:t.schedule),
-u("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.map(p=>k(t).teams[p]).join(" and ")} against ${mi(t)}`),u("span",{class:"small muted"},`${s?
+u("span",{class:"small"},t.findings?t.findings.sentence:`${t.learning.map(p=>C(t).teams[p]).join(" and ")} against ${mi(t)}`),u("span",{class:"small muted"},`${s?
 `${t.schedule}, `:""}seed ${t.seed}`)));return{button:c,update:p=>{c.setAttribute("aria-current",String(p));let d=r.hover.pursuer??r.selected.pursuer,h=r.hover.
 evader??r.selected.evader;l.hidden=d>=n||h>=o,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-d-.5)*a}px`}}}var mi=t=>t.teams.pursuer.script??t.teams.evader.script??
 "another run";function Wr(t,e,r){let[n,o]=t.payoff.shape,{pursuer:s,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(s,n-1),evader:Math.min(a,o-1)})}var pi=t=>[[["Space"],"play or pause"],[["←","→"],"step back or forward; with Shift ten steps"],[["Home","End"],"first or last step"],[["+","−"],"faster o\
 r slower"],[["N"],"next episode of the same pair; with Shift the one before"],[["R"],"another seed, not one of the evaluation"],[["O"],"the cell's own seed agai\
-n"],[["P"],`next ${k(t).generation.pursuer}; with Shift the one before`],[["E"],`next ${k(t).generation.evader}; with Shift the one before`],[["M"],`to the matr\
+n"],[["P"],`next ${C(t).generation.pursuer}; with Shift the one before`],[["E"],`next ${C(t).generation.evader}; with Shift the one before`],[["M"],`to the matr\
 ix: arrow keys choose a ${t.game?"pair, Enter shows it":"match, Enter plays it"}`],[["A"],"next agent: what it sees; with Shift the one before"],[["Esc"],"no ag\
 ent"],[["T"],"take over the chosen agent, or an evader, from this step on"],[["G"],"this step in the playground: any other rules, actions and places"],[["1","9"],
 "first to ninth run"],[["D"],"light or dark"],[["?"],"this list"]],di=["P","E","M","1","D","?"],hi="The page holds the genomes and the engine of this run. A cli\
@@ -444,7 +444,7 @@ evader:n,episode:o,seed:s}){this.element.dataset.played=`${e} ${r} ${n} ${o} ${s
 world(r.config);r.seek(o,0),this.#o=Jt(n,o,ml(r)),o.free(),this.player.ticks=Xt(this.#o),this.inspector.solution=n,this.#S()}names({run:e,pursuer:r,evader:n}){let o=this.#r[e],
 {teams:s}=o;return[s.pursuer.script??U(o,"pursuer",r),s.evader.script??U(o,"evader",n)]}#x(){let{episode:e,seed:r}=this.#t.selected,{game:n,payoff:o}=this.#d;this.
 element.classList.toggle("of-own-game",!!n),this.element.classList.toggle("of-ratings",H.some(l=>Ot(this.#d,l)));let[s,a]=this.names(this.#t.selected),i=r===null?
-e<o.episodes?`episode ${e+1} of ${o.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${r}`;this.#a.replaceChildren(u("span",{class:"pursuer"},ce(s))," ag\
+e<o.episodes?`episode ${e+1} of ${o.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${r}`;this.#a.replaceChildren(u("span",{class:"pursuer"},de(s))," ag\
 ainst ",u("span",{class:"evader"},a),n?"":u("span",{class:"muted small"},i))}#S(){let e=this.match;if(!e||!this.recording)return;let r=this.player.step,n=this.recording.
 moments[r];this.#M(Array.from(n.everCaptured).filter(Boolean).length,r),this.#u.replaceChildren(...this.#o.filter(o=>o.step===r).map(o=>u("li",{class:`loss-${o.
 team}`},vt(o))),...Qt(e,this.recording,r).map(o=>u("li",{class:o.kind,"data-agents":o.agents.join(" ")},o.text))),this.inspector.at(r),this.#A()}#M(e,r){let{world:n}=this.#d;
@@ -461,18 +461,18 @@ max(0,Math.min(e-tr,t-Math.floor(tr/2)));var ae={left:52,bottom:46,top:76,right:
 {"aria-hidden":"true"});#a=x("g");#s;#u=u("h2");#f=u("strong",{class:"rate numbers"});#h=u("span",{class:"small muted"});#m=u("p",{class:"of-both-teams small mu\
 ted numbers"});#p;#l=null;constructor(e,r){[this.#r,this.#e]=[e,r],this.#s=u("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a \
 match, Enter plays it.",onpointermove:o=>this.#w(o),onpointerleave:()=>r.point({}),onclick:o=>this.#x(o),onkeydown:({key:o})=>o==="Enter"&&this.#M()},this.#t,this.#n);
-let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#u,this.#m),u("div",{class:"of-cell"},this.#f,this.#h));this.#p=dt(...k(this.#i).ends),this.
+let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#u,this.#m),u("div",{class:"of-cell"},this.#f,this.#h));this.#p=dt(...C(this.#i).ends),this.
 element=u("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,this.#p),this.#y(),new ResizeObserver(()=>this.#c()).observe(this.#s),this.#s.
 addEventListener("mousedown",o=>{o.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),Re(this.#s,r,()=>this.#i.payoff.
-shape),r.on("run",()=>{let o=dt(...k(this.#i).ends);this.#p.replaceWith(o),this.#p=o,this.#c()}),r.on("match hover",()=>this.#g())}get#i(){return this.#r[this.#e.
+shape),r.on("run",()=>{let o=dt(...C(this.#i).ends);this.#p.replaceWith(o),this.#p=o,this.#c()}),r.on("match hover",()=>this.#g())}get#i(){return this.#r[this.#e.
 selected.run]}#c(){let[e,r]=this.#i.payoff.shape,{clientWidth:n,clientHeight:o}=this.#s;if(n<50)return;let a=Math.max(gl,Math.min(n-ae.left-ae.right,o-ae.top-ae.
 bottom))/Math.max(e,r),i=Math.max(ae.left,(n-r*a-ae.right+ae.left)/2),l=ae.top+Math.max(0,(o-ae.top-ae.bottom-e*a)/2),c={width:n,height:o,left:i,top:l,cell:a,rows:e,
 columns:r};this.#l=c,Wt(this.#t,this.#i.payoff,{left:i,top:l,width:r*a,height:e*a});for(let[m,p,d]of[["left",i,n],["top",l,o],["width",r*a,n],["height",e*a,o]])
 this.#t.style.setProperty(m,`${100*p/d}%`);this.#s.style.setProperty("--shape",`${n} / ${o}`),this.#n.setAttribute("viewBox",`0 0 ${n} ${o}`),this.#n.replaceChildren(
-yl(c,k(this.#i).generation),...vl(c),...this.#d(c),this.#a),this.#g()}#o(e){let r=this.#i.findings?.generalization;if(!r)return[];let{selected:n,hover:o}=this.#e,
+yl(c,C(this.#i).generation),...vl(c),...this.#d(c),this.#a),this.#g()}#o(e){let r=this.#i.findings?.generalization;if(!r)return[];let{selected:n,hover:o}=this.#e,
 [s,a]=[o.pursuer??n.pursuer,o.evader??n.evader],[i,l]=Ls(e,r.pursuers.mean[s]??0,s),[c,m]=Ns(e,r.evaders.mean[a]??0,a);return[x("circle",{class:"dot of-pursuers",
 cx:i,cy:l,r:5}),x("circle",{class:"dot of-evaders",cx:c,cy:m,r:5})]}#d(e){let r=this.#i.findings?.generalization;if(!r)return[];let{left:n,top:o,cell:s,rows:a,columns:i}=e,
-{curves:l}=k(this.#i),[c,m]=[n+i*s+he,o-he],p={class:"side"};return[x("rect",{...p,x:c,y:o,width:bt,height:a*s}),x("rect",{...p,x:n,y:m-$e,width:i*s,height:$e}),
+{curves:l}=C(this.#i),[c,m]=[n+i*s+he,o-he],p={class:"side"};return[x("rect",{...p,x:c,y:o,width:bt,height:a*s}),x("rect",{...p,x:n,y:m-$e,width:i*s,height:$e}),
 ...Is(r.pursuers,(d,h)=>Ls(e,d,h),"of-pursuers"),...Is(r.evaders,(d,h)=>Ns(e,d,h),"of-evaders"),x("text",{class:"tick",x:c,y:o+a*s+16,"text-anchor":"start"},"0"),
 x("text",{class:"tick",x:c+bt,y:o+a*s+16,"text-anchor":"end"},"1"),x("text",{class:"tick",x:n-6,y:m-4,"text-anchor":"end"},"0"),x("text",{class:"tick",x:n-6,y:m-
 $e+8,"text-anchor":"end"},"1"),x("text",{class:"label of-pursuers",x:c+bt,y:o+a*s+34,"text-anchor":"end"},l.pursuer),x("text",{class:"label of-evaders",x:n+i*s+
@@ -481,9 +481,9 @@ he,y:m-$e+10,"text-anchor":"start"},l.evader)]}#g(){let e=this.#l;if(!e)return;l
 pursuer,"strip pursuer"),d(r.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&m.push(p(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&m.push(d(n.evader,
 "strip hover")),m.push(...this.#o(e));let h={x:o+r.evader*a,y:c(r.pursuer),width:a,height:a};m.push(x("rect",{class:"chosen under",...h}),x("rect",{class:"chose\
 n",...h})),this.#a.replaceChildren(...m),this.#y()}#y(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,o=r.evader??e.evader,s=Me(this.#i,n,o);this.#u.replaceChildren(
-u("span",{class:"pursuer"},ce(U(this.#i,"pursuer",n)))," against ",u("span",{class:"evader"},U(this.#i,"evader",o))),this.#f.textContent=s?N(s.rate,3):"-";let a=s&&
-s.rates.length>1?`, mean of ${s.rates.length} episodes`:"";this.#h.textContent=s?k(this.#i).score+a:"no episodes were played",this.#m.textContent=this.#v(n,o)}#v(e,r){
-let n=this.#i.findings?.generalization;if(!n)return"";let o=(a,i)=>ao(a.mean[i]??null,a.low?.[i]??null,a.high?.[i]??null),{means:s}=k(this.#i);return`Against al\
+u("span",{class:"pursuer"},de(U(this.#i,"pursuer",n)))," against ",u("span",{class:"evader"},U(this.#i,"evader",o))),this.#f.textContent=s?N(s.rate,3):"-";let a=s&&
+s.rates.length>1?`, mean of ${s.rates.length} episodes`:"";this.#h.textContent=s?C(this.#i).score+a:"no episodes were played",this.#m.textContent=this.#v(n,o)}#v(e,r){
+let n=this.#i.findings?.generalization;if(!n)return"";let o=(a,i)=>ao(a.mean[i]??null,a.low?.[i]??null,a.high?.[i]??null),{means:s}=C(this.#i);return`Against al\
 l: ${s.pursuer} ${o(n.pursuers,e)}, ${s.evader} ${o(n.evaders,r)}`}#b(e){let r=this.#l;if(!r)return null;let n=this.#s.getBoundingClientRect(),o=Math.floor((e.clientX-
 n.left-r.left)/r.cell),s=r.rows-1-Math.floor((e.clientY-n.top-r.top)/r.cell),[a,i]=[s>=0&&s<r.rows,o>=0&&o<r.columns];return a||i?{g:a?s:-1,h:i?o:-1,inside:a&&i}:
 null}#w(e){let r=this.#b(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#x(e){let r=this.#b(e);if(r){if(r.inside&&Ps(this.#l.cell))return this.#S(
@@ -497,26 +497,25 @@ for(let m of["H","V"]){let p=`M${t} ${i}`;for(let d=1;d<=a;d++){let[h,g]=[`H${t+
 path",{d:p}))}let[l,c]=[t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[s,x("text",{class:"on-cells",transform:`translate(${l} ${c}) rotate(-45)`,"text-anchor":"middle"},
 "same generation")]}var Ls=({left:t,top:e,cell:r,rows:n,columns:o},s,a)=>[t+o*r+he+s*bt,e+(n-a-.5)*r],Ns=({left:t,top:e,cell:r},n,o)=>[t+(o+.5)*r,e-he-n*$e];function Is(t,e,r){
 let n=s=>s.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),o=[];return t.low&&t.high&&o.push(x("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].
-join("L")}Z`})),o.push(x("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),o}function ue(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var bl={present:"●",
+join("L")}Z`})),o.push(x("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),o}function ce(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var bl={present:"●",
 absent:"○","cannot tell":"?"};function Us(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([s,a,i,l],c)=>{let m=wl(e.reasons[c]??
 "");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},bl[a]??""),u("div",{},u("p",{},u("strong",{},s),` ${a}`,u(
-"span",{class:"muted"},` · ${l}`)),m?u("p",{class:"small"},`${m}.`):null,u("p",{class:"small muted numbers"},i)))}),o=ue("What happened","Each condition is pre\
-sent, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("p",{},e.headline),...e.numbers.map(s=>u(
-"p",{class:"numbers"},`${ce(s)}.`)),u("ul",{class:"findings"},...n),t.limits?u("p",{class:"small"},t.limits):null);return o.classList.add("diagnosis"),{element:o}}
-function wl(t){let[,e=""]=t.split(/, because (.*)/s);return ce(e.replace(/\.$/,""))}function Ws({settings:t,schedule:e,seed:r}){let n=t.map(({name:a,value:i,help:l})=>u(
-"tr",{},u("th",{scope:"row"},`--${a.replaceAll("_","-")}`),u("td",{class:"numbers"},i),u("td",{class:"muted"},l))),o=u("table",{class:"small"},u("caption",{class:"\
-heard"},"Settings other than the default"),...n),s=ue("Settings",`${e}, seed ${r}; all others are the defaults of matrixworld evolve.`,n.length?u("div",{class:"\
-wide-table"},o):null);return s.classList.add("settings"),{element:s}}function Fs(t,e,r){let{findings:n}=t,{teams:o,click:s}=k(t);if(!n?.table.length)return null;let a=n.checkerboards.map(i=>xl(t,i,(l,c)=>{e.select({pursuer:l,evader:c}),
-r()}));return{element:ue("Checkerboards",`Two generations of each team: each generation of the ${o.pursuer} is better against another one of the ${o.evader}. Cl\
+"span",{class:"muted"},` · ${l}`)),m?u("p",{class:"small"},`${m}.`):null,u("p",{class:"small muted numbers"},i)))}),o=ce("What happened","Each condition is pre\
+sent, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("ul",{class:"findings"},...n),t.limits?
+u("p",{class:"small"},t.limits):null);return o.classList.add("diagnosis"),{element:o}}function wl(t){let[,e=""]=t.split(/, because (.*)/s);return de(e.replace(/\.$/,
+""))}function Ws({settings:t,schedule:e,seed:r}){let n=t.map(({name:a,value:i,help:l})=>u("tr",{},u("th",{scope:"row"},`--${a.replaceAll("_","-")}`),u("td",{class:"\
+numbers"},i),u("td",{class:"muted"},l))),o=u("table",{class:"small"},u("caption",{class:"heard"},"Settings other than the default"),...n),s=ce("Settings",`${e},\
+ seed ${r}; all others are the defaults of matrixworld evolve.`,n.length?u("div",{class:"wide-table"},o):null);return s.classList.add("settings"),{element:s}}function Fs(t,e,r){let{findings:n}=t,{teams:o,click:s}=C(t);if(!n?.table.length)return null;let a=n.checkerboards.map(i=>xl(t,i,(l,c)=>{e.select({pursuer:l,evader:c}),
+r()}));return{element:ce("Checkerboards",`Two generations of each team: each generation of the ${o.pursuer} is better against another one of the ${o.evader}. Cl\
 ick a cell to ${s}.`,a.length?u("div",{class:"boards"},...a):u("p",{},`No four cells differ by more than ${n.margin} in this way.`),a.length&&!t.game?.exact?u("\
 p",{class:"small muted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise make\
 s."):null)}}function xl(t,{pursuers:e,evaders:r},n){let o=(s,a)=>{let i=u("button",{type:"button",class:"cell",onclick:()=>n(s,a)});return Ft(i,t.payoff.capture_rate[s][a],
 `${U(t,"pursuer",s)} against ${U(t,"evader",a)}`),i};return u("div",{class:"miniature numbers"},u("span"),...r.map(s=>u("span",{class:"evader"},s)),...e.flatMap(
 s=>[u("span",{class:"pursuer"},s),...r.map(a=>o(s,a))]))}var nr={pursuer:"evader",evader:"pursuer"};function Ds(t,e){let r=t.findings?.ciao;if(!r)return null;let n=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=r[`${o}\
-s`],l=`fading ${N(s)}, stripes ${N(a)}${i===null?"":` every ${i} generations`}`;return Sl(t,o,l,e)});return{element:ue("CIAO: current individuals against ancest\
+s`],l=`fading ${N(s)}, stripes ${N(a)}${i===null?"":` every ${i} generations`}`;return Sl(t,o,l,e)});return{element:ce("CIAO: current individuals against ancest\
 ral opponents","The team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier str\
 ategies is recurrence, under What happened. Darker away from the diagonal: forgetting.",u("div",{class:"triangles"},...n.map(o=>o.element)),dt("0 loses","1 wins")),
-update:()=>n.forEach(o=>o.update())}}function Sl(t,e,r,n){let o=e==="pursuer"?0:1,s=k(t),[a,i]=[t.payoff.shape[o],t.payoff.shape[1-o]],l=t.payoff.capture_rate,c=Array.
+update:()=>n.forEach(o=>o.update())}}function Sl(t,e,r,n){let o=e==="pursuer"?0:1,s=C(t),[a,i]=[t.payoff.shape[o],t.payoff.shape[1-o]],l=t.payoff.capture_rate,c=Array.
 from({length:a},(b,v)=>Array.from({length:Math.min(v+1,i)},(S,T)=>e==="pursuer"?l[v][T]:1-l[T][v])),m=Ur({shape:[a,i],first:[0,0],capture_rate:c}),p=x("rect",{class:"\
 chosen",width:1,height:1}),d=x("rect",{class:"chosen under",width:1,height:1}),h=x("svg",{viewBox:`0 0 ${i} ${a}`,preserveAspectRatio:"none","aria-hidden":"true"},
 d,p),g=u("div",{class:"triangle","aria-label":`CIAO of the ${s.teams[e]}: ${r}. Arrow keys choose a match.`,onpointermove:b=>n.point(f(b)??{}),onpointerleave:()=>n.
@@ -537,24 +536,24 @@ join("L")}Z`,class:`band ${n}`}),t.marks)}function Qr(t,e,r,n=null){let o=t.x(e)
 null&&t.marks.append(x("circle",{cx:o,cy:t.y(n),r:5,class:`dot ${r}`}))}function en(...t){return u("p",{class:"legend small"},...t.map(([e,r])=>u("span",{class:`\
 key ${r}`},e)))}function tn(t,e,r,n){let o=u("div",{class:"chart chooses",role:"img","aria-label":t}),s=null,a=()=>{s?.marks.replaceChildren(),s&&r(s)};o.addEventListener(
 "click",l=>s&&n(s.at(l.clientX),s,l));let i=()=>{let{clientWidth:l,clientHeight:c}=o;l<50||c<50||(s=e(l,c),o.replaceChildren(s.root),a())};return new ResizeObserver(
-i).observe(o),{element:o,update:a,redraw:i}}var rn=["of-pursuers","of-evaders","of-both"],Ml=2500,Gs="Arrow keys choose generations.";function js(t,e){let{training:r}=t,{score:n,teams:o}=k(t),{capture_rate:s,
+i).observe(o),{element:o,update:a,redraw:i}}var rn=["of-pursuers","of-evaders","of-both"],Ml=2500,Gs="Arrow keys choose generations.";function js(t,e){let{training:r}=t,{score:n,teams:o}=C(t),{capture_rate:s,
 generation:a,learner:i,epochs:l}=r,c=s.map((y,w)=>(w+1)*l),m=Al(s,r.window),p=c.at(-1)??1,d=c.length>Ml?"dense":"",h=(y,w)=>{let b=a.flatMap((v,S)=>v===y&&(i[S]===
-w||i[S]===2)?[S]:[]);return b.length?[c[b[0]],c[b.at(-1)]]:null},g=tn(`${ce(n)} in ${p} epochs of training. ${Gs}`,(y,w)=>{let b=Jr(y,w,{low:0,high:p,label:"epo\
-ch",whole:!0},{low:0,high:1,label:n});for(let[v,S]of[["raw",s],[d,m]])for(let[T,_]of rn.entries()){let C=S.map((A,M)=>i[M]===T||i[M+1]===T?A:null);C.some(A=>A!==
-null)&&Xr(b,c,C,`${_} ${v}`)}return b},y=>H.forEach((w,b)=>{let v=h(e.hover[w]??e.selected[w],b);v&&Qr(y,(v[0]+v[1])/2,rn[b])}),y=>{let w=Math.min(c.length-1,Math.
+w||i[S]===2)?[S]:[]);return b.length?[c[b[0]],c[b.at(-1)]]:null},g=tn(`${de(n)} in ${p} epochs of training. ${Gs}`,(y,w)=>{let b=Jr(y,w,{low:0,high:p,label:"epo\
+ch",whole:!0},{low:0,high:1,label:n});for(let[v,S]of[["raw",s],[d,m]])for(let[T,_]of rn.entries()){let k=S.map((A,M)=>i[M]===T||i[M+1]===T?A:null);k.some(A=>A!==
+null)&&Xr(b,c,k,`${_} ${v}`)}return b},y=>H.forEach((w,b)=>{let v=h(e.hover[w]??e.selected[w],b);v&&Qr(y,(v[0]+v[1])/2,rn[b])}),y=>{let w=Math.min(c.length-1,Math.
 max(0,Math.round(y/l)-1)),b=a[w];i[w]!==1&&e.select({pursuer:Math.min(b,t.payoff.shape[0]-1)}),i[w]!==0&&e.select({evader:Math.min(b,t.payoff.shape[1]-1)})});Re(
-g.element,e,()=>t.payoff.shape);let f=[...new Set(i)].sort().map(y=>[`${[o.pursuer,o.evader,"both teams"][y]} learn`,rn[y]]);return{element:ue("Training",`${io(
+g.element,e,()=>t.payoff.shape);let f=[...new Set(i)].sort().map(y=>[`${[o.pursuer,o.evader,"both teams"][y]} learn`,rn[y]]);return{element:ce("Training",`${io(
 r.matches)} training matches. Lines: the generations that are selected.`,en(...f),g.element),update:g.update}}function Vs(t,e){let r=t.findings?.ratings;if(!r)return null;
 let n={pursuer:r.pursuers,evader:r.evaders},o={pursuer:n.pursuer.mean,evader:n.evader.mean},s=H.flatMap(d=>[n[d].mean,n[d].low??[],n[d].high??[]]).flat().map(d=>d??
-0),[a,i]=[Math.min(...s),Math.max(...s)],l=.06*(i-a||1),c=Math.max(...t.payoff.shape)-1,{teams:m}=k(t),p=tn(`Elo ratings by generation. ${Gs}`,(d,h)=>{let g=Jr(
+0),[a,i]=[Math.min(...s),Math.max(...s)],l=.06*(i-a||1),c=Math.max(...t.payoff.shape)-1,{teams:m}=C(t),p=tn(`Elo ratings by generation. ${Gs}`,(d,h)=>{let g=Jr(
 d,h,{low:0,high:c,label:"generation",whole:!0},{low:a-l,high:i+l,label:"Elo points"});for(let f of H)Hs(g,n[f],`of-${f}s`),Xr(g,o[f].map((y,w)=>w),o[f],`of-${f}\
 s`);return g},d=>{for(let h of H){let g=e.hover[h]??e.selected[h];Qr(d,g,`of-${h}s`,o[h][g]??null)}},(d,h,g)=>{let f=Math.round(d),y=g.clientY-h.root.getBoundingClientRect().
 top,w=v=>Math.abs(h.y(o[v][f]??1/0)-y),b=w("pursuer")<=w("evader")?"pursuer":"evader";f>=0&&f<o[b].length&&e.select({[b]:f})});return Re(p.element,e,()=>t.payoff.
-shape),{element:ue("Ratings",`One number for each generation, which cycles do not fit${n.pursuer.low?", with 95 % intervals over episodes":""}. The game itself:\
+shape),{element:ce("Ratings",`One number for each generation, which cycles do not fit${n.pursuer.low?", with 95 % intervals over episodes":""}. The game itself:\
  ${N(r.offset,0)} points for the ${m.pursuer}.`,en([m.pursuer,"of-pursuers"],[m.evader,"of-evaders"]),p.element),update:p.update}}function Al(t,e){let r=[0];for(let n of t)
-r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}function Ks(t,e){if(H.every(n=>!t.teams[n].words&&!Ot(t,n)))return null;let r=u("div",{class:"evolved"});return{element:ue("What evolved","Each move is rated by\
+r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}function Ks(t,e){if(H.every(n=>!t.teams[n].words&&!Ot(t,n)))return null;let r=u("div",{class:"evolved"});return{element:ce("What evolved","Each move is rated by\
  named inputs of the cell that it leads to, and the best one is taken.",r),update:()=>r.replaceChildren(...H.map(n=>Tl(t,n,e.selected[n])))}}function Tl(t,e,r){
-let{words:n,kept:o}=t.teams[e],s=Fe(t,e,r),a=t.teams[e].script??U(t,e,r);return u("section",{"aria-label":k(t).teams[e]},u("h3",{class:e},ce(a)),n&&r===o.at(-1)?
+let{words:n,kept:o}=t.teams[e],s=Fe(t,e,r),a=t.teams[e].script??U(t,e,r);return u("section",{"aria-label":C(t).teams[e]},u("h3",{class:e},de(a)),n&&r===o.at(-1)?
 u("p",{},n):null,s?u("p",{class:"small muted"},s):El(e,Z(t,e,r),Pt(t,e,r)))}function El(t,e,r){if(typeof e=="string"||e.kind==="cells")return null;if(e.kind==="\
 program")return u("p",{},u("code",{},r));if(e.hidden.length)return u("p",{class:"small muted"},`A network with ${e.hidden.join(" and ")} hidden units rates each\
  move by ${e.inputs.length} inputs.`);let n=Math.max(...e.genome.map(Math.abs))||1;return u("div",{class:"weights"},...e.inputs.flatMap((o,s)=>{let a=e.genome[s],
@@ -648,14 +647,14 @@ let[n,o]=[this.#a,this.#e[e.run]],{world:s}=o;if(!n||!s||H.some(w=>Fe(o,w,e[w]))
 kept.map(w=>({name:o.teams[p].script??`generation ${w}`,text:"",policy:()=>Z(o,p,w)}));this.view||(this.view=new lr(n),this.dialog.append(u("button",{type:"butt\
 on",class:"leave",onclick:()=>this.dialog.close()},"Close"),this.view.element)),this.dialog.open||this.dialog.showModal();let h=`You are ${Y(r.seat,s.n_pursuers)}\
 : ${this.#t.names(e).join(" against ")}`,g={pursuer:Z(o,"pursuer",i),evader:Z(o,"evader",l)},f={config:s,seed:BigInt(m??o.seeds[i][l]),episode:c,policies:g,...r},
-y={run:a,pursuers:i,evaders:l,episode:c,...m===null?{}:{seed:m}};on(n,this.view,h,f,d,this.#n?y:null)}};var me=uo(),{runs:X}=me,[zl,Bl]=X[0].payoff.shape,Hl=st(location.hash,X,{run:0,pursuer:zl-1,evader:Bl-1,episode:0,seed:null}),{step:ma,...Gl}=Hl,oe=new sr(Gl),J=new er(
-X,oe,me.playground),pa=new rr(X,oe),wt=new cr(X,oe,J),an=xo(X),jl=location.hash,Ae=null,da=u("span",{class:"told","aria-live":"polite"}),ha=u("span",{class:"sma\
-ll muted"}),fa=()=>{let t=X[oe.selected.run];[da.textContent,ha.textContent]=[t.findings?.sentence??"",k(t).lead]};oe.on("run",fa);fa();var ga=()=>{J.playSoon(),
-J.reveal()};document.getElementById("page").replaceWith(zn(me.heading,u("span",{},da,ha),u("button",{type:"button",class:"keys-button",title:"Keys (?)","aria-la\
-bel":"Keys (?)",onclick:()=>an.showModal()},"?")),...me.note?[u("aside",{class:"note small muted"},me.note)]:[],wo(X,oe),u("main",{class:"stages"},pa.element,J.
-element),Ys(X,oe,ga),u("footer",{class:"muted small"},`${me.title} · matrixworld ${me.version}`),wt.dialog,an);Object.assign(window,{matrixworldExplorer:{get match(){
-return J.match},get step(){return J.player.step},get pace(){return J.player.pace},get playing(){return wt.view},play:t=>Ae&&_t(Ae,X[oe.selected.run],{...oe.selected,
-episode:t}),get shape(){return X[oe.selected.run].payoff.shape}}});pa.element.addEventListener("play",ga);J.goTo(ma);ma||J.playSoon();Hn(X,oe,J);So(X,oe,J,an,()=>wt.
-open(),()=>me.playground&&qr(J.shown,me.playground));window.addEventListener("hashchange",({newURL:t})=>Ae&&wt.start(Ae,new URL(t).hash));me.growing&&Gn(X,oe,()=>J.
-player.playing||document.querySelector("dialog[open]")!==null);async function Vl(){Ae=me.playground&&await Ln(),J.start(Ae),Ae&&wt.start(Ae,jl)}requestAnimationFrame(
-()=>setTimeout(()=>Un(Vl())));})();
+y={run:a,pursuers:i,evaders:l,episode:c,...m===null?{}:{seed:m}};on(n,this.view,h,f,d,this.#n?y:null)}};var ue=uo(),{runs:X}=ue,[zl,Bl]=X[0].payoff.shape,Hl=st(location.hash,X,{run:0,pursuer:zl-1,evader:Bl-1,episode:0,seed:null}),{step:ma,...Gl}=Hl,oe=new sr(Gl),J=new er(
+X,oe,ue.playground),pa=new rr(X,oe),wt=new cr(X,oe,J),an=xo(X),jl=location.hash,Ae=null,da=u("span",{class:"told","aria-live":"polite"}),ha=u("span",{class:"sma\
+ll muted"}),fa=()=>{let t=X[oe.selected.run],e=t.findings?.sentence??"";da.textContent=t.together||e,ha.textContent=t.together?`Seed ${t.seed}: ${e} ${C(t).lead}`:
+C(t).lead};oe.on("run",fa);fa();var ga=()=>{J.playSoon(),J.reveal()};document.getElementById("page").replaceWith(zn(ue.heading,u("span",{},da,ha),u("button",{type:"\
+button",class:"keys-button",title:"Keys (?)","aria-label":"Keys (?)",onclick:()=>an.showModal()},"?")),...ue.note?[u("aside",{class:"note small muted"},ue.note)]:
+[],wo(X,oe),u("main",{class:"stages"},pa.element,J.element),Ys(X,oe,ga),u("footer",{class:"muted small"},`${ue.title} · matrixworld ${ue.version}`),wt.dialog,an);
+Object.assign(window,{matrixworldExplorer:{get match(){return J.match},get step(){return J.player.step},get pace(){return J.player.pace},get playing(){return wt.
+view},play:t=>Ae&&_t(Ae,X[oe.selected.run],{...oe.selected,episode:t}),get shape(){return X[oe.selected.run].payoff.shape}}});pa.element.addEventListener("play",
+ga);J.goTo(ma);ma||J.playSoon();Hn(X,oe,J);So(X,oe,J,an,()=>wt.open(),()=>ue.playground&&qr(J.shown,ue.playground));window.addEventListener("hashchange",({newURL:t})=>Ae&&
+wt.start(Ae,new URL(t).hash));ue.growing&&Gn(X,oe,()=>J.player.playing||document.querySelector("dialog[open]")!==null);async function Vl(){Ae=ue.playground&&await Ln(),
+J.start(Ae),Ae&&wt.start(Ae,jl)}requestAnimationFrame(()=>setTimeout(()=>Un(Vl())));})();

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a06e325b71b208b8be1de6dd805766dc47b0d3b314d6e2591253cfbb5e234780 */
+/* built from web/ by "npm run build"; sources ff261dc2356e852a4c6ab51388e6b3a710d99ab4c9b3337c8644317b55a57450 */
 "use strict";(()=>{var ys={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},wt={DISAPPEAR:0,REACH:1,BOUNCE:2},vs={OCCUPATION:0,SURROUND:1},bs={FAULT:0,INVOLVED:1};var sn=["obstacle","teammate","adversary"],on=["vertex","edge","chain"],ws=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],an=["p\
 ursuer_{number}","evader_{number}"],xs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},xt={"both held":"both bounce","both doomed":"\
@@ -108,8 +108,8 @@ matrixworldEngine){return Hs??=Sl(t),Hs}async function Sl(t){if(!t)throw new Err
 let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new gn(await t({wasmBinary:e}))}var L=Uint8Array,Q=Uint16Array,En=Int32Array,sr=new L([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),or=new L([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),wn=new L([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Ys=function(t,e){for(var r=new Q(31),n=0;n<31;++n)r[n]=e+=
 1<<t[n-1];for(var s=new En(r[30]),n=1;n<30;++n)for(var o=r[n];o<r[n+1];++o)s[o]=o-r[n]<<5|n;return{b:r,r:s}},Ks=Ys(sr,2),Js=Ks.b,xn=Ks.r;Js[28]=258,xn[258]=28;var Zs=Ys(
-or,0),Al=Zs.b,Bs=Zs.r,Sn=new Q(32768);for(T=0;T<32768;++T)xe=(T&43690)>>1|(T&21845)<<1,xe=(xe&52428)>>2|(xe&13107)<<2,xe=(xe&61680)>>4|(xe&3855)<<4,Sn[T]=((xe&65280)>>
-8|(xe&255)<<8)>>1;var xe,T,ue=(function(t,e,r){for(var n=t.length,s=0,o=new Q(e);s<n;++s)t[s]&&++o[t[s]-1];var a=new Q(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-1]<<1;
+or,0),Al=Zs.b,Bs=Zs.r,Sn=new Q(32768);for(T=0;T<32768;++T)we=(T&43690)>>1|(T&21845)<<1,we=(we&52428)>>2|(we&13107)<<2,we=(we&61680)>>4|(we&3855)<<4,Sn[T]=((we&65280)>>
+8|(we&255)<<8)>>1;var we,T,ue=(function(t,e,r){for(var n=t.length,s=0,o=new Q(e);s<n;++s)t[s]&&++o[t[s]-1];var a=new Q(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-1]<<1;
 var i;if(r){i=new Q(1<<e);var l=15-e;for(s=0;s<n;++s)if(t[s])for(var c=s<<4|t[s],d=e-t[s],m=a[t[s]-1]++<<d,p=m|(1<<d)-1;m<=p;++m)i[Sn[m]>>l]=c}else for(i=new Q(
 n),s=0;s<n;++s)t[s]&&(i[s]=Sn[a[t[s]-1]++]>>15-t[s]);return i}),Ce=new L(288);for(T=0;T<144;++T)Ce[T]=8;var T;for(T=144;T<256;++T)Ce[T]=9;var T;for(T=256;T<280;++T)
 Ce[T]=7;var T;for(T=280;T<288;++T)Ce[T]=8;var T,Ct=new L(32);for(T=0;T<32;++T)Ct[T]=5;var T,Ml=ue(Ce,9,0),El=ue(Ce,9,1),Tl=ue(Ct,5,0),kl=ue(Ct,5,1),yn=function(t){
@@ -123,11 +123,11 @@ p||0,p=e.b||0,h=e.l,f=e.d,g=e.m,y=e.n,x=s*8;do{if(!h){d=ae(t,m,1);var v=ae(t,m+1
 t,m+10,15)+4,E=k+ae(t,m+5,31)+1;m+=14;for(var M=new L(E),W=new L(19),I=0;I<R;++I)W[wn[I]]=ae(t,m+I*3,7);m+=R*3;for(var B=yn(W),Ee=(1<<B)-1,J=ue(W,B,1),I=0;I<E;){
 var V=J[ae(t,m,Ee)];m+=V&15;var w=V>>4;if(w<16)M[I++]=w;else{var D=0,P=0;for(w==16?(P=3+ae(t,m,3),m+=2,D=M[I-1]):w==17?(P=3+ae(t,m,7),m+=3):w==18&&(P=11+ae(t,m,
 127),m+=7);P--;)M[I++]=D}}var q=M.subarray(0,k),z=M.subarray(k);g=yn(q),y=yn(z),h=ue(q,g,1),f=ue(z,y,1)}else K(1);else{var w=Tn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
-s){l&&K(0);break}i&&c(p+S),r.set(t.subarray(w,A),p),e.b=p+=S,e.p=m=A*8,e.f=d;continue}if(m>x){l&&K(0);break}}i&&c(p+131072);for(var yt=(1<<g)-1,re=(1<<y)-1,we=m;;we=
-m){var D=h[vn(t,m)&yt],Z=D>>4;if(m+=D&15,m>x){l&&K(0);break}if(D||K(2),Z<256)r[p++]=Z;else if(Z==256){we=m,h=null;break}else{var X=Z-254;if(Z>264){var I=Z-257,_=sr[I];
+s){l&&K(0);break}i&&c(p+S),r.set(t.subarray(w,A),p),e.b=p+=S,e.p=m=A*8,e.f=d;continue}if(m>x){l&&K(0);break}}i&&c(p+131072);for(var yt=(1<<g)-1,re=(1<<y)-1,be=m;;be=
+m){var D=h[vn(t,m)&yt],Z=D>>4;if(m+=D&15,m>x){l&&K(0);break}if(D||K(2),Z<256)r[p++]=Z;else if(Z==256){be=m,h=null;break}else{var X=Z-254;if(Z>264){var I=Z-257,_=sr[I];
 X=ae(t,m,(1<<_)-1)+Js[I],m+=_}var ce=f[vn(t,m)&re],qe=ce>>4;ce||K(3),m+=ce&15;var z=Al[qe];if(qe>3){var _=or[qe];z+=vn(t,m)&(1<<_)-1,m+=_}if(m>x){l&&K(0);break}
-i&&c(p+131072);var Ye=p+X;if(p<z){var Kt=o-z,Jt=Math.min(z,Ye);for(Kt+p<0&&K(3);p<Jt;++p)r[p]=n[Kt+p]}for(;p<Ye;++p)r[p]=r[p-z]}}e.l=h,e.p=we,e.b=p,e.f=d,h&&(d=
-1,e.m=g,e.d=f,e.n=y)}while(!d);return p!=r.length&&a?kn(r,0,p):r.subarray(0,p)},Se=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},Tt=function(t,e,r){
+i&&c(p+131072);var Ye=p+X;if(p<z){var Kt=o-z,Jt=Math.min(z,Ye);for(Kt+p<0&&K(3);p<Jt;++p)r[p]=n[Kt+p]}for(;p<Ye;++p)r[p]=r[p-z]}}e.l=h,e.p=be,e.b=p,e.f=d,h&&(d=
+1,e.m=g,e.d=f,e.n=y)}while(!d);return p!=r.length&&a?kn(r,0,p):r.subarray(0,p)},xe=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},Tt=function(t,e,r){
 r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},bn=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var s=r.length,o=r.slice();if(!s)
 return{t:Qs,l:0};if(s==1){var a=new L(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(A,k){return A.f-k.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],c=0,
 d=1,m=2;for(r[0]={s:-1,f:i.f+l.f,l:i,r:l};d!=s-1;)i=r[r[c].f<r[m].f?c++:m++],l=r[c!=d&&r[c].f<r[m].f?c++:m++],r[d++]={s:-1,f:i.f+l.f,l:i,r:l};for(var p=o[0].s,n=1;n<
@@ -137,19 +137,19 @@ var v=o[n].s;if(h[v]>e)g+=x-(1<<f-h[v]),h[v]=e;else break}for(g>>=y;g>0;){var w=
 ;for(var r=new Q(++e),n=0,s=t[0],o=1,a=function(l){r[n++]=l},i=1;i<=e;++i)if(t[i]==s&&i!=e)++o;else{if(!s&&o>2){for(;o>138;o-=138)a(32754);o>2&&(a(o>10?o-11<<5|
 28690:o-3<<5|12305),o=0)}else if(o>3){for(a(s),--o;o>6;o-=6)a(8304);o>2&&(a(o-3<<5|8208),o=0)}for(;o--;)a(s);o=1,s=t[i]}return{c:r.subarray(0,n),n:e}},kt=function(t,e){
 for(var r=0,n=0;n<e.length;++n)r+=t[n]*e[n];return r},Xs=function(t,e,r){var n=r.length,s=Tn(e+2);t[s]=n&255,t[s+1]=n>>8,t[s+2]=t[s]^255,t[s+3]=t[s+1]^255;for(var o=0;o<
-n;++o)t[s+o+4]=r[o];return(s+4+n)*8},js=function(t,e,r,n,s,o,a,i,l,c,d){Se(e,d++,r),++s[256];for(var m=bn(s,15),p=m.t,h=m.l,f=bn(o,15),g=f.t,y=f.l,x=Gs(p),v=x.c,
+n;++o)t[s+o+4]=r[o];return(s+4+n)*8},js=function(t,e,r,n,s,o,a,i,l,c,d){xe(e,d++,r),++s[256];for(var m=bn(s,15),p=m.t,h=m.l,f=bn(o,15),g=f.t,y=f.l,x=Gs(p),v=x.c,
 w=x.n,S=Gs(g),A=S.c,k=S.n,R=new Q(19),E=0;E<v.length;++E)++R[v[E]&31];for(var E=0;E<A.length;++E)++R[A[E]&31];for(var M=bn(R,7),W=M.t,I=M.l,B=19;B>4&&!W[wn[B-1]];--B)
 ;var Ee=c+5<<3,J=kt(s,Ce)+kt(o,Ct)+a,V=kt(s,p)+kt(o,g)+a+14+3*B+kt(R,W)+2*R[16]+3*R[17]+7*R[18];if(l>=0&&Ee<=J&&Ee<=V)return Xs(e,d,t.subarray(l,l+c));var D,P,q,
-z;if(Se(e,d,1+(V<J)),d+=2,V<J){D=ue(p,h,0),P=p,q=ue(g,y,0),z=g;var yt=ue(W,I,0);Se(e,d,w-257),Se(e,d+5,k-1),Se(e,d+10,B-4),d+=14;for(var E=0;E<B;++E)Se(e,d+3*E,
-W[wn[E]]);d+=3*B;for(var re=[v,A],we=0;we<2;++we)for(var Z=re[we],E=0;E<Z.length;++E){var X=Z[E]&31;Se(e,d,yt[X]),d+=W[X],X>15&&(Se(e,d,Z[E]>>5&127),d+=Z[E]>>12)}}else
-D=Ml,P=Ce,q=Tl,z=Ct;for(var E=0;E<i;++E){var _=n[E];if(_>255){var X=_>>18&31;Tt(e,d,D[X+257]),d+=P[X+257],X>7&&(Se(e,d,_>>23&31),d+=sr[X]);var ce=_&31;Tt(e,d,q[ce]),
+z;if(xe(e,d,1+(V<J)),d+=2,V<J){D=ue(p,h,0),P=p,q=ue(g,y,0),z=g;var yt=ue(W,I,0);xe(e,d,w-257),xe(e,d+5,k-1),xe(e,d+10,B-4),d+=14;for(var E=0;E<B;++E)xe(e,d+3*E,
+W[wn[E]]);d+=3*B;for(var re=[v,A],be=0;be<2;++be)for(var Z=re[be],E=0;E<Z.length;++E){var X=Z[E]&31;xe(e,d,yt[X]),d+=W[X],X>15&&(xe(e,d,Z[E]>>5&127),d+=Z[E]>>12)}}else
+D=Ml,P=Ce,q=Tl,z=Ct;for(var E=0;E<i;++E){var _=n[E];if(_>255){var X=_>>18&31;Tt(e,d,D[X+257]),d+=P[X+257],X>7&&(xe(e,d,_>>23&31),d+=sr[X]);var ce=_&31;Tt(e,d,q[ce]),
 d+=z[ce],ce>3&&(Tt(e,d,_>>5&8191),d+=or[ce])}else Tt(e,d,D[_]),d+=P[_]}return Tt(e,d,D[256]),d+P[256]},Ol=new En([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),Qs=new L(0),$l=function(t,e,r,n,s,o){var a=o.z||t.length,i=new L(n+a+5*(1+Math.ceil(a/7e3))+s),l=i.subarray(n,i.length-s),c=o.l,d=(o.r||0)&7;if(e){
 d&&(l[0]=o.r>>3);for(var m=Ol[e-1],p=m>>13,h=m&8191,f=(1<<r)-1,g=o.p||new Q(32768),y=o.h||new Q(f+1),x=Math.ceil(r/3),v=2*x,w=function(nn){return(t[nn]^t[nn+1]<<
 x^t[nn+2]<<v)&f},S=new En(25e3),A=new Q(288),k=new Q(32),R=0,E=0,M=o.i||0,W=0,I=o.w||0,B=0;M+2<a;++M){var Ee=w(M),J=M&32767,V=y[Ee];if(g[J]=V,y[Ee]=J,I<=M){var D=a-
 M;if((R>7e3||W>24576)&&(D>423||!c)){d=js(t,l,0,S,A,k,E,W,B,M-B,d),W=R=E=0,B=M;for(var P=0;P<286;++P)A[P]=0;for(var P=0;P<30;++P)k[P]=0}var q=2,z=0,yt=h,re=J-V&32767;
-if(D>2&&Ee==w(M-re))for(var we=Math.min(p,D)-1,Z=Math.min(32767,M),X=Math.min(258,D);re<=Z&&--yt&&J!=V;){if(t[M+q]==t[M+q-re]){for(var _=0;_<X&&t[M+_]==t[M+_-re];++_)
-;if(_>q){if(q=_,z=re,_>we)break;for(var ce=Math.min(re,_-2),qe=0,P=0;P<ce;++P){var Ye=M-re+P&32767,Kt=g[Ye],Jt=Ye-Kt&32767;Jt>qe&&(qe=Jt,V=Ye)}}}J=V,V=g[J],re+=
+if(D>2&&Ee==w(M-re))for(var be=Math.min(p,D)-1,Z=Math.min(32767,M),X=Math.min(258,D);re<=Z&&--yt&&J!=V;){if(t[M+q]==t[M+q-re]){for(var _=0;_<X&&t[M+_]==t[M+_-re];++_)
+;if(_>q){if(q=_,z=re,_>be)break;for(var ce=Math.min(re,_-2),qe=0,P=0;P<ce;++P){var Ye=M-re+P&32767,Kt=g[Ye],Jt=Ye-Kt&32767;Jt>qe&&(qe=Jt,V=Ye)}}}J=V,V=g[J],re+=
 J-V&32767}if(z){S[W++]=268435456|xn[q]<<18|Bs[z];var vt=xn[q]&31,bt=Bs[z]&31;E+=sr[vt]+or[bt],++A[257+vt],++k[bt],I=M+q,++R}else S[W++]=t[M],++A[t[M]]}}for(M=Math.
 max(M,I);M<a;++M)S[W++]=t[M],++A[t[M]];d=js(t,l,c,S,A,k,E,W,B,M-B,d),c||(o.r=d&7|l[d/8|0]<<3,d-=7,o.h=y,o.p=g,o.i=M,o.w=I)}else{for(var M=o.w||0;M<a+c;M+=65535){
 var Ke=M+65535;Ke>=a&&(l[d/8|0]=c,Ke=a),d=Xs(l,d+1,t.subarray(M,Ke))}o.i=a}return kn(i,0,n+Tn(d)+s)},Pl=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){
@@ -175,13 +175,13 @@ String(o)));let n=r.filter(s=>s!=null&&s!==!1);return t.append(...n.map(s=>typeo
 r.value)},...t.map(([n,s])=>u("option",{value:n},s)));return r}async function Cn(t){try{await t}catch(e){throw(document.querySelector("#page, main")??document.body).
 prepend(u("p",{class:"card problem",role:"alert"},`The page could not start: ${String(e)}`)),e}finally{document.body.dataset.ready="true"}}var oo=()=>["file:","\
 http:","https:"].includes(location.protocol);var F=(t,e=2)=>t==null?"-":t.toFixed(e);function ao(t,e,r){return e===null||r===null?F(t):`${F(t)} (${F(e)} to ${F(r)})`}function et(t){let e=Math.abs(t),r=e>=1e4?
-e.toExponential(0):e.toFixed(e<100?2:0);return t<0&&Number(r)?`−${r}`:r}var de=t=>t.charAt(0).toUpperCase()+t.slice(1);function Rt(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
+e.toExponential(0):e.toFixed(e<100?2:0);return t<0&&Number(r)?`−${r}`:r}var Se=t=>t.charAt(0).toUpperCase()+t.slice(1);function Rt(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
 c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(c,d)=>(i+d)*a)}var zl={teams:{pursuer:"pursuers",evader:"evaders"},generation:{pursuer:"pursuer generation",evader:"evader generation"},score:"capture rate",means:{pursuer:"ca\
 ptures",evader:"escapes"},curves:{pursuer:"captures",evader:"escapes"},ends:["0 all escape","1 all caught"],lead:"Each cell is a match between two generations: \
 the brighter, the more evaders are captured. Click one to watch it.",click:"watch its match"},Hl=([t,e])=>({teams:{pursuer:t,evader:e},generation:{pursuer:`gene\
 ration of ${t}`,evader:`generation of ${e}`},score:`score of the ${t}`,means:{pursuer:t,evader:e},curves:{pursuer:"scores",evader:"scores"},ends:[`0 the ${e} wi\
 n`,`1 the ${t} win`],lead:`Each cell is a pair of generations: the brighter, the higher the score of the ${t}. Click one to see more of it.`,click:"see more of \
-it"}),me=({game:t})=>t?Hl(t.teams):zl,ee=(t,e,r)=>`${me(t).teams[e]} of generation ${r}`,Bl=200;function io(t,e,{pursuer:r,evader:n},s){let{text:o,image:a}=e.shows[`${r}\
+it"}),de=({game:t})=>t?Hl(t.teams):zl,ee=(t,e,r)=>`${de(t).teams[e]} of generation ${r}`,Bl=200;function io(t,e,{pursuer:r,evader:n},s){let{text:o,image:a}=e.shows[`${r}\
  ${n}`]??{},i=Re(t,r,n)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length} episodes: ${i.map(c=>F(c)).join(", ")}`;return[o===void 0?null:u("pre",{tabindex:0,
 "aria-label":"What the game shows of this pair"},o),a===void 0?null:u("img",{src:a,alt:"What the game shows of this pair",onload:({target:c})=>c.classList.toggle(
 "pixels",c.naturalWidth<Bl)}),...(o??a)===void 0?[u("p",{class:"muted"},e.missing),Gl(t,e,r,n,s)]:[],i.length>1?u("p",{class:"small numbers"},l):null].filter(c=>c!==
@@ -368,7 +368,7 @@ return null;let s=this.#e.moments[Math.round(this.#t)],o=It(this.#e,s).get(n[0]*
 a[l].x,a[l].y);return Math.hypot(c-e,d-r)};return o.length?o.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),s=n.width/
 this.canvas.width,{left:o,top:a,cell:i}=this.#n;return[n.left+(o+e*i)*s,n.top+(a+r*i)*s]}#s(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty(
 "--board-aspect",String(pa(e,r)))}#i(){let e=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
-r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Ft=[.5,1,2,4,8,16,32,64],Tr=0,kr=12,Rc=2,pe=class extends EventTarget{#e;#t;#r;#n=0;#o=0;#s=!1;#i=null;#h=0;#m=[];#a=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
+r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Ft=[.5,1,2,4,8,16,32,64],Tr=0,kr=12,Rc=2,me=class extends EventTarget{#e;#t;#r;#n=0;#o=0;#s=!1;#i=null;#h=0;#m=[];#a=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#t,this.#r]=[e,r,n]}get step(){return this.#n}get time(){return this.#r?this.#n:this.#o}get arrived(){return this.#o===this.#n}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#c("state")}get marks(){return this.#m}set marks(e){this.#m=e,this.#c(
 "state")}get ticks(){return this.#a}set ticks(e){this.#a=e,this.#c("state")}get pace(){return this.#t||Math.max(Rc,this.#e/kr)}get speed(){return this.#t}set speed(e){
@@ -394,15 +394,15 @@ r),a,o),l=(m,p={})=>{let h=u("i",p);return h.style.left=`${100*m/Math.max(1,t.le
 t.playing?"pause":"play")),e.ariaLabel=t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`\
 step ${t.step} of ${t.length}`,a.textContent=`${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,o.value=String(t.speed)};return t.addEventListener(
 "step",d),t.addEventListener("state",d),t.addEventListener("state",c),i.addEventListener("keydown",m=>{!(m.target instanceof HTMLSelectElement||m.key===" "&&m.target!==
-r)&&Cr(t,m)&&m.preventDefault()}),d(),i}var Rr={left:46,right:12,top:10,bottom:42},ya={x:56,y:34};function he(t,e,r,n){let[s,o]=[Rr.left,Rr.top],a=Math.max(s+40,t-Rr.right),i=Math.max(o+40,e-Rr.bottom),
+r)&&Cr(t,m)&&m.preventDefault()}),d(),i}var Rr={left:46,right:12,top:10,bottom:42},ya={x:56,y:34};function pe(t,e,r,n){let[s,o]=[Rr.left,Rr.top],a=Math.max(s+40,t-Rr.right),i=Math.max(o+40,e-Rr.bottom),
 l=(g,y,x)=>v=>y+(v-g.low)/(g.high-g.low||1)*(x-y),[c,d]=[l(r,s,a),l(n,i,o)],m=b("g"),p=b("svg",{width:t,height:e,viewBox:`0 0 ${t} ${e}`,class:"plot"}),h=b("g",
 {class:"axes"});for(let g of Rt(n.low,n.high,(i-o)/ya.y,n.whole))h.append(b("line",{x1:s,x2:a,y1:d(g),y2:d(g),class:"grid"}),b("text",{x:s-8,y:d(g),"text-anchor":"\
 end","dominant-baseline":"middle"},va(g)));for(let g of Rt(r.low,r.high,(a-s)/ya.x,r.whole))h.append(b("text",{x:c(g),y:i+16,"text-anchor":"middle"},va(g)));return h.
 append(b("line",{x1:s,x2:a,y1:i,y2:i,class:"axis"}),b("text",{x:(s+a)/2,y:e-6,"text-anchor":"middle",class:"label"},r.label),b("text",{transform:`translate(12 ${(o+
 i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),p.append(h,m),{root:p,marks:m,left:s,right:a,top:o,bottom:i,x:c,y:d,at:g=>{let y=g-p.getBoundingClientRect().
-left;return r.low+(y-s)/(a-s)*(r.high-r.low)}}}var va=t=>String(Number(t.toPrecision(6))).replace("-","−");function fe(t,e,r,n){let s="",o="M";r.forEach((a,i)=>{
+left;return r.low+(y-s)/(a-s)*(r.high-r.low)}}}var va=t=>String(Number(t.toPrecision(6))).replace("-","−");function he(t,e,r,n){let s="",o="M";r.forEach((a,i)=>{
 a===null?o="M":(s+=`${o}${t.x(e[i]).toFixed(1)} ${t.y(a).toFixed(1)}`,o="L")}),t.root.insertBefore(b("path",{d:s,class:`line ${n}`}),t.marks)}function ba(t,e,r,n=null){let s=t.x(e);t.marks.append(b("line",{x1:s,x2:s,y1:t.top,y2:t.bottom,class:`mark ${r}`})),n!==null&&t.marks.append(b("circle",{cx:s,cy:t.
-y(n),r:5,class:`dot ${r}`}))}function it(...t){return u("p",{class:"legend small"},...t.map(([e,r])=>u("span",{class:`key ${r}`},e)))}function ge(t,e,r,n){let s=u(
+y(n),r:5,class:`dot ${r}`}))}function it(...t){return u("p",{class:"legend small"},...t.map(([e,r])=>u("span",{class:`key ${r}`},e)))}function fe(t,e,r,n){let s=u(
 "div",{class:"chart chooses",role:"img","aria-label":t}),o=null,a=()=>{o?.marks.replaceChildren(),o&&r(o)};s.addEventListener("click",l=>o&&n(o.at(l.clientX),o,
 l));let i=()=>{let{clientWidth:l,clientHeight:c}=s;l<50||c<50||(o=e(l,c),s.replaceChildren(o.root),a())};return new ResizeObserver(i).observe(s),{element:s,update:a,
 redraw:i}}var Wt=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
@@ -418,12 +418,12 @@ small muted"},u("span",{class:"pursuer"},"↑ pursuers")," ",u("span",{class:"ev
 r],first:[0,0],capture_rate:t},{left:0,top:0,width:a,height:a})},new ResizeObserver(()=>o.draw?.()).observe(s),o}var Ma=()=>Me("0 all escape","1 all caught"),Ea=({
 runs:t})=>u("div",{class:"widget"},u("div",{class:"matrices"},...t.map((e,r)=>He(e.payoff.capture_rate,`Matrix ${"ABC"[r]}`))),Ma()),Pr=31,Aa=.016;function Ta(){
 let t=r=>Array.from({length:Pr},(n,s)=>Array.from({length:Pr},(o,a)=>.5+r*(s-a))),e=[[Aa,"Both get better"],[-Aa,"Both get worse"],[0,"Nothing happens"]];return u(
-"div",{class:"widget"},u("div",{class:"matrices"},...e.map(([r,n])=>He(t(r),n))),Ma())}function ka(){let t=Array.from({length:Pr},(r,n)=>n),e=ge("A capture rate\
- that stays at one half from generation 0 to 30",(r,n)=>{let s=he(r,n,{low:0,high:Pr-1,label:"generation",whole:!0},{low:0,high:1,label:"capture rate"});return fe(
-s,t,t.map(()=>.5),"of-both"),s},()=>{},()=>{});return u("div",{class:"widget"},e.element)}var ye=32,Ca=({crossings:t=[]})=>u("div",{class:"widget crossings"},...t.
-map(e=>u("figure",{},u("figcaption",{},e.title),Pc(e),u("p",{class:"small muted"},e.text))));function Pc({title:t,text:e,ways:r}){let n=[0,1,2,3].map(s=>`M${s*ye}\
- 0V${3*ye}M0 ${s*ye}H${3*ye}`).join("");return b("svg",{viewBox:`-1 -1 ${3*ye+2} ${3*ye+2}`,role:"img","aria-label":`${t}: ${e}`},b("path",{class:"grid",d:n}),...r.
-map(([s,o,a],i)=>b("g",{transform:`translate(${1.5*ye} ${1.5*ye})`},b("g",{transform:`translate(${-ye*o} ${-ye*s})`},b("path",{class:"filled-pursuer",d:"M0 -12 \
+"div",{class:"widget"},u("div",{class:"matrices"},...e.map(([r,n])=>He(t(r),n))),Ma())}function ka(){let t=Array.from({length:Pr},(r,n)=>n),e=fe("A capture rate\
+ that stays at one half from generation 0 to 30",(r,n)=>{let s=pe(r,n,{low:0,high:Pr-1,label:"generation",whole:!0},{low:0,high:1,label:"capture rate"});return he(
+s,t,t.map(()=>.5),"of-both"),s},()=>{},()=>{});return u("div",{class:"widget"},e.element)}var ge=32,Ca=({crossings:t=[]})=>u("div",{class:"widget crossings"},...t.
+map(e=>u("figure",{},u("figcaption",{},e.title),Pc(e),u("p",{class:"small muted"},e.text))));function Pc({title:t,text:e,ways:r}){let n=[0,1,2,3].map(s=>`M${s*ge}\
+ 0V${3*ge}M0 ${s*ge}H${3*ge}`).join("");return b("svg",{viewBox:`-1 -1 ${3*ge+2} ${3*ge+2}`,role:"img","aria-label":`${t}: ${e}`},b("path",{class:"grid",d:n}),...r.
+map(([s,o,a],i)=>b("g",{transform:`translate(${1.5*ge} ${1.5*ge})`},b("g",{transform:`translate(${-ge*o} ${-ge*s})`},b("path",{class:"filled-pursuer",d:"M0 -12 \
 12 9H-12z"}),b("text",{y:6.5,"text-anchor":"middle"},`P${i}`)),b("path",{class:a?"goes":"waits",d:a?"M-18 0H-5M-9 -4 -4 0 -9 4":"M-16 -13V13",transform:`rotate(${Math.
 atan2(s,o)*180/Math.PI})`}))))}function Be(t,e,r,n,s){let o=u("input",{type:"range",min:0,max:e.length-1,step:1,"aria-label":t,oninput:()=>s(i())}),a=u("output",{class:"numbers"}),i=()=>{let l=e[Number(
 o.value)];return a.textContent=o.ariaValueText=n(l),l};return o.value=String(e.indexOf(r)),i(),u("label",{class:"slider"},u("span",{},t),o,a)}function Ra(t,e,r){
@@ -443,14 +443,14 @@ a];for(let l of $a(i.length,this.#e,s))e[a].forEach((c,d)=>o[a][d]+=+(jn(this.ga
 this.settings.mutation&&(r[n]^=1);return r}#s(e){let r=_r(e),n=r?e:e.map(()=>1);return e.map(()=>{let s=this.#e()*(r||e.length),o=n.findIndex(a=>(s-=a)<0);return o<
 0?e.length-1:o})}};function $a(t,e,r=t){let n=Array.from({length:t},(o,a)=>a),s=Math.min(r,t);for(let o=0;o<s;o++){let a=o+Math.floor(e()*(t-o));[n[o],n[a]]=[n[a],
 n[o]]}return n.slice(0,s)}function _r(t){let e=0;for(let r=0;r<t.length;r++)e+=t[r];return e}var Zn=1,Ir=["pursuers","evaders"],Na=[[150,42],[266,232],[34,232]],Lc={pursuers:-7,evaders:7},_a=t=>[0,1].map(e=>t.reduce((r,n,s)=>r+n*Na[s][e],0)),La=(t,e)=>t.
-map((r,n)=>Yn(t.slice(0,n+1),e));function Ia({memories:t=[1],memory:e=t[0],generations:r=30}){let n=new pe(r,{speed:r>100?16:2,still:ie()}),s=e,o=Lr(r,s,Pe(Zn)),
+map((r,n)=>Yn(t.slice(0,n+1),e));function Ia({memories:t=[1],memory:e=t[0],generations:r=30}){let n=new me(r,{speed:r>100?16:2,still:ie()}),s=e,o=Lr(r,s,Pe(Zn)),
 a={pursuers:[],evaders:[]},i={pursuers:b("polyline",{class:"way of-pursuers"}),evaders:b("polyline",{class:"way of-evaders"})},l={pursuers:b("path",{class:"fill\
 ed-pursuer",d:"M0 -11 11 9H-11z"}),evaders:b("circle",{class:"filled-evader",r:9})},c=b("svg",{viewBox:"0 0 300 270",class:"hands-triangle",role:"img","aria-lab\
 el":"The shares of rock, paper and scissors among the remembered hands of both teams"},b("polygon",{class:"frame",points:Na.map(y=>y.join()).join(" ")}),b("circ\
 le",{class:"middle",cx:150,cy:168.7,r:4}),b("text",{x:150,y:192,"text-anchor":"middle"},"one third each"),b("text",{class:"label",x:150,y:18,"text-anchor":"midd\
 le"},"rock"),b("text",{class:"label",x:266,y:262,"text-anchor":"middle"},"paper"),b("text",{class:"label",x:34,y:262,"text-anchor":"middle"},"scissors"),...Ir.map(
-y=>i[y]),...Ir.map(y=>l[y])),d=u("p",{class:"numbers"}),m=ge("What the best answer wins against the remembered hands, by generation",(y,x)=>{let v=he(y,x,{low:0,
-high:r,label:"generation",whole:!0},{low:.4,high:1,label:"best answer wins"});fe(v,[0,r],[.5,.5],"half");for(let w of Ir)fe(v,o[w].map((S,A)=>A),a[w].map(Kn),`o\
+y=>i[y]),...Ir.map(y=>l[y])),d=u("p",{class:"numbers"}),m=fe("What the best answer wins against the remembered hands, by generation",(y,x)=>{let v=pe(y,x,{low:0,
+high:r,label:"generation",whole:!0},{low:.4,high:1,label:"best answer wins"});he(v,[0,r],[.5,.5],"half");for(let w of Ir)he(v,o[w].map((S,A)=>A),a[w].map(Kn),`o\
 f-${w}`);return v},y=>ba(y,n.step,"of-both"),y=>n.jump(y)),p=()=>{let y=n.step;for(let v of Ir){i[v].setAttribute("points",a[v].slice(0,y+1).map(A=>_a(A).map(k=>k.
 toFixed(1)).join()).join(" "));let[w,S]=_a(a[v][y]);l[v].setAttribute("transform",`translate(${w+Lc[v]} ${S})`)}let x=v=>u("span",{class:v.slice(0,-1)},`${v} sh\
 ow ${Vn[o[v][y]]}`);d.replaceChildren(`Generation ${y}: `,x("pursuers"),", ",x("evaders"),".",...t.length>1?[` The best answer to the remembered hands of the pu\
@@ -463,25 +463,25 @@ label:"ones of side 1"},Ge=()=>{},Nc=()=>new Promise(t=>setTimeout(t));async fun
 await Nc()}}var Fr=new Map,za=[];async function Ic(){for(let t of Object.keys(Qn))Fr.set(t,[]);for(let t=0;t<Xn;t++)for(let[e,r]of Object.entries(Qn)){let n={score:[],
 ones:[]};Fr.get(e).push(n);let s=new ct(r,ut,Pe(t));await es(s,()=>{n.score.push(Jn(r,s.ones(0),s.ones(1))),n.ones.push(s.objective(0))},()=>!0),za.forEach(o=>o())}}
 function Ha({shows:t="score"}){Fr.size||Ic();let e=t==="score"?{low:0,high:1,label:"score of side 1"}:Da,r=Object.entries(Qn).map(([n,s])=>{let o=t==="score"?n:
-`${n}: ${s}`,a=ge(`${o}: ${e.label} in ${Xn} races`,(i,l)=>{let c=he(i,l,Wa,e);for(let d of Fr.get(n))fe(c,d[t].map((m,p)=>p*dt),d[t],"of-both dense");return c},
+`${n}: ${s}`,a=fe(`${o}: ${e.label} in ${Xn} races`,(i,l)=>{let c=pe(i,l,Wa,e);for(let d of Fr.get(n))he(c,d[t].map((m,p)=>p*dt),d[t],"of-both dense");return c},
 Ge,Ge);return za.push(a.redraw),u("figure",{},u("figcaption",{},o),a.element)});return u("div",{class:"widget"},u("div",{class:"matrices"},...r),u("p",{class:"s\
 mall muted"},`Each line is a race; there are ${Xn} of each game, played now, in this page.`))}var Fc=[5,10,15,25,40,60],Uc=[5e-4,.001,.002,.005,.01,.02,.05],Wc=[
 0,1,5,15,30],Ua=15,Dc=Array.from({length:20},(t,e)=>e);function Ba({hall:t=!1}){let[e,r,n]=["scalar",0,{...ut,hall:t?Ua:0}],s=0,o=v=>{n={...n,...v}},a=[[],[]],i=[
 He(a[0],"Score of side 1",zt/dt+1),He(a[1],"Score of side 2",zt/dt+1)];i.forEach(v=>v.querySelector("p").replaceChildren(`↑ generation, → opponent (${dt} a \
-cell)`));let l=[[],[]],c=ge("Ones of both sides by generation",(v,w)=>{let S=he(v,w,Wa,{...Da,label:"ones"});return l.forEach((A,k)=>fe(S,A.map((R,E)=>E*dt),A,k?
+cell)`));let l=[[],[]],c=fe("Ones of both sides by generation",(v,w)=>{let S=pe(v,w,Wa,{...Da,label:"ones"});return l.forEach((A,k)=>he(S,A.map((R,E)=>E*dt),A,k?
 "of-evaders":"of-pursuers")),S},Ge,Ge),d=u("p",{class:"numbers",role:"status"}),m=v=>{d.textContent=v},p=async()=>{let v=++s;for(let A of[...a,...l])A.length=0;
 let w=[[],[]],S=new ct(e,n,Pe(r));await es(S,()=>{for(let A of[0,1])w[A].push(S.ones(A)),l[A].push(S.objective(A));for(let A of[0,1])a[A].push(w[1-A].map(k=>Jn(
-S.game,w[A].at(-1),k)));i.forEach(A=>A.draw?.()),c.redraw()},()=>s===v),s===v&&m(`${de(S.game)} game, seed ${r}: after ${zt} generations side 1 has ${l[0].at(-1).
-toFixed(0)} ones, side 2 ${l[1].at(-1).toFixed(0)}.`)},h=[],f=ge("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>zc(h,v,w),Ge,
+S.game,w[A].at(-1),k)));i.forEach(A=>A.draw?.()),c.redraw()},()=>s===v),s===v&&m(`${Se(S.game)} game, seed ${r}: after ${zt} generations side 1 has ${l[0].at(-1).
+toFixed(0)} ones, side 2 ${l[1].at(-1).toFixed(0)}.`)},h=[],f=fe("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>zc(h,v,w),Ge,
 Ge);f.element.classList.add("dots");let g=async v=>{let w=++s,S=[],{population:A,mutation:k}=v,R=`${e}${A===ut.population?"":`, ${A} players`}${k===ut.mutation?
 "":`, mutation ${k}`}, hall ${v.hall}`;h=[...h.filter(E=>E.ends.length===Ht&&E.text!==R).slice(1-ts),{text:R,ends:S}];for(let E=0;E<Ht&&s===w;E++){let M=new ct(
-e,v,Pe(E));await es(M,Ge,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${de(R)}: side 1 ends with ${Ga(S)} ones in the mean of ${Ht} races.`)},y=(v,w,S="")=>u(
+e,v,Pe(E));await es(M,Ge,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${Se(R)}: side 1 ends with ${Ga(S)} ones in the mean of ${Ht} races.`)},y=(v,w,S="")=>u(
 "button",{type:"button",class:S,onclick:()=>{v()}},w),x=u("div",{class:"sliders"},Ra("game",Object.keys(Nr),v=>e=v),Be("population",Fc,n.population,String,v=>o(
 {population:v})),Be("mutation",Uc,n.mutation,String,v=>o({mutation:v})),...t?[Be("hall of fame",Wc,Ua,String,v=>o({hall:v}))]:[Be("seed",Dc,0,String,v=>r=v)]);return t?
 (g(ut).then(()=>s===1?g(n):void 0),u("div",{class:"widget"},x,u("div",{class:"buttons"},y(()=>g(n),"Play ten races","primary")),d,f.element)):u("div",{class:"wi\
 dget"},x,u("div",{class:"buttons"},y(p,"Play a race","primary"),y(async()=>{s++},"Stop")),u("div",{class:"matrices"},...i,u("figure",{},u("figcaption",{},"The t\
 ruth: ones"),it(["side 1","of-pursuers"],["side 2","of-evaders"]),c.element)),Me("0 loses","1 wins"),d)}var ts=6,Ga=t=>(t.reduce((e,r)=>e+r,0)/t.length).toFixed(
-1);function zc(t,e,r){let n=he(e,r,{low:0,high:Dt,label:"ones of side 1 at the end",whole:!0},{low:0,high:ts,label:""});return n.root.querySelectorAll(".axes .g\
+1);function zc(t,e,r){let n=pe(e,r,{low:0,high:Dt,label:"ones of side 1 at the end",whole:!0},{low:0,high:ts,label:""});return n.root.querySelectorAll(".axes .g\
 rid, .axes [text-anchor=end]").forEach(s=>s.remove()),t.forEach(({text:s,ends:o},a)=>{let i=n.y(ts-a-.7);n.marks.before(b("text",{class:"label",x:n.left,y:i-12},
 `${s}: ${o.length<Ht?`${o.length} of ${Ht} races`:`mean ${Ga(o)}`}`)),o.forEach(l=>n.marks.before(b("circle",{class:"dot of-both",cx:n.x(l),cy:i,r:5})))}),n}var Va=t=>t.answer===void 0?Bc():Hc(t,t.answer);function Hc(t,e){let r=u("input",{type:"text",inputmode:"decimal",size:8,"aria-label":"Your answer, a number",autocomplete:"\
 off"});return{input:r,check:()=>{let s=r.value.trim().replace(",","."),o=Number(s);if(s===""||Number.isNaN(o))return"Expected a number, such as 0.5.";let a=i=>Math.
@@ -526,7 +526,7 @@ return{positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read(
 lved"),fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Wr(t){let e=Array.from({length:t.length+1},(r,n)=>Yc(t,n));return ss(t.config,t.map,
 e)}function Yc(t,e){let r=t.n_agents,n=t.config.n_evaders,s=(a,i,l)=>a.subarray(i*l,(i+1)*l),o={positions:s(t.last_positions,e,2*r),alive:s(t.alive,e,r),captured:s(
 t.captured,e,n),everCaptured:s(t.ever_captured,e,n)};return e===0?o:{...o,actions:s(t.actions,e-1,r),involved:s(t.involved,e-1,3*r),fault:s(t.fault,e-1,3*r),get contested(){
-return t.conflicts(e).map(a=>a.cell)}}}var Kc=8,Jc=700,Ja=1400,je=class{element;player=new pe(0,{speed:Kc,still:ie()});title=u("figcaption");generation=0;#e=u("canvas");#t;#r=u("p",{class:"small mute\
+return t.conflicts(e).map(a=>a.cell)}}}var Kc=8,Jc=700,Ja=1400,je=class{element;player=new me(0,{speed:Kc,still:ie()});title=u("figcaption");generation=0;#e=u("canvas");#t;#r=u("p",{class:"small mute\
 d numbers"});#n=u("p",{class:"small",role:"status"});#o;#s=null;#i=0;#h=0;#m=!ie();constructor(e){this.#o=e,this.#t=new Oe(this.#e,{numbers:!1}),this.element=u(
 "figure",{class:"chase"},this.title,this.#e,this.#r,this.#n),this.player.addEventListener("frame",()=>this.#u()),this.player.addEventListener("step",()=>this.#l()),
 this.player.addEventListener("state",()=>{this.#m&&!this.player.playing&&this.player.length&&this.player.step===this.player.length&&this.#a()})}set label(e){this.#e.
@@ -614,7 +614,7 @@ r),l=new Set(i.flatMap(d=>d.doomed)),c=a.map(d=>({kind:"capture",text:`${o(d)} i
 {kind:"end",text:`${o(d)} disappears`,agents:[d]});return c.push(...i.map(({kind:d,text:m,agents:p})=>({kind:d,text:m,agents:p}))),r===t.length&&c.unshift({kind:"\
 end",text:yu(t),agents:[]}),c}function gu({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
  steps`}function yu(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var vu=60,pt=class{element;player=new pe(0,{speed:Tr,still:ie()});inspector;match=null;recording=null;actions;#e;#t;#r;#n;#o=u("h2",{class:"match-title"});#s=u(
+ evaders captured`}var vu=60,pt=class{element;player=new me(0,{speed:Tr,still:ie()});inspector;match=null;recording=null;actions;#e;#t;#r;#n;#o=u("h2",{class:"match-title"});#s=u(
 "p",{class:"tally numbers"});#i=u("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#h=u("p",{class:"problem",role:"a\
 lert"});#m=u("div",{class:"shown","aria-live":"polite"});#a=null;#d=null;#u=0;#l=!1;#p=0;#c=[];constructor(e,r,n){[this.#t,this.#r]=[e,r];let s=u("canvas",{"ari\
 a-label":"The match",onclick:({clientX:o,clientY:a})=>this.inspector.choose(this.#e.agentAt(o,a))});this.#e=new Oe(s,{numbers:!1}),this.#n=new zr(r),this.inspector=
@@ -635,7 +635,7 @@ evader:n,episode:s,seed:o}){this.element.dataset.played=`${e} ${r} ${n} ${s} ${o
 world(r.config);r.seek(s,0),this.#c=Gr(n,s,bu(r)),s.free(),this.player.ticks=jr(this.#c),this.inspector.solution=n,this.#A()}names({run:e,pursuer:r,evader:n}){let s=this.#t[e],
 {teams:o}=s;return[o.pursuer.script??ee(s,"pursuer",r),o.evader.script??ee(s,"evader",n)]}#S(){let{episode:e,seed:r}=this.#r.selected,{game:n,payoff:s}=this.#f;
 this.element.classList.toggle("of-own-game",!!n),this.element.classList.toggle("of-ratings",Ie.some(l=>lo(this.#f,l)));let[o,a]=this.names(this.#r.selected),i=r===
-null?e<s.episodes?`episode ${e+1} of ${s.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${r}`;this.#o.replaceChildren(u("span",{class:"pursuer"},de(o)),
+null?e<s.episodes?`episode ${e+1} of ${s.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${r}`;this.#o.replaceChildren(u("span",{class:"pursuer"},Se(o)),
 " against ",u("span",{class:"evader"},a),n?"":u("span",{class:"muted small"},i))}#A(){let e=this.match;if(!e||!this.recording)return;let r=this.player.step,n=this.
 recording.moments[r];this.#x(Array.from(n.everCaptured).filter(Boolean).length,r),this.#i.replaceChildren(...this.#c.filter(s=>s.step===r).map(s=>u("li",{class:`\
 loss-${s.team}`},Vt(s))),...Vr(e,this.recording,r).map(s=>u("li",{class:s.kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(r),this.#M()}#x(e,r){
@@ -648,33 +648,33 @@ min(qr,o)],d=[];for(let g=a+l-1;g>=a;g--){d.push(u("span",{class:"pursuer"},g));
 span",{class:"evader"},i+y)),p=u("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),f=u("div",{class:"loupe numbers",role:"grou\
 p","aria-label":"Cells around the tap",onclick:g=>g.stopPropagation()},...d,p,...m);return f.style.gridTemplateColumns=`2.4rem repeat(${c}, minmax(0, 1fr))`,f}function Au(t,e,r,n){
 let s=u("button",{type:"button",onclick:()=>n({pursuer:e,evader:r})});return $r(s,Re(t,e,r)?.rate,`${ee(t,"pursuer",e)} against ${ee(t,"evader",r)}`),s}var Mi=(t,e)=>Math.
-max(0,Math.min(e-qr,t-Math.floor(qr/2)));var se={left:52,bottom:46,top:76,right:84},ve=10,Mu=160,qt=se.right-ve-14,Ve=se.top-ve-14,ht=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
+max(0,Math.min(e-qr,t-Math.floor(qr/2)));var se={left:52,bottom:46,top:76,right:84},ye=10,Mu=160,qt=se.right-ye-14,Ve=se.top-ye-14,ht=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
 {"aria-hidden":"true"});#o=b("g");#s;#i=u("h2");#h=u("strong",{class:"rate numbers"});#m=u("span",{class:"small muted"});#a=u("p",{class:"of-both-teams small mu\
 ted numbers"});#d;#u=null;constructor(e,r){[this.#t,this.#e]=[e,r],this.#s=u("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a \
 match, Enter plays it.",onpointermove:s=>this.#w(s),onpointerleave:()=>r.point({}),onclick:s=>this.#S(s),onkeydown:({key:s})=>s==="Enter"&&this.#x()},this.#r,this.#n);
-let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#i,this.#a),u("div",{class:"of-cell"},this.#h,this.#m));this.#d=Me(...me(this.#l).ends),
+let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#i,this.#a),u("div",{class:"of-cell"},this.#h,this.#m));this.#d=Me(...de(this.#l).ends),
 this.element=u("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,this.#d),this.#y(),new ResizeObserver(()=>this.#p()).observe(this.#s),
 this.#s.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),Ai(this.#s,r,()=>this.#l.
-payoff.shape),r.on("run",()=>{let s=Me(...me(this.#l).ends);this.#d.replaceWith(s),this.#d=s,this.#p()}),r.on("match hover",()=>this.#g())}get#l(){return this.#t[this.#e.
+payoff.shape),r.on("run",()=>{let s=Me(...de(this.#l).ends);this.#d.replaceWith(s),this.#d=s,this.#p()}),r.on("match hover",()=>this.#g())}get#l(){return this.#t[this.#e.
 selected.run]}#p(){let[e,r]=this.#l.payoff.shape,{clientWidth:n,clientHeight:s}=this.#s;if(n<50)return;let a=Math.max(Mu,Math.min(n-se.left-se.right,s-se.top-se.
 bottom))/Math.max(e,r),i=Math.max(se.left,(n-r*a-se.right+se.left)/2),l=se.top+Math.max(0,(s-se.top-se.bottom-e*a)/2),c={width:n,height:s,left:i,top:l,cell:a,rows:e,
 columns:r};this.#u=c,lt(this.#r,this.#l.payoff,{left:i,top:l,width:r*a,height:e*a});for(let[d,m,p]of[["left",i,n],["top",l,s],["width",r*a,n],["height",e*a,s]])
 this.#r.style.setProperty(d,`${100*m/p}%`);this.#s.style.setProperty("--shape",`${n} / ${s}`),this.#n.setAttribute("viewBox",`0 0 ${n} ${s}`),this.#n.replaceChildren(
-Eu(c,me(this.#l).generation),...Tu(c),...this.#f(c),this.#o),this.#g()}#c(e){let r=this.#l.findings?.generalization;if(!r)return[];let{selected:n,hover:s}=this.#e,
+Eu(c,de(this.#l).generation),...Tu(c),...this.#f(c),this.#o),this.#g()}#c(e){let r=this.#l.findings?.generalization;if(!r)return[];let{selected:n,hover:s}=this.#e,
 [o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=ki(e,r.pursuers.mean[o]??0,o),[c,d]=Ci(e,r.evaders.mean[a]??0,a);return[b("circle",{class:"dot of-pursuers",
 cx:i,cy:l,r:5}),b("circle",{class:"dot of-evaders",cx:c,cy:d,r:5})]}#f(e){let r=this.#l.findings?.generalization;if(!r)return[];let{left:n,top:s,cell:o,rows:a,columns:i}=e,
-{curves:l}=me(this.#l),[c,d]=[n+i*o+ve,s-ve],m={class:"side"};return[b("rect",{...m,x:c,y:s,width:qt,height:a*o}),b("rect",{...m,x:n,y:d-Ve,width:i*o,height:Ve}),
+{curves:l}=de(this.#l),[c,d]=[n+i*o+ye,s-ye],m={class:"side"};return[b("rect",{...m,x:c,y:s,width:qt,height:a*o}),b("rect",{...m,x:n,y:d-Ve,width:i*o,height:Ve}),
 ...Ri(r.pursuers,(p,h)=>ki(e,p,h),"of-pursuers"),...Ri(r.evaders,(p,h)=>Ci(e,p,h),"of-evaders"),b("text",{class:"tick",x:c,y:s+a*o+16,"text-anchor":"start"},"0"),
 b("text",{class:"tick",x:c+qt,y:s+a*o+16,"text-anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:d-4,"text-anchor":"end"},"0"),b("text",{class:"tick",x:n-6,y:d-
 Ve+8,"text-anchor":"end"},"1"),b("text",{class:"label of-pursuers",x:c+qt,y:s+a*o+34,"text-anchor":"end"},l.pursuer),b("text",{class:"label of-evaders",x:n+i*o+
-ve,y:d-Ve+10,"text-anchor":"start"},l.evader)]}#g(){let e=this.#u;if(!e)return;let{selected:r,hover:n}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,c=f=>o+(i-
-1-f)*a,d=[],m=(f,g)=>b("rect",{class:g,x:s,y:c(f),width:l*a+ve+qt,height:a}),p=(f,g)=>b("rect",{class:g,x:s+f*a,y:o-ve-Ve,width:a,height:ve+Ve+i*a});d.push(m(r.
+ye,y:d-Ve+10,"text-anchor":"start"},l.evader)]}#g(){let e=this.#u;if(!e)return;let{selected:r,hover:n}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,c=f=>o+(i-
+1-f)*a,d=[],m=(f,g)=>b("rect",{class:g,x:s,y:c(f),width:l*a+ye+qt,height:a}),p=(f,g)=>b("rect",{class:g,x:s+f*a,y:o-ye-Ve,width:a,height:ye+Ve+i*a});d.push(m(r.
 pursuer,"strip pursuer"),p(r.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&d.push(m(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&d.push(p(n.evader,
 "strip hover")),d.push(...this.#c(e));let h={x:s+r.evader*a,y:c(r.pursuer),width:a,height:a};d.push(b("rect",{class:"chosen under",...h}),b("rect",{class:"chose\
 n",...h})),this.#o.replaceChildren(...d),this.#y()}#y(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,s=r.evader??e.evader,o=Re(this.#l,n,s);this.#i.replaceChildren(
-u("span",{class:"pursuer"},de(ee(this.#l,"pursuer",n)))," against ",u("span",{class:"evader"},ee(this.#l,"evader",s))),this.#h.textContent=o?F(o.rate,3):"-";let a=o&&
-o.rates.length>1?`, mean of ${o.rates.length} episodes`:"";this.#m.textContent=o?me(this.#l).score+a:"no episodes were played",this.#a.textContent=this.#b(n,s)}#b(e,r){
-let n=this.#l.findings?.generalization;if(!n)return"";let s=(a,i)=>ao(a.mean[i]??null,a.low?.[i]??null,a.high?.[i]??null),{means:o}=me(this.#l);return`Against a\
+u("span",{class:"pursuer"},Se(ee(this.#l,"pursuer",n)))," against ",u("span",{class:"evader"},ee(this.#l,"evader",s))),this.#h.textContent=o?F(o.rate,3):"-";let a=o&&
+o.rates.length>1?`, mean of ${o.rates.length} episodes`:"";this.#m.textContent=o?de(this.#l).score+a:"no episodes were played",this.#a.textContent=this.#b(n,s)}#b(e,r){
+let n=this.#l.findings?.generalization;if(!n)return"";let s=(a,i)=>ao(a.mean[i]??null,a.low?.[i]??null,a.high?.[i]??null),{means:o}=de(this.#l);return`Against a\
 ll: ${o.pursuer} ${s(n.pursuers,e)}, ${o.evader} ${s(n.evaders,r)}`}#v(e){let r=this.#u;if(!r)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.
 clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((e.clientY-n.top-r.top)/r.cell),[a,i]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&
 i}:null}#w(e){let r=this.#v(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#S(e){let r=this.#v(e);if(r){if(r.inside&&Ei(this.#u.cell))return this.#A(
@@ -686,7 +686,7 @@ l of-evaders",x:t+s*r/2,y:i+36,"text-anchor":"middle"},o.evader),b("text",{class
 -anchor":"middle"},o.pursuer)),a}function Tu({left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=e+n*r;
 for(let d of["H","V"]){let m=`M${t} ${i}`;for(let p=1;p<=a;p++){let[h,f]=[`H${t+p*r}`,`V${i-p*r}`];m+=d==="H"?h+f:f+h}o.append(b("path",{d:m,class:"under"}),b("\
 path",{d:m}))}let[l,c]=[t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[o,b("text",{class:"on-cells",transform:`translate(${l} ${c}) rotate(-45)`,"text-anchor":"middle"},
-"same generation")]}var ki=({left:t,top:e,cell:r,rows:n,columns:s},o,a)=>[t+s*r+ve+o*qt,e+(n-a-.5)*r],Ci=({left:t,top:e,cell:r},n,s)=>[t+(s+.5)*r,e-ve-n*Ve];function Ri(t,e,r){
+"same generation")]}var ki=({left:t,top:e,cell:r,rows:n,columns:s},o,a)=>[t+s*r+ye+o*qt,e+(n-a-.5)*r],Ci=({left:t,top:e,cell:r},n,s)=>[t+(s+.5)*r,e-ye-n*Ve];function Ri(t,e,r){
 let n=o=>o.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),s=[];return t.low&&t.high&&s.push(b("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].
 join("L")}Z`})),s.push(b("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),s}var Oi={pursuer:null,evader:null},ft=class extends EventTarget{#e;#t=Oi;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#t}select(e){
 let r=this.#e,n=["run","pursuer","evader"].some(s=>s in e&&e[s]!==r[s]);this.#e={...r,...n?{episode:0,seed:null}:{},...e},this.#e.run!==r.run&&this.dispatchEvent(
@@ -696,7 +696,7 @@ this.recording=ss(r,this.#e.map(),this.#t)}get length(){return this.actions.leng
 "capture_rate")[0]}}conflicts(e){return this.#r[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#n(e)}step(e,r,n){let[s,o]=[this.#e,this.config.n_pursuers],
 a=new Uint8Array(s.n_agents);for(let i=s.n_turns;i>0&&!s.over;--i){let[l,c]=s.actors;l<o&&(a=s.decide(e.pursuer,[l,Math.min(c,o)],a)),c>o&&(a=s.decide(e.evader,
 [Math.max(l,o),c],a)),typeof n=="number"?a[r]=n:l<=r&&r<c&&(a=s.decide(n,[r,r+1],a)),s.playTurn(a)}this.#n(a)}#n(e){this.actions.push(e),this.#t.push(os(this.#e,
-e)),this.#r.push(this.#e.conflicts())}};var be=(t,e)=>Ie[+(e>=t.n_pursuers)];function us(t,e){let r=new Yr(t,e.config,{seed:e.seed,episode:e.episode});for(let n of e.moves)r.over||r.step(e.policies,e.
+e)),this.#r.push(this.#e.conflicts())}};var ve=(t,e)=>Ie[+(e>=t.n_pursuers)];function us(t,e){let r=new Yr(t,e.config,{seed:e.seed,episode:e.episode});for(let n of e.moves)r.over||r.step(e.policies,e.
 seat,n);return r}function gt(t,e){let{moments:r,nPursuers:n}=t.recording,s=r.findIndex(({alive:a,captured:i})=>!a[e]||!!i[e-n]),o=s<0?t.length:s;return{lasted:o,
 out:s>=0,captured:Array.from(r[o].everCaptured).filter(Boolean).length}}var Kr=(t,e)=>t.over||gt(t,e).out;function $i(t,e,r){let n=us(t,{...e,moves:e.moves.slice(
 0,e.from)});for(;!Kr(n,e.seat);)n.step(e.policies,e.seat,r);return gt(n,e.seat)}function Pi(t){let e=t.length-1;return[...new Set([0,Math.round(e/3),e])].map(r=>t[r])}
@@ -704,7 +704,7 @@ function _i(t,{seat:e,from:r,moves:n}){let s={...t,seat:e,...r?{from:r}:{},moves
 =${a}`).join("&")}`}function Li(t,e){let[r,n,s]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(r)&&Number(r)<e.n_pursuers+e.n_evaders&&
 (e.diagonal?/^[0-8]+$/:/^[0-4]+$/).test(s)&&s.length<=e.max_steps&&/^\d{1,6}$/.test(n)&&Number(n)<=s.length?{seat:Number(r),from:Number(n),moves:[...s].map(Number)}:
 null}function ds(t,e,r,n,s,o){e.play({title:r,played:n,ending:(a,i)=>[ku(t,a,i,Pi(s))],again:()=>ds(t,e,r,{...n,moves:n.moves.slice(0,n.from)},s,o),link:a=>o&&_i(o,a)})}
-function ku(t,e,r,n){let s=be(r.config,r.seat)==="evader",o=s?r.config.max_steps:r.config.n_evaders,a=u("table",{class:"numbers"},u("caption",{},s?"Steps in you\
+function ku(t,e,r,n){let s=ve(r.config,r.seat)==="evader",o=s?r.config.max_steps:r.config.n_evaders,a=u("table",{class:"numbers"},u("caption",{},s?"Steps in you\
 r seat: same start, same others":"Captures of your team: same start, same others")),i=c=>{let[d,m]=[u("span",{class:s?"bar evader":"bar pursuer"}),u("td",{},"…")];
 return a.append(u("tr",{},u("th",{scope:"row"},c),u("td",{class:"track","aria-hidden":"true"},d),m)),({lasted:p,captured:h})=>{d.style.width=`${100*(s?p:h)/o}%`,
 m.textContent=String(s?p:h)}};i("You")(gt(e,r.seat));for(let{name:c,policy:d}of n){let m=i(c);setTimeout(()=>m($i(t,r,d())))}let l=r.from?`You took over at step\
@@ -726,7 +726,7 @@ f.push(...h.conflictTable());h.free();let g={"<i4":Int32Array,"<f4":Float32Array
 +(w in c);y[w]={dtype:S,shape:[k,...A],data:g[S].from((m[w]??[]).flat())}}let x=w=>({dtype:"<i8",shape:[],data:Int32Array.of(w,0)}),v=w=>({dtype:"<U",shape:[],data:w});
 return Gi({format:v(_u),n_pursuers:x(n.n_pursuers),config:v(JSON.stringify(n)),seat:x(r),...y,actions:{dtype:"|i1",shape:[o,i],data:Int8Array.from(s.flatMap(w=>[
 ...w]))},map:{dtype:"|b1",shape:[n.rows,n.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[f.length/11,11],data:Int32Array.from(
-f)}})}var Lu=[0,1,2,4,8],Jr=class{element;player=new pe(0,{speed:4,still:ie()});#e;#t;#r=u("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=u("h2");#o=u("p",{
+f)}})}var Lu=[0,1,2,4,8],Jr=class{element;player=new me(0,{speed:4,still:ie()});#e;#t;#r=u("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=u("h2");#o=u("p",{
 class:"play-told",role:"status"});#s=Ui(e=>this.act(e));#i=ar(Lu.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#k());#h=u("input",{type:"checkbox",onchange:()=>this.#A()});#m=u(
 "input",{type:"checkbox",onchange:()=>this.#C()});#a=u("label",{class:"play-choice"},this.#m,"Best move");#d=u("p",{class:"small muted play-keys",id:"play-keys"});#u=u(
 "section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#l=$e(this.player);#p=null;#c=null;#f=[];#g=null;#y=null;#b=[];#v=0;#w=0;constructor(e){
@@ -754,17 +754,17 @@ e"}#R(){let[{policies:e,seat:r},n]=[this.#p.played,this.#c];n.step(e,r,this.#v),
 n):null,o=`${Y(n.seat,r.config.n_pursuers)}-${r.length}-steps.npz`,a=()=>nt(o,ji(this.#e,r,n.seat));this.#u.replaceChildren(u("h3",{id:"play-headline"},Fu(r,n.seat)),
 ...e.ending(r,n),u("div",{class:"play-buttons"},u("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),u("button",{type:"button",onclick:()=>this.#$()},
 "Watch it"),u("button",{type:"button",onclick:a},"Save"),s&&u("button",{type:"button",onclick:({currentTarget:l})=>Wu(l,s)},"Link"))),this.element.dataset.state=
-"ended",this.#E();let i=this.#b.filter(({team:l})=>l===be(r.config,n.seat));i.length&&this.#u.children[0].after(u("p",{class:"small muted"},bi(i))),this.#u.focus(
+"ended",this.#E();let i=this.#b.filter(({team:l})=>l===ve(r.config,n.seat));i.length&&this.#u.children[0].after(u("p",{class:"small muted"},bi(i))),this.#u.focus(
 {preventScroll:!0}),this.#u.scrollIntoView({block:"nearest"})}#$(){this.element.dataset.state="watched",this.player.length=this.#c.length,this.player.jump(0),ie()||
 this.player.play()}#C(){let[e,r,{step:n}]=[this.#c,this.#g,this.player];if(!e||n>e.length)return;let s=Vr(e,e.recording,n).filter(({agents:l})=>r===null||l.includes(
 r)),o=this.#p&&n===0,a=o?[Nu(e.config,r),this.#p.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&r!==null&&a.push(Iu(e,n,r)),a.push(
 ...this.#b.filter(l=>l.step===n).map(Vt));let i=n===e.length&&r!==null?this.#M:null;i&&a.push(`Perfect play: ${xi(i,r)||"decided in its turn"}; ${wi(this.#y,i,n)}`),
-this.#A(),this.#o.textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function Nu(t,e){let r=t.rules.capture==="SURROUND";return be(t,e)==="evader"?`Run a\
+this.#A(),this.#o.textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function Nu(t,e){let r=t.rules.capture==="SURROUND";return ve(t,e)==="evader"?`Run a\
 way: you win if ${r?"the pursuers do not surround you":"no pursuer reaches your cell"} in ${t.max_steps} steps`:`Capture evaders: ${r?"surround them with your t\
-eam":"move onto their cells"}`}function Iu({config:t,recording:e},r,n){let s=e.moments[r],a=be(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=$(
-s,n),l=m=>{let[p,h]=$(s,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>be(t,m)===a&&s.alive[m]&&
+eam":"move onto their cells"}`}function Iu({config:t,recording:e},r,n){let s=e.moments[r],a=ve(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=$(
+s,n),l=m=>{let[p,h]=$(s,m);return Math.max(Math.abs(p-i[0]),Math.abs(h-i[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>ve(t,m)===a&&s.alive[m]&&
 !s.captured[m-t.n_pursuers]&&2*l(m)<t.fov);if(!c.length)return`No ${a} in view`;let d=c.reduce((m,p)=>l(p)<l(m)?p:m);return`Nearest ${a}: ${Di(i,$(s,d))}`}function Fu(t,e){
-let[{lasted:r,out:n,captured:s},{config:o}]=[gt(t,e),t];return be(o,e)==="pursuer"?`Your team captured ${s} of ${Uu(o)} in ${r} steps.`:n?`You lasted ${r} of ${o.
+let[{lasted:r,out:n,captured:s},{config:o}]=[gt(t,e),t];return ve(o,e)==="pursuer"?`Your team captured ${s} of ${Uu(o)} in ${r} steps.`:n?`You lasted ${r} of ${o.
 max_steps} steps.`:`You escaped: ${r} steps.`}var Uu=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Wu(t,e){let r=Oo("Link to this match");r.value=e,t.replaceWith(
 r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var Du=2n**64n-1n;function Vi(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),s=(c,d,m)=>{let p=n.get(c)??"";return/^\d{1,9}$/.test(p)&&Number(p)<d?Number(
 p):m},o=s("run",e.length,r.run),[a,i]=e[o].payoff.shape,l=n.get("seed")??"";return{run:o,pursuer:s("pursuers",a,Math.min(r.pursuer,a-1)),evader:s("evaders",i,Math.
@@ -773,7 +773,7 @@ min(r.evader,i-1)),episode:s("episode",1/0,r.episode),seed:/^\d{1,20}$/.test(l)&
 {world:s}=this.#e[n.run],o=s&&Li(new URLSearchParams(r.replace(/^#/,"")),s);o&&this.play(n,o)}open(){let e=this.#r.shown;if(!e)return;let{match:r,step:n}=e;this.#r.
 player.pause();let s=this.#r.inspector.agent,o=n<r.length?n:0,a=(m,p)=>!!r.alive[p*r.n_agents+m],i=Array.from({length:r.n_agents},(m,p)=>(p+r.config.n_pursuers)%
 r.n_agents),l=s??i.find(m=>a(m,o)),c=a(l,o)?o:0,d=Array.from({length:c},(m,p)=>r.actions[p*r.n_agents+l]);this.play(this.#t.selected,{seat:l,from:c,moves:d})}play(e,r){
-let[n,s]=[this.#o,this.#e[e.run]],{world:o}=s;if(!n||!o||Ie.some(x=>ir(s,x,e[x])))return;let{run:a,pursuer:i,evader:l,episode:c,seed:d}=e,m=be(o,r.seat),p=s.teams[m].
+let[n,s]=[this.#o,this.#e[e.run]],{world:o}=s;if(!n||!o||Ie.some(x=>ir(s,x,e[x])))return;let{run:a,pursuer:i,evader:l,episode:c,seed:d}=e,m=ve(o,r.seat),p=s.teams[m].
 kept.map(x=>({name:s.teams[m].script??`generation ${x}`,text:"",policy:()=>ne(s,m,x)}));this.view||(this.view=new Jr(n),this.dialog.append(u("button",{type:"but\
 ton",class:"leave",onclick:()=>this.dialog.close()},"Close"),this.view.element)),this.dialog.open||this.dialog.showModal();let h=`You are ${Y(r.seat,o.n_pursuers)}\
 : ${this.#r.names(e).join(" against ")}`,f={pursuer:ne(s,"pursuer",i),evader:ne(s,"evader",l)},g={config:o,seed:BigInt(d??s.seeds[i][l]),episode:c,policies:f,...r},
@@ -820,9 +820,9 @@ race ${ju++}`,r=Dr(this.settings);this.#a=new Xr(this.settings,this.#e.masks,r,e
 let[n,s]=[new ht([this.#a],this.#l),new pt([this.#a],this.#l,null)];n.element.ariaLabel=`Payoff matrix. ${r}`,this.#p=new Zr([this.#a],this.#l,s,!1),this.#p.start(
 this.#t);let o=u("dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>s.player.pause()},u("button",{type:"button",class:"leave",onclick:()=>o.close()},
 "Close"),s.element),a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#l.selected;this.#g=!1,this.#a.payoff.capture_rate[l][c]!==void 0&&
-(o.showModal(),a||s.start(this.#t),a=!0,s.playSoon())});let i=ge(`Scores against scripts, by generation: ${pr.pursuer.join(", ")} and ${pr.evader.join(", ")}`,(l,c)=>{
-let d=this.settings.schedule.generations,m=he(l,c,{low:0,high:d,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let p of C){let h=Array.from(this.#d[p],
-f=>f??null);fe(m,[...h.keys()],h,`of-${p}s`)}return m},()=>{},l=>{let c=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#l.select({pursuer:c,evader:c})});
+(o.showModal(),a||s.start(this.#t),a=!0,s.playSoon())});let i=fe(`Scores against scripts, by generation: ${pr.pursuer.join(", ")} and ${pr.evader.join(", ")}`,(l,c)=>{
+let d=this.settings.schedule.generations,m=pe(l,c,{low:0,high:d,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let p of C){let h=Array.from(this.#d[p],
+f=>f??null);he(m,[...h.keys()],h,`of-${p}s`)}return m},()=>{},l=>{let c=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#l.select({pursuer:c,evader:c})});
 this.#c=i.redraw,this.#s.replaceChildren(n.element,u("section",{class:"card scores"},u("h3",{},"Against opponents that never change"),u("p",{class:"small muted"},
 "Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),it(["pursuers","of-pursuers"],["evaders","of-evaders"]),
 i.element)),this.#h.replaceChildren(o,this.#p.dialog)}#E(e){let r=this.#a.newest;if(r<0||e<0)return null;let{world:n,payoff:s,seeds:o}=this.#a,a=this.#f++%s.episodes;
@@ -843,13 +843,13 @@ let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(t)/Math.max(1,r(e))}function qu(t,e
 absent:"○","cannot tell":"?"};function qi(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,i,l],c)=>{let d=Ku(e.reasons[c]??
 "");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},Yu[a]??""),u("div",{},u("p",{},u("strong",{},o),` ${a}`,u(
 "span",{class:"muted"},` · ${l}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},i)))}),s=qu("What happened","Each condition is pre\
-sent, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("p",{},e.headline),...e.numbers.map(o=>u(
-"p",{class:"numbers"},`${de(o)}.`)),u("ul",{class:"findings"},...n),t.limits?u("p",{class:"small"},t.limits):null);return s.classList.add("diagnosis"),{element:s}}
-function Ku(t){let[,e=""]=t.split(/, because (.*)/s);return de(e.replace(/\.$/,""))}var Ju=84;function Yi(t,e){let r=t.map((o,a)=>Zu(o,a,e)),n=u("nav",{class:"races","aria-label":"Runs"},...r.map(o=>o.button)),s=()=>r.forEach((o,a)=>o.update(a===
+sent, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("ul",{class:"findings"},...n),t.limits?
+u("p",{class:"small"},t.limits):null);return s.classList.add("diagnosis"),{element:s}}function Ku(t){let[,e=""]=t.split(/, because (.*)/s);return Se(e.replace(/\.$/,
+""))}var Ju=84;function Yi(t,e){let r=t.map((o,a)=>Zu(o,a,e)),n=u("nav",{class:"races","aria-label":"Runs"},...r.map(o=>o.button)),s=()=>r.forEach((o,a)=>o.update(a===
 e.selected.run));return e.on("match hover",s),s(),n.hidden=t.length<2,n}function Zu(t,e,r){let[n,s]=t.payoff.shape,o=!t.name.startsWith(t.schedule),a=Ju/Math.max(
 n,s),i=u("canvas",{"aria-hidden":"true"});lt(i,t.payoff,{left:0,top:0,width:s*a,height:n*a});let l=u("span",{class:"place"}),c=u("button",{type:"button",class:"\
 race",title:`${t.name} (key ${e+1})`,onclick:()=>Qu(t,e,r)},u("span",{class:"small-matrix"},i,l),u("span",{class:"race-text"},u("strong",{},o?t.name:t.schedule),
-u("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.map(m=>me(t).teams[m]).join(" and ")} against ${Xu(t)}`),u("span",{class:"small muted"},`${o?
+u("span",{class:"small"},t.findings?t.findings.sentence:`${t.learning.map(m=>de(t).teams[m]).join(" and ")} against ${Xu(t)}`),u("span",{class:"small muted"},`${o?
 `${t.schedule}, `:""}seed ${t.seed}`)));return{button:c,update:m=>{c.setAttribute("aria-current",String(m));let p=r.hover.pursuer??r.selected.pursuer,h=r.hover.
 evader??r.selected.evader;l.hidden=p>=n||h>=s,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-p-.5)*a}px`}}}var Xu=t=>t.teams.pursuer.script??t.teams.evader.script??
 "another run";function Qu(t,e,r){let[n,s]=t.payoff.shape,{pursuer:o,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(o,n-1),evader:Math.min(a,s-1)})}var Ki=1;function Ji({runs:t},e){let r=t[Ki],{shape:[n,s],episodes:o}=r.payoff,a=null,i=0,l=()=>a&&lr(a,r,{run:Ki,pursuer:n-1,evader:s-1,episode:i++%o,seed:null}),
@@ -864,8 +864,8 @@ function Qi({runs:t,playground:e},r){let n=t[0].payoff.shape.map(c=>c-1),s=new f
 t,s)];o.actions.remove(),a.element.addEventListener("play",()=>{o.playSoon(),o.reveal()}),r.then(c=>o.start(c));let[{seed:i},l]=[t[0],t[0].world];return u("div",
 {class:"widget wide"},Yi(t,s),u("div",{class:"stages"},a.element,o.element),u("p",{class:"small muted"},"Three races of ",u("code",{},`matrixworld evolve --seed\
  ${i}`),`: ${l.n_pursuers} pursuers and ${l.n_evaders} evaders on ${l.rows} x ${l.cols} cells.`))}function el({runs:t}){let[e,r]=[t[0],t[0].findings],[n,...s]=r.
-table,o=s.findIndex(([i,,,l])=>i==="arms race"&&l==="last half"),a={headline:e.name,numbers:[],table:[n,s[o]],reasons:[r.reasons[o]]};return u("div",{class:"wid\
-get text"},qi({...e,findings:{...r,...a}}).element)}var hs=()=>{let[t]=crypto.getRandomValues(new Uint32Array(1));return{pupil:t.toString(16).padStart(8,"0"),choices:[],solved:{},exit:"",done:!1}},tn=class extends EventTarget{#e;#t;#r;keeps=!0;constructor(e){
+table,o=s.findIndex(([i])=>i==="arms race"),a={sentence:e.name,table:[n,s[o]],reasons:[r.reasons[o]]};return u("div",{class:"widget text"},qi({...e,findings:{...r,
+...a}}).element)}var hs=()=>{let[t]=crypto.getRandomValues(new Uint32Array(1));return{pupil:t.toString(16).padStart(8,"0"),choices:[],solved:{},exit:"",done:!1}},tn=class extends EventTarget{#e;#t;#r;keeps=!0;constructor(e){
 super(),[this.#t,this.#r]=[e,`matrixworld lesson ${e}`],this.#e=this.#n(),this.#o({})}choice=e=>this.#e.choices.find(({prediction:r})=>r===e)?.choice;choose(e,r){
 let n=new Date().toISOString().replace(/\.\d+Z$/,"+00:00");this.#o({choices:[...this.#e.choices,{prediction:e,choice:r,time:n}]}),this.dispatchEvent(new CustomEvent(
 "choice",{detail:e}))}solved=e=>this.#e.solved[e];solve=(e,r)=>this.#o({solved:{...this.#e.solved,[e]:r}});get exit(){return this.#e}set exit(e){this.#o(e)}get count(){
