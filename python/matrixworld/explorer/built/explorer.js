@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a06e325b71b208b8be1de6dd805766dc47b0d3b314d6e2591253cfbb5e234780 */
+/* built from web/ by "npm run build"; sources bd4a93ceb1aee10cff0299ec78a63fb00f6f429754408371650a49a997e8f2d0 */
 "use strict";(()=>{var ln={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Xe={DISAPPEAR:0,REACH:1,BOUNCE:2},cn={OCCUPATION:0,SURROUND:1},un={FAULT:0,INVOLVED:1};var mr=["obstacle","teammate","adversary"],pr=["vertex","edge","chain"],mn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],dr=["p\
 ursuer_{number}","evader_{number}"],pn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Qe={"both held":"both bounce","both doomed":"\
@@ -14,10 +14,9 @@ eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-d
 surrounder":"as team-surrounder, but takes only moves that right of way allows"},Le={adversary:"distance to the nearest adversary (0 to 2, in half views)",pressure:"\
 sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to the nearest adversary to which no teammate is nearer than the agent is now; withou\
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
-o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",crowd:"sum over teammates of 1 / (1 + moves)^2 (0 or more)",exits:"shar\
-e of the cells around that are no obstacle (0 to 1)",room:"distance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"\
-1 if right of way forbids the move (0 to 1)",stay:"1 if it is no move (0 to 1)",ahead:"1 if it is the direction that the agent draws for each 12 steps (0 to 1)"},
-hn={free:".GS",blocked:"#@OTW"};var Ne=1+mn.length;function et(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function Y(t,e){return t<e?et(dr[0],{number:t}):et(dr[1],{number:t-e})}function ya(t,e){
+o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
+istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
+it is the direction that the agent draws for each 12 steps (0 to 1)"},hn={free:".GS",blocked:"#@OTW"};var Ne=1+mn.length;function et(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function Y(t,e){return t<e?et(dr[0],{number:t}):et(dr[1],{number:t-e})}function ya(t,e){
 let[r,n,o,s,a,i,l,...c]=Array.from(t),m=a<0?[s]:[s,a],[p,d,h]=c.map(w=>m.filter((b,v)=>w>>v&1)),g=m.map(w=>Y(w,e)),f=et(pn[a<0?"obstacle":pr[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),y=et(dn,{event:f,outcome:va(m.length,d,h,e)});return{kind:mr[n],form:pr[o],agents:m,cell:[i,l],at_fault:p,held:d,doomed:h,turn:r,
 text:y}}function va(t,e,r,n){if(t===2&&e.length===2)return Qe["both held"];if(t===2&&r.length===2)return Qe["both doomed"];let o=s=>a=>et(Qe[s],{agent:Y(a,n)});

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a06e325b71b208b8be1de6dd805766dc47b0d3b314d6e2591253cfbb5e234780 */
+/* built from web/ by "npm run build"; sources bd4a93ceb1aee10cff0299ec78a63fb00f6f429754408371650a49a997e8f2d0 */
 "use strict";(()=>{var ys={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},wt={DISAPPEAR:0,REACH:1,BOUNCE:2},vs={OCCUPATION:0,SURROUND:1},bs={FAULT:0,INVOLVED:1};var sn=["obstacle","teammate","adversary"],on=["vertex","edge","chain"],ws=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],an=["p\
 ursuer_{number}","evader_{number}"],xs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},xt={"both held":"both bounce","both doomed":"\
@@ -14,10 +14,9 @@ eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-d
 surrounder":"as team-surrounder, but takes only moves that right of way allows"},_e={adversary:"distance to the nearest adversary (0 to 2, in half views)",pressure:"\
 sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to the nearest adversary to which no teammate is nearer than the agent is now; withou\
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
-o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",crowd:"sum over teammates of 1 / (1 + moves)^2 (0 or more)",exits:"shar\
-e of the cells around that are no obstacle (0 to 1)",room:"distance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"\
-1 if right of way forbids the move (0 to 1)",stay:"1 if it is no move (0 to 1)",ahead:"1 if it is the direction that the agent draws for each 12 steps (0 to 1)"},
-As={free:".GS",blocked:"#@OTW"};var Je=1+ws.length;function St(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function Y(t,e){return t<e?St(an[0],{number:t}):St(an[1],{number:t-e})}function sl(t,e){
+o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
+istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
+it is the direction that the agent draws for each 12 steps (0 to 1)"},As={free:".GS",blocked:"#@OTW"};var Je=1+ws.length;function St(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function Y(t,e){return t<e?St(an[0],{number:t}):St(an[1],{number:t-e})}function sl(t,e){
 let[r,n,s,o,a,i,l,...c]=Array.from(t),d=a<0?[o]:[o,a],[m,p,h]=c.map(x=>d.filter((v,w)=>x>>w&1)),f=d.map(x=>Y(x,e)),g=St(xs[a<0?"obstacle":on[s]],{first:f[0],second:f[f.
 length-1],cell:`(${i}, ${l})`}),y=St(Ss,{event:g,outcome:ol(d.length,p,h,e)});return{kind:sn[n],form:on[s],agents:d,cell:[i,l],at_fault:m,held:p,doomed:h,turn:r,
 text:y}}function ol(t,e,r,n){if(t===2&&e.length===2)return xt["both held"];if(t===2&&r.length===2)return xt["both doomed"];let s=o=>a=>St(xt[o],{agent:Y(a,n)});

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a06e325b71b208b8be1de6dd805766dc47b0d3b314d6e2591253cfbb5e234780 */
+/* built from web/ by "npm run build"; sources bd4a93ceb1aee10cff0299ec78a63fb00f6f429754408371650a49a997e8f2d0 */
 "use strict";(()=>{var mr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},et={DISAPPEAR:0,REACH:1,BOUNCE:2},pr={OCCUPATION:0,SURROUND:1},hr={FAULT:0,INVOLVED:1};var tt=["obstacle","teammate","adversary"],hn=["vertex","edge","chain"],fr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],fn=["p\
 ursuer_{number}","evader_{number}"],gr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},nt={"both held":"both bounce","both doomed":"\
@@ -14,10 +14,9 @@ eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-d
 surrounder":"as team-surrounder, but takes only moves that right of way allows"},br={adversary:"distance to the nearest adversary (0 to 2, in half views)",pressure:"\
 sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to the nearest adversary to which no teammate is nearer than the agent is now; withou\
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
-o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",crowd:"sum over teammates of 1 / (1 + moves)^2 (0 or more)",exits:"shar\
-e of the cells around that are no obstacle (0 to 1)",room:"distance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"\
-1 if right of way forbids the move (0 to 1)",stay:"1 if it is no move (0 to 1)",ahead:"1 if it is the direction that the agent draws for each 12 steps (0 to 1)"},
-vr={free:".GS",blocked:"#@OTW"};var Pe=1+fr.length;function rt(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Q(e,t){return e<t?rt(fn[0],{number:e}):rt(fn[1],{number:e-t})}function la(e,t){
+o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
+istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
+it is the direction that the agent draws for each 12 steps (0 to 1)"},vr={free:".GS",blocked:"#@OTW"};var Pe=1+fr.length;function rt(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Q(e,t){return e<t?rt(fn[0],{number:e}):rt(fn[1],{number:e-t})}function la(e,t){
 let[n,r,o,s,a,i,l,...c]=Array.from(e),u=a<0?[s]:[s,a],[m,p,h]=c.map(b=>u.filter((x,v)=>b>>v&1)),f=u.map(b=>Q(b,t)),g=rt(gr[a<0?"obstacle":hn[o]],{first:f[0],second:f[f.
 length-1],cell:`(${i}, ${l})`}),y=rt(yr,{event:g,outcome:ca(u.length,p,h,t)});return{kind:tt[r],form:hn[o],agents:u,cell:[i,l],at_fault:m,held:p,doomed:h,turn:n,
 text:y}}function ca(e,t,n,r){if(e===2&&t.length===2)return nt["both held"];if(e===2&&n.length===2)return nt["both doomed"];let o=s=>a=>rt(nt[s],{agent:Q(a,r)});
