@@ -28,6 +28,6 @@ for await (const line of createInterface({ input: process.stdin })) {
   }
   const took = seconds() - began;
   const capture = mean([...race.cells.values()].map(({ capture_rates }) => mean(capture_rates)));
-  const { agent_steps } = race.counters.at(-1);
+  const { agent_steps } = race.counters.evader.at(-1);
   console.log(JSON.stringify({ seconds: took, first, agent_steps, capture, scores }));
 }

@@ -227,6 +227,7 @@ def test_a_page_works_where_it_is_published_or_says_what_it_lacks(
             each.wait(ENDED, 120)
             told.append(each.js(GENOMES))
     server.shutdown()
+    server.server_close()
     assert not told or told[0] == told[1]
     browser.errors()
 
@@ -298,7 +299,7 @@ def test_agents_are_asked_and_weights_are_dragged(browser: Browser, page: Path) 
     seed = int(browser.js(f"(({{ seeds, best }}) => seeds[best.pursuer][best.evader])({LANE}.run)"))
     policy = Rating.for_config(world)
     team = Population(np.zeros(policy.genome_size, np.float32), policy)
-    rate = rollout(world, team, team, Matches.of(0, 0, [seed]), episodes=10).capture_rate.mean()
+    rate = rollout(world, team, team, Matches.of(0, 0, [seed]), episodes=20).capture_rate.mean()
     both = f"Yours: {int(100 * rate + 0.5)} % are caught; as evolved: {evolved.split(' are')[0]}"
     assert browser.js(told) == both
     assert browser.js("document.querySelector('.weights p').textContent") == (

@@ -51,7 +51,7 @@ IN_TURNS, AT_ONCE = (
     ("schedule.joint_epochs",),
 )
 POLICIES: dict[str, dict[str, Any]] = {
-    RATING: {"policy": RATING, "evaluation_episodes": 10},
+    RATING: {"policy": RATING, "evaluation_episodes": 20},
     CELLS: {"policy": CELLS, "policy.hidden": ()},
 }
 EPOCHS = {RATING: (16, (8, 8), 16, (8,)), CELLS: (32, (30, 20), 16, (20,))}

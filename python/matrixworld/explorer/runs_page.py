@@ -56,6 +56,7 @@ from matrixworld.explorer.shows import plain_game
 from matrixworld.explorer.teams import MOST_BYTES, plain_team, step_of
 from matrixworld.version import __version__
 from matrixworld.world.render import png
+from matrixworld.world.rules import variant_name
 
 PAGE = "explorer.html"
 """Name of the page in a run directory, or beside several."""
@@ -317,8 +318,9 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
 def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
     """Return path, value and meaning of each setting that differs from the default."""
     usual = values_of(_usual(settings))
+    variant = variant_name(settings.world.rules) if settings.world else ""
     different = [
-        {"name": path, "value": _shown(plain_values(value)), "help": text}
+        {"name": path, "value": _shown(path, plain_values(value), variant), "help": text}
         for path, value, text in leaves(settings)
         if value != usual.get(path)
     ]
@@ -337,15 +339,23 @@ def _usual(settings: RaceSettings) -> RaceSettings:
     return RaceSettings(game=settings.game, schedule=named, seed=settings.seed)
 
 
-def _shown(value: Any) -> str:
-    return value if isinstance(value, str) else json.dumps(value)
+def _shown(path: str, value: Any, variant: str) -> str:
+    plain = variant if path == "world.rules" and variant else value
+    return plain if isinstance(plain, str) else json.dumps(plain)
 
 
 def command_of(settings: RaceSettings) -> str:
-    """Return the command that plays a run again."""
+    """Return the command that plays a run again: by its own file, if options cannot name a game."""
     sets = [f"{each['name']}={each['value']}" for each in plain_settings(settings)]
-    given = {"schedule": [settings.schedule.name], "seed": [str(settings.seed)], "set": sets}
-    options = [[f"--{name}", value] for name, values in given.items() for value in values]
+    if any("={" in each for each in sets):
+        return "matrixworld evolve --config config.json"
+    schedule = settings.schedule
+    name = schedule.name
+    if isinstance(schedule, Against):
+        name = schedule.kind
+        sets += [f"schedule.team={schedule.team}", f"schedule.opponent={schedule.opponent}"]
+    given = {"schedule": [name], "seed": [str(settings.seed)], "set": sets}
+    options = [[f"--{option}", value] for option, values in given.items() for value in values]
     return shlex.join(["matrixworld", "evolve", *chain.from_iterable(options)])
 
 
