@@ -31,7 +31,7 @@ from matrixworld.coevolution.pursuit import (
 )
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import Section, by_race, setting
-from matrixworld.coevolution.types import TEAMS, Genome, Team
+from matrixworld.coevolution.types import TEAMS, Genome, State, Team
 
 MOST_SEED = 2**63 - 1
 """Largest seed: the largest integer of 64 bits with a sign."""
@@ -316,6 +316,17 @@ class RaceSettings(Section):
             begin=begin,
             game=game,
         )
+
+    def beginning(self, begin: Genome | None = None) -> tuple[dict[Team, Any], dict[str, State]]:
+        """Return generation 0 of all that learn, and the states of learners and samplers."""
+        archive: dict[Team, Any] = {}
+        states: dict[str, State] = {}
+        for team in self.learning_teams:
+            learner = self.learner_of(team)
+            states[team] = learner.start(self.task(team, begin))
+            states[f"{team}.opponents"] = self.schedule.sampler(team).start()
+            archive[team] = [learner.genome(states[team])]
+        return archive, states
 
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
         """Return the settings with other values by their paths.
