@@ -11,7 +11,7 @@ from difflib import get_close_matches
 from functools import cached_property, partial
 from typing import Any
 
-from matrixworld.coevolution import sections
+from matrixworld.coevolution import sections, types
 from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game, OwnGame
 from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
@@ -31,7 +31,7 @@ from matrixworld.coevolution.pursuit import (
 )
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import Section, by_race, setting
-from matrixworld.coevolution.types import TEAMS, Genome, State, Team
+from matrixworld.coevolution.types import TEAMS, Genome, Team
 
 MOST_SEED = 2**63 - 1
 """Largest seed: the largest integer of 64 bits with a sign."""
@@ -317,10 +317,12 @@ class RaceSettings(Section):
             game=game,
         )
 
-    def beginning(self, begin: Genome | None = None) -> tuple[dict[Team, Any], dict[str, State]]:
+    def beginning(
+        self, begin: Genome | None = None
+    ) -> tuple[dict[Team, Any], dict[str, types.State]]:
         """Return generation 0 of all that learn, and the states of learners and samplers."""
         archive: dict[Team, Any] = {}
-        states: dict[str, State] = {}
+        states: dict[str, types.State] = {}
         for team in self.learning_teams:
             learner = self.learner_of(team)
             states[team] = learner.start(self.task(team, begin))
