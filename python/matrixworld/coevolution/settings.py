@@ -11,7 +11,7 @@ from difflib import get_close_matches
 from functools import cached_property, partial
 from typing import Any
 
-from matrixworld.coevolution import sections, types
+from matrixworld.coevolution import sections
 from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game, OwnGame
 from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
@@ -317,12 +317,10 @@ class RaceSettings(Section):
             game=game,
         )
 
-    def beginning(
-        self, begin: Genome | None = None
-    ) -> tuple[dict[Team, Any], dict[str, types.State]]:
+    def beginning(self, begin: Genome | None = None) -> tuple[dict[Team, Any], dict[str, Any]]:
         """Return generation 0 of all that learn, and the states of learners and samplers."""
         archive: dict[Team, Any] = {}
-        states: dict[str, types.State] = {}
+        states: dict[str, Any] = {}
         for team in self.learning_teams:
             learner = self.learner_of(team)
             states[team] = learner.start(self.task(team, begin))
