@@ -5,7 +5,7 @@ these do here they do in real races, too. ``evolution/games`` has such games for
 
 >>> from course import toys
 >>> toys.numbers_game("scalar", seed=0).final_objective.round()
-array([99., 99.])
+array([ 99., 100.])
 
 *Rock-paper-scissors* between two teams with a perfect learner: it plays a best response, so only
 the schedule matters. Specialists cycle with period three. A team that answers all past hands of the
