@@ -9,6 +9,8 @@ import pytest
 from command_line import RACE, evolved, matrixworld_command, words
 from matrixworld.coevolution import open_run
 
+pytestmark = pytest.mark.usefixtures("undrawn")
+
 GAME = """
 import numpy as np
 from matrixworld.coevolution import Game
