@@ -174,7 +174,10 @@ class Batch(Turns):
         """
         first, last = check_agents(agents)
         side = TEAMS[first >= self.config.n_pursuers]
-        teams = [each and check_team("policies", each, self.config, side) for each in policies]
+        teams = [
+            None if each is None else check_team("policies", each, self.config, side)
+            for each in policies
+        ]
         check_written("actions", actions)
         numbers = np.ascontiguousarray(checks.check_integers("chosen", chosen, np.int32))
         self._core.decide(teams, numbers, first, last, actions)
