@@ -710,7 +710,7 @@ def finish(
         As for `Run.run`.
     """
     files = storage.RunWriter(directory)
-    if files.exists and files.finished and not files.has_checkpoint:  # as a page saves it
+    if files.exists and files.finished and not [*files.path.glob("checkpoint-*")]:  # of a page
         files.payoff()
         return storage.SavedRun(directory)
     return Run(directory, threads=threads).run(report, on_epoch)
