@@ -146,7 +146,8 @@ def explorer_page(
     """
     together: tuple[str, ...] = ()
     if so_far is None:
-        every = groups or grouped({run.path: run.settings for run in runs})
+        settings = {run.path: run.settings for run in runs}
+        every = groups or grouped(settings, finished=settings)
         runs, together = zip(*_in_order(runs, every), strict=True)
     paths = [run.path.absolute() for run in runs]
     common = _common(paths)
