@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 import matrixworld as mw
 from browser import Browser
 from command_line import matrixworld_command
-from matrixworld import Episode, World, WorldConfig, record
+from matrixworld import Episode, Matches, World, WorldConfig, record, rollout
 from matrixworld.coevolution import TEAMS, SavedRun, Team
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
@@ -420,6 +420,20 @@ def test_tabs_and_the_form_show_the_game_that_runs(browser: Browser, own: Path) 
     assert browser.js(f"{IN_PAGE}.live.length") == 1
     assert browser.js("location.hash") == ""
     assert browser.errors() == []
+
+
+def test_rounds_are_harder_and_harder_and_standing_still_wins_none() -> None:
+    """What docs/pages.md says of "Can you escape it?", from any starts."""
+    rates = {
+        evader: [
+            1.0 - rollout(world, pursuers, evader, Matches.of(0, 0, [1]), episodes=100).capture_rate
+            for world, pursuers in shipped("O").rounds
+        ]
+        for evader in ("dodger", "still", "random")
+    }
+    first, second, third = (float(rate.mean()) for rate in rates["dodger"])
+    assert first > 0.7 > second > 0.35 > third > 0.05
+    assert max(float(rate.mean()) for rate in rates["still"] + rates["random"]) < 0.1
 
 
 def test_a_run_gives_its_generations_to_the_page(job: Job) -> None:
