@@ -161,7 +161,7 @@ def print_policies(clock: Clock) -> None:
     for name, policy in policies.items():
         genomes = np.stack([policy.initial(np.random.default_rng(seed)) for seed in each])
         if name == "program":
-            text = "unclaimed + 0.5 * room - min(teammate, open_side) * crowd"
+            text = "unclaimed + 0.5 * room - min(teammate, open_side) * pressure"
             genomes = np.tile(policy.genome(text), (48, 1))
         team = mw.Population(genomes, policy)
 

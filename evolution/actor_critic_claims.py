@@ -55,12 +55,16 @@ def measured(runs: Runs, quick: bool) -> Numbers:
 
 def tables(numbers: Numbers) -> str:
     """Return the claims, and the scores of all candidates, as tables in Markdown."""
-    return "\n\n".join([
-        "# Claims of the paper, by policy gradients",
-        paper_claims.CELLS,
+    claims = [
         paper_claims.table(PARTS, paper_claims.on_races(numbers)),
         paper_claims.table(OPPONENTS, paper_claims.on_generalization(numbers)),
         paper_claims.table(("found",), paper_claims.on_swings(numbers)),
+    ]
+    return "\n\n".join([
+        "# Claims of the paper, by policy gradients",
+        paper_claims.CELLS,
+        *claims,
+        paper_claims.counted(claims),
         paper_claims.returns(numbers),
         paper_claims.scores(numbers),
     ])  # fmt: skip

@@ -8,7 +8,7 @@ and evolve by the evolution strategy (`RACE`). All schedules have the same numbe
 matches, as those of `matrixworld evolve` have.
 
 Each race is judged by itself, and each group of ten together, as `matrixworld judge` does: in the
-last half of the generations, which headlines speak of, and in the whole race. Default races of
+last half of the generations, and in the whole race. Default races of
 networks over cells (O, 40 x 40) are judged in the same way by `race_budgets.py`. Scores are those
 against held-out opponents; above them stands the best script of each team in the same episodes.
 """

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 from tqdm import tqdm
@@ -25,6 +26,7 @@ from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create, finish, tournament
 from matrixworld.coevolution.pursuit import OVERLAP_PENALTY, Pursuit
+from matrixworld.plots import save_figure
 from matrixworld.solver import Solution, best_response, solve
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
@@ -116,6 +118,7 @@ def experiment(
     seeds: int | Mapping[str, int],
     play: Play = play,
     then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
+    draw: Callable[[Numbers], Figure] | None = None,
 ) -> None:
     """Play runs of several kinds and seeds, measure them, and write what the numbers say.
 
@@ -137,6 +140,8 @@ def experiment(
         Plays a run of races that are the script's own: of whatever `kinds` and `then` return.
     then : callable, optional
         Runs of `kinds` -> settings by seed of further kinds, which build on them.
+    draw : callable, optional
+        Numbers -> the one figure of what they say, which goes to ``figure.png``.
     """
     name = Path(sys.argv[0]).stem
     quick_help = "a small world and two seeds, some seconds"
@@ -176,6 +181,8 @@ def experiment(
     if then is not None:
         runs |= finished(then(runs, args.quick))
     write(results, measure(runs, args.quick), table)
+    if draw is not None:
+        save_figure(draw(dict(np.load(results / "numbers.npz"))), results / "figure.png")
 
 
 def by_seed(runs: Runs, measure: Measure) -> dict[str, Any]:

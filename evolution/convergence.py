@@ -32,6 +32,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 import common
@@ -239,5 +240,30 @@ def table(numbers: common.Numbers) -> str:
     return "\n\n".join(parts)
 
 
+def figure(numbers: common.Numbers) -> Figure:
+    """Draw how far the best generations so far are from perfect play, means over seeds."""
+    found = Figure(figsize=(7, 3.2), layout="constrained")
+    axis = found.subplots()
+    for kind in common.kinds_in(numbers):
+        steps, best = (numbers[f"{kind} / {name}"].mean(axis=0) for name in ("agent_steps", "best"))
+        color = "tab:blue" if kind == SELF_PLAY else "tab:gray"
+        axis.plot(steps / 10**6, best, color=color)
+        if kind in (SELF_PLAY, GENERALISTS):
+            label = SELF_PLAY if kind == SELF_PLAY else "four schedules of evolution"
+            place, side = ((0, -18), "left") if kind == SELF_PLAY else ((0, 8), "right")
+            at = 1 if kind == SELF_PLAY else -1
+            axis.annotate(
+                label, (steps[at] / 10**6, best[at]), place, textcoords="offset points",
+                color=color, ha=side, weight="bold",
+            )  # fmt: skip
+    axis.axhline(0.0, color="black")
+    axis.annotate("perfect play", (axis.get_xlim()[1], 0.0), (0, 4), textcoords="offset points",
+                  ha="right")  # fmt: skip
+    axis.set(xlabel="million steps of agents", ylabel=CURVES["best"].split(" of ")[0])
+    axis.set(ylim=(0.0, None), xlim=(0.0, None))
+    axis.spines[["top", "right"]].set_visible(False)
+    return found
+
+
 if __name__ == "__main__":
-    common.experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10)
+    common.experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10, draw=figure)

@@ -19,6 +19,8 @@ are tested in the whole race and in its halves; numbers of a race in time are th
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -73,6 +75,7 @@ AT_ITS_SIZE = Path(__file__).parent / "results" / "paper_surrounding" / "numbers
 ASSURANCE = """Rewards do not make pursuers safe in S, and the paper asks for assurance. These
 learned at the paper's size by policy gradients, as `paper_surrounding.py` plays it."""
 
+VERDICTS = ("reproduced", "not reproduced", "cannot tell")
 PARTS = ("whole", "first half", "last half")
 OPPONENTS = ("all generations", "early generations", "late generations", "held-out opponents")
 """Opponents of the candidates; generations are those of races of other seeds."""
@@ -133,8 +136,7 @@ class Claim:
         if not self.comparable:
             return f"**not comparable**<br>{self.shown(values)}"
         agrees = (values.mean() > self.than) == (self.side == "above")
-        verdict = "reproduced" if agrees else "not reproduced"
-        verdict = "cannot tell" if p > SIGNIFICANCE else verdict
+        verdict = VERDICTS[2 if p > SIGNIFICANCE else 0 if agrees else 1]
         return f"**{verdict}**<br>{self.shown(values)}<br>{shown_p(p)}"
 
 
@@ -208,7 +210,7 @@ def on_races(numbers: Numbers) -> list[Claim]:
             over_schedules("evader"), "below",
         ),
         Claim(
-            "Specialists against specialists cycle", amplitude,
+            "Specialists against specialists are intransitive, as cycles are", amplitude,
             cyclic[SPECIALISTS], "above", least, squared=True,
         ),
         *(
@@ -224,12 +226,12 @@ def on_races(numbers: Numbers) -> list[Claim]:
             of(SPECIALISTS, "transitive_share"), "below", 0.5,
         ),
         Claim(
-            "Generalist pursuers against specialists cycle less",
+            "Generalist pursuers against specialists are less intransitive",
             f"squared {amplitude}, difference to specialists",
             cyclic[MIXED] - cyclic[SPECIALISTS], "below",
         ),
         Claim(
-            "Generalists against generalists do not cycle", amplitude,
+            "Generalists against generalists are not intransitive", amplitude,
             cyclic[GENERALISTS], "below", least, squared=True,
         ),
         Claim(
@@ -484,6 +486,7 @@ def tables(numbers: Numbers) -> str:
             claims += [] if lacking else claims_on(numbers)
         if claims:
             parts.append(table(columns, claims))
+    parts.append(counted(parts))
     if missing:
         parts.append(f"Not measured: {', '.join(dict.fromkeys(missing))} (`--kinds`).")
     if CAPTURED in numbers:
@@ -509,6 +512,16 @@ def table(columns: Sequence[str], claims: Sequence[Claim]) -> str:
         for claim in claims
     ]
     return markdown(["the paper's claim, and the number that tests it", *columns], rows)
+
+
+def counted(tables: Sequence[str]) -> str:
+    """Return how many claims of these tables hold, each counted once, in a sentence."""
+    found = Counter(re.findall(r"seeds\* \| \*\*(.+?)\*\*", "\n".join(tables)))
+    told = ", ".join(f"{found[verdict]} {verdict}" for verdict in VERDICTS)
+    return (
+        "Each claim counted once, in its first column (the whole race, all generations): "
+        f"{told}. Rows share runs, and the columns of a row overlap."
+    )
 
 
 def returns(numbers: Numbers) -> str:

@@ -1,13 +1,17 @@
 """Which inputs do ratings need? Each one left out in turn, and everything learned anew.
 
-    python evolution/rating_inputs.py             ten seeds of each, ten minutes of one core
+    python evolution/rating_inputs.py             ten seeds of each, half an hour of one core
     python evolution/rating_inputs.py --quick     small worlds and two seeds, some seconds
 
-Short hall-of-fame races of ratings without hidden layers in three worlds: with all inputs, and
-without one of them, in both teams. The *loss* of an input is the held-out score of the last
-generation with all inputs minus that without it, in races of the same seed. The episodes are the
-same for all. Inputs stand in for each other, and that each of two costs nothing does not mean that
-both do; so in one kind only three inputs are left, and in one several are left out together.
+Short hall-of-fame races of ratings without hidden layers, in three small worlds and in three of
+40 x 40: with all inputs, and without one of them, in both teams. The *loss* of an input is the
+held-out score of the last generation with all inputs minus that without it, in races of the same
+seed. The episodes are the same for all. Inputs stand in for each other, and that each of two costs
+nothing does not mean that both do; so in one kind only three inputs are left, and in some several
+are left out together.
+
+The kept results have two inputs more: `crowd`, the sum over teammates of 1 / (1 + moves)^2, and
+`stay`, 1 if it is no move. They cost nothing, so they are gone.
 
 Stated before the runs, of the mean loss over worlds and teams, one number of each seed, with its
 95 % interval over the seeds:
@@ -32,13 +36,17 @@ from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 from matrixworld.coevolution.types import FloatArray
 
-WORLDS: dict[str, dict[str, Any]] = {
+Worlds = dict[str, dict[str, Any]]
+SMALL: Worlds = {
     "SB 8 x 8": {"rules": "SB", "rows": 8, "cols": 8, "n_pursuers": 6, "n_evaders": 1},
     "O 20 x 20": {
         "rules": "O", "rows": 20, "cols": 20, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1,
     },
     "D 16 x 16": {"rules": "D", "rows": 16, "cols": 16, "n_pursuers": 6, "n_evaders": 6},
 }  # fmt: skip
+LARGE: Worlds = {
+    f"{rules} 40 x 40": {"rules": rules, "max_steps": 200} for rules in ("O", "S", "SB")
+}
 RACE: dict[str, Any] = {
     "schedule": "hall-of-fame", "schedule.generations": 6, "schedule.joint_epochs": 12,
     "policy": "rating", "learner": "cma", "learner.population": 12, "world.max_steps": 100,
@@ -48,9 +56,6 @@ QUICK = {"schedule.generations": 2, "schedule.joint_epochs": 2}
 ALL, FEW = "all inputs", ("adversary", "teammate", "room")
 LEFT_OUT = {f"without {name}": name for name in mw.INPUTS}
 ONLY = f"only {' '.join(FEW)}"
-NOTHING_LOST = ("open_side", "crowd", "room", "stay")
-TOGETHER = f"without {' '.join(NOTHING_LOST)}"
-"""Added when the table of ten seeds said of each of these that it costs nothing."""
 EPISODES, NOTHING = 50, 0.02
 """Episodes against each held-out opponent; the loss below which an input costs nothing."""
 
@@ -58,11 +63,13 @@ EPISODES, NOTHING = 50, 0.02
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return the settings of races with all inputs, and without some, in each world."""
     chosen = {ALL: tuple(mw.INPUTS), ONLY: FEW}
-    for kind, *left_out in (*LEFT_OUT.items(), (TOGETHER, *NOTHING_LOST)):
-        chosen[kind] = tuple(name for name in mw.INPUTS if name not in left_out)
+    for kind, left_out in LEFT_OUT.items():
+        chosen[kind] = tuple(name for name in mw.INPUTS if name != left_out)
     found = {}
-    for place, world in WORLDS.items():
+    for place, world in (SMALL | LARGE).items():
         settings = {f"world.{name}": value for name, value in world.items()}
+        if place in LARGE:
+            settings["train_steps"] = world["max_steps"]
         for kind, inputs in chosen.items():
             changes = RACE | settings | {"policy.inputs": inputs} | (QUICK if quick else {})
             found[f"{place}: {kind}"] = RaceSettings.of(changes)
@@ -83,13 +90,12 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     )
 
 
-def losses(numbers: Numbers, kind: str) -> FloatArray:
-    """Return what a kind loses against all inputs: (worlds, teams, seeds)."""
-    places = list(dict.fromkeys(each.split(": ")[0] for each in kinds_in(numbers)))
+def losses(numbers: Numbers, worlds: Worlds, kind: str) -> FloatArray:
+    """Return what a kind loses against all inputs in some worlds: (worlds, teams, seeds)."""
     return np.array(
         [
             [numbers[f"{p}: {ALL} / {t}"] - numbers[f"{p}: {kind} / {t}"] for t in TEAMS]
-            for p in places
+            for p in worlds
         ]
     )
 
@@ -106,15 +112,20 @@ def verdict(values: FloatArray) -> str:
 
 def table(numbers: Numbers) -> str:
     """Return the losses of all inputs in Markdown."""
-    scores = {
-        f"{place}, {team}s": numbers[f"{place}: {ALL} / {team}"]
-        for place in WORLDS
-        for team in TEAMS
-    }
+    return "\n\n".join(table_of(numbers, worlds) for worlds in (SMALL, LARGE))
+
+
+def table_of(numbers: Numbers, worlds: Worlds) -> str:
+    """Return the losses of the inputs that have been left out in all of these worlds."""
+    scores = {f"{p}, {t}s": numbers[f"{p}: {ALL} / {t}"] for p in worlds for t in TEAMS}
     heads = ["", "mean loss", "", *scores]
     rows = [[ALL, "", "", *(mean(each, bounds=(0.0, 1.0)) for each in scores.values())]]
-    for kind in (*LEFT_OUT, TOGETHER, ONLY):
-        loss = losses(numbers, kind)
+    first, *_ = worlds
+    for name in kinds_in(numbers):
+        place, kind = name.split(": ")
+        if place != first or kind == ALL:
+            continue
+        loss = losses(numbers, worlds, kind)
         together = loss.mean(axis=(0, 1))
         each = [f"{value:+.3f}" for value in loss.mean(axis=2).ravel()]
         rows.append([kind, mean(together, sign="+"), verdict(together), *each])

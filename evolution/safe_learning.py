@@ -21,6 +21,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 import matrixworld as mw
@@ -288,6 +289,24 @@ def table(numbers: Numbers) -> str:
     return "\n\n".join([*parts, comparisons(numbers), tested])
 
 
+def figure(numbers: Numbers) -> Figure:
+    """Draw captures and collisions of the methods by policy gradients in S, a dot for each seed."""
+    names = [name for name in within(numbers, "S") if name.startswith("S gradients: ")]
+    found = Figure(figsize=(8, 2.4), layout="constrained")
+    heads = {"capture rate": "share of captured evaders", "all": "collisions per 1000 agent-steps"}
+    for axis, (number, head) in zip(found.subplots(1, 2, sharey=True), heads.items(), strict=True):
+        for name in reversed(names):
+            values = judged(numbers, name, budget=float(numbers["budget"]))[number]
+            label = name.removeprefix("S gradients: ")
+            color = "tab:blue" if label == "right of way" else "tab:gray"
+            axis.plot(values, [label] * len(values), "o", color=color, alpha=0.5, clip_on=False)
+        axis.set_title(head, fontsize=10)
+        axis.spines[["top", "right"]].set_visible(False)
+        axis.set_xlim(left=0.0)
+        axis.grid(axis="y", alpha=0.3)
+    return found
+
+
 def comparisons(numbers: Numbers) -> str:
     """Return the differences of `COMPARED` in each variant as a table in Markdown."""
     budget, variants = float(numbers["budget"]), variants_of(numbers)
@@ -345,4 +364,4 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=seeds())
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=seeds(), draw=figure)

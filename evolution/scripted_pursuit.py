@@ -1,13 +1,15 @@
 """Scripted pursuers that surround without collisions, beside published ones.
 
-    python evolution/scripted_pursuit.py                       ten minutes of one core
-    python evolution/scripted_pursuit.py --networks DIRECTORY   networks of all runs in it, too
-    python evolution/scripted_pursuit.py --quick               the smallest rows, some seconds
+    python evolution/scripted_pursuit.py                      half an hour of one core
+    python evolution/scripted_pursuit.py --learned DIRECTORY  with the pursuers of all runs in it
+    python evolution/scripted_pursuit.py --quick              the smallest levels, some seconds
 
-The rows are those of FSC2 (Sun et al., 2022, "Toward multi-target self-organizing pursuit in a
+The levels are those of FSC2 (Sun et al., 2022, "Toward multi-target self-organizing pursuit in a
 partially observable Markov game", arXiv:2206.12330): pursuers with a view of 11 x 11 cells and
-without communication surround evaders on 40 x 40 cells within 500 steps. Here all act at the same
-time (SB), and evaders play a script. The *authors' setting* is theirs but for one thing: their
+without communication surround evaders on 40 x 40 or 80 x 80 cells within 500 steps. The numbers
+published for them are in ``results/scripted_pursuit/published.csv``, with the file of the authors'
+repository (LijunSun90/pursuitFSC2 at 604cab1e) that each is from. Here all act at the same time
+(SB), and evaders play a script. The *authors' setting* is theirs but for one thing: their
 evaders act before the pursuers of a step, here they act after them. Evaders move one by one to a
 free cell beside them, drawn at random; all four neighbours of a captured evader are taken, by
 whatever it is; and an episode ends when all evaders are captured at one moment.
@@ -18,11 +20,12 @@ pursuers at fault. ``--results`` receives the numbers and the table.
 
 from __future__ import annotations
 
+import csv
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from time import process_time
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from tqdm import tqdm
@@ -33,23 +36,34 @@ from matrixworld.coevolution import open_run
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.policy import TeamPolicy
 
-SIDE, STEPS = 40, 500
-SIZES = ((4, 1), (16, 4), (64, 16), (256, 64), (1024, 256))
-"""Pursuers and evaders of each row."""
-PUBLISHED = {
-    "FSC2": ((1.0, 112), (1.0, 108), (0.9975, 134), (0.9988, 113), (0.9939, 338)),
-    "FSC2, seconds": (0.7, 2.6, 13, 70, 2487),
-}
-"""Captures and steps of the published pursuers, without a collision, and seconds an episode (their
-files ``sop_40_40_*_statistical_result.txt``)."""
+RESULTS = Path(__file__).parent / "results" / "scripted_pursuit"
+FILE = "published.csv"
+STEPS = 500
+
+
+class Level(NamedTuple):
+    """Side of the grid, and numbers of pursuers and of evaders."""
+
+    side: int
+    pursuers: int
+    evaders: int
+
+    def __str__(self) -> str:
+        return f"{self.side} x {self.side}, {self.pursuers} v {self.evaders}"
+
+
+SOME = tuple(Level(40, 4 * n, n) for n in (1, 4, 16, 64, 256))
+"""Levels that all kinds play."""
 BEST, BEFORE = "careful-team-surrounder", "surrounder"
 EPISODES, FEW_EPISODES, MANY = 100, 20, 1024
-"""Episodes of a row; fewer where there are as many pursuers as `MANY`."""
+"""Episodes of a level; fewer where there are as many pursuers as `MANY`."""
+MORE_EPISODES = {Level(40, 16, 4): 900}
+"""More where few could not tell the script from FSC2."""
 FIRST_SEED = 10**6
 
 
 class Kind(NamedTuple):
-    """Rows of one kind: what plays, in which world."""
+    """What plays, in which world."""
 
     name: str
     pursuers: TeamPolicy
@@ -57,11 +71,13 @@ class Kind(NamedTuple):
     obstacles: float = 0.0
     variant: str = "SB"
     authors: bool = False
+    every: bool = False
+    """Whether it plays every published level."""
 
 
 KINDS = (
-    Kind("SB, evaders at random", BEST),
-    Kind("the authors' setting", BEST, authors=True),
+    Kind("SB, evaders at random", BEST, every=True),
+    Kind("the authors' setting", BEST, authors=True, every=True),
     Kind("SDB, evaders at random", BEST, variant="SDB"),
     Kind("SB, fleers", BEST, "fleer"),
     Kind("SB, dodgers", BEST, "dodger"),
@@ -73,7 +89,7 @@ KINDS = (
 
 
 class Row(NamedTuple):
-    """Episodes of a kind and a size."""
+    """Episodes of a kind at a level."""
 
     captured: list[float]
     """Share of the evaders that is captured in the last step, of each episode."""
@@ -84,12 +100,15 @@ class Row(NamedTuple):
     """Of an episode, on one core."""
 
 
-def play(kind: Kind, size: tuple[int, int], episodes: int) -> Row:
+Rows: TypeAlias = dict[str, dict[Level, Row]]
+
+
+def play(kind: Kind, level: Level, episodes: int) -> Row:
     """Play the episodes of a row."""
     if kind.authors:
-        return authors_row(kind, size, episodes)
+        return authors_row(kind, level, episodes)
     config = mw.WorldConfig(
-        kind.variant, rows=SIDE, cols=SIDE, n_pursuers=size[0], n_evaders=size[1],
+        kind.variant, size=level.side, n_pursuers=level.pursuers, n_evaders=level.evaders,
         max_steps=STEPS, obstacles=kind.obstacles,
     )  # fmt: skip
     begun = process_time()
@@ -105,48 +124,50 @@ def play(kind: Kind, size: tuple[int, int], episodes: int) -> Row:
     )
 
 
-def authors_row(kind: Kind, size: tuple[int, int], episodes: int) -> Row:
+def authors_row(kind: Kind, level: Level, episodes: int) -> Row:
     """Play the episodes of a row in the authors' setting."""
     bounce, reach = mw.Outcome.BOUNCE, mw.Outcome.REACH
     rules = mw.Rules(mw.Interaction.SWARM_TURNS, bounce, bounce, bounce, reach, mw.Capture.SURROUND)
-    world = mw.World(
-        rules, rows=SIDE, cols=SIDE, n_pursuers=size[0], n_evaders=size[1], max_steps=STEPS
-    )
+    side, n, m = level
+    world = mw.World(rules, size=side, n_pursuers=n, n_evaders=m, max_steps=STEPS)
     captured, steps, faults, begun = [], [], 0, process_time()
     for episode in range(episodes):
         world.reset(seed=FIRST_SEED + episode)
         rng = np.random.default_rng(FIRST_SEED + episode)
         share = 0.0
         while share < 1.0 and not (world.terminated or world.truncated):
-            actions = np.zeros(sum(size), np.int64)
-            world.decide(kind.pursuers, range(size[0]), actions)
+            actions = np.zeros(n + m, np.int64)
+            world.decide(kind.pursuers, range(n), actions)
             world.play_turn(actions)
-            actions[size[0] :] = open_moves(world.positions, size[0], rng)
+            actions[n:] = open_moves(world.positions, n, side, rng)
             world.play_turn(actions)
-            faults += int(world.fault[: size[0]].any(axis=1).sum())
-            share = float(np.mean([not free for free in sides(world.positions, size[0])]))
+            faults += int(world.fault[:n].any(axis=1).sum())
+            share = float(np.mean([not free for free in sides(world.positions, n, side)]))
         captured.append(share)
         steps.append(int(world.steps))
     return Row(captured, steps, faults, round((process_time() - begun) / episodes, 4))
 
 
-def sides(positions: np.ndarray, n_pursuers: int) -> list[list[int]]:
+def sides(positions: np.ndarray, n_pursuers: int, side: int) -> list[list[int]]:
     """Return the moves of each evader that lead to a free cell."""
     taken = set(map(tuple, positions.tolist()))
-    return [free_moves(taken, row, col) for row, col in positions[n_pursuers:].tolist()]
+    return [free_moves(taken, cell, side) for cell in positions[n_pursuers:].tolist()]
 
 
-def free_moves(taken: set[tuple[int, ...]], row: int, col: int) -> list[int]:
+def free_moves(taken: set[tuple[int, ...]], cell: Sequence[int], side: int) -> list[int]:
     """Return the moves from a cell to free cells of the grid."""
+    row, col = cell
     cells = ((move, row + r, col + c) for move, (r, c) in enumerate(MOVES[:5].tolist()) if move)
-    return [m for m, r, c in cells if 0 <= r < SIDE and 0 <= c < SIDE and (r, c) not in taken]
+    return [m for m, r, c in cells if 0 <= r < side and 0 <= c < side and (r, c) not in taken]
 
 
-def open_moves(positions: np.ndarray, n_pursuers: int, rng: np.random.Generator) -> list[int]:
+def open_moves(
+    positions: np.ndarray, n_pursuers: int, side: int, rng: np.random.Generator
+) -> list[int]:
     """Return moves of the evaders to free cells, one evader after the other; 0 without one."""
     taken, chosen = set(map(tuple, positions.tolist())), []
     for row, col in positions[n_pursuers:].tolist():
-        free = free_moves(taken, row, col)
+        free = free_moves(taken, (row, col), side)
         move = free[rng.integers(len(free))] if free else 0
         taken.remove((row, col))
         taken.add((row + int(MOVES[move][0]), col + int(MOVES[move][1])))
@@ -154,28 +175,53 @@ def open_moves(positions: np.ndarray, n_pursuers: int, rng: np.random.Generator)
     return chosen
 
 
-def table(rows: dict[str, list[Row | None]]) -> str:
-    """Return captures and steps of all kinds, faults and seconds, in Markdown."""
-    sizes = [f"{n} v {m}" for n, m in SIZES]
-    published = [f"{captured:g} / {steps}" for captured, steps in PUBLISHED["FSC2"]]
-    lines = [["FSC2, published", *published, "0"]]
-    for name, each in rows.items():
-        faults = sum(row.faults for row in each if row)
-        lines.append([name, *map(cell, each), f"{faults:,}"])
-    seconds = [row.seconds if row else None for row in next(iter(rows.values()))]
+def published() -> dict[Level, dict[str, list[float]]]:
+    """Return what is published of each level, by method: captures, steps, collisions, seconds."""
+    found: dict[Level, dict[str, list[float]]] = {}
+    names = "captured", "steps", "collisions", "seconds"
+    with (RESULTS / FILE).open(encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            level = Level(*(int(row[name]) for name in ("side", "pursuers", "evaders")))
+            found.setdefault(level, {})[row["method"]] = [float(row[name]) for name in names]
+    return {level: methods for level, methods in found.items() if "FSC2" in methods}
+
+
+def table(rows: Rows) -> str:
+    """Return what was played of every level beside what is published, and of all kinds at some."""
+    theirs = published()
+    methods = list(dict.fromkeys(name for each in theirs.values() for name in each))
+    whole = [kind for kind, levels in rows.items() if any(each not in SOME for each in levels)]
+    heads = [f"{name}, published" for name in methods] + whole
+    levels = []
+    for level, values in theirs.items():
+        ours = [rows[kind].get(level) for kind in whole]
+        cells = [published_cell(values[name]) if name in values else "" for name in methods]
+        seconds = [short(values["FSC2"][3]), *(short(row.seconds) for row in ours[:1] if row)]
+        levels.append([str(level), *cells, *map(cell, ours), " / ".join(seconds)])
+    kinds = [
+        [kind, *(cell(each.get(level)) for level in SOME), f"{faults_of(each):,}"]
+        for kind, each in rows.items()
+    ]
+    sizes = [f"{level.pursuers} v {level.evaders}" for level in SOME]
     parts = [
-        "Evaders captured in the last step / steps [95% over episodes].",
-        markdown(["", *sizes, "pursuers at fault"], lines).replace("|  |", "| |", 1),
-        "Seconds an episode:",
-        markdown(
-            ["", *sizes],
-            [
-                ["FSC2, published", *(f"{s:g}" for s in PUBLISHED["FSC2, seconds"])],
-                [f"{BEST}, one core", *("" if s is None else f"{s:.2g}" for s in seconds)],
-            ],
-        ).replace("|  |", "| |", 1),
+        "Evaders captured in the last step / steps [95% over episodes] (of the published ones also "
+        "the collisions of an episode). At the end seconds an episode: of FSC2, of the script.",
+        markdown(["", *heads, "seconds"], levels).replace("|  |", "| |", 1),
+        "On 40 x 40 cells, other evaders, walls and pursuers:",
+        markdown(["", *sizes, "pursuers at fault"], kinds).replace("|  |", "| |", 1),
     ]
     return "\n\n".join(parts)
+
+
+def published_cell(values: Sequence[float]) -> str:
+    """Return captures, steps and collisions of a published method as text."""
+    captured, steps, collisions, _ = values
+    return f"{captured:.4g} / {steps:.0f} ({short(collisions)})"
+
+
+def short(number: float) -> str:
+    """Return a number with three digits, or without fractions."""
+    return f"{number:.3g}" if number < 100 else f"{number:,.0f}"
 
 
 def cell(row: Row | None) -> str:
@@ -185,7 +231,12 @@ def cell(row: Row | None) -> str:
     return f"{np.mean(row.captured):.4g} / {mean(row.steps, 0, bounds=(0.0, float(STEPS)))}"
 
 
-def networks_in(directory: Path) -> mw.Population:
+def faults_of(rows: Mapping[Level, Row]) -> int:
+    """Return the agent-steps of pursuers at fault in all rows."""
+    return sum(row.faults for row in rows.values())
+
+
+def learned_in(directory: Path) -> mw.Population:
     """Return the last pursuers of all runs in a directory."""
     last = [open_run(path.parent).last("pursuer") for path in directory.glob("*/summary.json")]
     if not last:
@@ -193,36 +244,54 @@ def networks_in(directory: Path) -> mw.Population:
     return mw.Population(np.concatenate([team.genomes for team in last]), last[0].policy)
 
 
-def rows_of(kinds: Iterable[Kind], quick: bool) -> dict[str, list[Row | None]]:
-    """Return the rows of kinds by name; None for a size that is not played."""
-    found: dict[str, list[Row | None]] = {}
-    for kind in tqdm(kinds, desc="kinds", disable=None):
-        rows: list[Row | None] = []
-        for size in SIZES:
+def rows_of(kinds: Iterable[Kind], levels: Iterable[Level], quick: bool) -> Rows:
+    """Return the rows of kinds by name and level."""
+    found: Rows = {}
+    for kind in kinds:
+        found[kind.name] = {}
+        chosen = [level for level in levels if kind.every or level in SOME]
+        for level in tqdm(chosen, desc=kind.name, disable=None):
             # The scripts that it replaces take minutes for an episode's crowd, and say no more.
-            left_out = size[0] >= MANY and kind.pursuers != BEST
-            episodes = FEW_EPISODES if size[0] >= MANY else EPISODES
-            left_out |= quick and size not in SIZES[:2]
-            rows.append(None if left_out else play(kind, size, 2 if quick else episodes))
-        found[kind.name] = rows
+            if level.pursuers < MANY or kind.pursuers == BEST or kind.every:
+                few = FEW_EPISODES if level.pursuers >= MANY else EPISODES
+                episodes = 2 if quick else MORE_EPISODES.get(level, few)
+                found[kind.name][level] = play(kind, level, episodes)
     return found
+
+
+def plain_rows(rows: Rows) -> str:
+    """Return rows as JSON."""
+    return json.dumps(
+        {
+            kind: [{"level": at, **row._asdict()} for at, row in e.items()]
+            for kind, e in rows.items()
+        }
+    )
+
+
+def read_rows(text: str) -> Rows:
+    """Return the rows of `plain_rows`."""
+    return {
+        kind: {Level(*each.pop("level")): Row(**each) for each in rows}
+        for kind, rows in json.loads(text).items()
+    }
 
 
 def main() -> None:
     """Play all rows; print and write them."""
-    parser = script_parser(__doc__, quick="the smallest rows, two episodes each")
-    parser.add_argument("--networks", type=Path, help="a directory of runs: their last pursuers")
+    parser = script_parser(__doc__, quick="the smallest levels, two episodes each")
+    parser.add_argument("--learned", type=Path, help="a directory of runs: their last pursuers")
     parser.add_argument("--results", type=Path, default=Path("scripted_pursuit"))
     args = parser.parse_args()
     kinds = list(KINDS)
-    if args.networks is not None:
-        kinds.append(Kind("SB, networks with right of way", networks_in(args.networks)))
-    rows = rows_of(kinds, args.quick)
+    if args.learned is not None:
+        kinds.append(Kind("learned, with right of way", learned_in(args.learned), every=True))
+    rows = rows_of(kinds, SOME[:2] if args.quick else published(), args.quick)
     text = table(rows)
     print(text)
     args.results.mkdir(parents=True, exist_ok=True)
     (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
-    (args.results / "numbers.json").write_text(json.dumps(rows) + "\n", encoding="utf-8")
+    (args.results / "numbers.json").write_text(plain_rows(rows) + "\n", encoding="utf-8")
     print(f"\nWritten: table.md and numbers.json in {args.results}")
 
 

@@ -184,6 +184,7 @@ def test_13_infos_have_the_masks() -> None:
     assert not env.status.involved[:, 0].any()  # nobody ran into the border
 
 
+@pytest.mark.usefixtures("no_processes")
 def test_14_two_groups_are_compared(tmp_path: Path) -> None:
     runs = [tiny_race(seed=seed) for seed in range(3)]
     one = mw.evolve(runs, tmp_path / "one")

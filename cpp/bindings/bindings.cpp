@@ -8,6 +8,7 @@
 
 #include <array>
 #include <exception>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -94,13 +95,15 @@ py::dict axis_sizes(const Setup& setup) {
     return sizes;
 }
 
-// What forbids each move by the right of way: (channel, row, column) from the agent.
-py::list right_of_way(const Setup& setup, bool evaders) {
+// What forbids each move by the right of way: (channel, row, column) from the agent. In the order of
+// a step, or in that of networks.
+py::list right_of_way(const Setup& setup, bool evaders, std::optional<int> step) {
     const RightOfWay ways(setup.config, evaders ? Team::Evader : Team::Pursuer);
     py::list moves;
     for (int move = 0; move < setup.config.n_actions(); ++move) {
         py::list cells;
-        for (const RightOfWay::Cell& cell : ways.forbidding(move)) {
+        for (const RightOfWay::Cell& cell :
+             step ? ways.forbidding(RightOfWay::order(*step), move) : ways.forbidding(move)) {
             cells.append(py::make_tuple(cell.channel, cell.row, cell.col));
         }
         moves.append(cells);
@@ -184,7 +187,8 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
 
     m.def("world_fields", [] { return to_list(world_fields()); });
     m.def("batch_fields", [] { return to_list(batch_fields()); });
-    m.def("right_of_way", &right_of_way, py::arg("setup"), py::arg("evaders"));
+    m.def("right_of_way", &right_of_way, py::arg("setup"), py::arg("evaders"),
+          py::arg("step") = py::none());
     bind_worlds(m);
     bind_rollouts(m);
     bind_solve(m);

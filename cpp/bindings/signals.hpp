@@ -3,6 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <functional>
+
 #include "play/threads.hpp"
 
 namespace matrixworld {
@@ -22,6 +24,18 @@ inline Workers::Poll signal_poll() {
     return [] {
         const pybind11::gil_scoped_acquire gil;
         handle_signals();
+    };
+}
+
+// The same for work that knows its share done, which it tells `report` unless that is None. Only the
+// main thread does.
+inline std::function<void(double)> signal_poll(const pybind11::object& report) {
+    const Workers::Poll poll = signal_poll();
+    if (!poll) return {};
+    return [poll, report](double share) {
+        poll();
+        const pybind11::gil_scoped_acquire gil;
+        if (!report.is_none()) report(share);
     };
 }
 

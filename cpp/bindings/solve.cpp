@@ -60,7 +60,7 @@ const double* given_by(const char* name, const std::optional<Doubles>& given, co
 
 py::tuple backup(const States& states, int turn, const Doubles& next,
                  const std::optional<Doubles>& pursuers, const std::optional<Doubles>& evaders,
-                 bool chosen, int n_threads) {
+                 bool chosen, int n_threads, const py::object& report) {
     require_turn(states, turn);
     require_shape("next", next, shape(states.n_states((turn + 1) % states.n_turns())));
     Doubles values(states.n_states(turn));
@@ -76,7 +76,7 @@ py::tuple backup(const States& states, int turn, const Doubles& next,
     }
     double gap = 0;
     double* const out = values.mutable_data();
-    const Workers::Poll poll = signal_poll();
+    const States::Poll poll = signal_poll(report);
     {
         const py::gil_scoped_release release;
         gap = states.backup(turn, next.data(), out, play, n_threads, poll);
@@ -85,12 +85,13 @@ py::tuple backup(const States& states, int turn, const Doubles& next,
 }
 
 // The probabilities with which a policy plays, (n_states, its joint actions).
-Doubles weigh(const States& states, int turn, Team team, const py::object& policy, int n_threads) {
+Doubles weigh(const States& states, int turn, Team team, const py::object& policy, int n_threads,
+              const py::object& report) {
     require_turn(states, turn);
     const HeldCandidates held = to_policy("champion", policy, states.setup().config);
     Doubles out({states.n_states(turn), std::int64_t{states.n_joint(turn, team)}});
     double* const probabilities = out.mutable_data();
-    const Workers::Poll poll = signal_poll();
+    const States::Poll poll = signal_poll(report);
     const py::gil_scoped_release release;
     states.weigh(turn, team, held.candidates, probabilities, n_threads, poll);
     return out;
@@ -122,12 +123,12 @@ Team team_of(bool evaders) { return evaders ? Team::Evader : Team::Pursuer; }
 void bind_solve(py::module_& m) {
     py::class_<States, std::shared_ptr<States>>(m, "States")
         .def(py::init([](const std::shared_ptr<const Setup>& setup, int n_threads,
-                         std::size_t expected) {
-                 const Workers::Poll poll = signal_poll();
+                         std::size_t expected, const py::object& report) {
+                 const States::Poll poll = signal_poll(report);
                  const py::gil_scoped_release release;
                  return std::make_shared<States>(setup, n_threads, poll, expected);
              }),
-             py::arg("setup"), py::arg("n_threads"), py::arg("expected"))
+             py::arg("setup"), py::arg("n_threads"), py::arg("expected"), py::arg("report"))
         .def("n_turns", &States::n_turns)
         .def("describe", &describe, py::arg("turn"))
         .def("successors", &successors, py::arg("turn"))
@@ -135,11 +136,14 @@ void bind_solve(py::module_& m) {
         .def(
             "weigh",
             [](const States& states, int turn, bool evaders, const py::object& policy,
-               int n_threads) { return weigh(states, turn, team_of(evaders), policy, n_threads); },
-            py::arg("turn"), py::arg("evaders"), py::arg("policy"), py::arg("n_threads"))
+               int n_threads, const py::object& report) {
+                return weigh(states, turn, team_of(evaders), policy, n_threads, report);
+            },
+            py::arg("turn"), py::arg("evaders"), py::arg("policy"), py::arg("n_threads"),
+            py::arg("report"))
         .def("backup", &backup, py::arg("turn"), py::arg("next").noconvert(),
              py::arg("pursuers").none(true).noconvert(), py::arg("evaders").none(true).noconvert(),
-             py::arg("chosen"), py::arg("n_threads"));
+             py::arg("chosen"), py::arg("n_threads"), py::arg("report"));
     py::class_<Tables, std::shared_ptr<Tables>>(m, "Tables")
         .def(py::init([](const std::shared_ptr<States>& states, bool evaders, int steps,
                          const std::vector<Array<float>>& by_turn) {

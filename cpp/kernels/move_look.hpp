@@ -12,6 +12,11 @@ namespace matrixworld {
 // Numbers of all moves: a lane for each, in whole vectors. Five moves take half of them.
 constexpr int kMoveLanes = 16;
 
+// Cells at most kNear rows and columns from an agent, row by row: what lies there may forbid a move.
+constexpr int kNear = 2;
+constexpr int kNearSide = 2 * kNear + 1;
+constexpr int kNearCells = kNearSide * kNearSide;
+
 // The named inputs; `input_texts` says what they are.
 enum Input : int {
     kAdversary,
@@ -19,11 +24,9 @@ enum Input : int {
     kUnclaimed,
     kOpenSide,
     kTeammate,
-    kCrowd,
     kExits,
     kRoom,
     kMustYield,
-    kStay,
     kAhead,
     kInputs
 };
@@ -44,6 +47,7 @@ struct alignas(64) SeenCell {
     int row;                 // from the agent
     int col;
     int place;  // in MoveLook::taken
+    int near;   // place among the near cells; kNearCells if it is none
 };
 
 // Cells on which an agent sees a team.
@@ -83,8 +87,8 @@ struct MoveLook {
     const std::uint64_t* of_team[2];  // by team: its agents, as bits
     const std::uint8_t* walls;        // around its cell
     std::ptrdiff_t walls_stride;
-    const std::uint16_t (*forbids)[25];  // by team; null: nobody asks
-    std::uint64_t number;                // of this look
+    const std::uint16_t (*forbids)[kNearCells + 1];  // by team and near cell; behind them 0
+    std::uint64_t number;                            // of this look
 
     MoveRows* rows;  // what is written
 };

@@ -55,39 +55,31 @@ inline int moves_apart(const SeenCell& a, const SeenCell& b, bool diagonal) {
     return !diagonal ? rows + cols : rows > cols ? rows : cols;
 }
 
-// Moves that an agent on this cell forbids; it matters at most two rows and columns away.
-inline std::uint32_t forbidden_by(const SeenCell& seen, const std::uint16_t* forbids) {
-    if (magnitude(seen.row) > 2 || magnitude(seen.col) > 2) return 0;
-    return forbids[(seen.row + 2) * 5 + seen.col + 2];
-}
-
-template <int kParts>
-void look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversaries) {
+// `each(team, visit)` visits the cells on which the agent sees a team: its own, or the other one.
+template <int kParts, typename Each>
+void look_at_moves(const MoveLook& look, const Each& each) {
     const auto nobody = all<kParts>(static_cast<float>(look.fov));
     auto teammate = nobody, adversary = nobody, unclaimed = nobody, open_side = nobody;
-    auto crowd = all<kParts>(0), pressure = crowd;
+    auto pressure = all<kParts>(0);
     std::uint32_t forbidden = 0;
-    for (int i = 0; i < teammates.n; ++i) {
-        const SeenCell& seen = *teammates.cells[i];
+    each(0, [&](const SeenCell& seen) {
         keep_least(teammate, seen.moves);
-        add_to(crowd, seen.charge);
         look.taken[seen.place] = look.number;
-        if (look.forbids) forbidden |= forbidden_by(seen, look.forbids[0]);
-    }
+        forbidden |= look.forbids[0][seen.near];
+    });
     bool any_unclaimed = false;
-    for (int i = 0; i < adversaries.n; ++i) {
-        const SeenCell& seen = *adversaries.cells[i];
+    each(1, [&](const SeenCell& seen) {
         keep_least(adversary, seen.moves);
         add_to(pressure, seen.charge);
-        if (look.forbids) forbidden |= forbidden_by(seen, look.forbids[1]);
+        forbidden |= look.forbids[1][seen.near];
         if (look.asks_claims) {
             const int own = static_cast<int>(seen.moves[0]);
-            int claims = 0;
-            for (int k = 0; k < teammates.n; ++k) {
-                claims += moves_apart(*teammates.cells[k], seen, look.diagonal) < own;
-            }
-            if (claims == 0) keep_least(unclaimed, seen.moves);
-            any_unclaimed |= claims == 0;
+            bool claimed = false;
+            each(0, [&](const SeenCell& mate) {
+                claimed |= moves_apart(mate, seen, look.diagonal) < own;
+            });
+            if (!claimed) keep_least(unclaimed, seen.moves);
+            any_unclaimed |= !claimed;
         }
         for (int side = 1; look.asks_sides && side < look.n_moves; ++side) {
             const MoveLook::Step& step = look.steps[side];
@@ -97,30 +89,14 @@ void look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversar
             if (look.walls[static_cast<std::ptrdiff_t>(row) * look.walls_stride + col]) continue;
             keep_least(open_side, (&seen + step.row * look.fov + step.col)->moves);
         }
-    }
+    });
     auto& out = look.rows->of;
     store_moves(out[kTeammate], teammate, look.unit);
-    store_moves(out[kCrowd], crowd, 1);
     store_moves(out[kAdversary], adversary, look.unit);
     store_moves(out[kPressure], pressure, 1);
     store_moves(out[kUnclaimed], any_unclaimed ? unclaimed : adversary, look.unit);
     store_moves(out[kOpenSide], open_side, look.unit);
     look.rows->forbidden |= forbidden;
-}
-
-// Lists the cells of a team's agents that are seen.
-template <int kWords>
-inline SeenCells list_cells(const MoveLook& look, const Seen<kWords>& seen, int team,
-                            const SeenCell** out) {
-    const int first = seen.corner + look.first[team];
-    const std::int32_t* cells = look.positions.cells;
-    int n = 0;
-    for (int i = 0; i < kWords; ++i, cells += kPositionPad) {
-        for (std::uint64_t bits = seen.words[i] & look.of_team[team][i]; bits; bits &= bits - 1) {
-            out[n++] = &look.view[cells[lowest_bit(bits)] - first];
-        }
-    }
-    return {out, n};
 }
 
 template <int kParts, int kWords>
@@ -129,16 +105,26 @@ void look_from_positions(const MoveLook& at) {
     std::uint64_t shared = 0;
     for (int i = 0; i < kWords; ++i) shared |= seen.words[i] & at.positions.shared[i];
     if (shared) seen = without_duplicates(at.positions, seen);
-    const SeenCell* cells[2][kWords * kPositionPad];
-    const SeenCells teammates = list_cells(at, seen, 0, cells[0]);
-    look_at_moves<kParts>(at, teammates, list_cells(at, seen, 1, cells[1]));
+    look_at_moves<kParts>(at, [&](int team, const auto& visit) {
+        const std::int32_t* cells = at.positions.cells;
+        const int first = seen.corner + at.first[team];
+        for (int i = 0; i < kWords; ++i, cells += kPositionPad) {
+            std::uint64_t bits = seen.words[i] & at.of_team[team][i];
+            for (; bits; bits &= bits - 1) visit(at.view[cells[lowest_bit(bits)] - first]);
+        }
+    });
 }
 
 template <int kParts>
 void look_around(const MoveLook& at, SeenCells teammates, SeenCells adversaries) {
     constexpr int kMost = kMaxPositions / kPositionPad;
     const int n = at.positions.n_agents;
-    if (n == 0) return look_at_moves<kParts>(at, teammates, adversaries);
+    if (n == 0) {
+        return look_at_moves<kParts>(at, [&](int team, const auto& visit) {
+            const SeenCells& cells = team == 0 ? teammates : adversaries;
+            for (int i = 0; i < cells.n; ++i) visit(*cells.cells[i]);
+        });
+    }
     return n <= kPositionPad ? look_from_positions<kParts, 1>(at)
                              : look_from_positions<kParts, kMost>(at);
 }

@@ -20,12 +20,10 @@ const InputText (&input_texts()) [kInputs] {
          "distance to the nearest cell beside an adversary that holds no obstacle and no teammate",
          "half views", 2},
         {"teammate", "distance to the nearest teammate", "half views", 2},
-        {"crowd", "sum over teammates of 1 / (1 + moves)^2", "", 0},
         {"exits", "share of the cells around that are no obstacle", "", 1},
         {"room", "distance to the nearest obstacle to the north, east, south or west", "half views",
          1},
         {"must_yield", "1 if right of way forbids the move", "", 1},
-        {"stay", "1 if it is no move", "", 1},
         {"ahead", "1 if it is the direction that the agent draws for each 12 steps", "", 1},
     };
     return all;
@@ -38,9 +36,13 @@ int stride_of(const World& world, int agent, int steps) {
 
 namespace {
 
-// Ground is kept for grids of up to this many cells (13 MiB). On larger ones it is found anew for
-// each agent and step.
-constexpr int kMostGround = 1 << 17;
+constexpr std::size_t kGrounds = 4096;  // that are kept: 512 KiB
+
+// Places of a near cell, and of any other.
+int near_place(int row, int col) {
+    const bool is_near = std::max(std::abs(row), std::abs(col)) <= kNear;
+    return is_near ? (row + kNear) * kNearSide + col + kNear : kNearCells;
+}
 
 // Writes bits of moves as numbers, in vectors: they are read as vectors at once.
 void spread(std::uint32_t bits, float (&out)[kMoveLanes]) {
@@ -61,18 +63,19 @@ MoveInputs::MoveInputs(const Config& config)
     : config_(config),
       n_moves_(config.n_actions()),
       half_(config.fov / 2),
-      unit_(2.0f / static_cast<float>(config.fov)),
       view_(static_cast<std::size_t>(config.fov) * config.fov),
       taken_(static_cast<std::size_t>(config.fov + 2) * (config.fov + 2), MoveLook::kOutOfView),
       crowd_(config),
       places_(static_cast<std::size_t>(config.n_agents())),
       strides_(static_cast<std::size_t>(config.n_agents())),
-      cases_(Grid(config.rows, config.cols), config.fov) {
+      cases_(Grid(config.rows, config.cols), config.fov),
+      ground_(kGrounds) {
     constexpr int kCharge = 1 << 14;
     for (std::size_t i = 0; i < view_.size(); ++i) {
         SeenCell& seen = view_[i];
         seen.row = static_cast<int>(i) / config.fov - half_;
         seen.col = static_cast<int>(i) % config.fov - half_;
+        seen.near = near_place(seen.row, seen.col);
         seen.place = (seen.row + half_ + 1) * (config.fov + 2) + seen.col + half_ + 1;
         taken_[seen.place] = 0;
         for (int move = 0; move < n_moves_; ++move) {
@@ -84,6 +87,10 @@ MoveInputs::MoveInputs(const Config& config)
             seen.charge[move] /= kCharge;
         }
     }
+    for (int move = 0; move < n_moves_; ++move) {
+        const int row = kRowStep[move], col = kColStep[move];
+        steps_[move] = {row, col, row * (config.fov + 2) + col};
+    }
     for (const Team team : {Team::Pursuer, Team::Evader}) {
         const RightOfWay ways(config, team);
         for (int order = 0; order < RightOfWay::kOrders; ++order) {
@@ -92,19 +99,15 @@ MoveInputs::MoveInputs(const Config& config)
                     if (cell.channel == kObstacles) continue;  // the cell of the move
                     const bool adversary = cell.channel != channel(team);
                     auto& moves = forbids_[static_cast<int>(team)][order][adversary];
-                    moves[(cell.row + 2) * 5 + cell.col + 2] |= 1 << move;
+                    moves[near_place(cell.row, cell.col)] |= 1 << move;
                 }
             }
         }
     }
-    for (int move = 0; move < kDiagonalMoves; ++move) {
-        const int row = kRowStep[move], col = kColStep[move];
-        steps_[move] = {row, col, row * (config.fov + 2) + col};
-    }
     look_.fov = config.fov;
     look_.n_moves = n_moves_;
     look_.diagonal = config.diagonal;
-    look_.unit = unit_;
+    look_.unit = 2.0f / static_cast<float>(config.fov);
     look_.view = view_.data();
     look_.steps = steps_;
     look_.taken = taken_.data();
@@ -135,12 +138,9 @@ void MoveInputs::gather(const World& world, const Occupancy& occupancy) {
     look_.walls_stride = world.terrain().blocked.stride();
     order_ = RightOfWay::order(world.steps());
     if (wants(kAhead)) draw_strides();
-    if (world.shared_terrain() == terrain_) return;
-    const int n_cells = world.grid().n_cells();
-    const bool keeps = n_cells <= kMostGround;
-    if (!terrain_) ground_.reset(new Ground[keeps ? n_cells : 1]);
-    known_.assign(keeps ? static_cast<std::size_t>(n_cells) : 0, 0);
+    if (terrain_ == world.shared_terrain()) return;
     terrain_ = world.shared_terrain();
+    ++map_;
 }
 
 void MoveInputs::draw_strides() {
@@ -155,52 +155,71 @@ void MoveInputs::draw_strides() {
     }
 }
 
-// ---- Obstacles ----------------------------------------------------------------------------------
+// ---- An agent -----------------------------------------------------------------------------------
 
-const MoveInputs::Ground& MoveInputs::ground() {
-    if (known_.empty()) {
-        survey(ground_[0]);
-        return ground_[0];
+void MoveInputs::look(int agent, MoveRows& rows) {
+    const int cell = world_->cell(agent);
+    row_ = world_->grid().row(cell);
+    col_ = world_->grid().col(cell);
+    const Team team = world_->team(agent);
+    const int place = terrain_->has_obstacles ? cell : cases_.number(row_, col_);
+    Ground& ground = ground_[static_cast<std::size_t>(place) % kGrounds];
+    if (ground.place != place || ground.map != map_) {
+        survey(ground);
+        ground.place = place;
+        ground.map = map_;
     }
-    const int place =
-        terrain_->has_obstacles ? world_->grid().cell(row_, col_) : cases_.number(row_, col_);
-    if (!known_[place]) survey(ground_[place]);
-    known_[place] = 1;
-    return ground_[place];
+    rows.blocked = rows.forbidden = ground.blocked;
+    std::memcpy(rows.of[kExits], ground.exits, sizeof(ground.exits));
+    std::memcpy(rows.of[kRoom], ground.room, sizeof(ground.room));
+    look_.place = places_[agent];
+    for (const int t : {0, 1}) {
+        const Team seen = t == 0 ? team : opponent(team);
+        look_.first[t] = channel(seen) * static_cast<int>(view_.size());
+        look_.of_team[t] = of_team_[static_cast<int>(seen)];
+    }
+    look_.walls = world_->terrain().blocked.window(row_, col_);
+    look_.forbids = forbids_[static_cast<int>(team)][order_];
+    look_.rows = &rows;
+    ++look_.number;
+    if (look_.positions.n_agents == 0) list_reserved(team);
+    const auto cells = [&](int t) {
+        return SeenCells{seen_[t].data(), static_cast<int>(seen_[t].size())};
+    };
+    kernels().look_at_moves(look_, cells(0), cells(1));
+    if (wants(kMustYield)) spread(rows.forbidden, rows.of[kMustYield]);
+    if (wants(kAhead)) spread(1u << strides_[agent], rows.of[kAhead]);
 }
 
 // What is out of view is not known, and counts as free.
 void MoveInputs::survey(Ground& ground) const {
     const Plane& blocked = terrain_->blocked;
-    const auto is_blocked = [&](int r, int c) {
-        return std::abs(r) <= half_ && std::abs(c) <= half_ && *blocked.window(row_ + r, col_ + c);
+    const auto is_blocked = [&](int row, int col) {
+        return std::max(std::abs(row), std::abs(col)) <= half_ &&
+               *blocked.window(row_ + row, col_ + col);
     };
-    ground = {};
+    ground.blocked = 0;
     for (int move = 0; move < n_moves_; ++move) {
-        const int r = kRowStep[move], c = kColStep[move];
-        int n_exits = 0;
-        int room = half_;
+        const int row = kRowStep[move], col = kColStep[move];
+        int n_exits = 0, room = half_;
         for (int side = 1; side < n_moves_; ++side) {
-            n_exits += !is_blocked(r + kRowStep[side], c + kColStep[side]);
+            n_exits += !is_blocked(row + kRowStep[side], col + kColStep[side]);
         }
         for (int side = 1; side < kCompassMoves; ++side) {
             for (int k = 0; k < room; ++k) {
-                if (is_blocked(r + k * kRowStep[side], c + k * kColStep[side])) room = k;
+                if (is_blocked(row + k * kRowStep[side], col + k * kColStep[side])) room = k;
             }
         }
+        ground.room[move] = look_.unit * static_cast<float>(room);
         ground.exits[move] = static_cast<float>(n_exits) / static_cast<float>(n_moves_ - 1);
-        ground.room[move] = unit_ * static_cast<float>(room);
-        if (move > 0 && is_blocked(r, c)) ground.blocked |= 1u << move;
+        if (move > 0 && is_blocked(row, col)) ground.blocked |= 1u << move;
     }
 }
 
-// ---- Agents in view -----------------------------------------------------------------------------
-
 // Among very many agents, the cells of the view are visited.
-void MoveInputs::list_reserved(int agent) {
+void MoveInputs::list_reserved(Team own) {
     const Grid& grid = world_->grid();
     const ReservationTable reservations = occupancy_->reservations();
-    const Team own = world_->team(agent);
     for (auto& seen : seen_) seen.clear();
     for (int r = std::max(-half_, -row_); r <= std::min(half_, grid.rows() - 1 - row_); ++r) {
         for (int c = std::max(-half_, -col_); c <= std::min(half_, grid.cols() - 1 - col_); ++c) {
@@ -212,36 +231,6 @@ void MoveInputs::list_reserved(int agent) {
             if (reservations.at(cell, opponent(own)).count() > 0) seen_[1].push_back(seen);
         }
     }
-}
-
-void MoveInputs::look(int agent, MoveRows& rows) {
-    const int cell = world_->cell(agent);
-    row_ = world_->grid().row(cell);
-    col_ = world_->grid().col(cell);
-    const Team team = world_->team(agent);
-    look_.place = places_[agent];
-    for (const int t : {0, 1}) {
-        const Team seen = t == 0 ? team : opponent(team);
-        look_.first[t] = channel(seen) * static_cast<int>(view_.size());
-        look_.of_team[t] = of_team_[static_cast<int>(seen)];
-    }
-    look_.walls = terrain_->blocked.window(row_, col_);
-    const auto& forbids = forbids_[static_cast<int>(team)][order_];
-    look_.forbids = wants(kMustYield) ? forbids : nullptr;
-    ++look_.number;
-    if (look_.positions.n_agents == 0) list_reserved(agent);
-    const auto cells = [&](int t) {
-        return SeenCells{seen_[t].data(), static_cast<int>(seen_[t].size())};
-    };
-    const Ground& ground = this->ground();
-    rows.blocked = rows.forbidden = ground.blocked;
-    look_.rows = &rows;
-    kernels().look_at_moves(look_, cells(0), cells(1));
-    std::memcpy(rows.of[kExits], ground.exits, sizeof(ground.exits));
-    std::memcpy(rows.of[kRoom], ground.room, sizeof(ground.room));
-    if (wants(kMustYield)) spread(rows.forbidden, rows.of[kMustYield]);
-    spread(1, rows.of[kStay]);
-    if (wants(kAhead)) spread(1u << strides_[agent], rows.of[kAhead]);
 }
 
 void MoveInputs::write(const World& world, const Occupancy& occupancy, float* out) {

@@ -46,39 +46,38 @@ class MoveInputs {
     void want(std::uint32_t inputs);
     // Looks at a moment. The world and the occupancy, which it has entered, must stay in memory.
     void gather(const World& world, const Occupancy& occupancy);
-    // Computes the inputs of a living agent. The moves that right of way forbids are there only if
-    // kMustYield is wanted.
+    // Computes the wanted inputs of a living agent.
     void look(int agent, MoveRows& rows);
 
     // Writes the inputs of all agents, (A, moves, kInputs). Those of gone agents are zeros.
     void write(const World& world, const Occupancy& occupancy, float* out);
 
   private:
-    // What depends on the agent's cell alone.
-    struct Ground {
-        float exits[kMoveLanes];
-        float room[kMoveLanes];
+    // What depends on the agent's cell alone, as it was last found.
+    struct alignas(64) Ground {
+        float exits[12];  // by move
+        float room[12];
         std::uint32_t blocked;
+        int place = -1;
+        int map = 0;
     };
 
     bool wants(Input input) const { return wanted_ >> input & 1; }
-    void list_reserved(int agent);
-    const Ground& ground();
-    void survey(Ground& ground) const;
     void draw_strides();
+    void survey(Ground& ground) const;
+    void list_reserved(Team own);
 
     const Config& config_;
     int n_moves_;
     int half_;  // cells from the agent to the end of its view
-    float unit_;
-    std::uint32_t wanted_ = (1u << kInputs) - 1;
+    std::uint32_t wanted_ = 0;
     std::vector<SeenCell> view_;        // by cell of the view
     std::vector<std::uint64_t> taken_;  // as in MoveLook
     MoveLook::Step steps_[kDiagonalMoves];
     MoveLook look_{};
     // Moves that an agent in view forbids, as bits: by team, order of right of way, whether it is an
-    // adversary, and cell at most two rows and columns away.
-    std::uint16_t forbids_[kTeams][RightOfWay::kOrders][2][25] = {};
+    // adversary, and near cell.
+    std::uint16_t forbids_[kTeams][RightOfWay::kOrders][2][kNearCells + 1] = {};
 
     const World* world_ = nullptr;
     const Occupancy* occupancy_ = nullptr;
@@ -90,11 +89,11 @@ class MoveInputs {
     EpisodeKey stride_key_;
     int stride_ = -1;  // number of the stride
 
-    std::shared_ptr<const Terrain> terrain_;  // of the ground that is kept
-    // By cell, or without obstacles by what is seen of the border; of one where nothing is kept.
-    std::unique_ptr<Ground[]> ground_;
-    std::vector<std::uint8_t> known_;  // by the same; empty where nothing is kept
+    std::shared_ptr<const Terrain> terrain_;
+    int map_ = 0;  // number of the terrain
     BorderCases cases_;
+    // By cell, or without obstacles by what is seen of the border; several share an entry in turn.
+    std::vector<Ground> ground_;
 
     int row_ = 0;  // of the agent that looks
     int col_ = 0;

@@ -15,6 +15,7 @@ namespace {
 constexpr int kGonePlace = 0;
 constexpr int kCapturedPlace = 1;   // of an evader: gone after its capture
 constexpr std::size_t kPiece = 64;  // states; a piece of work of a thread
+constexpr std::size_t kNumbersPerPoll = 1 << 22;
 
 }  // namespace
 
@@ -129,7 +130,7 @@ std::int64_t States::find(const World& world, int turn, std::vector<int>& order)
 
 // ---- All states ---------------------------------------------------------------------------------
 
-States::States(std::shared_ptr<const Setup> setup, int n_threads, const Workers::Poll& poll,
+States::States(std::shared_ptr<const Setup> setup, int n_threads, const Poll& poll,
                std::size_t expected)
     : setup_(std::move(setup)),
       sorted_(setup_->config.rules.interaction != Interaction::AgentTurns),
@@ -170,7 +171,12 @@ States::States(std::shared_ptr<const Setup> setup, int n_threads, const Workers:
         for (int turn = 0; turn < n_turns(); ++turn) {
             const std::size_t first = std::exchange(done[turn], layers_[turn].codes.size());
             if (first == done[turn]) continue;
-            expand(turn, first, n_threads, poll);
+            const std::size_t known = std::accumulate(done.begin(), done.end(), first - done[turn]);
+            const auto share_of_all = [&](double share) {
+                const double n = known + share * (done[turn] - first);
+                poll(std::min(1.0, n / (static_cast<double>(expected) * n_turns())));
+            };
+            expand(turn, first, n_threads, poll ? Poll(share_of_all) : Poll());
             grew = true;
         }
     }
@@ -207,7 +213,7 @@ void States::add_starts(int agent, std::vector<int>& places) {
 
 // Finds the successors of the states from `first` on. Threads write the numbers of states that are
 // known, and -1 - code of new ones; then one thread numbers these, in their order.
-void States::expand(int turn, std::size_t first, int n_threads, const Workers::Poll& poll) {
+void States::expand(int turn, std::size_t first, int n_threads, const Poll& poll) {
     Layer& layer = layers_[turn];
     Layer& next = layers_[(turn + 1) % n_turns()];
     const std::size_t size = static_cast<std::size_t>(layer.n_joint[0]) * layer.n_joint[1];
@@ -219,6 +225,7 @@ void States::expand(int turn, std::size_t first, int n_threads, const Workers::P
         play_all(turn, state, *memory[thread], &layer.successors[state * size]);
     });
     for (std::size_t i = first * size; i < last * size; ++i) {
+        if (poll && i % kNumbersPerPoll == 0) poll(1);
         std::int32_t& found = layer.successors[i];
         if (found < 0) found = number(next, -1 - found);
     }
@@ -265,25 +272,30 @@ void States::play_all(int turn, std::size_t state, Memory& memory, std::int32_t*
     }
 }
 
-void States::for_each_state(std::size_t first, std::size_t last, int n_threads,
-                            const Workers::Poll& poll,
+void States::for_each_state(std::size_t first, std::size_t last, int n_threads, const Poll& poll,
                             const std::function<void(std::size_t state, int thread)>& work) {
     const KeptWorkers kept(n_threads);
     const std::size_t n_pieces = (last - first + kPiece - 1) / kPiece;
+    double reached = 0;  // the newest piece of the calling thread, which alone polls
+    const auto tell = [&] { poll(reached / n_pieces); };
     (*kept).run(
         static_cast<std::int64_t>(n_pieces),
         [&](std::int64_t piece, int thread) {
+            if (thread == 0) reached = static_cast<double>(piece);
             const std::size_t begin = first + static_cast<std::size_t>(piece) * kPiece;
             const std::size_t end = std::min(begin + kPiece, last);
-            for (std::size_t state = begin; state < end; ++state) work(state, thread);
+            for (std::size_t state = begin; state < end; ++state) {
+                (*kept).check(thread);
+                work(state, thread);
+            }
         },
-        poll);
+        poll ? Workers::Poll(tell) : Workers::Poll());
 }
 
 // ---- What a policy does in every state ----------------------------------------------------------
 
 void States::weigh(int turn, Team of, const Candidates& candidates, double* out, int n_threads,
-                   const Workers::Poll& poll) const {
+                   const Poll& poll) const {
     const Layer& layer = layers_[turn];
     const int n_joint = layer.n_joint[static_cast<int>(of)];
     const int n_actions = setup_->config.n_actions();
@@ -341,7 +353,7 @@ void mix_cols(const double* weights, int n_rows, int& n_cols, std::vector<double
 }  // namespace
 
 double States::backup(int turn, const double* next, double* values, const Play& play, int n_threads,
-                      const Workers::Poll& poll) const {
+                      const Poll& poll) const {
     const Layer& layer = layers_[turn];
     const int* const n = layer.n_joint;
     const std::size_t size = static_cast<std::size_t>(n[0]) * n[1];

@@ -30,10 +30,14 @@ namespace matrixworld {
 
 class States {
   public:
+    // Called by long work about every 50 ms with the share of it that is done, from 0 to 1; if it
+    // throws, the work stops.
+    using Poll = std::function<void(double share)>;
+
     // Precondition: no obstacles are drawn at a reset. Throws std::invalid_argument where more joint
     // places of the agents exist than 31 bits count. Memory for `expected` states of each turn is
     // set aside at once: vectors that grow would be copied.
-    States(std::shared_ptr<const Setup> setup, int n_threads, const Workers::Poll& poll = {},
+    States(std::shared_ptr<const Setup> setup, int n_threads, const Poll& poll = {},
            std::size_t expected = 0);
 
     const Setup& setup() const { return *setup_; }
@@ -67,12 +71,12 @@ class States {
         double* chosen[kTeams] = {nullptr, nullptr};
     };
     double backup(int turn, const double* next, double* values, const Play& play, int n_threads,
-                  const Workers::Poll& poll = {}) const;
+                  const Poll& poll = {}) const;
 
     // The probabilities with which candidate 0 of a team plays, (n_states, its joint actions). An end
     // has action 0. Throws as Policy::weigh does.
     void weigh(int turn, Team team, const Candidates& candidates, double* out, int n_threads,
-               const Workers::Poll& poll = {}) const;
+               const Poll& poll = {}) const;
 
   private:
     using Code = std::int32_t;
@@ -101,10 +105,9 @@ class States {
     void put(const std::vector<int>& places, Memory& memory) const;
     std::int32_t number(Layer& layer, Code code);
     void add_starts(int agent, std::vector<int>& places);
-    void expand(int turn, std::size_t first, int n_threads, const Workers::Poll& poll);
+    void expand(int turn, std::size_t first, int n_threads, const Poll& poll);
     void play_all(int turn, std::size_t state, Memory& memory, std::int32_t* out) const;
-    static void for_each_state(std::size_t first, std::size_t last, int n_threads,
-                               const Workers::Poll& poll,
+    static void for_each_state(std::size_t first, std::size_t last, int n_threads, const Poll& poll,
                                const std::function<void(std::size_t state, int thread)>& work);
 
     std::shared_ptr<const Setup> setup_;

@@ -11,7 +11,9 @@ from matrixworld.solver import States
 
 def matrix_game(payoff):
     """Return a payoff matrix (G, H) of what pursuers get against evaders as a zero-sum game."""
-    rates = np.asarray(payoff, float)
+    rates = np.ma.filled(np.ma.asarray(payoff, float), np.nan)
+    if rates.ndim != 2 or not rates.size or not np.isfinite(rates).all():
+        raise ValueError(f"payoff: expected finite numbers of shape (G, H), got {payoff!r}")
     rows, columns = (list(map(str, range(n))) for n in rates.shape)
     names = "matrixworld_payoff", "MatrixWorld, payoff matrix"
     return pyspiel.create_matrix_game(*names, rows, columns, rates, -rates)

@@ -79,18 +79,15 @@ class MapRace(Run):
 
     def learn(self, stage: int) -> None:
         """Let one team learn; after both, let the maps evolve."""
-        try:
-            super().learn(stage)
-            if TEAMS[stage % 2] == "evader":
-                self.states["maps"] = vars(self.evolved_maps(1 + stage // 2))
-        finally:
-            self._play_on(self.settings.training_game.world)
+        super().learn(stage)
+        if TEAMS[stage % 2] == "evader":
+            self.states["maps"] = vars(self.evolved_maps(1 + stage // 2))
 
     def begin_epoch(self, team: Team, generation: int, epoch: int) -> None:
         """Play the epoch on a map that the archive offers."""
         maps = self.maps
         offered = maps.offer(self._map_generator(TEAMS.index(team), generation, epoch))
-        self._play_on(replace(self.settings.training_game.world, obstacles=maps.maps[offered]))
+        self.play_in(replace(self.settings.training_game.world, obstacles=maps.maps[offered]))
 
     def evolved_maps(self, generation: int) -> MapArchive:
         """Return the best of the archived maps and of new ones."""
@@ -107,7 +104,7 @@ class MapRace(Run):
             # The same episodes on each map, so that luck does not rank them.
             key = (self.settings.seed, generation, generation, MATCHES, 0)
             matches = Matches.of(0, 0, training_seeds(*key, how.matches))
-            self._play_on(world)
+            self.play_in(world)
             scores = self.play(champions["pursuer"], champions["evader"], matches)
             return EpisodeStatistics(**scores.extras)
 
@@ -119,9 +116,6 @@ class MapRace(Run):
         self._count_in_last_epoch()
         maps.keep_best(how.maps)
         return maps
-
-    def _play_on(self, world: WorldConfig) -> None:
-        self.game = replace(self.game, world=world)  # type: ignore[call-arg]  # of pursuit
 
     def _fresh(self, count: int, rng: np.random.Generator) -> list[Map]:
         world = self.settings.world

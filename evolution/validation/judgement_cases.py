@@ -13,15 +13,17 @@ import numpy as np
 
 from common import SAME_STEPS, SMALL_RACE
 from course.synthetic_races import Draws, SyntheticRace, play_episodes
-from judgement_races import KINDS, disengagement, synthetic_races
+from judgement_races import HARD, KINDS, disengagement, synthetic_races
 from judgement_toys import RACES
 from judgement_truths import WINDOWS, Truth, Truths, change_of_strength, truths_of_group
 from matrixworld.analysis import CONDITIONS
 from matrixworld.coevolution import RaceSettings, evolve
 
-SIZES = (8, 15, 31, 60, 100)
-RUNS = (1, 1, 1, 3, 5, 10)
-"""Half of the races are single runs."""
+SIZES = (8, 15, 31, 60)
+RUNS = (1, 1, 1, 2, 3, 5, 10)
+"""Three of seven races are single runs."""
+OF_GROUPS = ("shared trend", *(kind for kind in HARD if kind.startswith("one lucky run")))
+"""Kinds of groups alone."""
 EFFECTS = (0.25, 0.5, 1.0, 2.0)
 
 
@@ -85,6 +87,8 @@ def synthetic_case(kind: str, seed: int) -> Case:
     # Another key than that of the race's parameters; a checksum, as hash() differs between runs.
     rng = np.random.default_rng([seed, 2, zlib.crc32(kind.encode())])
     noise, n, runs = str(rng.choice(list(NOISES))), int(rng.choice(SIZES)), int(rng.choice(RUNS))
+    if kind in OF_GROUPS:
+        runs = int(rng.choice(RUNS[3:]))
     known, effect = str(rng.choice((PER_EPISODE, NUMBER, UNKNOWN))), float(rng.choice(EFFECTS))
     races = synthetic_races(kind, n, seed, effect=effect, runs=runs)
     return _play(races, noise, known, rng, {"effect": f"{effect:g}"})
@@ -196,8 +200,9 @@ class Source(NamedTuple):
 
 
 SOURCES = {
+    "hard": Source(synthetic_case, tuple(HARD), 3.0),
     "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
-    "power": Source(power_case, tuple(POWER), 6.0),
+    "power": Source(power_case, tuple(POWER), 1.0),
     "toy game": Source(toy_case, tuple(RACES), 0.25),
-    "real race": Source(real_case, (FROZEN, SHUFFLED), 0.25),
+    "real race": Source(real_case, (FROZEN, SHUFFLED), 0.1),
 }

@@ -1,4 +1,4 @@
-"""Races for measuring the judgement: capture rates by formula, of 39 kinds.
+"""Races for measuring the judgement: capture rates by formula, of 46 kinds.
 
 Some kinds are those of the course; here are the formulas of the others. Each takes the
 number of generations n, an effect size (1 is plain to see) and the nuisance parameters' `Draws`;
@@ -215,6 +215,62 @@ def smooth_wander(n: int, effect: float, draws: Draws) -> SyntheticRace:
     return by_chance(effect * walks.T, draws.level())
 
 
+def momentum(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Strengths are random walks whose steps are alike: N(0, 1.5) logits at the end.
+
+    A step keeps a share of the one before, .7 to .95 of the group, and has chance for the rest.
+    """
+    kept, chance = draws.shared.uniform(0.7, 0.95), draws.own.normal(size=(n + 50, 2))
+    steps = [chance[0]]
+    for each in chance[1:]:
+        steps.append(kept * steps[-1] + np.sqrt(1.0 - kept**2) * each)
+    walks = np.cumsum(steps[50:], axis=0) / np.sqrt(n * (1.0 + kept) / (1.0 - kept))
+    return by_chance(1.5 * effect * walks.T, draws.level())
+
+
+def sines(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Strengths are sums of five sines, of half a period to two and a half, with random phases."""
+    k = np.arange(1, 6)[:, None]
+    phases, heights = (
+        draws.own.uniform(0.0, 2.0 * np.pi, (2, 5, 1)),
+        draws.own.normal(size=(2, 5, 1)),
+    )
+    walks = (heights / k * np.sin(np.pi * k * time(n) + phases)).sum(axis=1)
+    return by_chance(effect * walks, draws.level())
+
+
+def shared_trend(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """All runs have the same curve, of `smooth_wander` or `momentum`, and a small walk each."""
+    own, draws.own = draws.own, draws.shared
+    curve = (momentum if coin(draws) else smooth_wander)(n, effect, draws)
+    walks = 0.2 * np.cumsum(own.normal(size=(2, n)), axis=1) / np.sqrt(n)
+    logits = logit(np.clip(curve.rates, 1e-9, 1.0 - 1e-9)) + walks[0][:, None] - walks[1]
+    return SyntheticRace(expit(logits), curve.pursuers, curve.evaders)
+
+
+def one_lucky_run(n: int, effect: float, draws: Draws, *, others: str) -> SyntheticRace:
+    """In a group the first run races (3 to 8 logits); the others stand still, fall or walk."""
+    size = effect * draws.shared.uniform(3.0, 8.0)
+    if draws.run == 0:
+        walks = size * np.array([time(n), time(n)])
+    elif others == "walk":
+        walks = 0.25 * np.cumsum(draws.own.normal(size=(2, n)), axis=1)
+    else:
+        walks = np.tile(time(n) * (-0.5 if others == "fall" else 0.0), (2, 1))
+    return by_chance(walks, draws.level())
+
+
+def slow_disc(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Skill turns on a circle, half a turn to 1.5: a generation beats those up to half behind it.
+
+    In less than half a turn each generation beats all earlier ones, as in a race.
+    """
+    angle = 2.0 * np.pi * draws.shared.uniform(0.5, 1.5) * time(n)
+    height = 0.45 * min(1.0, effect)
+    rates = 0.5 + height * np.sin(angle[:, None] - angle)
+    return SyntheticRace(rates, np.zeros(n), np.zeros(n))
+
+
 # ---- Losses --------------------------------------------------------------------------------------
 
 
@@ -307,7 +363,6 @@ KINDS: Mapping[str, Kind] = {
     "single jump": Kind(jump),
     "common jump": Kind(common_jump),
     "own jumps": Kind(own_jumps),
-    "smooth wander": Kind(smooth_wander),
     "forgetting": Kind(forgetting, development=True),
     "decline": Kind(decline),
     "collapse": Kind(collapse),
@@ -317,6 +372,18 @@ KINDS: Mapping[str, Kind] = {
 }
 """Kinds of races by name."""
 
+HARD: Mapping[str, Kind] = {
+    "smooth wander": Kind(smooth_wander, development=True),
+    "momentum": Kind(momentum, development=True),
+    "sines": Kind(sines),
+    "shared trend": Kind(shared_trend),
+    "slow disc": Kind(slow_disc, development=True),
+    "one lucky run, others still": Kind(partial(one_lucky_run, others="still")),
+    "one lucky run, others fall": Kind(partial(one_lucky_run, others="fall")),
+    "one lucky run, others walk": Kind(partial(one_lucky_run, others="walk")),
+}
+"""Kinds without progress that look like it."""
+
 
 def synthetic_races(
     kind: str, n: int, seed: int, *, effect: float = 1.0, runs: int = 1
@@ -325,4 +392,4 @@ def synthetic_races(
 
     The effect is the size of what the kind is about (a rise, an amplitude, a loss).
     """
-    return [KINDS[kind].make(n, effect, Draws(seed, run)) for run in range(runs)]
+    return [{**KINDS, **HARD}[kind].make(n, effect, Draws(seed, run)) for run in range(runs)]

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.stats import beta
 
 from common import markdown
-from judgement_races import KINDS
+from judgement_races import HARD, KINDS
 from judgement_truths import WINDOWS
 from matrixworld.analysis import CONDITIONS
 
@@ -43,9 +43,9 @@ SIZES = {
 
 def sample(judgement: dict[str, Any]) -> str:
     """Return the part of the benchmark that a race belongs to."""
-    if judgement["source"] != "synthetic":
+    if judgement["source"] not in ("synthetic", "hard"):
         return str(judgement["source"])
-    return DEVELOPMENT if KINDS[judgement["kind"]].development else HELD_BACK
+    return DEVELOPMENT if {**KINDS, **HARD}[judgement["kind"]].development else HELD_BACK
 
 
 def count_verdicts(judgements: Iterable[dict[str, Any]]) -> list[Row]:
@@ -61,8 +61,34 @@ def count_verdicts(judgements: Iterable[dict[str, Any]]) -> list[Row]:
     )
 
 
+def count_races(judgements: Iterable[dict[str, Any]]) -> list[Row]:
+    """Return how many races are said to make progress, by kind, size of the group and truth.
+
+    A race counts once. Said falsely: an arms race or one-sided progress in any window that has
+    none; falsely in any way: any condition that is not there.
+    """
+    counts: Counter[tuple[str, ...]] = Counter()
+    for one in judgements:
+        runs = int(one["setting"].get("runs", 1))
+        size = next(name for most, name in GROUPS.items() if runs <= most)
+        found = [(window, name, holds, v == PRESENT) for window, name, holds, _, v in one["found"]]
+        alarms = {name for _, name, holds, present in found if present and holds is False}
+        [(holds, hit)] = [(h, p) for w, name, h, p in found if (w, name) == ("whole", "arms race")]
+        key = (one["kind"], size, str(holds))
+        counts[(*key, "races")] += 1
+        counts[(*key, "hits")] += hit and bool(holds)
+        counts[(*key, "false progress")] += bool(alarms & {*PROGRESS})
+        counts[(*key, "false")] += bool(alarms)
+    numbers = ("races", "hits", "false progress", "false")
+    return [
+        dict(zip(("kind", "runs", "truth"), key, strict=True))
+        | {name: str(counts[(*key, name)]) for name in numbers}
+        for key in sorted({key[:3] for key in counts})
+    ]
+
+
 def count_by_setting(judgements: Iterable[dict[str, Any]]) -> list[Row]:
-    """Return verdicts on synthetic races, headline window, by each setting alone."""
+    """Return verdicts on synthetic races, whole race, by each setting alone."""
     return _wide(
         ("setting", "value", "condition", "truth"),
         (
@@ -70,7 +96,7 @@ def count_by_setting(judgements: Iterable[dict[str, Any]]) -> list[Row]:
             for one in judgements
             for setting, value in one["setting"].items()
             for window, condition, holds, _, verdict in one["found"]
-            if holds is not None and window == one["headline"]
+            if holds is not None and window == "whole"
         ),
     )
 
@@ -127,6 +153,11 @@ def totals(rows: Iterable[Row], **wanted: str) -> dict[str, int]:
     return {verdict: sum(int(row[verdict]) for row in of) for verdict in VERDICTS}
 
 
+PROGRESS = ("arms race", "one-sided progress")
+GROUPS = {1: "1", 3: "2 or 3", 10: "4 to 10"}
+"""Sizes of groups by their most runs."""
+LEAST = 8
+"""Fewest races of a kind that may be the worst one."""
 ALLOWED = 0.05
 """False alarms that a judgement may have, as a share."""
 
@@ -181,16 +212,24 @@ def _known(rows: Sequence[Row], *heads: str) -> list[tuple[str, ...]]:
     """Return the combinations of values that occur, in the order of the conditions."""
     # A kind may be named like a condition, which comes first.
     order = {
-        name: place for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *KINDS)))
+        name: place
+        for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *KINDS, *HARD)))
     }
     keys = {tuple(row[head] for head in heads) for row in rows}
     return sorted(keys, key=lambda key: [(order.get(part, 99), part) for part in key])
 
 
-def report(counts: Sequence[Row], settings: Sequence[Row], changes: Sequence[Row]) -> str:
-    """Return all tables from the rows of `count_verdicts`, `count_by_setting`, `count_changes`."""
+def report(
+    races: Sequence[Row], counts: Sequence[Row], settings: Sequence[Row], changes: Sequence[Row]
+) -> str:
+    """Return all tables from the rows of the functions that count."""
     parts = [
         INTRODUCTION,
+        "## By race",
+        BY_RACE,
+        _by_race(races),
+        "### Kinds",
+        _kinds(races),
         "## By sample",
         _by(counts, "condition", "sample"),
         "## By window",
@@ -218,8 +257,13 @@ INTRODUCTION = (
     "to set constants, with other seeds; all others are *held back*. Races of which the "
     "definitions (`evolution/validation/judgement_truths.py`) leave the truth open are not counted."
 )
+BY_RACE = (
+    "Each race or group counts once. *Progress*: an arms race or one-sided progress is said of a "
+    "window that has none. *Anything*: any condition that is not there. The worst kind stands "
+    "beside the mean over races. Hits: arms races over the whole race that are found."
+)
 SETTINGS = (
-    "Synthetic races, headline window: hits (of races that have the condition) / false alarms (of "
+    "Synthetic races, whole race: hits (of races that have the condition) / false alarms (of "
     "those that do not), in %."
 )
 COVERAGE = (
@@ -227,6 +271,50 @@ COVERAGE = (
     "single synthetic races, where the usual readings of the change agree within .005. Gains are "
     "about a trend, not about this change: gains.md counts how often they are said to be above 0."
 )
+
+
+def _counted(rows: Iterable[Row], name: str) -> int:
+    return sum(int(row[name]) for row in rows)
+
+
+def _by_race(rows: Sequence[Row]) -> str:
+    found = []
+    for size in GROUPS.values():
+        of = [row for row in rows if row["runs"] == size]
+        true = [row for row in of if row["truth"] == "True"]
+        cells = [size, str(_counted(of, "races"))]
+        for name in ("false progress", "false"):
+            by_kind = {
+                kind: (_counted(k, name), _counted(k, "races"))
+                for kind in {row["kind"] for row in of}
+                if _counted(k := [row for row in of if row["kind"] == kind], "races") >= LEAST
+            }
+            worst = max(by_kind, key=lambda kind: by_kind[kind][0] / by_kind[kind][1], default="")
+            count, races = by_kind.get(worst, (0, 0))
+            cells += [_share(_counted(of, name), _counted(of, "races"))]
+            cells += [f"{_share(count, races)} ({worst}, {count} of {races})"]
+        found.append([*cells, _share(_counted(true, "hits"), _counted(true, "races"))])
+    heads = ("runs", "races", "progress, falsely", "worst kind", "anything, falsely",
+             "worst kind", "hits")  # fmt: skip
+    return markdown(heads, found)
+
+
+def _kinds(rows: Sequence[Row]) -> str:
+    found = []
+    for (kind,) in _known(rows, "kind"):
+        for size in GROUPS.values():
+            of = [row for row in rows if (row["kind"], row["runs"]) == (kind, size)]
+            true = [row for row in of if row["truth"] == "True"]
+            races = _counted(of, "races")
+            alarms = _counted(of, "false progress")
+            if races:
+                found.append([
+                    kind, size, str(races), _share(alarms, races),
+                    f"{upper_bound(alarms, races):.1%}", _share(_counted(of, "false"), races),
+                    _share(_counted(true, "hits"), _counted(true, "races")),
+                ])  # fmt: skip
+    heads = ("kind", "runs", "races", "progress, falsely", "at most", "anything, falsely", "hits")
+    return markdown(heads, found)
 
 
 def _by(rows: Sequence[Row], *heads: str) -> str:
@@ -312,10 +400,16 @@ def read_counts(file: Path) -> list[Row]:
         return list(csv.DictReader(rows))
 
 
+COUNTS = ("races", "counts", "settings", "changes")
+
+
 def report_of(results: Path) -> str:
     """Return the tables that follow from the counts in a directory."""
     return report(
-        *(read_counts(results / f"{name}.csv") for name in ("counts", "settings", "changes"))
+        *(
+            read_counts(results / f"{name}.csv")
+            for name in ("races", "counts", "settings", "changes")
+        )
     )
 
 
@@ -324,10 +418,16 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     sizes = count_by_size(one for one in judgements if one["source"] == "power")
     # Effects of the power curves are small on purpose, and would hide those of the other races.
     others = [one for one in judgements if one["source"] != "power"]
-    counts, settings, changes = (
-        count(others) for count in (count_verdicts, count_by_setting, count_changes)
+    races, counts, settings, changes = (
+        count(others) for count in (count_races, count_verdicts, count_by_setting, count_changes)
     )
-    files = {"counts": counts, "settings": settings, "changes": changes, "power": sizes}
+    files = {
+        "races": races,
+        "counts": counts,
+        "settings": settings,
+        "changes": changes,
+        "power": sizes,
+    }
     for name, rows in files.items():
         write_counts(rows, results / f"{name}.csv")
     text = report_of(results)
@@ -336,24 +436,33 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     return text
 
 
-def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
-    """Draw the share of "present" by size of effect, a line for each noise.
-
-    A point stands for `least` races or more.
-    """
-    noises = sorted({row["noise"] for row in rows}, key=lambda noise: _natural((noise,)))
-    figure, axes = plt.subplots(2, 4, figsize=(14, 6.5), sharey=True, constrained_layout=True)
-    for condition, axis in zip(CONDITIONS, axes.flat, strict=True):
-        for noise in noises:
-            points = _points([r for r in rows if r["condition"] == condition], noise, least)
-            style = "--" if noise.startswith("30") else "-"
-            axis.plot(*np.reshape(points, (-1, 2)).T, style, marker="o", markersize=4, label=noise)
-        axis.set(title=condition, xlabel=SIZES[condition][0], ylim=(-0.03, 1.03))
-    for axis in axes[:, 0]:
-        axis.set_ylabel('share of "present"')
-    figure.legend(*axes.flat[0].get_legend_handles_labels(), ncols=6, loc="outside lower center")
-    figure.savefig(file, dpi=90)
+def draw_power(rows: Sequence[Row], file: Path) -> None:
+    """Draw at which gain half of the arms races are found, a bar for each number of episodes."""
+    races = [row for row in rows if row["condition"] == "arms race"]
+    found = {noise: _half_found(races, noise) for noise in {row["noise"] for row in races}}
+    noises = sorted(found, key=found.__getitem__, reverse=True)
+    figure, axis = plt.subplots(figsize=(7, 2.8), constrained_layout=True)
+    bars = axis.barh([_in_words(noise) for noise in noises], [found[n] for n in noises])
+    axis.bar_label(bars, fmt="{:.2f}", padding=4)
+    axis.set_title("With few episodes only large arms races are found", weight="bold")
+    axis.set_xlabel(
+        "gain of both teams, in capture rate, at which half of the arms races are found"
+    )
+    axis.spines[["top", "right", "left"]].set_visible(False)
+    axis.tick_params(left=False)
+    figure.savefig(file, dpi=120)
     plt.close(figure)
+
+
+def _half_found(rows: Sequence[Row], noise: str) -> float:
+    """Return the size of an effect at which half are found, between the bins of the counts."""
+    sizes, shares = np.array(_points(rows, noise, least=5)).T
+    return float(np.interp(0.5, np.maximum.accumulate(shares), sizes))
+
+
+def _in_words(noise: str) -> str:
+    evaders, episodes = noise.split(", ")
+    return f"{episodes} episodes a pair, {evaders if evaders[0] == '3' else 'one evader'}"
 
 
 def _points(rows: Sequence[Row], noise: str, least: int) -> list[tuple[float, float]]:

@@ -15,7 +15,7 @@ import numpy as np
 from course import toys
 from course.synthetic_races import SyntheticRace
 from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
-from matrixworld.coevolution.types import TEAMS, FloatArray, Indices, other
+from matrixworld.coevolution.types import TEAMS, FloatArray, Indices
 
 GENERATIONS = 31
 """Generations of each race that play against each other."""
@@ -50,7 +50,8 @@ def _race_of_strategies(pursuers: FloatArray, evaders: FloatArray, seed: int) ->
     """Play mixed hands (n, 3): no hand is better than another, so neither team gains by design."""
     # Another key than that of the race, so that luck and hands are independent.
     rng = np.random.default_rng([seed, 1])
-    chances = toys.capture_probabilities(pursuers, evaders, luck=rng.uniform(0.0, MOST_LUCK))
+    luck = rng.uniform(0.0, MOST_LUCK)
+    chances = luck + (1.0 - 2.0 * luck) * (pursuers @ toys.PAYOFF @ evaders.T)
     # A draw is decided at random.
     wins = rng.random((*chances.shape, _episode_count(seed))) < chances[..., np.newaxis]
     still = np.zeros(len(chances))
@@ -58,39 +59,39 @@ def _race_of_strategies(pursuers: FloatArray, evaders: FloatArray, seed: int) ->
     return LabelledRace(wins.astype(float), {window: truths(race, window) for window in WINDOWS})
 
 
-def _race_of_hands(hands: toys.HandHistory, seed: int) -> LabelledRace:
-    pursuers, evaders = (np.eye(3)[hands[team]] for team in TEAMS)
-    return _race_of_strategies(pursuers, evaders, seed)
+def _hands(name: str, generations: int, seed: int) -> list[FloatArray]:
+    hands = toys.race_of_hands(name, generations, seed)
+    return [np.eye(3)[hands[team]] for team in TEAMS]
 
 
-def _scheduled_race(schedule: str, seed: int) -> LabelledRace:
-    return _race_of_hands(toys.alternate(schedule, GENERATIONS - 1, GENERATIONS - 1, seed), seed)
-
-
-def _fictitious_play_race(seed: int) -> LabelledRace:
-    return _race_of_hands(fictitious_play(GENERATIONS - 1, seed), seed)
+def _race_of_hands(name: str) -> Callable[[int], LabelledRace]:
+    return lambda seed: _race_of_strategies(*_hands(name, GENERATIONS - 1, seed), seed)
 
 
 def _averages_race(seed: int) -> LabelledRace:
     """Play generations that are averages of fictitious play, which has nearly converged."""
-    hands = fictitious_play(100 + 10 * (GENERATIONS - 1), seed)
-    counts = (np.eye(3)[hands[team]].cumsum(axis=0) for team in TEAMS)
+    rounds = 100 + 10 * (GENERATIONS - 1)
+    counts = (hands.cumsum(axis=0) for hands in _hands("fictitious play", rounds, seed))
     averages = (count / np.arange(1, len(count) + 1)[:, np.newaxis] for count in counts)
     # The first 100 rounds are left out, in which the averages still move.
     pursuers, evaders = (each[100::10] for each in averages)
     return _race_of_strategies(pursuers, evaders, seed)
 
 
-def fictitious_play(rounds: int, seed: int) -> toys.HandHistory:
-    """Play a race in which both teams respond to all past hands of the other, at the same time."""
-    rng = np.random.default_rng(seed)
-    hands: toys.HandHistory = {"pursuer": [toys.ROCK], "evader": [toys.ROCK]}
-    for _ in range(rounds):
-        # Both answers first, so that neither team sees the hand of this round.
-        answers = {team: toys.best_response(team, hands[other(team)], rng) for team in TEAMS}
-        for team in TEAMS:
-            hands[team].append(answers[team])
-    return hands
+def _small_steps_race(seed: int) -> LabelledRace:
+    """Play exact scores of mixed hands that answer the other team's in small steps (hedge)."""
+    rng = np.random.default_rng([seed, 3])
+    step, hands = rng.uniform(0.02, 0.4), [rng.dirichlet(np.full(3, 5.0), 2)]
+    for _ in range(GENERATIONS - 1):
+        pursuers, evaders = hands[-1]
+        gains = np.array([toys.PAYOFF @ evaders, -(pursuers @ toys.PAYOFF)])
+        weights = hands[-1] * np.exp(step * 3.0 * gains)
+        hands.append(weights / weights.sum(axis=1, keepdims=True))
+    pursuers, evaders = np.array(hands).swapaxes(0, 1)
+    rates, still = pursuers @ toys.PAYOFF @ evaders.T, np.zeros(GENERATIONS)
+    race = SyntheticRace(rates, still, still)
+    twice = np.repeat(rates[..., np.newaxis], 2, axis=2)
+    return LabelledRace(twice, {window: truths(race, window) for window in WINDOWS})
 
 
 # ---- Populations of bits -------------------------------------------------------------------------
@@ -108,7 +109,8 @@ def chances_of_history(history: toys.History, generations: Indices) -> FloatArra
     rows = []
     for generation in first:
         ones = np.repeat(generation, k * n, axis=0)
-        rows.append(history.game.scores(ones, others).reshape(n, k, n).mean(axis=(0, 2)))
+        scores = np.asarray(history.game.play(ones, others, np.random.default_rng(0)))
+        rows.append(scores.reshape(n, k, n).mean(axis=(0, 2)))
     return np.array(rows)
 
 
@@ -131,7 +133,7 @@ def truths_of_history(
         by_chances = truths(race, window)
         span = span_of(race.rates, window)
         rises = [_rises(course[span]) if selected else False for course in ones]
-        if history.game.shape[0] > 1 and selected:
+        if history.ones.shape[3] > 1 and selected:
             rises = [None, None]
         arms = False if False in rises else None if None in rises else True
         one_sided = None if None in rises else rises[0] is not rises[1]
@@ -169,8 +171,7 @@ def _evenly_spaced(
 
 def _drift(seed: int) -> toys.History:
     """Play mutation without selection: tournaments of one."""
-    biases = toys.HOST_BIAS, toys.HOST_BIAS
-    return toys.hosts_and_parasites(1.0, seed, tournament=1, biases=biases)
+    return toys.evolve(toys.SCALAR, toys.Bits(tournament=1), seed, generations=600, opponents=5)
 
 
 def _frozen(seed: int) -> toys.History:
@@ -179,10 +180,11 @@ def _frozen(seed: int) -> toys.History:
 
 
 RACES: Mapping[str, Callable[[int], LabelledRace]] = {
-    "rock-paper-scissors, specialists": lambda s: _scheduled_race("specialist-specialist", s),
-    "rock-paper-scissors, generalists": lambda s: _scheduled_race("generalist-generalist", s),
-    "rock-paper-scissors, fictitious play": _fictitious_play_race,
+    "rock-paper-scissors, specialists": _race_of_hands("specialists"),
+    "rock-paper-scissors, generalists": _race_of_hands("generalists"),
+    "rock-paper-scissors, fictitious play": _race_of_hands("fictitious play"),
     "rock-paper-scissors, its averages": _averages_race,
+    "rock-paper-scissors, small steps": _small_steps_race,
     "scalar, climbing": _evenly_spaced(
         lambda seed: toys.numbers_game("scalar", seed, generations=150), 0, 150
     ),

@@ -2,6 +2,21 @@
 
 from __future__ import annotations
 
-from matrixworld.cli import main
+import sys
 
-main(prog_name="matrixworld")
+INTERRUPTED = 130
+"""Exit code of a program that Ctrl-C has ended: 128 + SIGINT, as shells report it."""
+
+
+def main() -> None:
+    """Run the command line; Ctrl-C ends it without a traceback while it is still imported, too."""
+    try:
+        from matrixworld.cli import main as command
+
+        command(prog_name="matrixworld")
+    except KeyboardInterrupt:
+        sys.exit(INTERRUPTED)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,7 +1,7 @@
 # The engine. Sizes: W worlds, A agents (pursuers first), E evaders, M matches, T steps.
 # Wrong values raise ValueError, wrong types TypeError.
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import Enum
 from typing import Any, TypeAlias, type_check_only
 
@@ -15,6 +15,7 @@ _ByTeam: TypeAlias = tuple[float, float]  # the pursuers' and the evaders'
 _ByKind: TypeAlias = tuple[float, float, float]  # with an obstacle, a teammate, an adversary
 _Genomes: TypeAlias = tuple[Network | Rating, NDArray[np.float32]]
 _Candidates: TypeAlias = _Genomes | Tables | str  # a script's name
+_Report: TypeAlias = Callable[[float], None] | None
 # turn, kind, form, first agent, second agent or -1, cell; at fault, held and doomed as bits, of
 # which bit 0 is the first agent's and bit 1 the second's
 _Conflict: TypeAlias = tuple[int, int, int, int, int, tuple[int, int], int, int, int]
@@ -237,7 +238,7 @@ class Batch(metaclass=_Pybind11Type):
 class States(metaclass=_Pybind11Type):
     """The states of a small world: S in a turn, with P and Q joint actions of the teams."""
 
-    def __init__(self, setup: Setup, n_threads: int, expected: int) -> None: ...
+    def __init__(self, setup: Setup, n_threads: int, expected: int, report: _Report) -> None: ...
     def n_turns(self) -> int:
         """The number of turns in a round."""
 
@@ -251,7 +252,7 @@ class States(metaclass=_Pybind11Type):
         """States of the next turn, (S, P, Q), read-only."""
 
     def weigh(
-        self, turn: int, evaders: bool, policy: _Candidates, n_threads: int
+        self, turn: int, evaders: bool, policy: _Candidates, n_threads: int, report: _Report
     ) -> NDArray[np.float64]:
         """Probabilities of a team's joint actions, (S, P) or (S, Q)."""
 
@@ -263,6 +264,7 @@ class States(metaclass=_Pybind11Type):
         evaders: NDArray[np.float64] | None,
         chosen: bool,
         n_threads: int,
+        report: _Report,
     ) -> tuple[NDArray[np.float64], float, NDArray[np.float64] | None, NDArray[np.float64] | None]:
         """Values (S,) from those of the next turn, the largest gap, and how the teams play.
 
@@ -319,7 +321,9 @@ def inputs() -> list[tuple[str, str, str, float]]:
 def operations() -> list[tuple[str, int]]:
     """Name and number of arguments of each operation of programs."""
 
-def right_of_way(setup: Setup, evaders: bool) -> list[list[tuple[int, int, int]]]:
+def right_of_way(
+    setup: Setup, evaders: bool, step: int | None = None
+) -> list[list[tuple[int, int, int]]]:
     """What forbids each move by the right of way: (channel, row, column) from the agent."""
 
 def philox(counter: Sequence[int], key: Sequence[int]) -> list[int]:

@@ -3,6 +3,7 @@
 import os
 import stat
 import sys
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import matrixworld as mw
 from matrixworld import analysis
 from matrixworld._util import files
 from matrixworld._util.files import DamagedFileError
+from rows import archive
 
 unix = pytest.mark.skipif(sys.platform == "win32", reason="needs links and permissions")
 
@@ -43,6 +45,23 @@ def test_no_cut_or_altered_byte_changes_arrays(tmp_path):
             assert "x: " in str(error)  # noqa: PT017, it may be harmless as well
             refused += 1
     assert refused > len(whole) + 200
+
+
+@pytest.mark.parametrize(
+    ("content", "problem"),
+    [
+        (b"", "File is not a zip file"),
+        (archive({"a": b"text"}, method=zipfile.ZIP_LZMA), "expected deflate, got method 14"),
+        (archive({"a": b"text"}).replace(b"PK\1\2\24\3\24\0\0", b"PK\1\2\24\3\24\0\1"), "a is enc"),
+        (archive({"a.npy": b"\x93NUMPY\1\0\4\0(((("}), "EOF in multi-line statement"),
+        (archive({"a": bytes(2**27)}), "expected at most .* bytes in it, got 134,217,728"),
+        *((archive({name: b"x"}), "inside of it") for name in ("../a", "/a", "a/../../b", "C:a")),
+    ],
+)
+def test_an_archive_that_is_none_is_refused_in_a_line(tmp_path, content, problem):
+    (tmp_path / "x").write_bytes(content)
+    with pytest.raises(DamagedFileError, match=rf"^\S*x: cut, altered or not an npz .*{problem}"):
+        files.load_arrays(tmp_path / "x")
 
 
 def test_every_cut_of_json_is_refused(tmp_path):

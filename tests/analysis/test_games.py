@@ -4,16 +4,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.optimize import minimize
 
 from matrices import ROCK_PAPER_SCISSORS, payoffs
 from matrixworld import analysis
 from matrixworld.analysis.games import game_value
-
-
-def entropy(p: np.ndarray) -> float:
-    used = p[p > 0]
-    return float(-(used * np.log(used)).sum())
 
 
 @pytest.mark.parametrize(
@@ -63,29 +57,6 @@ def test_copies_change_nothing_and_share_weight(matrix: np.ndarray, data: st.Dat
     assert copied.pursuers[row] == pytest.approx(copied.pursuers[-1], abs=1e-6)
     np.testing.assert_allclose(copied.pursuer_averages[:-1], found.pursuer_averages, atol=1e-5)
     np.testing.assert_allclose(copied.evaders, found.evaders, atol=1e-5)
-
-
-@given(payoffs(parts=8))
-def test_no_other_equilibrium_has_more_entropy(matrix: np.ndarray) -> None:
-    """Compare with a general optimiser over the optimal mixtures, from two starts."""
-    found = analysis.nash_averaging(matrix)
-    rows = len(matrix)
-    constraints = [
-        {"type": "eq", "fun": lambda p: p.sum() - 1},
-        {"type": "ineq", "fun": lambda p: p @ matrix - found.value + 1e-9},
-    ]
-    for start in (found.pursuers, np.full(rows, 1 / rows)):
-        other = minimize(
-            lambda p: float(np.sum(p * np.log(np.maximum(p, 1e-12)))),
-            start,
-            method="SLSQP",
-            bounds=[(0, 1)] * rows,
-            constraints=constraints,
-            options={"maxiter": 300},
-        )
-        p = np.maximum(other.x, 0)
-        if abs(p.sum() - 1) < 1e-6 and (p @ matrix).min() > found.value - 1e-6:
-            assert entropy(p) < entropy(found.pursuers) + 1e-3
 
 
 def test_exploitability_by_hand() -> None:

@@ -210,9 +210,9 @@ def test_measures_are_those_of_the_single_functions() -> None:
 def test_the_judgement_and_the_tables_have_the_same_numbers() -> None:
     for scores in (SCORES, np.stack([SCORES, SCORES[::-1]]), SCORES[:8, :8]):
         payoffs = analysis.read_payoffs(scores, per_episode=True)
-        found, judgement = analysis.measure_all(payoffs), analysis.judge(payoffs)
-        for finding in judgement.findings.values():
-            assert all(found[name] == one for name, one in finding.estimates.items())
+        for window, findings in analysis.judge(payoffs).windows.items():
+            for name, one in ((n, e) for f in findings.values() for n, e in f.estimates.items()):
+                assert analysis.MEASURES[name].of(payoffs, window) == one
 
 
 def test_a_single_run_has_no_intervals_and_says_so() -> None:

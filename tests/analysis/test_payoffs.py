@@ -146,8 +146,11 @@ def test_arrays() -> None:
     assert analysis.read_payoffs(MATRIX.tolist()).matrices.shape == (1, 2, 3)
     assert analysis.read_payoffs(np.zeros((4, 2, 3))).matrices.shape == (4, 2, 3)
     for shape in ((2, 3, 5), (1, 2, 3, 5)):
-        found = analysis.read_payoffs(np.zeros(shape), per_episode=True)
+        scores = np.random.default_rng(0).random(shape)
+        found = analysis.read_payoffs(scores, per_episode=True)
         assert found.scores.shape == (1, 2, 3, 5)
+        thrice = analysis.read_payoffs(np.repeat(scores, 3, axis=-1), per_episode=True)
+        np.testing.assert_array_equal(thrice.scores, found.scores)  # copies tell nothing more
     for bad, per_episode in ((np.zeros(3), False), (np.zeros((2,) * 4), False), (MATRIX, True)):
         with pytest.raises(ValueError, match="none of them empty, got shape"):
             analysis.read_payoffs(bad, per_episode=per_episode)

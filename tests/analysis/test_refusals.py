@@ -89,7 +89,7 @@ NUMBERS, TYPE = "an array of numbers, got", r"expected .* got "
             partial(judge, per_episode=True, episodes=5),
             [np.zeros((8, 8, 3))], ValueError, "the 3 episodes of each",
         ),
-        (analysis.headline, [PENNIES], TypeError, TYPE),
+        (analysis.sentence, [PENNIES], TypeError, TYPE),
         (analysis.judgement_table, [None], TypeError, TYPE),
         (analysis.explain, ["judgement"], TypeError, TYPE),
         (analysis.read_payoffs, [{}], TypeError, TYPE),

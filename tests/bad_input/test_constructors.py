@@ -1,4 +1,7 @@
-"""Malformed values of every parameter of public constructors: ValueError or TypeError, no files."""
+"""Malformed values of every parameter of public constructors: ValueError or TypeError, no files.
+
+Those of settings are in test_declared.py.
+"""
 
 import inspect
 import re
@@ -11,13 +14,12 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import coevolution, solver
-from matrixworld.coevolution.sections import Section
 from matrixworld.coevolution.seeding import match_seed
 from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
 from matrixworld.world import render
 from rows import random_genome, random_walks
-from tiny_race import tiny_race, tiny_single
+from tiny_race import tiny_race
 
 MALFORMED = {
     "a huge integer": 10**400,
@@ -46,11 +48,6 @@ MONITOR = mw.SafetyMonitor()
 MONITOR.add_episode(EPISODE)
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
 
-LEARNERS = (
-    coevolution.EvolutionStrategy(), coevolution.GeneticAlgorithm(), coevolution.CmaEs(),
-    coevolution.ActorCritic(),
-)  # fmt: skip
-SECTIONS = (*vars(tiny_race()).values(), tiny_single().schedule, *LEARNERS)
 TEAMS = {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
 PICTURE = {"episode": EPISODE, "cell": 4, "trail": 2, "fov": 3}
 
@@ -108,8 +105,6 @@ CALLS = [
     partial(match_seed, run_seed=0),
     partial(mw.Episode, **vars(EPISODE)),
     partial(MONITOR.summary, seed=0),
-    partial(coevolution.RaceSettings, **vars(tiny_race())),
-    *(partial(type(each), **vars(each)) for each in SECTIONS if isinstance(each, Section)),
     partial(coevolution.create, settings=tiny_race(), directory="new"),
     partial(coevolution.evolve, settings=tiny_race(), out="new", threads=1),
     partial(coevolution.check_learner, learner=coevolution.CmaEs(sigma=0.1)),
@@ -160,19 +155,7 @@ ACCEPTED = {
     ("MatrixWorldParallel.reset", "options", "a dict"): "no options",
     ("AgentEnv.reset", "options", "a dict"): "no options",
     ("Episode", "config", "a dict"): "no settings",
-    **{
-        ("RaceSettings", section, "a dict"): "the default one"
-        for section in ("world", "policy", "learner", "schedule", "fitness")
-    },
-    **{
-        (kind, f"{team}s_meet", "a dict"): "the default one"
-        for kind in ("InTurns", "AtOnce")
-        for team in ("pursuer", "evader")
-    },
     ("competitive_sharing", "wins", "an unhashable list"): "no opponents",
-    ("Against", "opponent", "text with a null"): "read when the run starts",
-    ("Against", "start", "text with a null"): "read when the run starts",
-    ("ActorCritic", "device", "text with a null"): "read when the run starts",
 }
 """Values of the table that are legal, each with what they mean."""
 

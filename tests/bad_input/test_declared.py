@@ -21,8 +21,8 @@ from matrixworld.world.config import WorldConfig
 NO_NUMBERS = ("1", None, [1], {}, True, np.True_, 1j, b"1")
 NO_INTEGERS = (*NO_NUMBERS, 1.5, math.nan, math.inf, 10**400)
 NO_FLOATS = (*NO_NUMBERS, math.nan, math.inf, -math.inf, 10**400)
-NO_TEXTS = (1, None, ["relu"], {}, True)
-NO_BOOLS = (0, 1, None, "true", np.True_)
+NO_TEXTS = (1, None, ["relu"], {}, True, object())
+NO_BOOLS = (0, 1, None, "true", np.True_, np.ma.array([0.5], mask=[True]))
 
 
 def sections(cls: type[Section] = RaceSettings) -> Iterator[type[Section]]:

@@ -83,10 +83,8 @@ def borders(param: click.Parameter) -> list[list[str]]:
 CASES = [(command, param) for command in main.commands.values() for param in command.params]
 
 
-@pytest.fixture(scope="module")
-def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A directory with a run, and files of all kinds that are none."""
-    root = tmp_path_factory.mktemp("borders") / "here"
+def make_template(race: Path, root: Path) -> Path:
+    """Make a directory with a run, and files of all kinds that are none."""
     shutil.copytree(race, root / "RUN")
     for name in ("directory", "empty"):
         (root / name).mkdir()
@@ -105,6 +103,11 @@ def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     (root / "cut.json").write_text('{"a": ')
     (root / "cut.csv").write_text("0.5,nan\n0.5")
     return root
+
+
+@pytest.fixture(scope="module")
+def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return make_template(race, tmp_path_factory.mktemp("borders") / "here")
 
 
 def tree(root: Path) -> Tree:

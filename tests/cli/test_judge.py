@@ -12,18 +12,15 @@ from command_line import RACE, evolved, judged_in, matrixworld_command, run_toge
 from matrices import circular, logistic
 from matrixworld._util.files import read_json
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs
-from matrixworld.analysis.judgement import summary
-from matrixworld.cli.evaluate import print_strip
+from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs, sentence
 from matrixworld.cli.evolve import report
-from matrixworld.coevolution import SavedRun, evolve, finish, open_run, score
+from matrixworld.coevolution import SavedRun, evolve, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
-from matrixworld.coevolution.jobs import create_job, job_of
+from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.types import TEAMS
-from tiny_race import tiny_race
+from tiny_race import LONG, SCHEDULES, tiny_race
 
 EVOLVED = {**RACE, "generations": 13, "evaluation_episodes": 5, "schedule": "specialist-specialist"}
-LONG = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
 
 
 def means_of(kind: str, episodes: int = 30) -> np.ndarray:
@@ -50,7 +47,7 @@ def test_runs_of_several_seeds_and_files(tmp_path):
         expected = judge(group.payoffs.scores, per_episode=True)
         assert found[group.name] == expected.to_json()
         part = told.partition(f"\n{group.name}\n")[2].partition(f"\n{after}\n")[0]
-        assert run_together(part).startswith(run_together("\n".join(summary(expected))))
+        assert run_together(part).startswith(run_together(sentence(expected)))
         verdicts = {name: finding.verdict for name, finding in expected.findings.items()}
         assert judged_in(part) == verdicts
         for name in CONDITIONS:
@@ -72,21 +69,6 @@ def test_all_measures_come_after_the_judgement():
     assert found["file.npz"] == {"judgement": judge(payoffs).to_json(), "measures": measures}
     share = MEASURES["transitive_share"].of(payoffs).value
     assert re.search(rf"    transitive share +{share:.3f}", told)
-
-
-def test_a_strip_of_many_seeds_is_in_parts(capsys):
-    scores = np.random.default_rng(0).random((70, 4, 4, 2))  # too many seeds for one line
-    judgement = judge(scores, per_episode=True)
-    print_strip(judgement, [*range(70)], [70])
-    lines = capsys.readouterr().out.splitlines()
-    assert max(map(len, lines)) <= 100
-    heads = [line.split() for line in lines if line.startswith("seed")]
-    assert [int(word) for head in heads for word in head[1:] if word.isdigit()] == [*range(71)]
-    assert ["together" in head for head in heads] == [False] * (len(heads) - 1) + [True]
-    signs = {"present": "+", "absent": "-", "cannot tell": "?"}
-    rows = [line for line in lines if line.startswith("cycling")]
-    shown = [sign for row in rows for sign in re.findall(r"(?<=  )[-+?.](?=\s|$)", row)]
-    assert shown == [*(signs[verdict] for verdict in judgement.findings["cycling"].by_run), "."]
 
 
 def test_files_of_means_need_their_number_of_episodes():
@@ -116,7 +98,6 @@ def test_all_commands_come_to_the_same_judgement():
     path = Path("run/specialist-specialist/seed-5")
     [group] = open_groups(path)
     expected = judge(group.payoffs.scores, per_episode=True)
-    assert expected.window == "last half"
     same = ["--seed", 5, "--episodes", 5, "--steps", 12]
     told = {
         "judge": judged(path)[0],
@@ -126,59 +107,51 @@ def test_all_commands_come_to_the_same_judgement():
     rows = told["judge"].partition("condition ")[2].partition("\n  ")[0].splitlines()
     for text in told.values():
         assert all(row in text for row in rows[1:7])  # verdicts and numbers
-    said = run_together("\n".join(summary(expected)))
+    said = run_together(sentence(expected))
     assert all(said in run_together(text) for text in (*told.values(), told_by_evolve))
     [reported] = read_json(Path("run/summary.json"))["runs"].values()
     assert reported["judgement"] == expected.to_json()
     assert set(reported["measures"]) == set(MEASURES)
 
 
-FIRST, SECOND = SCHEDULES = ("specialist-specialist", "generalist-generalist")
-SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)  # one has not begun
-JOB = job_of([tiny_race(schedule=name, seed=seed, **LONG) for name in SCHEDULES for seed in ASKED])
-
-
-@pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two schedules with four seeds each, of which the last one has not begun."""
-    root = tmp_path_factory.mktemp("made") / "job"
-    create_job(JOB, root)
-    for name, settings in JOB.items():
-        if settings.seed in SEEDS:
-            finish(root / name, threads=1)
-    return root
+FIRST, SECOND = SCHEDULES
+SEEDS = (0, 1, 2)
 
 
 @pytest.fixture
-def job(made: Path) -> Path:
+def job(seeds: Path) -> Path:
     """A copy of the job in the working directory."""
-    return Path(shutil.copytree(made, "job"))
+    return Path(shutil.copytree(seeds, "job"))
 
 
 def results(root: Path) -> list[SavedRun]:
     return [run for group in open_groups(root) for run in group.runs]
 
 
-def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, undrawn):
-    report(JOB, job, results(job), {}, 0.0, threads=1)
+def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, undrawn):
+    report(found_job(job), job, results(job), {}, 0.0, threads=1)
     said = capsys.readouterr().out
     assert max(map(len, said.splitlines())) <= 80
     assert len(said.splitlines()) <= 24  # seen at once
-    table = said.partition("nobody trained on")[2]
+    strangers = run_together(said.partition("Best against strangers: ")[2])
     written = read_json(job / "summary.json")
     groups: dict[str, RunGroup] = {each.inside(job).name: each for each in open_groups(job)}
     assert [*groups] == [*SCHEDULES]
     for name, group in groups.items():
         told = run_together(said[said.index(f"\n{name}") :])
-        assert told.startswith(run_together("\n".join([name, *summary(group.judgement)])))
+        assert told.startswith(run_together(f"{name}\n{sentence(group.judgement)}"))
         scores = {team: group.held_out(team) for team in TEAMS}
-        means = [f"{each.mean():.2f}" for each in scores.values()]
-        assert re.search(rf"^{name} +{means[0]} +{means[1]}$", table, re.MULTILINE)
+        if strangers.startswith(run_together(name)):
+            pursuers, evaders = (f"{each.mean():.2f}" for each in scores.values())
+            assert run_together(f"(pursuers {pursuers}, evaders {evaders}, script") in strangers
         kept = written["groups"][name]
         assert (kept["finished"], kept["missing"]) == ([0, 1, 2], [3])
         assert kept["judgement"] == group.judgement.to_json()
         middle = kept["held_out"]["evaders"]["interquartile mean"]
         assert middle["value"] == pytest.approx(stats.trim_mean(scores["evader"], 0.25, axis=None))
+    best = max(groups, key=lambda name: sum(groups[name].held_out(t).mean() for t in TEAMS))
+    assert strangers.startswith(run_together(best))
+    assert "untrained teams" in said
     assert said.count("Not finished: seeds 3.") == 2
     assert [*written["runs"]] == [f"{name}/seed-{seed}" for name in SCHEDULES for seed in SEEDS]
     one, run = written["runs"][f"{FIRST}/seed-1"], open_run(job / FIRST / "seed-1")
@@ -188,7 +161,7 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, u
 
 def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     failed = job / FIRST / "seed-1"
-    asked = {name: each for name, each in JOB.items() if FIRST in name}
+    asked = {name: each for name, each in found_job(job).items() if FIRST in name}
     report(asked, job, results(job)[:1], {failed: "payoff.npz: cut or altered"}, 0.0, 1)
     said = capsys.readouterr().out
     assert "Not finished: seeds 1, 2, 3." in said

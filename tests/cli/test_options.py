@@ -13,7 +13,7 @@ import pytest
 
 import matrixworld
 from command_line import matrixworld_command
-from matrixworld.cli import COMMANDS, main
+from matrixworld.cli import main
 from matrixworld.cli.options import seeds_of
 
 DIFFERENT = {"--force", "--episodes", "--explain", "--each", "--out", "--generation"}
@@ -30,10 +30,6 @@ def test_options_of_one_name_are_equal_in_all_commands():
                 meaning = (option.help, repr(option.default), repr(option.type), option.multiple)
                 found[option.opts[0]].add(meaning)
     assert {name for name, meanings in found.items() if len(meanings) > 1} == DIFFERENT
-
-
-def test_summaries_fit_into_the_list_of_commands():
-    assert {name: text for name, (_, text) in COMMANDS.items() if len(text) > 45} == {}
 
 
 def test_every_command_that_names_an_output_file_has_force():
@@ -67,15 +63,6 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
     assert file.read_bytes() != b"precious"
     for kept in ("config.json", "pursuers.npy", "payoff.npz", "summary.json", "stage-0001.npz"):
         assert (run / kept).read_bytes() == before[run / kept]
-
-
-@pytest.mark.parametrize("suffix", ["gif", "png"])
-def test_a_picture_of_an_episode_is_drawn_again(suffix):
-    game = ["replay", "O", "--pursuer", "random", "--steps", 9, "--out", f"it.{suffix}"]
-    matrixworld_command(*game)
-    drawn = Path(f"it.{suffix}").read_bytes()
-    matrixworld_command(*game, "--seed", 1)
-    assert Path(f"it.{suffix}").read_bytes() != drawn
 
 
 def test_numbers_on_standard_output(run):

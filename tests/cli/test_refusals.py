@@ -15,7 +15,7 @@ from matrices import circular
 from matrixworld.coevolution import Run, create, evolve, open_run
 from matrixworld.coevolution.settings import MOST_SEED
 from matrixworld.play import save_genome
-from rows import random_walks
+from rows import archive, random_walks
 from tiny_race import StopAt, playing, tiny_race, tiny_single
 
 # fmt: off
@@ -30,6 +30,8 @@ JUDGE = [
     (["alone"], 2, "alone: expected a race, got a run of one team"),
     (["stopped"], 2, "expected a finished run; matrixworld evolve --resume stopped"),
     (["damaged"], 1, "payoff.npz: cut, altered or not an npz file"),
+    (["bomb.zip"], 1, "bomb.zip: cut, altered or not an archive of a race (expected at most "),
+    (["other.zip"], 2, "other.zip: expected an archive of a race, got none of its files"),
 ]
 REPLAY = [
     (["nothing"], 2, "nothing: no such file or directory; expected the directory of a run"),
@@ -83,7 +85,14 @@ EVOLVE = [
     ([*ALONE, "--set", "schedule.opponent=several"], 2, "expected one run, got a directory of sev"),
     (["--seeds", "0-3", "--seed", 1], 2, "--seeds: expected it without --seed, got both"),
     (["SB"], 2, "unexpected extra argument (SB)"),
-    (["--resume", "race", "--seeds", 3], 2, "a run keeps its own, got --out, --seeds"),
+    (["--resume", "race", "--seeds", 3], 2, "--resume: expected no --out, --seeds beside it: a "),
+    (["--resume", "race", "--set", "seed=1"], 2, "expected no --out, --set beside it"),
+    *(([flag, "--seed", 3], 2, f"{flag}: expected no --out, --seed beside it")
+      for flag in ("--page", "--variants", "--worlds", "--help-all")),
+    *((words, 2, "expected one value of a setting, got several")
+      for words in (["--rows", 5, "--set", "world.rows=7"], ["--seed", 2, "--set", "seed=1"],
+                    ["--seeds", "2-3", "--set", "seed=1"], ["--set", "seed=1", "--set", "seed=1"],
+                    ["--schedule", "psro", "--set", "schedule=against"])),
     (["--resume", "empty"], 2, "--resume: expected a directory that holds a run, got 'empty'"),
 ]
 OTHERS = [
@@ -140,6 +149,8 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     np.savez(root / "one.npz", payoff=np.full((1, 3), 0.5))
     np.savez(root / "scores.npz", scores=np.full((13, 13, 5), 0.5))
     random_walks().save(root / "walks.npz")
+    for name, part in (("bomb", {"config.json": bytes(2**27)}), ("other", {"a.txt": b"x"})):
+        (root / f"{name}.zip").write_bytes(archive(part))
     save_genome(root / "pursuer.npz", "pursuer", open_run(race).policy("pursuer"))
     return root
 

@@ -1,4 +1,4 @@
-"""``matrixworld replay`` and ``tournament``: what is played again, shown and written."""
+"""``matrixworld replay``, ``tournament`` and ``score``: what is played, shown and written."""
 
 import shutil
 from pathlib import Path
@@ -6,9 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from command_line import GIF, PNG, matrixworld_command
+from command_line import GIF, PNG, matrixworld_command, run_together
 from matrixworld import Episode, WorldConfig, record
-from matrixworld.coevolution import create, open_run
+from matrixworld.coevolution import create, open_run, score
+from matrixworld.coevolution.evaluation.scores import score_table
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.episodes import replay
 from matrixworld.play import save_genome
@@ -80,16 +81,6 @@ def test_every_step_or_one_is_explained():
     assert replayed(*STILL, "--steps", 2, "--explain").startswith("no conflicts\n")
 
 
-def test_a_film_of_a_long_episode_takes_about_ten_seconds(monkeypatch):
-    seen = {}
-    monkeypatch.setattr(replay, "save", lambda *args, **look: seen.update(look))
-    said = replayed(*STILL, "--steps", 400, "--out", "x.gif")
-    assert said.startswith("Every 4 steps are a frame, so that it takes about 10 seconds.\n")
-    assert seen["every"] == 4
-    assert "Every" not in replayed(*STILL, "--steps", 400, "--out", "x.gif", "--every", 1)
-    assert seen["every"] == 1
-
-
 def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     said = played(run, "--episodes", 3, "--steps", 12, "--seed", 5, "--threads", 1)
     made = run / "tournament-3x12-seed5.npz"
@@ -110,3 +101,10 @@ def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     said = played(run, "job/b", "--episodes", 2, "--out", "cross.npz")
     assert "condition" not in said
     assert np.load("cross.npz")["scores"].shape == (3, 1, 2)
+
+
+def test_scores_of_a_run_are_those_of_the_package(race):
+    printed = matrixworld_command("score", race, "--episodes", 4).stdout
+    for scores in score(open_run(race), episodes=4).values():
+        assert score_table([scores]) in printed
+        assert run_together(f"Left out: {scores.left_out}.") in run_together(printed)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution import RaceSettings, Run, open_run
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.run import lengthen
@@ -80,3 +81,7 @@ def test_races_that_cannot_become_longer(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="expected the checkpoint of its last stage"):
         race.extend(3)
     assert {**before, **results(race.path)} == before  # nothing was changed
+    assert played(tiny_race(), race.path).finished  # and it needs none to be finished
+    (race.path / "summary.json").unlink()
+    with pytest.raises(DamagedFileError, match="no intact stage to continue from"):
+        played(tiny_race(), race.path)

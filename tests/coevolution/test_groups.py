@@ -8,54 +8,38 @@ import pytest
 
 from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import judge
-from matrixworld.coevolution import RaceSettings, open_runs, score
+from matrixworld.coevolution import open_runs, score
 from matrixworld.coevolution.evaluation.scores import estimates_of, kept_scores
 from matrixworld.coevolution.groups import job_directory, open_groups
-from matrixworld.coevolution.jobs import create_job, job_of
 from matrixworld.coevolution.storage import find_runs
-from tiny_race import StopAt, played, tiny_race, tiny_single
+from tiny_race import SCHEDULES, StopAt, played, tiny_race, tiny_single
 
-FIRST, SECOND = SCHEDULES = ("specialist-specialist", "generalist-generalist")
+FIRST, SECOND = SCHEDULES
 SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)  # one has not begun
 
 
-def settings_of(schedule: str, seed: int) -> RaceSettings:
-    return tiny_race(schedule=schedule, seed=seed)
-
-
-@pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two schedules with four seeds each, of which the last one has not begun."""
-    root = tmp_path_factory.mktemp("made") / "job"
-    create_job(job_of([settings_of(name, seed) for name in SCHEDULES for seed in ASKED]), root)
-    for name in SCHEDULES:
-        for seed in SEEDS:
-            played(settings_of(name, seed), root / name / f"seed-{seed}")
-    return root
-
-
 @pytest.fixture
-def job(made: Path, tmp_path: Path) -> Path:
-    return Path(shutil.copytree(made, tmp_path / "job"))
+def job(seeds: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(seeds, tmp_path / "job"))
 
 
-def test_a_job_has_a_group_for_each_schedule_and_knows_what_is_missing(made):
-    groups = open_groups(made)
-    assert [group.name for group in groups] == [str(made / name) for name in SCHEDULES]
-    assert [group.inside(made).name for group in groups] == [*SCHEDULES]
+def test_a_job_has_a_group_for_each_schedule_and_knows_what_is_missing(seeds):
+    groups = open_groups(seeds)
+    assert [group.name for group in groups] == [str(seeds / name) for name in SCHEDULES]
+    assert [group.inside(seeds).name for group in groups] == [*SCHEDULES]
     assert [(group.seeds, group.missing) for group in groups] == [(SEEDS, (3,))] * 2
     assert all(group.several and group.is_race for group in groups)
-    assert [group.name for group in open_groups(made / FIRST)] == [str(made / FIRST)]
-    [single] = open_groups(made / FIRST / "seed-1")
+    assert [group.name for group in open_groups(seeds / FIRST)] == [str(seeds / FIRST)]
+    [single] = open_groups(seeds / FIRST / "seed-1")
     assert (single.seeds, single.missing, single.several) == ((1,), (), False)
     assert single.singles == (single,)
-    assert find_runs(made) == [made / name / f"seed-{n}" for name in SCHEDULES for n in ASKED]
-    assert job_directory(made / FIRST / "seed-1").resolve() == made.resolve()
+    assert find_runs(seeds) == [seeds / name / f"seed-{n}" for name in SCHEDULES for n in ASKED]
+    assert job_directory(seeds / FIRST / "seed-1").resolve() == seeds.resolve()
 
 
-def test_a_group_is_judged_and_scored_as_its_runs_together(made):
-    group = open_groups(made / FIRST)[0]
-    runs = open_runs(made / FIRST)
+def test_a_group_is_judged_and_scored_as_its_runs_together(seeds):
+    group = open_groups(seeds / FIRST)[0]
+    runs = open_runs(seeds / FIRST)
     rates = np.stack([run.payoff().scores for run in runs])
     assert group.judgement.to_json() == judge(rates, per_episode=True).to_json()
     assert [each.judgement.runs for each in group.singles] == [1, 1, 1]

@@ -7,7 +7,6 @@ import subprocess
 import sys
 import warnings
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
-from functools import partial
 from pathlib import Path
 
 import pytest
@@ -30,7 +29,7 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of, shares
 from matrixworld.coevolution.race import ALL_SCHEDULES
-from tiny_race import begun, hall_of_fame, played, results, straight, tiny_race, tiny_single
+from tiny_race import hall_of_fame, played, results, straight, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 
@@ -41,8 +40,6 @@ SETTINGS = [
     tiny_race(seed=3, learner="cma"),
     tiny_single(seed=1, team="evader", learner="ga"),
 ]
-LONG = {"generations": 10, "pursuer_epochs": 100, "evader_epochs": 100}
-"""Seconds: tests stop such a run in its middle."""
 
 
 def files_in(directory):
@@ -114,30 +111,6 @@ def test_a_job_is_stopped_by_a_callback_and_goes_on(tmp_path):
     places = [(row["run"], row["team"], row["generation"], row["epoch"]) for row in before + after]
     assert len(set(places)) == len(places) > 20  # no row comes twice
     check_equal(tmp_path)
-
-
-@pytest.mark.slow
-def test_ctrl_c_ends_all_runs_and_the_same_call_continues(tmp_path, monkeypatch):
-    monkeypatch.setattr(jobs, "SECONDS", 0.02)  # else such runs may end before they are stopped
-    settings = [tiny_race(seed=seed, **LONG) for seed in range(2)]
-    paths = [tmp_path / name for name in job_of(settings)]
-    seen = []
-
-    def report(progress, share):
-        seen.append(progress)
-        if progress.share >= share:
-            raise KeyboardInterrupt
-
-    for share in (0.2, 0.5):
-        with pytest.raises(KeyboardInterrupt):
-            evolve(settings, tmp_path, threads=4, report=partial(report, share=share))
-        for path in paths:
-            with begun(open_run(path).settings, path).files.lock():  # nobody plays it
-                assert len(open_run(path).archive()["pursuer"]) < 11
-    # What the first call played does not count for the rate of the second.
-    assert seen[-1].before > 0.05 * seen[-1].total
-    evolve(settings, tmp_path, threads=1)
-    assert results(paths[0]) == straight(settings[0])
 
 
 def failures_of(settings, directory, **options):

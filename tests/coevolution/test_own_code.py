@@ -4,6 +4,7 @@ import os
 import pickle
 import sys
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import pytest
@@ -25,8 +26,8 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.learners import OwnLearner
 from matrixworld.coevolution.opponents import OwnOpponents
-from own_code import Crash, Fails, Hardest, HillClimber, InPlace, Oldest
-from tiny_race import alternating, played, results, tiny_race
+from own_code import Crash, Exits, Fails, Hardest, HillClimber, InPlace, Oldest
+from tiny_race import alternating, played, tiny_race
 
 
 @pytest.fixture
@@ -69,6 +70,12 @@ def test_a_name_that_cannot_be_one_is_refused(name):
             RaceSettings.of({path: name})
 
 
+@dataclass(frozen=True)
+class Bred(GeneticAlgorithm):
+    population: int = 8
+    bits: int = 1
+
+
 def test_a_class_and_an_instance_stand_for_their_name_and_settings():
     given = {"sigma": np.float32(0.5), "shrink": 1}
     named = OwnLearner(code="own_code:HillClimber", settings=given)
@@ -79,6 +86,9 @@ def test_a_class_and_an_instance_stand_for_their_name_and_settings():
     made = RaceSettings(learner=HillClimber(sigma=0.5)).learner
     assert made.settings == {"population": 4, "shrink": 0.9, "sigma": 0.5}
     assert made.load() == HillClimber(sigma=0.5)
+    derived = RaceSettings(learner=Bred(bits=3)).learner  # not the built-in one, which has no bits
+    assert isinstance(derived, OwnLearner)
+    assert derived.load() == Bred(bits=3)
     for met in (Oldest, Oldest(), "own_code:Oldest"):
         settings = RaceSettings.of({"schedule.evaders_meet": met})
         assert settings.schedule.evaders_meet == OwnOpponents(code="own_code:Oldest")
@@ -173,6 +183,9 @@ def test_a_sampler_that_keeps_all_promises(count):
         check_sampler(sampler, count=count)
 
 
+EXITS = tiny_race(learner="own_code:Exits")
+
+
 def changed(base=HillClimber, **methods):
     return dataclass(frozen=True)(type("Changed", (base,), methods))()
 
@@ -248,20 +261,10 @@ def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
     if sys.version_info >= (3, 11):
         assert caught.value.__notes__ == [f"in stage 1 of the run {tmp_path / 'run'}"]
     assert Run(tmp_path / "run").stage == 0  # the last finished one
-    with pytest.raises(PluginError, match="called exit"):  # it does not end the program
-        played(tiny_race(learner="own_code:Exits"), tmp_path / "exits")
-
-
-def test_a_class_of_the_package_by_its_path_gives_the_same_run(tmp_path):
-    package = "matrixworld.coevolution"
-    own = {
-        "learner": f"{package}:CmaEs",
-        "learner.settings": {"sigma": 0.1, "population": 4},
-        "evaders_meet": f"{package}.opponents:SharedSampling",
-    }
-    built_in = {"learner": "cma", "sigma": 0.1, "evaders_meet": "shared-sampling"}
-    one, other = (
-        results(played(alternating(hidden=(), **each), tmp_path / str(number)).path)
-        for number, each in enumerate((own, built_in))
-    )
-    assert all(one[name] == other[name] for name in ("log.csv", "pursuers.npy", "evaders.npy"))
+    for end in (partial(check_learner, Exits()), partial(played, EXITS, tmp_path / "exits")):
+        with pytest.raises(PluginError, match="called exit"):  # it does not end the program
+            end()
+    with pytest.raises(
+        PluginError, match=r"^ask of learner TooFew: .* float32 \(4, .*, got .*\(3, "
+    ):
+        played(tiny_race(learner="own_code:TooFew"), tmp_path / "few")

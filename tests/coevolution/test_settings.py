@@ -78,18 +78,6 @@ def test_steps_of_a_team_alone_follow_from_its_epochs(epochs, rate, sigma):
     assert (chosen.learning_rate, chosen.sigma) == (learner.learning_rate, 0.3)
 
 
-def test_what_follows_from_the_settings():
-    settings, alone = RaceSettings(), RaceSettings(schedule=Against(team="evader"))
-    assert settings.schedule.name == "generalist-generalist"
-    assert settings.schedule.total_epochs("evader") == 30 * 58
-    assert settings.training_game.world.max_steps == 200
-    assert (
-        settings.evaluation_game.policy.genome_size == 363 * 32 + 32 + 32 * 5 + 5
-    )  # 363 = 3 x 11 x 11
-    assert (settings.is_race, alone.is_race) == (True, False)
-    assert alone.learning_teams == ("evader",)
-
-
 def test_overlap_is_penalised_where_teammates_may_share_a_cell():
     assert RaceSettings().training_game.penalty == 0.2
     assert RaceSettings(schedule=Against(team="evader")).training_game.penalty == 0.5

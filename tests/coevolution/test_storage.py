@@ -2,7 +2,6 @@
 
 import itertools
 import multiprocessing
-import os
 import shutil
 import sys
 import time
@@ -12,19 +11,17 @@ import numpy as np
 import pytest
 
 from matrixworld._util import files
-from matrixworld.analysis import generalization
 from matrixworld.coevolution import (
     DamagedFileError,
     OtherVersionError,
     Run,
-    SavedRun,
     create,
     finish,
     open_run,
 )
 from matrixworld.coevolution.storage import FORMAT, RunWriter
 from scripts import wait_until
-from tiny_race import StopAt, begun, directory_in_memory, played, results, tiny_race, tiny_single
+from tiny_race import StopAt, begun, played, results, tiny_race, tiny_single
 
 SETTINGS = {
     "race": tiny_race(),
@@ -266,33 +263,3 @@ def test_other_files_are_not_replaced(tmp_path, name):
     with pytest.raises(FileExistsError, match=f"found {name}"):
         create(tiny_race(), tmp_path)
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {name: b"mine"}
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="needs permissions")
-def test_a_directory_that_cannot_be_written_to_is_refused(stopped, race):
-    with directory_in_memory() as place:
-        place.chmod(0o755)  # pytest's own directories are closed to other users
-        run = Path(shutil.copytree(stopped, place / "run"))
-        run.chmod(0o555)
-        user = os.geteuid()
-        os.seteuid(user or 65534)  # not root, who may write into every directory
-        try:
-            with pytest.raises(PermissionError, match=f"'{run}"):
-                Run(run)
-        finally:
-            os.seteuid(user)
-        run.chmod(0o755)
-        assert results(finish(run, threads=1).path) == results(race)
-
-
-def test_runs_and_their_results_are_shown_in_a_notebook_and_drawn_as_they_are(race):
-    saved = SavedRun(race)
-    shown = saved._repr_html_()
-    assert saved.title in shown
-    assert "<td>generations of the pursuers</td><td>" in shown
-    payoff = saved.payoff()
-    assert f"{payoff.matrix[-1, -1]:.2f}" in shown
-    for one, other in zip(generalization(payoff), generalization(payoff.matrix), strict=True):
-        np.testing.assert_array_equal(one, other)
-    with pytest.raises(TypeError, match=r"got a function; did you mean payoff\(\)"):
-        generalization(saved.payoff)

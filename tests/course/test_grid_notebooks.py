@@ -5,39 +5,17 @@ from functools import partial
 from itertools import product
 
 import numpy as np
-import pytest
 
 import matrixworld as mw
 from course import check
-from course.boards import before_and_after, plan, random_pack
+from course.boards import random_pack
 from course.chapter_1 import MAZE, SHORTEST
 from course.chapter_2 import JAM, JAM_ACTIONS, true_cells
-from matrixworld import Action, World
+from matrixworld import Action
 from matrixworld.explorer.playground import drawn_world
 from student_functions import by_index
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
-
-DRAWING = ". . . . / . A . B / . . . ."
-
-
-def world_of_three() -> World:
-    return drawn_world("SB", DRAWING + " / . . . a")
-
-
-def test_a_step_is_played_and_can_be_explained() -> None:
-    world = world_of_three()
-    for actions in ([EAST, WEST], [EAST, WEST, 5], [EAST, WEST, -1]):
-        with pytest.raises(ValueError, match="actions: expected 3 from 0 to 4"):
-            before_and_after(world, actions)
-    assert world.steps == 0
-    picture = before_and_after(world, [EAST, WEST, STAY])
-    assert world.steps == 1
-    assert [str(each) for each in world.conflicts] == [
-        "pursuer_0 and pursuer_1 both headed for (1, 2): both bounce"
-    ]
-    before = plan(world_of_three(), [EAST, WEST, STAY]).pixels
-    assert np.array_equal(picture.pixels[:, : before.shape[1]], before)
 
 
 # ---- Notebook 1 ----------------------------------------------------------------------------------

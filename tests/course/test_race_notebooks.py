@@ -3,22 +3,19 @@
 import runpy
 from collections.abc import Callable
 from itertools import combinations, permutations, product
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from course import chapter_10, check, kept
-from course.chapter_5 import four_races
-from course.chapter_9 import WEIGHTS, WORLD, Mask, pack, play_masked
+from course import check, kept
+from course.chapter_9 import WORLD, Mask, play_masked
 from matrixworld import analysis
-from matrixworld.coevolution import evolve
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.masks import action_masks, forbidding_cells
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
-from student_functions import STEPS, left_waits
+from student_functions import left_waits
 from student_functions import right_of_way as as_on_a_road
 
 # ---- Notebook 3 ----------------------------------------------------------------------------------
@@ -46,37 +43,7 @@ def test_the_match_step_by_step_is_that_of_rollout(size: dict) -> None:
         assert found == (statistics.capture_rate[match, 0], statistics.length[match, 0])
 
 
-# ---- Notebook 4 ----------------------------------------------------------------------------------
-
-
-def test_the_red_queen_in_the_kept_races() -> None:
-    """The diagonal falls and rises, while both teams improve against held-out opponents."""
-    saved = kept("chapter_4")
-    races = saved["captured"] / saved["evaders_met"]
-    when = saved["generations"].tolist()
-    diagonal = np.array([np.diag(race) for race in races])[:, when]
-
-    def change(scores: np.ndarray, begin: int, end: int) -> analysis.Estimate:
-        found = scores[:, when.index(end)] - scores[:, when.index(begin)]
-        return analysis.interval_over_runs(found.astype(float))
-
-    assert change(diagonal, 0, 6).high < 0 < change(diagonal, 6, 24).low
-    assert change(saved["pursuer"], 0, 24).low > 0
-    assert change(saved["evader"], 0, 24).low > 0
-
-
 # ---- Notebook 5 ----------------------------------------------------------------------------------
-
-
-def test_the_four_races_are_what_the_solution_says() -> None:
-    rises = {
-        letter: [curve[-6:].mean() - curve[-15:-9].mean() > 0.05 for curve in curves]
-        for letter, race in four_races().items()
-        if (curves := analysis.generalization(race.mean(axis=2)))
-    }
-    assert rises == {
-        "A": [False, True], "B": [False, False], "C": [True, True], "D": [False, False]
-    }  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -91,23 +58,6 @@ def test_verdicts_on_ten_seeds(schedule: str, race: str, cycling: str) -> None:
     races = kept("paper_races")
     found = analysis.judge(races[schedule] / int(races["evaders"]), per_episode=True).findings
     assert (found["arms race"].verdict, found["cycling"].verdict) == (race, cycling)
-
-
-# ---- Notebook 7 ----------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
-def test_the_kept_races_show_what_the_notebook_says() -> None:
-    """Of ten seeds of each kind so many disengage in the last half."""
-    stored = kept("chapter_7")
-    for kind, least, most in (
-        ("even", 0, 2),
-        ("few evader epochs", 7, 10),
-        ("restrained pursuers", 5, 8),
-    ):
-        found = analysis.judge(stored[f"captured: {kind}"] / stored["evaders"], per_episode=True)
-        verdicts = found.windows["last half"]["disengagement"].by_run
-        assert least <= verdicts.count("present") <= most, kind
 
 
 # ---- Notebook 8 ----------------------------------------------------------------------------------
@@ -176,50 +126,7 @@ def test_nobody_is_at_fault_where_one_of_two_goes_first() -> None:
     assert both_go.summary().fault_rate[0, 1] > 0
 
 
-def test_what_the_kept_packs_show() -> None:
-    runs = kept("safe_packs")
-    captured = {name: runs[f"{name}_captured"] / runs["episodes"] for name in PACKS}
-    for name in PACKS[:7]:
-        unsafe = 1 - runs[f"{name}_safe"] / runs["episodes"]
-        assert (unsafe[captured[name] > 0.5] > 0).all()
-    assert (captured["penalty0"] > 0.5).all()
-    assert (captured["penalty5"] < 0.05).sum() >= 3  # the penalty of the paper
-    assert (captured["penalty5"] > 0.9).sum() >= 3
-    assert not any(runs[f"{name}_faults"].any() for name in ("mask", "late_mask", "mask_training"))
-    # A mask on what has learned without it costs captures.
-    assert captured["late_mask"].mean() < captured["mask"].mean() - 0.1
-    assert (1000 * runs["limit_faults"].sum(axis=1) / runs["limit_agent_steps"] < 20).all()
-
-
-PACKS = (*(f"penalty{number}" for number in range(7)), "mask", "late_mask")
-
-
 # ---- Notebook 10 ---------------------------------------------------------------------------------
-
-
-@pytest.mark.nightly
-def test_the_kept_truth_is_that_of_its_races(tmp_path: Path) -> None:
-    """Of one race. Run ``tutorials/make/chapter_10.py`` if it fails."""
-    stored, maker = kept("chapter_10"), runpy.run_path(str(TUTORIALS / "make" / "chapter_10.py"))
-    run = evolve(maker["settings"]("specialist-specialist", 3), tmp_path / "race", threads=1)
-    numbers = maker["numbers"](run)
-    assert numbers.pop("value") == stored["value"]
-    for name, (of_pursuers, of_evaders) in numbers.items():
-        assert np.array_equal(stored[f"pursuer: {name}"][0, 3], of_pursuers)
-        assert np.array_equal(stored[f"evader: {name}"][0, 3], of_evaders)
-
-
-def test_the_kept_truth_is_what_the_notebook_says() -> None:
-    """Run ``tutorials/run.py 10`` if it fails."""
-    stored = kept("chapter_10")
-    last = {team: stored[f"{team}: truth"][:, :, -1] for team in ("pursuer", "evader")}
-    conv = dict(zip(stored["schedules"], (1 - sum(last.values())).mean(axis=1), strict=True))
-    assert conv["hall-of-fame"] == pytest.approx(chapter_10.HALLS, abs=1e-4)
-    assert conv["generalist-generalist"] == pytest.approx(chapter_10.GENERALISTS, abs=1e-4)
-    # Scores of the race come near the value, in every schedule, and what is guaranteed does not.
-    for race, truth in zip(stored["pursuer: current"], stored["pursuer: truth"], strict=True):
-        assert race[:, -1].mean() > 0.3
-        assert truth[:, -1].max() < 0.2
 
 
 def test_answers_to_the_newest_never_improve_and_those_to_the_nash_mixture_do() -> None:
@@ -233,47 +140,3 @@ def test_answers_to_the_newest_never_improve_and_those_to_the_nash_mixture_do() 
         newest, nash = (names["respond"](game, names[n], 12)[-1] for n in ("newest", "nash"))
         assert newest > 0.95
         assert nash < 0.4
-
-
-def wishes(view: np.ndarray, weights: np.ndarray) -> list[float]:
-    """Return the wishes for the five actions, cell by cell as the table says."""
-    of = dict(zip(WEIGHTS, weights, strict=True))
-    found = [of["stay"]]
-    evaders = [(r - 5, c - 5) for r, c in np.argwhere(view[EVADERS])]
-    found[0] += of["hold"] * sum(abs(r) + abs(c) == 1 for r, c in evaders)
-    for row, col in STEPS[1:]:
-        wish = of["wall"] * view[OBSTACLES, 5 + row, 5 + col]
-        wish += of["teammate"] * view[PURSUERS, 5 + row, 5 + col]
-        for r, c in evaders:
-            wish += of["approach"] * (r * row + c * col) / max(abs(r) + abs(c), 1)
-        for down, right in STEPS[1:]:
-            r, c = row + down, col + right
-            if (r, c) != (0, 0):
-                wish += of["crowd"] * view[PURSUERS, 5 + r, 5 + c]
-        found.append(wish)
-    return found
-
-
-def test_the_network_wishes_what_the_table_says() -> None:
-    rng = np.random.default_rng(0)
-    # A few agents in each view, as in play.
-    views = (rng.random((20, 3, 11, 11)) < 0.1).astype(np.uint8)
-    weights = rng.normal(size=6)
-    own = pack(weights)
-    found = own.policy.logits(own.genomes[0], views)
-    expected = [wishes(view, weights) for view in views]
-    np.testing.assert_allclose(found, expected, atol=1e-4)
-
-
-def test_a_forbidden_action_is_never_chosen() -> None:
-    def no_moves(views: np.ndarray) -> np.ndarray:
-        return np.tile([True, False, False, False, False], (len(views), 1))
-
-    def nothing(views: np.ndarray) -> np.ndarray:
-        return np.zeros((len(views), 5), bool)
-
-    for mask in (no_moves, nothing):  # where nothing is allowed, pursuers stay
-        safety, steps = play_masked([6, 0, 0, 0, 0, 0], mask, episodes=20)
-        assert safety.summary().capture_rate == 0
-        assert (steps == WORLD.max_steps).all()
-        assert safety.summary().fault_rate[0].sum() == 0

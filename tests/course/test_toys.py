@@ -1,5 +1,7 @@
 """Toys and synthetic races, against their known answers."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -7,6 +9,7 @@ from course import toys
 from course.synthetic_races import play_episodes
 from matrices import ROCK_PAPER_SCISSORS
 from matrixworld import analysis
+from matrixworld.coevolution import check_game
 from matrixworld.coevolution.types import TEAMS
 
 
@@ -17,15 +20,21 @@ def test_generalists_do_not_cycle():
         x, y = (np.bincount(hands[team], minlength=3) / len(hands[team]) for team in TEAMS)
         return analysis.exploitability(ROCK_PAPER_SCISSORS, x, y).total
 
-    assert exploitability(toys.alternate("generalist-generalist", 200, 200)) < 0.1
-    assert exploitability(toys.alternate("specialist-specialist", 2, 1)) > 0.3
+    # Known: fictitious play, .099 after 100 rounds and .273 after 10.
+    assert exploitability(toys.race_of_hands("fictitious play", 100)) == pytest.approx(
+        0.1, abs=0.03
+    )
+    assert exploitability(toys.race_of_hands("generalists", 100)) < 0.15
+    assert exploitability(toys.race_of_hands("specialists", 2)) > 0.3
 
 
 def test_games_by_hand():
-    focusing, intransitive = toys.GAMES["focusing"].beats, toys.GAMES["intransitive"].beats
+    focusing, intransitive = (
+        partial(toys.beats, toys.GAMES[n]) for n in ("focusing", "intransitive")
+    )
     a, b = np.array([[5, 1], [3, 3], [4, 2]]), np.array([[2, 3], [3, 3], [1, 1]])
     # a - b = (3, -2), (0, 0), (3, 1)
-    assert toys.GAMES["scalar"].scores(a[:, :1], b[:, :1]).tolist() == [1.0, 0.5, 1.0]
+    assert toys.SCALAR.play(a[:, :1], b[:, :1], None).tolist() == [1.0, 0.5, 1.0]
     assert focusing(a, b).tolist() == [True, False, True]
     assert intransitive(a, b).tolist() == [False, False, True]
     assert intransitive(b, a).tolist() == [True, False, False]
@@ -53,13 +62,18 @@ def test_numbers_game(name, flips, expected, tolerance):
 
 
 def test_each_individual_meets_as_many_opponents_and_wins_breed():
-    """Children of side 0 are all zeros, and those of side 1 all ones, in five generations."""
-    breeds = (lambda bits, *_: np.zeros_like(bits)), (lambda bits, *_: np.ones_like(bits))
-    found = toys.evolve(toys.GAMES["scalar"], breeds, 0, generations=5, opponents=2)
+    """Children of hosts are all zeros, and those of parasites all ones, in five generations."""
+    learner = toys.Bits(redrawn=1.0, host_bias=0.0, parasite_bias=1.0)
+    found = toys.evolve(toys.SCALAR, learner, 0, generations=5, opponents=2)
     assert (found.wins[:, 0] == 0).all()
     assert (found.wins[0] == 0).all()  # all begin with zeros
     assert (found.wins[1:, 1] == 2).all()
     assert found.final_objective.tolist() == [0, 100]
+
+
+def test_games_keep_their_promises():
+    for game in (toys.HANDS, *toys.GAMES.values()):
+        check_game(game)
 
 
 @pytest.mark.parametrize(

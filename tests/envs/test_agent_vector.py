@@ -8,13 +8,11 @@ import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 from gymnasium.wrappers import TimeAwareObservation
-from gymnasium.wrappers import vector as wrappers
 
 import matrixworld as mw
 from matrixworld.envs.vector import AutoresetMode
 from rows import config_of, random_actions
 
-GYMNASIUM = tuple(map(int, gymnasium.__version__.split(".")[:2]))
 TEAMS = (None, "pursuer", "evader")
 
 
@@ -76,31 +74,6 @@ def test_masked_transitions_end_where_agents_disappear(mode: str) -> None:
     assert all(steps == [False] * (len(steps) - 1) + [True] for steps in whole)
     assert len({len(steps) for steps in whole}) > 5  # some agents disappeared earlier than others
     assert len(whole) > 3 * env.num_envs
-
-
-@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
-@pytest.mark.parametrize("team", TEAMS)
-def test_record_episode_statistics(team: str | None, mode: str) -> None:
-    if mode == "SameStep" and GYMNASIUM < (1, 4):
-        pytest.skip("this version's wrapper leaves out the first step of each further episode")
-    env = wrappers.RecordEpisodeStatistics(
-        mw.AgentVectorEnv(worlds_of(autoreset_mode=mode), team), buffer_length=10_000
-    )
-    inside = env.env.worlds
-    env.reset(seed=3)
-    team_of = {None: [0, 1], "pursuer": [0], "evader": [1]}[team]
-    episodes = 0
-    for actions in actions_of(env.env, 40):
-        *_, infos = env.step(actions)
-        for w in np.flatnonzero(inside.infos["_episode"]):
-            episodes += 1
-            of_world = slice(w * env.num_envs // 3, (w + 1) * env.num_envs // 3)
-            assert infos["_episode"][of_world].all()
-            expected = inside.infos["episode"]["return"][w, team_of].sum()
-            assert infos["episode"]["r"][of_world].sum() == pytest.approx(expected, abs=1e-3)
-            assert set(infos["episode"]["l"][of_world]) == {inside.infos["episode"]["length"][w]}
-    assert episodes > 3
-    assert len(env.return_queue) == episodes * env.num_envs // 3
 
 
 def test_refuses() -> None:

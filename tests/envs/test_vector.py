@@ -95,6 +95,26 @@ def test_teams_are_parts_of_the_same_arrays() -> None:
         assert np.shares_memory(getattr(env.evaders, name), env.infos[name])
 
 
+def test_what_is_assigned_to_an_array_is_written_into_it() -> None:
+    envs, twin = (mw.VectorEnv("O", 2, rows=6, cols=6, n_pursuers=2, n_evaders=2) for _ in "ab")
+    for each in (envs, twin):
+        each.reset(seed=0)
+    envs.actions = np.zeros((2, 4), np.int32)
+    envs.pursuers.actions, envs.evaders.actions = [[1, 2], [2, 1]], 3
+    expected = [[1, 2, 3, 3], [2, 1, 3, 3]]
+    np.testing.assert_array_equal(envs.actions, expected)
+    np.testing.assert_array_equal(envs.step()[0], twin.step(expected)[0])
+    for bad, error in (([1, 2], ValueError), (np.ones((2, 4)), TypeError), (None, TypeError)):
+        with pytest.raises(error, match="^actions: expected"):
+            envs.actions = bad
+    np.testing.assert_array_equal(envs.actions, expected)
+    world, batch = mw.World("O"), mw.Batch(1)
+    with pytest.raises(AttributeError, match="^positions: expected no assignment"):
+        world.positions = world.positions + 1
+    with pytest.raises(AttributeError, match="buffers"):
+        batch.buffers = {}
+
+
 def test_seeds() -> None:
     env, other = make(), make()
     with pytest.raises(RuntimeError, match="^call reset"):

@@ -20,7 +20,7 @@ import matrixworld as mw
 from matrixworld._util import colors
 from matrixworld.episodes import replay as term
 from matrixworld.episodes.record import FPS, Drawing, Notebook
-from matrixworld.episodes.replay import animate_terminal, animation, print_moment, save, scene
+from matrixworld.episodes.replay import animate_terminal, animation, save, scene
 from matrixworld.world import render
 from rows import config_of, random_walks
 
@@ -147,7 +147,8 @@ def test_a_picture_of_one_moment_with_the_views_of_its_world(tmp_path: Path) -> 
     with Image.open(tmp_path / "7.PNG") as image:
         wanted = render.rgb(scene(EPISODE, 7), cell=9, fov=5, viewers=["evader_0", 1])
         assert (np.array(image) == wanted).all()
-    episode = mw.record(mw.WorldConfig(rows=12, cols=12, fov=5), "still", "still", seed=0)
+    world = mw.WorldConfig(rows=12, cols=12, fov=5, max_steps=3)
+    episode = mw.record(world, "still", "still", seed=0)
     own, five, seven = (
         animation(episode, viewers=[np.uint8(0)], every=np.uint8(1), **look).data
         for look in ({}, {"fov": np.uint8(5)}, {"fov": 7})
@@ -175,13 +176,6 @@ def test_animation_in_a_terminal(naps: list[float], terminal: Terminal) -> None:
         assert picture.startswith(drawn.replace("\n", term.CLEAR_LINE + "\n"))
     assert step == EPISODE.length
     assert picture.endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
-
-
-def test_without_a_terminal_it_is_plain_text(capsys: Terminal) -> None:
-    animate_terminal(EPISODE)
-    print_moment(EPISODE, step=-3)
-    drawn = (render.ansi(scene(EPISODE, step), color="none") for step in (30, 28))
-    assert capsys.readouterr().out == "\n".join(drawn) + "\n"
 
 
 def test_the_cursor_comes_back_after_ctrl_c(

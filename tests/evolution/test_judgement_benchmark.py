@@ -1,31 +1,21 @@
 """The benchmark of the judgement: races whose truth is known, counts, tables and files."""
 
-import sys
-from collections.abc import Callable
-from functools import cache
 from operator import itemgetter
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.stats import binom
 
-import judgement_cases as cases
-import judgement_errors
 import judgement_tables as tables
 from course import toys
 from course.synthetic_races import SyntheticRace
 from course.toys import History
-from evolution_scripts import RESULTS, read
 from judgement_races import KINDS, synthetic_races
-from judgement_toys import RACES, chances_of_history, truths_of_history
-from judgement_truths import WINDOWS, Truths, truths, truths_of_group
+from judgement_toys import chances_of_history, truths_of_history
+from judgement_truths import Truths, truths, truths_of_group
 from matrices import quadruples
-from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS
-
-COMMITTED = RESULTS / "judgement"
 
 
 def held(found: Truths) -> dict[str, bool | None]:
@@ -39,14 +29,6 @@ def what_holds(kind: str, window: str = "whole", **options: float) -> list[set[b
 
 
 T, F, OPEN, ANY = {True}, {False}, {None}, None
-HANDS = ("specialists", "generalists", "fictitious play")
-SEEDS = (1, 12)  # of races of toys: one has 10 episodes, the other 40
-
-
-@cache
-def toy_race(name: str, seed: int) -> Any:
-    """Return a race of a toy game, which takes a while to play."""
-    return RACES[name](seed)
 
 
 @pytest.mark.parametrize(
@@ -159,7 +141,7 @@ def test_chances_are_the_means_of_many_matches(game: str) -> None:
 def a_history(game: str, totals: np.ndarray) -> History:
     """Return a history of pairs of individuals with `totals` ones, (k, dimensions)."""
     ones = np.repeat(np.repeat(totals[:, None, None, :], 2, axis=1), 2, axis=2)
-    return History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals) - 1, 2, 2)))
+    return History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals), 2, 2)))
 
 
 def test_truths_of_histories_by_hand() -> None:
@@ -189,103 +171,6 @@ def test_truths_of_histories_by_hand() -> None:
     assert set(found.values()) == {None}
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "condition", "holds"),
-    [
-        ("scalar, climbing", "arms race", True),
-        ("scalar, climbing", "cycling", False),
-        ("scalar, at the top", "arms race", False),
-        ("scalar, without mutation", "stagnation", True),
-        ("intransitive", "intransitivity", True),
-        ("virulence 1", "disengagement", True),
-        ("virulence .75, climbing", "arms race", True),
-        ("virulence .75, later", "disengagement", False),
-        ("mutation without selection", "arms race", False),
-        *((f"rock-paper-scissors, {each}", "intransitivity", True) for each in HANDS),
-        *((f"rock-paper-scissors, {each}", "arms race", False) for each in HANDS),
-        *((f"rock-paper-scissors, {each}", "one-sided progress", False) for each in HANDS),
-    ],
-)
-def test_what_is_true_of_toys(name: str, condition: str, holds: bool) -> None:
-    for seed in SEEDS:
-        assert toy_race(name, seed).truths["last half"][condition].holds is holds
-
-
-def opinion(source: np.ndarray, *, per_episode: bool = False, episodes: int | None = None) -> Any:
-    """Call all but a cycle present, whatever the matches, and leave out first halves."""
-    assert source.ndim in ((3, 4) if per_episode else (2, 3))
-    assert not (per_episode and episodes)
-    windows = {}
-    for window in ("whole", "last half"):
-        ends = SimpleNamespace(value=0.0, low=-0.001, high=0.001)
-        windows[window] = {
-            name: SimpleNamespace(
-                verdict="absent" if name == "cycling" else "present",
-                estimates={"pursuer_change": ends, "evader_change": ends},
-            )
-            for name in CONDITIONS
-        }
-    return SimpleNamespace(windows=windows, window="last half")
-
-
-@pytest.fixture(autouse=True)
-def no_judgement(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Put the opinion in place of the judgement, which takes long."""
-    monkeypatch.setattr(analysis, "judge", opinion)
-
-
-@pytest.fixture
-def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
-    """Return a function that runs the script with options and returns what it prints."""
-
-    def run_script(*options: object) -> str:
-        monkeypatch.setattr(sys, "argv", ["judgement_errors.py", *map(str, options)])
-        judgement_errors.main()
-        return capsys.readouterr().out
-
-    return run_script
-
-
-@pytest.mark.nightly
-def test_quick_benchmark_writes_tables_that_follow_from_counts(run, tmp_path):
-    told = run("--quick", "--results", tmp_path)
-    assert told.startswith(read(tmp_path / "errors.md"))
-    assert tables.report_of(tmp_path) == read(tmp_path / "errors.md")
-    counts = tables.read_counts(tmp_path / "counts.csv")
-    samples = {row["sample"] for row in counts}
-    assert samples == {"development", "held back", "toy game", "real race"}
-    # The opinion is always the same, and has none of the first half.
-    for window in WINDOWS:
-        for condition in CONDITIONS:
-            found = tables.totals(counts, window=window, condition=condition)
-            given = "absent" if condition == "cycling" else "present"
-            given = "cannot tell" if window == "first half" else given
-            assert found[given] == sum(found.values()) > 0
-    by_size = tables.read_counts(tmp_path / "power.csv")
-    assert sum(tables.totals(by_size, condition="disengagement").values()) > 0
-    # Races for power curves are in no other table.
-    races = tables.totals(tables.read_counts(tmp_path / "settings.csv"), setting="runs")
-    assert sum(races.values()) <= 37 * 2 * len(CONDITIONS)
-
-
-@pytest.mark.nightly
-def test_an_interrupted_benchmark_continues(run, tmp_path, monkeypatch):
-    options = ("--seeds", 2, "--development", "--results", tmp_path)
-    whole = run(*options)
-    file = tmp_path / "judgements.jsonl"
-    lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
-    # Stopped while it wrote the tenth.
-    file.write_text("".join(lines[:9]) + lines[9][:20], encoding="utf-8")
-    seen = []
-    monkeypatch.setattr(
-        analysis, "judge", lambda source, **known: seen.append(1) or opinion(source, **known)
-    )
-    assert run(*options) == whole
-    assert len(seen) == len(lines) - 9
-    assert sorted(file.read_text(encoding="utf-8").splitlines()) == sorted(map(str.strip, lines))
-
-
 def test_sizes_by_hand() -> None:
     place = itemgetter("condition", "from", "to")
     found = [
@@ -301,24 +186,9 @@ def test_sizes_by_hand() -> None:
     assert [*map(place, rows)] == [("stagnation", "0.2", "0.4")]
 
 
-@pytest.mark.nightly
-def test_learners_that_cannot_learn_and_opponents_in_random_order() -> None:
-    frozen = cases.real_case(cases.FROZEN, 3)
-    assert frozen.scores.shape == (15, 15, 10)
-    found = held(frozen.truths["whole"])
-    assert found["arms race"] is found["intransitivity"] is found["forgetting"] is False
-    # No generation differs from another by more than chance.
-    each = frozen.scores.mean(axis=(1, 2))
-    luck = frozen.scores.mean(axis=1).std(axis=1).mean() / np.sqrt(10)
-    assert each.std() < 2.5 * luck
-    shuffled = cases.real_case(cases.SHUFFLED, 3)
-    assert shuffled.truths["whole"]["arms race"].holds is False
-    assert shuffled.truths["whole"]["one-sided progress"].holds is None
-
-
 def judgement(kind: str, found: list[list[Any]], **setting: str) -> dict[str, Any]:
     return {
-        "source": "synthetic", "kind": kind, "seed": 0, "headline": "last half", "changes": [],
+        "source": "synthetic", "kind": kind, "seed": 0, "changes": [],
         "setting": {"noise": "win or loss, 10", "runs": "1", "episodes known": "unknown"} | setting,
         "found": found,
     }  # fmt: skip
@@ -334,19 +204,27 @@ def test_counts_by_hand() -> None:
     counts = tables.count_verdicts(both)
     assert tables.totals(counts, truth="True") == {"present": 1, "absent": 1, "cannot tell": 0}
     assert [row["sample"] for row in counts] == ["development", "held back"]
-    # Only the headline window.
+    # Only the whole race.
     by_setting = tables.count_by_setting(both)
-    assert tables.totals(by_setting, truth="False")["present"] == 0
+    assert tables.totals(by_setting, truth="True")["present"] == 0
     assert tables.totals(by_setting, setting="runs", value="1")["present"] == 1
-    text = tables.report(counts, by_setting, [])
+    text = tables.report([], counts, by_setting, [])
     assert "| cycling | development | 2 | 50.0% | 50.0% | 0.0% | 0 | - | - | - | - |" in text
     assert "| cycling | held back | decline | whole | 1 of 1 | 100.0% | yes |" in text
 
 
-def test_coverage_by_hand() -> None:
-    changes = [["whole", "pursuer", 0.1, 0.0, 0.2], ["whole", "evader", 0.3, 0.0, 0.2]]
-    rows = tables.count_changes([judgement("cycle", []) | {"changes": changes}])
-    assert {(row["covered"], row["missed"]) for row in rows} == {("1", "1")}
+def test_a_race_counts_once() -> None:
+    race = [
+        [window, "arms race", truth, 0.1, "present"]
+        for window, truth in (("whole", True), ("first half", False), ("last half", False))
+    ]
+    wrong = [
+        ["whole", "arms race", False, 0.0, "absent"],
+        ["whole", "cycling", False, 0.0, "present"],
+    ]
+    rows = tables.count_races([judgement("pure race", race), judgement("drift", wrong, runs="3")])
+    counted = {(r["kind"], r["runs"]): [*map(int, list(r.values())[3:])] for r in rows}
+    assert counted == {("drift", "2 or 3"): [1, 0, 0, 1], ("pure race", "1"): [1, 1, 1, 1]}
 
 
 @pytest.mark.parametrize(("count", "of"), [(0, 100), (3, 20), (19, 20)])

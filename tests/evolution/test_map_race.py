@@ -4,7 +4,6 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-import numpy as np
 import pytest
 
 import matrixworld as mw
@@ -58,47 +57,6 @@ def test_teams_learn_on_archived_maps_and_are_evaluated_in_the_world(tmp_path, f
     assert {world.density for world, *_ in calls[-3:]} == {0.1}
     matches = sum(scores.length.size for *_, scores in calls[:-3])
     assert matches == race.files.log()["matches"][-1]
-
-
-def slow_scores(fitness: str, played: Any, best: Any) -> float:
-    """Return the score of a map, written down once more from episodes."""
-    captured = [float(each) for each in played.captured_fraction.ravel()]
-    returns = [captured, [1.0 - each for each in captured]]
-    means = [sum(each) / len(each) for each in returns]
-    if fitness == "value-loss":
-        losses = [
-            sum(max(one - mean, 0.0) for one in each) / len(each)
-            for each, mean in zip(returns, means, strict=True)
-        ]
-        return sum(losses)
-    if fitness == "max-monte-carlo":
-        highest = [max([*each, *before]) for each, before in zip(returns, best, strict=True)]
-        best[0].append(highest[0])
-        best[1].append(highest[1])
-        return sum(high - mean for high, mean in zip(highest, means, strict=True))
-    rate = played.capture_rate.mean()
-    return float(rate * (1.0 - rate))
-
-
-@pytest.mark.parametrize("fitness", ["value-loss", "max-monte-carlo", "learnability"])
-def test_the_best_of_old_and_new_maps_are_kept(tmp_path, fitness):
-    calls, archives, race = played(settings_of(fitness), tmp_path / "run")
-    known: dict[bytes, Any] = {}
-    for number, archive in enumerate(archives):
-        start = number * (5 + N_NEW) + 5
-        scored = calls[start : start + N_NEW]
-        assert all(
-            (call[1 + t].genomes == race.archive[team][number + 1]).all()
-            for call in scored
-            for t, team in enumerate(TEAMS)
-        )
-        every = {}
-        for world, *_, scores in scored:
-            key = world.map.tobytes()
-            every[key] = slow_scores(fitness, scores, known.setdefault(key, ([], [])))
-        slow = sorted(every.values(), reverse=True)[: len(archive["scores"])]
-        assert np.allclose(archive["scores"], slow)
-        assert np.allclose([every[walls.tobytes()] for walls in archive["maps"]], slow)
 
 
 def test_regret_is_how_far_both_champions_fall_short(tmp_path):

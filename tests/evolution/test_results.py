@@ -4,7 +4,6 @@ import json
 import re
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +23,7 @@ import interval_coverage as coverage
 import judgement_tables
 import learned_exploitability as learned
 import map_races
+import mask_price
 import matrixworld as mw
 import page_races
 import paper_claims
@@ -34,9 +34,8 @@ import rating_inputs
 import safe_learning
 import scripted_pursuit
 import yoked_races
-from evolution_scripts import RESULTS, read, run_quickly
-from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
-from matrixworld.analysis.judge import RULES
+from evolution_scripts import RESULTS, read
+from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution.race import HIDES_CYCLING
 
 NUMBER = r"-?\d+\.\d+"
@@ -58,11 +57,9 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "balance/table.md": lambda at: balance.table(json.loads(read(at / "numbers.json"))),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "judgement/errors.md": judgement_tables.report_of,
+    "mask_price/table.md": lambda at: mask_price.table(json.loads(read(at / "numbers.json"))),
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
-        {
-            name: [row and scripted_pursuit.Row(*row) for row in rows]
-            for name, rows in json.loads(read(at / "numbers.json")).items()
-        }
+        scripted_pursuit.read_rows(read(at / "numbers.json"))
     ),
 }
 """Published tables, and how they are made from the other files of their directory."""
@@ -173,21 +170,6 @@ def test_verdicts(judge: Callable[..., str], given: tuple[Any, ...], verdict: st
     assert judge(*given) == verdict
 
 
-def test_p_values_of_several_tests_are_adjusted_step_down() -> None:
-    # 3 * 0.01, 2 * 0.02, and 0.03, which takes the value before it.
-    np.testing.assert_allclose(common.holm([0.01, 0.03, 0.02]), [0.03, 0.04, 0.04])
-    np.testing.assert_allclose(common.holm([0.5, 0.001, 0.9]), [1.0, 0.003, 1.0])
-
-
-def test_p_value_of_seeds() -> None:
-    # t = 0.3 / (0.1 / sqrt(3)) with two degrees of freedom.
-    assert common.p_value([0.2, 0.3, 0.4]) == pytest.approx(0.035, abs=0.001)
-    assert common.p_value([0.2, 0.3, 0.4], 0.3) == pytest.approx(1.0)
-    # Without spread there is no t: signs are counted.
-    assert common.p_value([0.1] * 6) == 2 * 0.5**6
-    assert common.p_value([0.1] * 6, 0.1) == 1.0
-
-
 def test_mixtures_of_a_race_are_equilibria_of_its_generations() -> None:
     matrix = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
     first, whole = convergence.mixtures(matrix, 1)[0], convergence.mixtures(matrix, 2)[0]
@@ -203,25 +185,7 @@ def test_members_of_a_mixture_have_shares_next_to_the_weights() -> None:
     np.testing.assert_allclose(shares, weights, atol=1 / learned.PARTS)
 
 
-def test_learned_exploitability_is_what_responses_gain() -> None:
-    scores = {"met": [[0.4]], "pursuer": [[0.7]], "evader": [[0.8]]}
-    numbers = {f"races / newest: {name}": np.array(each) for name, each in scores.items()}
-    found = learned.gains(numbers, "races", "newest")
-    # The evaders of the race escape in .6, the response in .8; .3 is gained against evaders.
-    np.testing.assert_allclose([found[side][0, 0] for side in learned.SIDES], [0.2, 0.3, 0.5])
-
-
-def test_phases_of_a_race_are_changes_while_one_team_learns() -> None:
-    # The capture rate is the pursuers' generation minus that of the evaders, and 0.5.
-    k = np.arange(6)
-    rates = 0.5 + (0.05 * k[:, None] - 0.08 * k)[None, :, :, None] * np.ones(4)
-    for team, change in (("pursuer", 0.05), ("evader", -0.08)):
-        found = paper_claims.in_parts(rates, partial(paper_claims.phase, team))
-        np.testing.assert_allclose(found, np.full((len(paper_claims.PARTS), 1), change))
-
-
 COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
-SCORES = read_payoffs(np.random.default_rng(0).random((14, 14, 9)), per_episode=True)
 
 
 def test_normal_runs_are_covered_in_93_to_97_percent() -> None:
@@ -234,99 +198,13 @@ def test_normal_runs_are_covered_in_93_to_97_percent() -> None:
         assert 0.93 < covered / given < 0.97
 
 
-def test_intervals_over_episodes_cover_at_least_90_percent() -> None:
-    published = {row.interval for row in COUNTS}
-    # The measures of the evaders are those of the pursuers on the swapped matrix.
-    decided = {name for row in RULES.values() for name in row.measures}
-    unbiased = {
-        name
-        for name, one in MEASURES.items()
-        if name not in decided and one.of(SCORES).across == "episodes"
-    }
-    assert {name.replace("evader", "pursuer") for name in unbiased} <= published
-    for row in COUNTS:
-        if row.interval in unbiased and row.given >= 100:
-            assert row.covered >= 0.9 * row.given, row
-
-
-def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on() -> None:
-    for interval in ("interquartile mean", "probability of improvement"):
-        rows = [row for row in COUNTS if row.interval == interval]
-        assert {row.samples for row in rows} == {3, 5, 6, 10, 20}
-        assert not any(row.given for row in rows if row.samples < 6)
-        # Groups that hardly overlap are covered more rarely, as the page says.
-        near = [row for row in rows if row.samples >= 10 and "far apart" not in row.data]
-        assert len({row.data for row in near}) == 4
-        assert all(row.covered >= 0.9 * row.given for row in near)
-        assert all(row.given >= 0.85 * row.repetitions for row in rows if row.samples >= 6)
-
-
-@pytest.mark.nightly
-def test_the_script_writes_counts_and_their_table(tmp_path: Path) -> None:
-    printed = run_quickly("validation/interval_coverage", tmp_path, "--repetitions", "8")
-    counts = coverage.read_counts(tmp_path / "coverage/coverage.csv")
-    assert printed.startswith(coverage.table(counts))
-    assert read(tmp_path / "coverage/coverage.md") == coverage.table(counts) + "\n"
-    assert {row.repetitions for row in counts} == {8}
-    assert min(row.given for row in counts if row.interval == "mean of episodes") == 8
-
-
-def test_a_table_lists_the_worst_case_and_exceptions() -> None:
-    counts = [
-        coverage.Count("mean", "even", 0, 5, 200, 200, 190),
-        coverage.Count("mean", "odd", 8, 5, 200, 100, 80),
-        coverage.Count("mean", "rare", 0, 5, 200, 10, 0),
-    ]
-    lines = coverage.table(counts).splitlines()
-    assert lines[2] == "| mean | 5 | 52% | 87.1% | 80.0% | odd, 8 x 8 |"
-    assert lines[-1] == "- mean, odd, 8 x 8: 80.0% at 5"
-    assert "- " not in coverage.table(counts[:1]).split("Exceptions")[1]
-
-
-def test_a_published_number_without_spread_has_an_interval_of_its_ten_episodes() -> None:
-    game = baselines.Game("a game", "pursuer", "random", 1.0, 0.0)
-    # Clopper and Pearson: 0.025 ** (1 / 10).
-    assert game.worst == pytest.approx(0.692, abs=0.01)
-    # Seeds that agree have the interval of their episodes.
-    captures = np.ones((3, 200))
-    assert game.verdict(baselines.capture_rate(captures)) == "reached"
-    assert game.verdict(baselines.capture_rate(0.6 * captures)) == "not reached"
-
-
-def test_methods_are_compared_at_the_last_generation_within_the_budget() -> None:
-    steps = {"S a": [[0, 50, 100], [0, 40, 90]], "S b": [[0, 70, 95], [0, 60, 120]]}
-    numbers = {}
-    for name, of_seeds in steps.items():
-        numbers[f"{name} / agent-steps"] = np.array(of_seeds)
-        numbers[f"{name} / collisions"] = np.array(of_seeds) / 10
-        numbers[f"{name} / capture rate"] = np.arange(6).reshape(2, 3) / 10
-        numbers[f"{name} / length"] = np.arange(6).reshape(2, 3)
-        numbers[f"{name} / fault"] = np.arange(18.0).reshape(2, 3, 3)
-    found = safe_learning.judged(numbers, "S a", budget=90)
-    np.testing.assert_allclose(found["capture rate"], [0.1, 0.5])
-    np.testing.assert_allclose(found["all"], [3 + 4 + 5, 15 + 16 + 17])
-    np.testing.assert_allclose(found["length"], [1, 5])
-    np.testing.assert_allclose(found["teammate"], [4, 16])
-    np.testing.assert_allclose(found["training"], [100, 100])
-    np.testing.assert_allclose(found["agent-steps"], [50e-6, 90e-6])
-    np.testing.assert_allclose(
-        safe_learning.judged(numbers, "S b", budget=95)["capture rate"], [0.2, 0.4]
-    )
-
-
-def test_windows_are_means_of_epochs() -> None:
-    values = np.arange(12.0).reshape(2, 6)
-    np.testing.assert_allclose(paper_surrounding.windows(values, 2)[1], [6.5, 8.5, 10.5])
-    np.testing.assert_allclose(paper_surrounding.windows(values, 4), [[1.5], [7.5]])
-
-
 def test_evaders_of_the_authors_move_to_free_cells_one_by_one() -> None:
     # A pursuer, and three evaders in a corner: the first one has no free side until another left.
     positions = np.array([[5, 5], [0, 0], [0, 1], [1, 0]])
     for seed in range(20):
-        moves = scripted_pursuit.open_moves(positions, 1, np.random.default_rng(seed))
+        moves = scripted_pursuit.open_moves(positions, 1, 40, np.random.default_rng(seed))
         assert moves[0] == 0
         assert moves[1] in (2, 3)  # east or south of (0, 1)
         assert moves[2] in (2, 3)
-    found = list(scripted_pursuit.sides(positions, 1))
+    found = list(scripted_pursuit.sides(positions, 1, 40))
     assert found == [[], [2, 3], [2, 3]]

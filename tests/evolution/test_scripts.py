@@ -11,8 +11,6 @@ import pytest
 import common
 import deap_example
 import matrixworld as mw
-import memory
-import policies
 import readable
 from evolution_scripts import SCRIPTS, read, run_quickly
 from matrixworld import coevolution
@@ -45,14 +43,6 @@ def test_a_script_says_the_same_again_from_what_it_keeps(name: str, tmp_path: Pa
     if name not in ONCE:
         assert run_quickly(name, tmp_path) == told
     assert runs == {path: path.stat().st_mtime_ns for path in runs}
-
-
-@pytest.mark.nightly
-def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
-    run_quickly("evolve_held_out", tmp_path)
-    run_quickly("evolve_held_out", tmp_path, "--processes", "2", "--output", "again.npz")
-    assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
-    assert "| evolved-2 | " in run_quickly("evolve_held_out", tmp_path, "--table", "held_out.npz")
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
@@ -137,36 +127,6 @@ def test_the_deap_example_scores_each_player_against_each_rival() -> None:
         )
 
 
-def test_the_deap_example_evolves_a_response_that_wins() -> None:
-    world = mw.WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=4, max_steps=40, fov=7)
-    budget = deap_example.Budget(world, 1, 1, 1, 24, 1, response=100)
-    network, rng = mw.Network.for_config(world), np.random.default_rng(0)
-    rival, naive = network.initial(rng), network.initial(rng)
-    escaper = deap_example.best_response("evader", rival, budget, rng)
-    before, after = deap_example.capture_rates(budget, rival, np.stack([naive, escaper]))[0]
-    assert after < before - 0.1
-
-
-def test_the_corridor_without_memory_is_what_is_played_there() -> None:
-    """A pursuer that goes east with some probability, and turns at the ends."""
-    policy, rng = np.array([0.7, 0.9, 1.0]), np.random.default_rng(1)
-
-    def choose(views: np.ndarray) -> np.ndarray:
-        east = np.full(len(views), policy[0])
-        seen = views[:, :, 1]  # channels, and the cells west and east
-        east[seen[:, 2, 0] == 1] = policy[1]
-        east[seen[:, 2, 2] == 1] = 1 - policy[2]
-        east[seen[:, 0, 0] == 1] = 0.0
-        east[seen[:, 0, 2] == 1] = 1.0
-        moves = rng.random(len(views)) < east
-        return np.where(moves, mw.Action.EAST, mw.Action.WEST)
-
-    world = memory.CORRIDOR.world
-    played = mw.score_policy(choose, "pursuer", world, opponents={"still": "still"}, episodes=400)
-    # Three deviations of 400 episodes.
-    assert played.mean().value == pytest.approx(memory.capture_rate(policy), abs=0.075)
-
-
 def test_the_readable_example_evolves_programs_that_beat_untrained_ones() -> None:
     random.seed(0)
     champions = readable.co_evolve(3, 3, 20)
@@ -176,20 +136,3 @@ def test_the_readable_example_evolves_programs_that_beat_untrained_ones() -> Non
         before, after = readable.play(team, [first, last], **rivals)
         assert after > before + 0.1
         assert len(last) <= readable.PROGRAM.length
-
-
-def test_random_programs_play_as_many_matches_as_a_race(monkeypatch):
-    settings = policies.kinds(True)["TO 4 x 4: program"]  # 32 episodes a match
-    monkeypatch.setattr(policies, "RANDOM", 10)
-    monkeypatch.setattr(policies, "BEST", 3)
-    found = policies.random_programs(settings)
-    race = settings.schedule.training_matches(settings)
-    assert 0.8 * race <= found["matches"] <= race
-    # Of ten random programs the best one is better than the middle one, exactly.
-    world, game = settings.world, settings.training_game
-    rng = np.random.default_rng(settings.seed)
-    for team in coevolution.TEAMS:
-        sign = 1 if team == "pursuer" else -1
-        every = [mw.Population(game.untrained(team, rng), game.policy) for _ in range(10)]
-        results = [sign * policies.result(world, team, each, 2) for each in every]
-        assert sign * found[team] > np.median(results)

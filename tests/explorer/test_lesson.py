@@ -14,7 +14,7 @@ import pytest
 
 from browser import Browser
 from course.questions import Prediction, exercises
-from course.toys import GAMES, PAYOFF, alternate
+from course.toys import BITS, GAMES, PAYOFF, beats, race_of_hands
 from course.votes import count_votes, read_predictions
 from node import run_node
 from scripts import wait_until
@@ -149,19 +149,20 @@ def numbers_game(
 ) -> list[Any]:
     """Return the ones (n, dimensions) of both sides at the end; the package judges who wins."""
     n, game = settings["population"], GAMES[name]
-    bits = [np.zeros((n, *game.shape), dtype=bool) for _ in (0, 1)]
+    numbers = game.genome_size("pursuer")
+    bits = [np.zeros((n, numbers, BITS // numbers), dtype=bool) for _ in (0, 1)]
     champions: tuple[list[Any], list[Any]] = ([], [])
     for _ in range(generations):
         ones = [each.sum(axis=2) for each in bits]
         won = np.zeros((2, n))
         for _ in range(settings["opponents"]):
             others = shuffled(n, draw, n)
-            won[0] += game.beats(ones[0], ones[1][others])
-            won[1][others] += game.beats(ones[1][others], ones[0])
+            won[0] += beats(game, ones[0], ones[1][others])
+            won[1][others] += beats(game, ones[1][others], ones[0])
         for side in (0, 1):
             past = champions[1 - side]
             for champion in shuffled(len(past), draw, settings["hall"]):
-                won[side] += game.beats(ones[side], np.tile(past[champion], (n, 1)))
+                won[side] += beats(game, ones[side], np.tile(past[champion], (n, 1)))
         for side in (0, 1):
             champions[side].append(ones[side][won[side].argmax()])
             sums = np.cumsum(won[side] if won[side].any() else np.ones(n))
@@ -180,7 +181,7 @@ def test_the_games_are_those_of_slow_python() -> None:
     found = run_node("toys.mjs", given)
     for memory, hands in zip(memories, found["hands"], strict=True):
         assert hands == hands_of(generations, memory, generator(seed))
-    specialists = alternate("specialist-specialist", generations, epochs=1)
+    specialists = race_of_hands("specialists", generations)
     assert found["hands"][0] == {f"{team}s": each for team, each in specialists.items()}
     for last, every in zip(found["hands"][0].values(), found["hands"][-1].values(), strict=True):
         assert last[1:-3] == last[4:]
@@ -192,7 +193,8 @@ def test_the_games_are_those_of_slow_python() -> None:
         assert game["ones"] == ones
         a, b = (np.array(each) for each in ones)
         first, second = (each.ravel() for each in np.indices((6, 6)))
-        won, lost = GAMES[name].beats(a[first], b[second]), GAMES[name].beats(b[second], a[first])
+        pairs = (a[first], b[second]), (b[second], a[first])
+        won, lost = (beats(GAMES[name], *each) for each in pairs)
         assert game["score"] == pytest.approx(np.mean((1.0 + won - lost) / 2))
 
 

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
-import shown_games
+import own_games
 from browser import PHONE, Browser, data_of
 from matrixworld.coevolution import SavedRun, evolve
-from matrixworld.explorer import explore, runs_page, shows
-from matrixworld.explorer.runs_page import SO_FAR, GrowingPage, explorer_page
-from shown_games import short_race
+from matrixworld.explorer import explore, shows
+from matrixworld.explorer.runs_page import explorer_page
+from own_games import short_race
 from tiny_race import tiny_race
 
 Job = dict[str, SavedRun]
@@ -29,9 +29,9 @@ PLAYED = "document.querySelector('#match').dataset.played"
 def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
     settings = {
         "pursuit": tiny_race(),
-        "words": short_race(shown_games.words, generations=15),
-        "pictures": short_race(shown_games.pictures),
-        "silent": short_race(shown_games.silent),
+        "words": short_race(own_games.words, generations=15),
+        "pictures": short_race(own_games.pictures),
+        "silent": short_race(own_games.silent),
     }
     runs = evolve(settings, tmp_path_factory.mktemp("job"), threads=1)
     return dict(zip(settings, runs, strict=True))
@@ -51,7 +51,7 @@ def test_what_is_shown_is_what_the_game_returns(job: Job) -> None:
     told = plain["game"]["shows"]
     for key, shown in told.items():
         g, h = map(int, key.split())
-        assert shown == {"text": shown_games.told(hosts[g], parasites[h])}
+        assert shown == {"text": own_games.told(hosts[g], parasites[h])}
     # 16 x 16 cells: the last 10 x 10, and a grid that reaches all corners.
     assert {f"{g} {h}" for g in range(6, 16) for h in range(6, 16)} <= told.keys()
     assert {"0 0", "0 15", "15 0"} <= told.keys()
@@ -62,7 +62,7 @@ def test_what_is_shown_is_what_the_game_returns(job: Job) -> None:
     hosts, parasites = job["pictures"].archive().values()
     picture = base64.b64decode(drawn["3 1"]["image"].removeprefix("data:image/png;base64,"))
     with Image.open(io.BytesIO(picture)) as image:
-        assert np.array_equal(np.asarray(image), shown_games.drawn(hosts[3], parasites[1]))
+        assert np.array_equal(np.asarray(image), own_games.drawn(hosts[3], parasites[1]))
 
 
 def test_a_page_holds_few_cells_and_bytes_of_all_its_runs(
@@ -88,7 +88,7 @@ def test_headings_and_settings_name_the_game(job: Job) -> None:
     plain = data(job["words"])
     assert plain["heading"] == "1 race of hosts and parasites, game words"
     shown = {each["name"]: each["value"] for each in plain["runs"][0]["settings"]}
-    assert shown["game"] == "shown_games:words"
+    assert shown["game"] == "own_games:words"
     assert not [name for name in shown if re.search(r"game\.|world|policy|train_steps", name)]
     assert data(job["words"], job["silent"])["heading"] == "2 races of hosts and parasites"
     assert data(job["words"], job["pursuit"])["heading"] == "2 races of 2 games"
@@ -99,7 +99,7 @@ def test_headings_and_settings_name_the_game(job: Job) -> None:
 
 
 def test_another_source_is_told_and_a_game_that_is_not_there_refused(tmp_path: Path) -> None:
-    run = evolve(short_race(shown_games.words), tmp_path / "run", threads=1)
+    run = evolve(short_race(own_games.words), tmp_path / "run", threads=1)
     config = tmp_path / "run" / "config.json"
     text = config.read_text(encoding="utf-8")
     assert run.settings.game
@@ -107,36 +107,14 @@ def test_another_source_is_told_and_a_game_that_is_not_there_refused(tmp_path: P
     with pytest.warns(UserWarning, match="got a changed one"):
         page = explore(tmp_path / "run")
     assert data_of(page.path)["note"] == (
-        "The source of the game shown_games:words has changed since it was raced."
+        "The source of the game own_games:words has changed since it was raced."
     )
     assert page._repr_mimebundle_().keys() == {"text/html"}  # no picture of a chase
-    config.write_text(text.replace("shown_games:", "no_such_games:"), encoding="utf-8")
+    config.write_text(text.replace("own_games:", "no_such_games:"), encoding="utf-8")
     page.path.unlink()
     with pytest.raises(ValueError, match="no_such_games:words: expected a module"):
         explore(tmp_path / "run")
     assert not page.path.exists()
-
-
-def test_the_page_grows_and_shows_pairs_at_the_end(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(runs_page, "SECONDS", 0.0)
-    monkeypatch.setattr(runs_page, "SHARE", np.inf)
-    page, seen = GrowingPage(tmp_path, ["run"]), list[Any]()
-
-    def look(progress: object) -> None:
-        page.write()
-        seen.append(data_of(tmp_path / "explorer.html")["runs"][0])
-
-    run = evolve(short_race(shown_games.words), tmp_path / "run", threads=1, report=look)
-    assert not any(each["game"]["shows"] for each in seen)
-    assert seen[-1]["findings"]["table"]  # it has ended
-    before = [each["payoff"] for each in seen if each["payoff"]["episodes"] == SO_FAR]
-    assert [before[0]["shape"], before[-1]["shape"]] == [[1, 1], [4, 4]]
-    assert before[-1]["capture_rates"] == run.payoff().scores[:, :, :SO_FAR].tolist()
-    assert seen[-1]["game"]["missing"].endswith("when the run has ended.")
-    explore(tmp_path / "run", file=tmp_path / "explorer.html", force=True)
-    assert len(data_of(tmp_path / "explorer.html")["runs"][0]["game"]["shows"]) == 16
 
 
 @pytest.mark.slow
@@ -149,13 +127,13 @@ def test_a_click_shows_the_pair_in_the_words_of_the_game(
     browser.open(page)
     assert not OF_PURSUIT.search(browser.js("document.body.innerText"))
     browser.wait(f"{PLAYED} === '0 15 15 0 '")
-    assert browser.js(SHOWN).startswith(shown_games.told(hosts[15], parasites[15]))
+    assert browser.js(SHOWN).startswith(own_games.told(hosts[15], parasites[15]))
     browser.js("location.hash = '#run=0&pursuers=1&evaders=2'")
     browser.wait(f"{SHOWN}.includes('was not computed')")
     browser.click(".shown button")  # the nearest pair that is
     browser.wait(f"!{SHOWN}.includes('was not computed')")
     g, h = map(int, browser.js(PLAYED).split()[1:3])
-    assert browser.js(SHOWN).startswith(shown_games.told(hosts[g], parasites[h]))
+    assert browser.js(SHOWN).startswith(own_games.told(hosts[g], parasites[h]))
     browser.click(".race:nth-child(2)")
     browser.wait("document.querySelector('.shown img')?.naturalWidth === 3")
     browser.click(".race:nth-child(3)")

@@ -5,13 +5,11 @@ import hashlib
 import io
 import json
 import re
-import runpy
 from collections import Counter
 from collections.abc import Callable
 from html import unescape
 from os.path import relpath
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -238,13 +236,3 @@ def test_a_notebook_shows_the_page_in_a_frame_and_as_a_picture_of_its_scene() ->
     assert unescape(found[1]) == playground.html()
     cell = fitting_cell((3, 5), PIXELS, SMALLEST_NUMBERED)
     assert np.array_equal(picture(bundle), rgb(before, cell=cell, numbers=True))
-
-
-def test_a_notebook_that_is_kept_shows_the_picture_and_no_frame() -> None:
-    formatters = pytest.importorskip("IPython.core.formatters")
-    drop_frame = runpy.run_path(str(REPOSITORY / "tutorials" / "run.py"))["drop_frame"]
-    data, metadata = formatters.DisplayFormatter().format(Playground())
-    assert {"text/html", "image/png", "text/plain"} == data.keys()
-    output: dict[str, Any] = {"data": data, "metadata": metadata}
-    drop_frame(output)
-    assert output["data"].keys() == {"image/png", "text/plain"}

@@ -4,7 +4,6 @@ The match that a person plays is that of `World`, of the file, and of the link.
 """
 
 import dataclasses
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -22,15 +21,8 @@ from matrixworld.coevolution import TEAMS, SavedRun, Team
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
 from matrixworld.explorer.page import write_page
-from matrixworld.explorer.playground import (
-    GALLERY,
-    of_run,
-    page_data,
-    playground_page,
-    scene_link,
-    shipped,
-)
-from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
+from matrixworld.explorer.playground import of_run, playground_page, scene_link, shipped
+from matrixworld.world.policy import Population, TeamPolicy
 from scripts import wait_until
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -86,20 +78,6 @@ def in_a_round() -> mw.World:
 def test_bad_arguments_are_refused(call: Callable[[], object], field: str) -> None:
     with pytest.raises((TypeError, ValueError), match=f"^{field}: expected"):
         call()
-
-
-def test_the_page_documents_every_field_and_script() -> None:
-    data = page_data()
-    assert [field["name"] for field in data["fields"]] == list(mw.Rules.__dataclass_fields__)
-    for field in data["fields"]:
-        assert field["text"].endswith(".")
-        known = {value["name"] for value in field["values"]}
-        assert {str(rules[field["name"]]).lower() for rules in data["variants"].values()} <= {
-            name.lower() for name in known
-        }
-    assert [script["name"] for script in data["scripts"]] == list(SCRIPTS)
-    assert all(script["text"] for script in data["scripts"])
-    assert len({example.title for example in GALLERY}) == len(GALLERY)
 
 
 def test_a_link_and_a_page_for_notebooks(tmp_path: Path) -> None:
@@ -216,24 +194,6 @@ def test_bad_links_are_told_and_change_nothing(page: PlaygroundPage, scene: str)
     assert page.browser.js("playground.scene === window.kept")
     assert "expected" in page.text(".message")
     assert page.browser.js("document.querySelectorAll('img').length") == 0
-
-
-WHOLE = (
-    "rules=simultaneous.bounce.reach.disappear.bounce.occupation.false&others=D"
-    "&rewards=1_-2_0.5_-1e-7_-3,-4,0_-5_0_0.25_INVOLVED_true&size=4x3&diagonal=1&fov=3&limit=9"
-    "&seed=18446744073709551615.7.2&walls=0.1_3.2&pursuers=1.1_1.1_0.0x&evaders=2.2c_0.2e_3.0cx"
-    "&played=08c000_a00000&next=00012f"
-)
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize("scene", [WHOLE, GALLERY[0].scene])
-def test_the_address_holds_the_whole_scene(page: PlaygroundPage, scene: str) -> None:
-    page.load(scene)
-    page.browser.driver.execute_script("playground.dispatchEvent(new Event('change'))")
-    time.sleep(0.5)
-    assert page.browser.js("location.hash") == f"#{scene}"
-    assert page.text(".message") == ""
 
 
 # ---- A person plays ----------------------------------------------------------------------------
@@ -374,52 +334,6 @@ def test_files_and_links_hold_the_match(
 
 def press_button(browser: Browser, text: str) -> None:
     browser.driver.find_element("xpath", f"//button[text()='{text}']").click()
-
-
-@pytest.mark.nightly
-def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> None:
-    browser.open(own)
-    lasted = []
-    for turn in range(3):
-        title = browser.js("document.querySelector('.play h2').innerText")
-        assert f"Round {turn + 1} of 3" in title
-        play_on(browser, ARROWS, turn, IN_PAGE)
-        lasted.append(browser.js(f"{IN_PAGE}.live.length"))
-        press_button(browser, "Watch it")  # which counts nothing again
-        browser.press("\ue010")
-        browser.wait(f"{IN_PAGE}.player.step === {lasted[-1]}")
-        if turn < 2:
-            browser.click(".play-ending > .primary")
-    score = browser.js("document.querySelector('.play-score').textContent")
-    assert score == f"Your score: {sum(lasted)} of 180"
-    assert browser.errors() == []
-
-
-@pytest.mark.nightly
-def test_tabs_and_the_form_show_the_game_that_runs(browser: Browser, own: Path) -> None:
-    browser.open(own)
-    tab = "document.querySelector('.tabs [aria-pressed=true]').textContent"
-    chosen = (
-        "[...document.querySelectorAll('.setup select')]"
-        ".map((each) => each.offsetParent && each.selectedOptions[0].textContent)"
-    )
-    assert (browser.js(tab), browser.js(chosen)) == ("Can you escape it?", [None] * 3)
-    link = "pursuers=1&evaders=5&seed=7&seat=0&moves=12"
-    browser.js(f"location.hash = '#{link}'")
-    browser.wait(f"{IN_PAGE}.live.length === 2")
-    assert browser.js(tab) == "One match"
-    assert browser.js(chosen) == ["a pursuer", "clumsy chaser", "fleer"]
-    press_button(browser, "Rules and conflicts")
-    assert browser.js("document.querySelector('.layout').offsetParent !== null")
-    assert browser.js("document.querySelector('.play').offsetParent") is None
-    browser.press("w", "1")  # no move of the match, but a variant
-    browser.wait("location.hash.startsWith('#rules=D&')")
-    assert browser.js(f"{IN_PAGE}.live.length") == 2
-    press_button(browser, "Can you escape it?")
-    browser.press("w")
-    assert browser.js(f"{IN_PAGE}.live.length") == 1
-    assert browser.js("location.hash") == ""
-    assert browser.errors() == []
 
 
 def test_rounds_are_harder_and_harder_and_standing_still_wins_none() -> None:

@@ -17,7 +17,6 @@ from browser import READY, Browser
 from command_line import matrixworld_command
 from matrixworld import INPUTS, World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
-from matrixworld.analysis.judgement import summary
 from matrixworld.coevolution import TEAMS, SavedRun, create, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.storage import open_runs
@@ -282,7 +281,7 @@ def test_the_command_of_the_settings_plays_the_same_race(job: Job, tmp_path: Pat
 def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     found, rates = as_read(race)["findings"], race.payoff().scores
     judgement = analysis.judge(rates, per_episode=True)
-    assert [found["sentence"], found["headline"], *found["numbers"]] == summary(judgement)
+    assert found["sentence"] == analysis.sentence(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
     assert found["reasons"] == analysis.explain(judgement).splitlines()
     ratings = analysis.elo_over_episodes(rates).pursuers

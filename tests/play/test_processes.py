@@ -120,30 +120,3 @@ play()  # the parent's threads are still there
 assert in_child(lambda: batch.step(actions[0])) == 0
 """
     )
-
-
-@pytest.mark.slow
-def test_a_child_plays_matches_while_its_parent_does() -> None:
-    """The child is forked in the middle of a rollout of another thread."""
-    run(
-        FORK
-        + """
-matches = mw.Matches.of(0, 0, np.arange(40))
-done = threading.Event()
-
-def rollout():
-    return mw.rollout("O", "hunter", "dodger", matches, threads=3).length
-
-def be_busy():
-    while not done.is_set():
-        rollout()
-
-expected = rollout()
-thread = threading.Thread(target=be_busy)
-thread.start()
-codes = [in_child(lambda: np.testing.assert_array_equal(rollout(), expected)) for _ in range(5)]
-done.set()
-thread.join()
-assert codes == [0] * 5
-"""
-    )

@@ -19,7 +19,7 @@ from matrixworld.plots.saved import (
     collisions_per_1000,
     figures_of,
 )  # fmt: skip
-from shown_games import pictures, short_race, words
+from own_games import pictures, short_race, words
 from tiny_race import tiny_race, tiny_single
 
 TOGETHER = ["seeds", "verdicts", "held_out"]
@@ -77,7 +77,7 @@ def test_titles_name_the_run_its_seed_and_what_was_judged(runs):
     for name in ("training", "payoff", "generalization", "lag_profile", "collisions"):
         figure = figures[runs / "hall" / f"{name}.png"]()
         title = figure.get_suptitle() or figure.axes[0].get_title()
-        shown = analysis.headline(group.judgement) if name == "payoff" else ""
+        shown = analysis.sentence(group.judgement) if name == "payoff" else ""
         assert title.startswith(f"hall (hall-of-fame), seed 5\n{shown}")
 
 

@@ -173,32 +173,6 @@ def test_replies_to_choices(number: int, tmp_path: Path, monkeypatch: pytest.Mon
     assert {each["edition"] for each in lines} == {EDITION}
 
 
-CHOSEN = {"prediction": "1.a", "choice": "b"}
-LINES = r"predictions\.jsonl: expected lines that predict"
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("x", LINES),
-        ("[1]", LINES),
-        ('{"prediction": "1.a"}', LINES),
-        # No choice of other options is compared with an outcome.
-        (json.dumps(CHOSEN), rf"edition {EDITION} .*, got none, in which"),
-        (json.dumps({**CHOSEN, "edition": EDITION - 1}), rf"got {EDITION - 1}, in which"),
-    ],
-)
-def test_other_files_of_predictions_are_refused_and_not_written(
-    text: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("predictions.jsonl").write_text(text)
-    for ask in (lambda: predict("1.a", "a"), lambda: outcome("1.a")):
-        with pytest.raises(ValueError, match=message):
-            ask()
-    assert Path("predictions.jsonl").read_text() == text
-
-
 def test_letters_of_an_edition_stay() -> None:
     """If this fails, raise the edition in ``exercises.toml``, and write down its digest here."""
     asked = [

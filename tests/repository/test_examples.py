@@ -105,12 +105,6 @@ def test_examples_run_and_print_what_is_shown(
         pytest.skip(f"without {', '.join(sorted(missing))}; the other examples have run")
 
 
-def test_examples_of_other_libraries_say_what_they_need() -> None:
-    for page in WITH_EXAMPLES:
-        for example in examples_of(page):
-            assert all(need in example.code for need in example.needs), page
-
-
 PROGRAMS = sorted((ROOT / "docs" / "clients").glob("learn_*.py"))
 
 
@@ -267,11 +261,3 @@ def test_settings_that_a_page_names_exist(page: Path) -> None:
             import tomllib
 
             RaceSettings.of(tomllib.loads(block))
-
-
-def test_the_tables_of_experiments_name_settings_that_exist() -> None:
-    page = read("docs/coevolution.md")
-    named = {name for row in page.splitlines() for name in re.findall(r"`([a-z_]+)=", row)}
-    last = {path.rpartition(".")[2] for path in paths()}
-    assert named - last - {"pursuers_meet", "evaders_meet"} == set()
-    assert len(named) > 8

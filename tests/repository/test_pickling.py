@@ -6,8 +6,6 @@ import inspect
 import io
 import pickle
 import pkgutil
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from dataclasses import is_dataclass
 from enum import Enum
@@ -20,9 +18,9 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import coevolution, explorer
-from matrixworld.coevolution import Run, SavedRun, create, evolve
+from matrixworld.coevolution import Run, create
 from rows import random_walks
-from tiny_race import results, tiny_race, tiny_single
+from tiny_race import tiny_race, tiny_single
 
 NOT_COPIED = {
     "Batch": "its buffers belong to the caller",
@@ -34,19 +32,9 @@ NOT_COPIED = {
 }
 """Public classes without a copy, each with the reason."""
 
-ECHO = """
-import pickle, sys
-copies = [pickle.loads(data) for data in pickle.load(sys.stdin.buffer)]
-pickle.dump([pickle.dumps(each) for each in copies], sys.stdout.buffer)
-"""
-
-
-def loaded(data: bytes) -> Any:
-    return pickle.loads(data)  # noqa: S301  (made by this test)
-
 
 def pickled(value: Any) -> Any:
-    return loaded(pickle.dumps(value))
+    return pickle.loads(pickle.dumps(value))  # noqa: S301  (made by this test)
 
 
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3, "fov": 3, "max_steps": 8}
@@ -115,6 +103,7 @@ def of_runs(directory: Path) -> Iterator[Any]:
         run = Run(directory / name, threads=1)
         yield from (settings, run)
         yield from (run.run(), run)
+    yield coevolution.RunInMemory(tiny_race(), threads=1)
     saved = coevolution.open_run(directory / "race")
     yield from (saved, saved.policy("pursuer", -1, seed=0), saved.payoff(), saved)
     [group] = coevolution.open_groups(directory / "race")
@@ -124,29 +113,14 @@ def of_runs(directory: Path) -> Iterator[Any]:
     yield coevolution.FailedRunsError({Path("seed-0"): OSError("full")}, [saved])
 
 
-def test_copies_are_equal_here_and_in_a_fresh_process(tmp_path: Path) -> None:
-    pickles, changed, classes = [], [], set()
+def test_copies_are_equal(tmp_path: Path) -> None:
+    changed, classes = [], set()
     for each in chain(of_worlds(), of_runs(tmp_path)):
-        # Copied when it is yielded, because its use goes on.
-        pickles.append(pickle.dumps(each))
         classes |= {type(part).__name__ for part in (each if isinstance(each, list) else [each])}
         if {content(pickled(each)), content(copy.deepcopy(each))} != {content(each)}:
             changed.append(type(each).__name__)
     assert changed == []
     assert public_classes().keys() - classes - NOT_COPIED.keys() == set()
-    sent = pickle.dumps(pickles)
-    ran = subprocess.run([sys.executable, "-c", ECHO], input=sent, capture_output=True, check=True)
-    for here, there in zip(pickles, loaded(ran.stdout), strict=True):
-        assert content(loaded(here)) == content(loaded(there)), type(loaded(here))
-
-
-def test_a_copied_run_continues_from_the_last_stage(tmp_path: Path) -> None:
-    evolve(tiny_race(), tmp_path / "straight", threads=1)
-    create(tiny_race(), tmp_path / "copied")
-    # The copy writes where the original would.
-    pickled(Run(tmp_path / "copied", threads=1)).run()
-    assert results(tmp_path / "straight") == results(tmp_path / "copied")
-    assert SavedRun(tmp_path / "copied").finished
 
 
 @pytest.mark.parametrize("copied", [pickle.dumps, copy.deepcopy])

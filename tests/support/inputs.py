@@ -93,11 +93,9 @@ def slow_inputs(config: mw.WorldConfig, view: np.ndarray, team: str, step: int, 
         "unclaimed": [nearest(there, mine) for there in moves],
         "open_side": [nearest(there, sides) for there in moves],
         "teammate": [nearest(there, mates) for there in moves],
-        "crowd": [push(there, mates) for there in moves],
         "exits": [n / (n_actions - 1) for n in free],
         "room": [unit * np.float32(room(there)) for there in moves],
         "must_yield": [int(forbidden(move)) for move in range(n_actions)],
-        "stay": [int(move == 0) for move in range(n_actions)],
         "ahead": [int(move == ahead) for move in range(n_actions)],
     }
 

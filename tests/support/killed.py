@@ -5,6 +5,7 @@ The server from which they are forked imports this module and finds its function
 
 from __future__ import annotations
 
+import io
 import multiprocessing
 import os
 import signal
@@ -90,27 +91,25 @@ class Events:
         return HalfWritten(file, self) if set(mode) & set("wax") else file
 
 
-class HalfWritten:
-    """A file to which content is written in two halves, with an event between them."""
+class HalfWritten(io.BytesIO):
+    """Content that goes to a file in two halves when it is flushed, with an event between them."""
 
     def __init__(self, file: Any, events: Events) -> None:
-        self.file, self.events = file, events
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.file, name)
-
-    def __enter__(self) -> HalfWritten:
-        return self
+        super().__init__()
+        self.file, self.events, self.fileno = file, events, file.fileno
 
     def __exit__(self, *error: Any) -> None:
         self.file.close()
 
-    def write(self, content: bytes) -> None:
-        half = len(content) // 2  # a kill between the halves leaves a cut file
-        self.file.write(content[:half])
-        self.file.flush()
-        self.events.happen()
-        self.file.write(content[half:])
+    def flush(self) -> None:
+        content = self.getvalue()[self.file.tell() :]
+        if content:
+            half = len(content) // 2  # a kill between the halves leaves a cut file
+            self.file.write(content[:half])
+            self.file.flush()
+            self.events.happen()
+            self.file.write(content[half:])
+            self.file.flush()
 
 
 @contextmanager

@@ -103,6 +103,15 @@ class Exits(HillClimber):
 
 
 @dataclass(frozen=True)
+class TooFew(HillClimber):
+    """It returns a candidate less than its population."""
+
+    def ask(self, state, rng):
+        candidates, asked = super().ask(state, rng)
+        return candidates[1:], asked
+
+
+@dataclass(frozen=True)
 class Dies(HillClimber):
     """It ends its process by a signal in the second stage, once if there is a marker."""
 

@@ -1,6 +1,8 @@
 """Worlds that several tests play in: all variants, and other rows of rules."""
 
+import io
 import warnings
+import zipfile
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -113,3 +115,12 @@ def assert_same_worlds(one: mw.World, other: mw.World) -> None:
     for name, value in one.read(*mw.array_specs(one.config)).items():
         np.testing.assert_array_equal(value, other.read(name)[name], name)
     assert one.turn == other.turn
+
+
+def archive(parts: dict[str, bytes], *, method: int = zipfile.ZIP_DEFLATED) -> bytes:
+    """Return a zip archive of some parts."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", method) as made:
+        for name, content in parts.items():
+            made.writestr(name, content)
+    return buffer.getvalue()

@@ -6,7 +6,9 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tiny_race import MEMORY, played, tiny_race
+from matrixworld.coevolution.jobs import create_job, job_of
+from matrixworld.coevolution.run import finish
+from tiny_race import LONG, MEMORY, SCHEDULES, played, tiny_race
 
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
 settings.register_profile(
@@ -43,6 +45,9 @@ def pytest_configure(config: pytest.Config) -> None:
     # The root of all `tmp_path`: files of runs are synced, which takes milliseconds on a disk.
     if MEMORY:
         os.environ.setdefault("PYTEST_DEBUG_TEMPROOT", MEMORY)
+    # Tests of a file share what they play: each file is of one worker of pytest-xdist.
+    if getattr(config.option, "dist", None) == "load":
+        config.option.dist = "loadfile"
 
 
 @pytest.fixture(scope="session")
@@ -51,3 +56,15 @@ def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
     directory = tmp_path_factory.mktemp("race") / "run"
     played(tiny_race(), directory)
     return directory
+
+
+@pytest.fixture(scope="session")
+def seeds(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A job of two schedules with seeds 0 to 3, of which 3 has not begun; not to be changed."""
+    root = tmp_path_factory.mktemp("seeds") / "job"
+    job = job_of([tiny_race(**LONG, schedule=name, seed=n) for name in SCHEDULES for n in range(4)])
+    create_job(job, root)
+    for name, race in job.items():
+        if race.seed < 3:
+            finish(root / name, threads=1)
+    return root

@@ -19,10 +19,6 @@ def conflicts(cells: list, targets: list, *, vertex: bool = True, edge: bool = T
     }
 
 
-def without_stayers(cells: list, targets: list) -> set[int]:
-    return {a for a in conflicts(cells, targets) if cells[a] != targets[a]}
-
-
 def all_occupied(cells: list, targets: list) -> set[int]:
     """Take every target that is occupied for a conflict, also if its agent leaves."""
     occupied = {a for a, there in enumerate(targets) if there in cells and there != cells[a]}
@@ -53,33 +49,17 @@ def one_link_only(cells: list, targets: list) -> list:
     return without_chains(cells, without_chains(cells, targets))
 
 
-def swaps_pass(cells: list, targets: list) -> list:
-    while True:
-        after = [cells[a] if targets.count(there) > 1 else there for a, there in enumerate(targets)]
-        if after == targets:
-            return after
-        targets = after
-
-
 def at_once(cells: list, targets: list) -> np.ndarray:
     for _ in cells:
         targets = without_chains(cells, targets)
     return np.array(targets)
 
 
-def the_best(candidates, scores):
-    return candidates[np.argmax(scores)]
-
-
 def the_lowest(candidates, scores):
     return candidates[np.argsort(1 - scores)[-8:]].mean(axis=0)
 
 
-def the_mean_of_all(candidates, scores):
-    return candidates.mean(axis=0)
-
-
-def hand_race(seed, *, told=None, generations=3, side=None, payoff=np.asarray, **change):
+def hand_race(seed, *, generations=3, side=None, payoff=np.asarray, **change):
     """Return the answer of exercise 3.3; `change` is how a team, or both, learns otherwise."""
     archives = [chapter_3.first_genome(seed, 0)], [chapter_3.first_genome(seed, 1)]
     opponent, select = change.get("opponent"), change.get("select", chapter_3.mean_of_best)
@@ -93,7 +73,7 @@ def hand_race(seed, *, told=None, generations=3, side=None, payoff=np.asarray, *
                 chapter_3.learn(team, archives[team][-1], newest, rng, select=chosen)
             )
     rates = chapter_3.all_against_all(archives)
-    return seed if told is None else told, *archives, payoff(rates)
+    return seed, *archives, payoff(rates)
 
 
 class Climber:
@@ -111,12 +91,6 @@ class Climber:
 
     def tell(self, fitness):
         self.genome = self.candidates[np.argmax(fitness)].copy()
-
-    def tell_nothing_known(self, fitness):
-        self.genome = self.genome * np.float32(np.nan)
-
-    def tell_the_worst(self, fitness):
-        self.genome = self.candidates[np.argmin(fitness)].copy()
 
 
 def climber(**changes: Any) -> type:
@@ -138,11 +112,6 @@ def gains(schedule: str) -> np.ndarray:
 def interval_of_gains(schedule: str) -> analysis.Estimate:
     """Return the interval that exercise 5.3 asks for."""
     return analysis.interval_over_runs(gains(schedule))
-
-
-def last_beats_first(scores: np.ndarray) -> bool:
-    curves = analysis.generalization(scores.mean(axis=2))
-    return all(bool(curve[-1] > curve[0]) for curve in curves)
 
 
 def both_rise(scores: np.ndarray) -> np.bool_:
@@ -175,12 +144,6 @@ def of_other_shapes(beats, individuals, opponents):
     return (individuals > opponents).mean()
 
 
-def neighbours_only(matrix: np.ndarray) -> int:
-    wins = matrix > 0.5
-    a, b, c, d = wins[:-1, :-1], wins[:-1, 1:], wins[1:, :-1], wins[1:, 1:]
-    return int(((a == d) & (b == c) & (a != b)).sum())
-
-
 def mean_twice(matrix: np.ndarray) -> float:
     rest = matrix - matrix.mean(axis=1)[:, None] - matrix.mean(axis=0)
     return float(1 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
@@ -195,11 +158,6 @@ def hall(count: int, *, repeat: bool = False) -> Any:
 
 def of_wins_only(wins, v):
     return 2 * wins / v - wins**2 / v**2
-
-
-@np.errstate(invalid="ignore")
-def of_the_largest(wins, v):
-    return of_wins_only(wins / wins.max(), v)
 
 
 def unpaired(one, other):

@@ -29,6 +29,10 @@ TINY: dict[str, Any] = {
     "seed": 5,
 }
 
+SCHEDULES = ("specialist-specialist", "generalist-generalist")
+LONG = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
+"""Settings of short races that have enough generations to be judged."""
+
 SHARED = "/dev/shm"
 LEAST_FREE = 2**30
 MEMORY = (

@@ -76,18 +76,8 @@ const COMMANDS = {
     for (const row of actions) world.step(row);
     return agents.map((agent) => world.rate(policyOf(policy), agent));
   },
-  // A refused call leaves the world as it was.
-  refuse({ config, start, actions }) {
-    const world = engine.world(config);
-    const before = world.snapshot();
-    let message = "";
-    try {
-      if (start) world.reset(startOf(start));
-      if (actions) world.step(actions);
-    } catch (error) {
-      message = error.message;
-    }
-    return { message, same: JSON.stringify(before.cells) === JSON.stringify(world.snapshot().cells) };
+  refuse({ config }) {
+    engine.world(config);
   },
   // Perfect play at each moment of an episode, turn by turn, and what the teams lose by the actions.
   solve({ config, start, actions, payoff }) {

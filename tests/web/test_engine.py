@@ -1,8 +1,6 @@
 """The built engine is that of the sources, and plays as the extension does, bit for bit."""
 
 import runpy
-import shutil
-import subprocess
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -41,24 +39,6 @@ def test_the_tables_are_those_of_the_package() -> None:
     """If this fails, run ``python web/write_tables.py``."""
     tables = program("web/write_tables.py")
     assert tables.TABLES.read_text(encoding="utf-8") == tables.text()
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize(
-    ("driver", "argument", "answer"),
-    [("multiply_add", "0.2", "1085184 cases"), ("recurrent_units", "1009", "4256660 cases")],
-)
-def test_arithmetic_of_our_own(driver: str, argument: str, answer: str, tmp_path: Path) -> None:
-    """Multiply-add on processors without one, and functions of recurrent layers within bounds."""
-    compiler = shutil.which("c++")
-    if compiler is None:
-        pytest.skip("needs a C++ compiler")
-    options = ["-std=c++17", "-O2", "-ffp-contract=off", "-w", f"-I{ROOT / 'cpp'}"]
-    built = tmp_path / driver
-    subprocess.run([compiler, *options, ROOT / f"cpp/tests/{driver}.cpp", "-o", built], check=True)
-    done = subprocess.run([built, argument], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout
-    assert f"{answer}, 0 wrong" in done.stdout
 
 
 def game(number: int, config: mw.WorldConfig, expected: SimpleNamespace) -> dict[str, Any]:
@@ -115,7 +95,7 @@ def team(config: mw.WorldConfig, hidden: tuple[int, ...], seed: int, **more: Any
 RATING = mw.Rating(tuple(mw.INPUTS), mask="right-of-way")
 PROGRAMS = [
     "min(unclaimed - 0.3 * room, teammate) - 3 * must_yield if 0.5 < adversary else ahead",
-    "where(stay - exits, max(-crowd, pressure * 2), less(open_side, 0.4) + room * room)",
+    "where(0.5 - exits, max(-teammate, pressure * 2), less(open_side, 0.4) + room * room)",
 ]
 RATED = {
     "a weighted sum, right of way": ("SB", RATING, {"obstacles": 0.1}),
@@ -378,23 +358,6 @@ def test_settings_are_refused(run_command: Commands, changes: dict[str, Any], me
     assert got["error"].startswith(message)
 
 
-@pytest.mark.parametrize(
-    ("start", "actions", "field"),
-    [
-        ({"pursuers": [[0, 0]] * 3}, None, "positions"),
-        ({"seed": str(2**64)}, None, "seed"),
-        (None, [7] * 7, "actions"),
-        (None, [0], "actions"),
-    ],
-)
-def test_a_refused_call_leaves_the_world_as_it_was(
-    run_command: Commands, start: Any, actions: Any, field: str
-) -> None:
-    got = run_command(do="refuse", config=OPEN, start=start, actions=actions)
-    assert got["message"].startswith(f"{field}: expected")
-    assert got["same"]
-
-
 SOLVED = {
     "O": mw.WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=6),
     "TO": mw.WorldConfig("TO", rows=3, cols=4, n_pursuers=2, n_evaders=1, max_steps=6),
@@ -432,11 +395,3 @@ def test_pages_know_perfect_play(run_command: Commands, name: str, payoff: Payof
         expected = [share for agent in moment.marginals for share in agent or [-1]]
         assert shares == pytest.approx(expected, abs=1e-9)
     assert max(max(moment.lost) for moment in moments) > 0.1
-
-
-@pytest.mark.parametrize(
-    ("changes", "why"), [({"n_pursuers": 3, "rows": 6}, "too large"), ({"obstacles": 0.1}, "anew")]
-)
-def test_pages_say_why_unsolved(run_command: Commands, changes: dict[str, Any], why: str) -> None:
-    config = replace(SOLVED["O"], **changes).to_json()
-    assert why in run_command(do="solve", config=config, start={}, actions=[])["why"]

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.play.experience import experience
 from matrixworld.world.arrays import new_arrays
@@ -24,7 +25,7 @@ from matrixworld.world.masks import (
 from matrixworld.world.policy import Network, Population
 from matrixworld.world.rules import VARIANTS
 from reference import MOVES
-from right_of_way import MASK, OBSTACLES, ROWS, forbidden_in_s, play
+from right_of_way import MASK, OBSTACLES, ROWS, forbidden_in_s, play, random_teams
 from slow import quickly
 from tiny_race import played, tiny_race
 
@@ -77,7 +78,7 @@ def both(config: mw.WorldConfig) -> dict[str, np.ndarray]:
 
 
 @pytest.mark.parametrize("keeps", KEEPERS, ids="+".join)
-@pytest.mark.parametrize("rules", [*ROWS[::150], *UNUSUAL], ids=str)
+@pytest.mark.parametrize("rules", [*ROWS[::300], *UNUSUAL], ids=str)
 def test_no_choice_on_a_small_board_is_at_fault(rules: Any, keeps: tuple[Team, ...]) -> None:
     config = world_of(rules, rows=2, cols=3, n_pursuers=2, n_evaders=2)
     assert faults_of_all_choices(config, keeps, both(config)) == 0
@@ -193,6 +194,72 @@ def test_environments_offer_the_mask_of_each_team(variant: str) -> None:
         turns.step(None if over or cut else draw(info["action_mask"]))
 
 
+@pytest.mark.parametrize("variant", ["SB", "O"])
+def test_an_agent_among_careful_teammates_has_their_order(variant: str) -> None:
+    """Scripts and ratings know the step, and so does the environment; networks do not."""
+    config = world_of(variant, n_pursuers=12, n_evaders=1)
+    rng = np.random.default_rng(2)
+    network, _ = random_teams(config, rng, 1)
+    rating = mw.Rating(fov=5, mask="right-of-way")
+    rated = mw.Population(rating.initial(rng), rating)
+    env = mw.AgentEnv(config, pursuers=["careful-random", network, rated], action_mask=MASK)
+    orders = set()
+    for episode in range(12):
+        _, info = env.reset(seed=episode)
+        over = False
+        while not over:
+            np.testing.assert_array_equal(info["action_mask"] > 0, env.action_masks())
+            choices = np.flatnonzero(info["action_mask"])
+            *_, ended, cut, info = env.step(int(rng.choice(choices)))
+            over = ended or cut
+            assert not env.env.status.fault[: config.n_pursuers].any()
+        orders.add(env._mates.yields_in_turn)
+    assert orders == {True, False}
+
+
+def test_networks_with_the_mask_of_other_rules_or_teams_are_refused() -> None:
+    """If it allows more than the right of way in this world does, and only then."""
+    match, rng = mw.Matches.of(0, 0, 0), np.random.default_rng(4)
+    teams = {each: random_teams(world_of(each), rng, 2) for each in ("O", "TO", "B", "S", "SB")}
+    leaking = [("O", "S"), ("O", "SB"), ("TO", "S"), ("B", "SB")]
+    for one, other in itertools.product(teams, repeat=2):
+        world = world_of(other)
+        if (one, other) in leaking or (one in ("O", "TO", "B") and other in ("S", "SB")):
+            with pytest.raises(
+                ValueError, match="^pursuers: expected networks that keep the right"
+            ):
+                mw.rollout(world, teams[one][0], "random", match)
+        else:
+            assert not mw.rollout(world, *teams[one], match).faults.any()
+    actions = np.zeros(17, np.int64)
+    for call in (
+        lambda: mw.rollout(world_of("S"), "random", teams["S"][0], match),  # pursuers' mask
+        lambda: mw.World(world_of("S")).decide(teams["O"][0], range(9), actions),
+        lambda: mw.record(world_of("S"), teams["O"][0], "random"),
+        lambda: mw.VectorEnv(world_of("S"), pursuers=teams["O"][0]),
+    ):
+        with pytest.raises(ValueError, match="got a mask of other rules or of the other team$"):
+            call()
+
+
+@pytest.mark.parametrize("hidden", [(), (32,), (16, 8)])
+def test_weights_that_would_outweigh_the_mask_are_refused(hidden: tuple[int, ...]) -> None:
+    config, rng = world_of("SB"), np.random.default_rng(5)
+    [(team, _)] = [random_teams(config, rng, 4, hidden=hidden)]
+    fixed = mask_weights(team.policy, forbidding_cells(config, MASK, "pursuer"))
+    signs = np.sign(team.genomes)
+    with pytest.raises(
+        ValueError, match="^genomes: expected weights of at most .* got 1.0e.38$"
+    ) as told:
+        Population(fixed.write(signs * np.float32(1e38)), team.policy)
+    most = np.float32(float(str(told.value).split()[6]) * 0.95)  # it is rounded
+    largest = Population(fixed.write(signs * most), team.policy)
+    found = mw.rollout(config, largest, "random", mw.Matches.of(range(4), 0, range(4)))
+    assert not found.faults[:, :, 0].any()
+    unmasked = Population(signs * np.float32(1e38), team.policy)  # of no mask
+    assert not unmasked.forbids.any()
+
+
 def test_what_needs_a_wide_view_is_refused_without() -> None:
     for mask, fov in (("right-of-way", 3), ("obstacles", 1), ("occupied", 5)):  # no such mask
         with pytest.raises(ValueError, match="^action_mask: expected"):
@@ -290,3 +357,7 @@ def test_nobody_is_at_fault_in_training_with_any_weights(learner: str, tmp_path:
         assert log["matches"][-1] > 0
         assert not log["pursuer_faults"].any()
         assert not log["evader_faults"].any()
+    if learner == "es":
+        huge = settings.changed({"learner.sigma": 1e16, "policy.hidden": (8, 8)})
+        with pytest.raises(DivergedError, match=r"beside a mask.*lower .*learner\.sigma \(now 1e"):
+            played(huge, tmp_path / "huge")

@@ -149,7 +149,7 @@ def test_right_of_way_keeps_ratings_from_fault() -> None:
 
 
 def test_what_is_no_policy_is_refused() -> None:
-    program = mw.Program(length=3, inputs=("room", "stay"))
+    program = mw.Program(length=3, inputs=("room", "exits"))
     for code, told in (
         ([[1, 2], [0, 0], [0, 0]], "genome 0, program: expected an input from 0 to 1"),
         ([[3, 0], [0, 0], [0, 0]], "expected 2 numbers on the stack for add"),
@@ -167,7 +167,7 @@ def test_what_is_no_policy_is_refused() -> None:
             make(inputs=("room", "room"))
         with pytest.raises(ValueError, match="^fov: expected at least 5 for the mask right-of-way"):
             make(fov=3, mask="right-of-way")
-    for text in ("room / 2", "room(", "room if stay else 1", "min(room, key=1)"):
+    for text in ("room / 2", "room(", "room if ahead else 1", "min(room, key=1)"):
         with pytest.raises(ValueError, match="^expression: expected"):
             program.genome(text)
     wide = mw.Population(np.float32([1]), mw.Rating(inputs=("room",), fov=7))
@@ -190,7 +190,7 @@ def test_programs_as_text_are_the_same_programs() -> None:
 def test_solved_worlds_take_ratings() -> None:
     """The value of a game of ratings is the mean of their matches."""
     config = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=4, fov=5)
-    inputs = ("adversary", "teammate", "room", "stay")
+    inputs = ("adversary", "teammate", "room", "exits")
     rating = mw.Rating.for_config(config, inputs=inputs)
     team = mw.Population(np.float32([-1, 0.25, 0.5, -0.125]), rating)
     program = mw.Program.for_config(config)
@@ -212,7 +212,7 @@ def test_policies_play_wherever_teams_play() -> None:
     rating = mw.Rating.for_config(config, hidden=(3,), mask="right-of-way")
     program = mw.Program.for_config(config, length=9)
     first = mw.Population(rating.initial(np.random.default_rng(1)), rating)
-    second = mw.Population(program.genome("room - pressure * crowd"), program)
+    second = mw.Population(program.genome("room - pressure * exits"), program)
     for policy in (rating, program):
         policy.core  # noqa: B018  # is not copied
         again = copy.deepcopy(policy)

@@ -231,7 +231,7 @@ def test_a_round_is_finished_as_it_was_begun() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_a_batch_by_turns_writes_what_its_worlds_would(name: str) -> None:
     """After each turn, also of rounds in whose middle some worlds end, and of none."""
-    config, n = config_of(name, obstacles=0.1, max_steps=6), 20
+    config, n = config_of(name, obstacles=0.1, max_steps=6), 5
     buffers = new_arrays(array_specs(config), n)
     batch, order = mw.Batch(n, config, threads=2, buffers=buffers), mw.World(config)
     batch.reset(5)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from course.checks import Mistake, about, array, comparison
 from course.shown import film
-from course.toys import GAMES
+from course.toys import BITS, GAMES, beats
 from matrixworld import colors, replay
 
 UNNAMED = {"game A": "intransitive", "game B": "scalar", "game C": "focusing"}
@@ -112,11 +113,12 @@ def _games() -> list[tuple[Any, ...]]:
     rng = np.random.default_rng(44)
     return [
         (
-            game.beats,
-            rng.integers(0, game.shape[1] // 2 + 1, size=(7, game.shape[0])),
-            rng.integers(0, game.shape[1] + 1, size=(5, game.shape[0])),
+            partial(beats, game),
+            rng.integers(0, most // 2 + 1, size=(7, BITS // most)),
+            rng.integers(0, most + 1, size=(5, BITS // most)),
         )
         for game in GAMES.values()
+        for most in (BITS // game.genome_size("pursuer"),)
     ]
 
 

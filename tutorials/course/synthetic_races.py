@@ -37,6 +37,7 @@ class Draws:
     """
 
     def __init__(self, seed: int, run: int = 0) -> None:
+        self.run = run
         self.shared: np.random.Generator = np.random.default_rng([seed, 0])
         self.own: np.random.Generator = np.random.default_rng([seed, 1, run])
 

@@ -1,7 +1,7 @@
-"""Toys with known answers: co-evolution in plain NumPy that takes seconds.
+"""Toys with known answers: games of two populations, raced in memory, which takes seconds.
 
-They use the schedules, pairings and selection of the real races: what these do here they do there,
-too. A race in files takes 15 times as long, or more; ``evolution/games`` has such games for it.
+The loop of their races is that of the package, with its schedules, opponents and pairings: what
+these do here they do in real races, too. ``evolution/games`` has such games for races in files.
 
 >>> from course import toys
 >>> toys.numbers_game("scalar", seed=0).final_objective.round()
@@ -15,7 +15,7 @@ other plays fictitious play (Brown 1951), whose average approaches the equilibri
 two populations of bit strings, where more ones win, in one dimension or another. Selection uses
 wins alone; the number of ones, the objective, is only observed. A mutation rate of 0.005 a bit can
 be read in two ways: here it flips the bit. To redraw the bit at this rate changes half as many, as
-``flips=0.0025``; ``docs/coevolution.md`` has the results of both.
+``flips=0.0025``; ``tests/course/test_toys.py`` has the results of both.
 
 *Hosts and parasites* (Cartlidge & Bullock 2004, "Combating coevolutionary disengagement by reducing
 parasite virulence", Evolutionary Computation 12(2)): the scalar game, but a bit that mutates
@@ -34,67 +34,72 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
-from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
-from matrixworld.coevolution.race import SCHEDULES, available, pairings
+from matrixworld.coevolution import Game, GeneticAlgorithm, RaceSettings, RunInMemory
+from matrixworld.coevolution.game import Scores
+from matrixworld.coevolution.learners.genetic_algorithm import TOURNAMENT
+from matrixworld.coevolution.learners.learner import Task, select_tournament
 from matrixworld.coevolution.types import (
     TEAMS,
     BoolArray,
     FloatArray,
+    Genomes,
     Indices,
     IntArray,
+    Matches,
+    Rng,
+    State,
     Team,
-    other,
 )
 
 # ---- Rock-paper-scissors -------------------------------------------------------------------------
 
-HandHistory = dict[Team, list[int]]
-"""Team -> its hand in each generation: `ROCK`, `PAPER` or `SCISSORS`."""
-
-ROCK, PAPER, SCISSORS = range(3)
 PAYOFF = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
-"""Of the pursuers' hands (rows) against the evaders', whose own payoff is one minus it."""
-ROUNDING = 1e-9
-"""Sums of payoffs that differ by less are equal."""
+"""Of the pursuers' rock, paper and scissors (rows) against the evaders', who get one minus it."""
 
 
-def capture_probabilities(
-    pursuers: FloatArray, evaders: FloatArray, *, luck: float = 0.0
-) -> FloatArray:
-    """Return the probability (n, m) that each pursuer captures each evader; a draw is one half.
+def play_hands(a: FloatArray, b: FloatArray, rng: Rng) -> FloatArray:
+    """Return the scores of strategies (M, 3), probabilities of the hands."""
+    return np.asarray(np.einsum("mi,ij,mj->m", a, PAYOFF, b))
 
-    Strategies (n, 3) and (m, 3) are probabilities of the hands; ``np.eye(3)[hands]`` are pure ones.
-    `luck`, in [0, 1/2], is the probability that the worse hand wins.
+
+HANDS = Game(play_hands, 3, ("pursuers", "evaders"), lambda rng: np.eye(3)[0], deterministic=True)
+"""Rock-paper-scissors; both teams start with rock."""
+
+
+@dataclass(frozen=True)
+class BestHand(GeneticAlgorithm):
+    """Tries all three hands; the one that scores most is the champion."""
+
+    population: int = 3
+
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
+        """Return the hands in random order: of equals the first one is best."""
+        hands = rng.permutation(np.eye(3, dtype=np.float32))
+        return hands, {**state, "candidates": hands}
+
+
+ALL = 10**6
+ONCE = {"pursuer_epochs": 1, "evader_epochs": 1}
+RACES_OF_HANDS: dict[str, dict[str, Any]] = {
+    "specialists": {"kind": "specialist-specialist", **ONCE},
+    "generalists": {"kind": "generalist-generalist", "opponents": ALL, **ONCE},
+    "fictitious play": {
+        "kind": "hall-of-fame", "joint_epochs": 1, "contemporaries": 0, "hall_sample": ALL,
+    },
+}  # fmt: skip
+"""Schedules: answers to the newest hand, and to all past hands, in turns or at the same time."""
+
+
+def race_of_hands(name: str, generations: int, seed: int = 0) -> dict[Team, list[int]]:
+    """Play one of `RACES_OF_HANDS`, and return the hands of each team, 0 to 2.
+
+    `generations` are those after the first one.
     """
-    return np.asarray(luck + (1.0 - 2.0 * luck) * (pursuers @ PAYOFF @ evaders.T))
-
-
-def best_response(team: Team, opponents: ArrayLike, rng: np.random.Generator) -> int:
-    """Return the hand with the highest mean payoff to a team against hands (c,); ties by lot."""
-    counts = np.bincount(np.asarray(opponents), minlength=3)
-    payoffs = PAYOFF @ counts if team == "pursuer" else -(counts @ PAYOFF)
-    # Equal sums may differ in their last bits, and a tie must stay a tie.
-    best = np.flatnonzero(payoffs > payoffs.max() - ROUNDING)
-    return int(rng.choice(best))
-
-
-def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> HandHistory:
-    """Play an alternating race, and return the hands of each team; both start with rock.
-
-    A generation responds to the opponents that the sampler of a schedule of `coevolution.SCHEDULES`
-    chooses in its epochs, each weighted by how often it was chosen. `generations` are those after
-    the first one.
-    """
-    rng = np.random.default_rng(seed)
-    samplers = {team: SCHEDULES[schedule].sampler(team) for team in TEAMS}
-    hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
-    for k in range(1, generations + 1):
-        for team in TEAMS:
-            count = available(team, k)
-            chosen = [int(samplers[team].sample({}, count, 1, i, rng)[0]) for i in range(epochs)]
-            opponents = [hands[other(team)][index] for index in chosen]
-            hands[team].append(best_response(team, opponents, rng))
-    return hands
+    schedule = {**RACES_OF_HANDS[name], "generations": generations}
+    settings = RaceSettings.of(game=HANDS, learner=BestHand(), schedule=schedule, seed=seed)
+    race = RunInMemory(settings, threads=1)
+    race.train()
+    return {team: np.argmax(race.archive[team], axis=1).tolist() for team in TEAMS}
 
 
 def replicators(
@@ -127,7 +132,7 @@ def replicators(
 # ---- Populations of bits -------------------------------------------------------------------------
 
 BITS = 100
-"""Bits of an individual, over all dimensions."""
+"""Bits of an individual, over all numbers."""
 POPULATION = 25
 """Individuals of each population."""
 REDRAWN = 0.03
@@ -136,48 +141,77 @@ HOST_BIAS, PARASITE_BIAS = 0.5, 0.75
 """Probability that a redrawn bit is a one."""
 
 
+def _numbers_game(count: int, extreme: Callable[..., Indices]) -> Game:
+    """Return a game of some numbers; the one with the extreme difference decides."""
+
+    def play(a: FloatArray, b: FloatArray, rng: Rng) -> FloatArray:
+        each, deciding = np.arange(len(a)), extreme(np.abs(a - b), axis=1)
+        return np.asarray((1.0 + np.sign(a[each, deciding] - b[each, deciding])) / 2.0)
+
+    def zeros(rng: Rng) -> FloatArray:
+        return np.zeros(count)
+
+    return Game(play, count, ("hosts", "parasites"), zeros, deterministic=True)
+
+
+SCALAR = _numbers_game(1, np.argmax)
+FOCUSING = _numbers_game(10, np.argmax)
+INTRANSITIVE = _numbers_game(2, np.argmin)
+GAMES = {"scalar": SCALAR, "focusing": FOCUSING, "intransitive": INTRANSITIVE}
+"""Numbers games: more ones win, in the number in which individuals differ most, or least.
+
+A genome is how many of its bits are ones, for each number. In the focusing game other numbers drift
+away. In the intransitive one a beats b, b beats c, and c beats a: a population can win and lose
+ones."""
+
+
+def beats(game: Game, a: ArrayLike, b: ArrayLike) -> BoolArray:
+    """Return (M,) whether a beats b, by ones (M, numbers); if neither does, it is a draw."""
+    rng = np.random.default_rng(0)  # which these games do not use
+    return np.asarray(game.play(np.asarray(a), np.asarray(b), rng)) == 1.0
+
+
 @dataclass(frozen=True)
-class Game:
-    """A game between two individuals, decided by their ones in each dimension.
+class Bits(GeneticAlgorithm):
+    """A genetic algorithm of ones: children are their parents with redrawn bits."""
 
-    `shape` is (dimensions, bits in each). The dimension with the `extreme` difference decides.
-    """
+    population: int = POPULATION
+    redrawn: float = REDRAWN
+    host_bias: float = HOST_BIAS
+    parasite_bias: float = HOST_BIAS
+    proportionate: bool = False
+    """Whether parents are drawn in proportion to their wins, instead of by tournaments."""
 
-    shape: tuple[int, int]
-    extreme: Callable[..., Indices]
+    def start(self, task: Task) -> State:
+        """Return a population, the bits of each of its numbers, and the bias of its team."""
+        bits, bias = BITS // task.game.genome_size("pursuer"), (self.host_bias, self.parasite_bias)
+        facts = {"bits": np.array(bits), "bias": np.array(bias[task.team])}
+        return {**super().start(task), **facts}
 
-    def beats(self, a: IntArray, b: IntArray) -> BoolArray:
-        """Return (M,) whether a beats b, by ones (M, dimensions); if neither does, it is a draw."""
-        each, dimension = np.arange(len(a)), self.extreme(np.abs(a - b), axis=1)
-        return np.asarray(a[each, dimension] > b[each, dimension])
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
+        """Return the children of the population; at first itself."""
+        ones, wins, bias = state["population"], state["fitness"], state["bias"]
+        if len(wins):
+            parents = ones[self._parents(wins, rng)].astype(int)
+            gained = rng.binomial(state["bits"] - parents, self.redrawn * bias)
+            lost = rng.binomial(parents, self.redrawn * (1.0 - bias))
+            ones = (parents + gained - lost).astype(np.float32)
+        return ones, {**state, "candidates": ones}
 
-    def scores(self, a: IntArray, b: IntArray) -> FloatArray:
-        """Return the scores (M,) of a against b: 1 for a win, 1/2 for a draw, 0 for a loss."""
-        return np.asarray((1.0 + self.beats(a, b) - self.beats(b, a)) / 2.0)
-
-
-GAMES = {
-    "scalar": Game((1, BITS), np.argmax),
-    "focusing": Game((10, BITS // 10), np.argmax),
-    "intransitive": Game((2, BITS // 2), np.argmin),
-}
-"""Numbers games: more ones win, in the dimension in which individuals differ most, or least.
-
-In the focusing game other dimensions drift away. In the intransitive one a beats b, b beats c, and
-c beats a: a population can win and lose ones."""
-
-
-Breed = Callable[[BoolArray, FloatArray, np.random.Generator], BoolArray]
-"""Takes the bits (n, ...) of a population, its wins (n,) and a generator; returns the children."""
+    def _parents(self, wins: FloatArray, rng: Rng) -> Indices:
+        if not self.proportionate:
+            return select_tournament(wins, len(wins), rng, size=self.tournament or TOURNAMENT)
+        sums = np.cumsum(wins if wins.any() else np.ones(len(wins)))
+        return np.searchsorted(sums, rng.random(len(wins)) * sums[-1], "right")
 
 
 @dataclass(frozen=True)
 class History:
-    """G generations of two populations of n individuals."""
+    """Two populations of n individuals, from the start to generation G."""
 
     game: Game
-    ones: IntArray  # of each individual, (G + 1, 2, n, dimensions), from the start to the end
-    wins: FloatArray  # matches that each individual won, (G, 2, n)
+    ones: IntArray  # of each individual, (G + 1, 2, n, numbers)
+    wins: FloatArray  # matches that each individual won, (G + 1, 2, n)
 
     @property
     def objective(self) -> IntArray:
@@ -191,10 +225,10 @@ class History:
 
     @property
     def engaged(self) -> BoolArray:
-        """Whether individuals of both populations differ in their wins, (G,)."""
+        """Whether individuals of both populations differ in their wins, (G + 1,)."""
         return np.asarray((np.ptp(self.wins, axis=2) > 0.0).all(axis=1))
 
-    def scores(self, generations: ArrayLike, episodes: int, rng: np.random.Generator) -> FloatArray:
+    def scores(self, generations: ArrayLike, episodes: int, rng: Rng) -> FloatArray:
         """Play matches between k generations, each of two individuals drawn with replacement.
 
         Returns the scores (k, k, episodes) of side 0 (rows) against side 1 (columns).
@@ -205,36 +239,54 @@ class History:
         first, second = (rng.integers(self.ones.shape[2], size=shape).ravel() for _ in (0, 1))
         i, j, _ = (index.ravel() for index in np.indices(shape))
         a, b = self.ones[picked[i], 0, first], self.ones[picked[j], 1, second]
-        return self.game.scores(a, b).reshape(shape)
+        return self.game.play(a, b, rng).reshape(shape)
+
+
+class _Watched(RunInMemory):
+    """A race that keeps its populations and their wins, and selects by wins alone."""
+
+    ones: list[list[Genomes]]
+    wins: list[list[IntArray]]
+    parasites: Callable[[FloatArray], Any]
+
+    def play(self, pursuers: Any, evaders: Any, matches: Matches) -> Scores:
+        """Play the matches of an epoch."""
+        scores = super().play(pursuers, evaders, matches)
+        won = zip(matches[:2], (scores.of(team)[:, 0] == 1.0 for team in TEAMS), strict=True)
+        self.ones.append([pursuers.genomes, evaders.genomes])
+        self.wins.append([np.bincount(*each, POPULATION) for each in won])
+        return scores
+
+    def fitness(self, team: Team, scores: Scores, table: Any) -> FloatArray:
+        """Return the fitness of individuals by their wins; draws are worth nothing."""
+        hosts, parasites = self.wins[-1]
+        return np.asarray(hosts if team == "pursuer" else self.parasites(parasites * 1.0), float)
 
 
 def evolve(
-    game: Game, breeds: tuple[Breed, Breed], seed: int, *, generations: int, opponents: int
+    game: Game,
+    learner: Bits,
+    seed: int,
+    *,
+    generations: int,
+    opponents: int,
+    parasites: Callable[[FloatArray], Any] = np.asarray,
 ) -> History:
     """Evolve two populations against each other, from all zeros.
 
-    In each generation each individual plays some opponents, paired by random permutations, and both
-    sides breed by their wins.
+    A generation is an epoch of a race in which both learn at the same time: each individual plays
+    some opponents, and both sides breed by their wins. `parasites` returns the fitness of side 1
+    for its wins (n,).
     """
-    rng = np.random.default_rng(seed)
-    bits = [np.zeros((POPULATION, *game.shape), dtype=np.bool_) for _ in breeds]
-    ones, wins = [_ones(bits)], []
-    one_group = np.zeros(POPULATION, dtype=np.intp)
-    for _ in range(generations):
-        pairs = pairings(one_group, opponents, (0, 0), rng)
-        scores = game.scores(ones[-1][0, pairs.pursuer], ones[-1][1, pairs.evader])
-        won = [
-            np.bincount(players, weights=each == 1.0, minlength=POPULATION)
-            for players, each in ((pairs.pursuer, scores), (pairs.evader, 1.0 - scores))
-        ]
-        bits = [breed(*each, rng) for breed, *each in zip(breeds, bits, won, strict=True)]
-        ones.append(_ones(bits))
-        wins.append(won)
-    return History(game, np.array(ones), np.array(wins))
-
-
-def _ones(bits: list[BoolArray]) -> IntArray:
-    return np.array([team.sum(axis=2) for team in bits])
+    schedule = {
+        "kind": "hall-of-fame", "generations": 1, "joint_epochs": generations + 1,
+        "contemporaries": opponents, "hall_sample": 0,
+    }  # fmt: skip
+    settings = RaceSettings.of(game=game, learner=learner, schedule=schedule, seed=seed)
+    race = _Watched(settings, threads=1)
+    race.ones, race.wins, race.parasites = [], [], parasites
+    race.train()
+    return History(game, np.array(race.ones).astype(int), np.array(race.wins))
 
 
 def numbers_game(name: str, seed: int, *, generations: int = 600, flips: float = 0.005) -> History:
@@ -242,14 +294,8 @@ def numbers_game(name: str, seed: int, *, generations: int = 600, flips: float =
 
     A bit is flipped with the probability `flips`.
     """
-
-    def breed(bits: BoolArray, wins: FloatArray, rng: np.random.Generator) -> BoolArray:
-        # Wins are the fitness: the objective must not leak into selection.
-        chances = wins / wins.sum() if wins.any() else None
-        parents = rng.choice(POPULATION, size=POPULATION, p=chances)
-        return np.asarray(bits[parents] ^ (rng.random(bits.shape) < flips))
-
-    return evolve(GAMES[name], (breed, breed), seed, generations=generations, opponents=15)
+    learner = Bits(proportionate=True, redrawn=2.0 * flips)  # half of the redrawn bits change
+    return evolve(GAMES[name], learner, seed, generations=generations, opponents=15)
 
 
 def reduced_virulence(wins: FloatArray, virulence: float) -> FloatArray:
@@ -265,29 +311,13 @@ def reduced_virulence(wins: FloatArray, virulence: float) -> FloatArray:
 
 
 def hosts_and_parasites(
-    virulence: float | Callable[[FloatArray], ArrayLike],
-    seed: int,
-    *,
-    generations: int = 600,
-    tournament: int = 5,
-    biases: tuple[float, float] = (HOST_BIAS, PARASITE_BIAS),
+    virulence: float | Callable[[FloatArray], ArrayLike], seed: int, *, generations: int = 600
 ) -> History:
     """Evolve hosts (side 0, of virulence 1) and parasites (side 1), which meet 5 opponents each.
 
     `virulence` is that of the parasites, from 0.5 to 1; or their fitness, as a function of the wins
-    (n,). Parents win tournaments of so many individuals. `biases` are the probabilities that a
-    redrawn bit is a one, of the hosts and of the parasites.
+    (n,).
     """
-
-    def breed(
-        bits: BoolArray, wins: FloatArray, rng: np.random.Generator, own: Any, bias: float
-    ) -> BoolArray:
-        fitness = own(wins.copy()) if callable(own) else reduced_virulence(wins, own)
-        parents = select_tournament(np.asarray(fitness), POPULATION, rng, size=tournament)
-        # Redrawn, not flipped: without selection a bit ends at its bias whatever it was before.
-        drawn = rng.random(bits.shape) < bias
-        return np.where(rng.random(bits.shape) < REDRAWN, drawn, bits[parents])
-
-    hosts = partial(breed, own=1.0, bias=biases[0])
-    parasites = partial(breed, own=virulence, bias=biases[1])
-    return evolve(GAMES["scalar"], (hosts, parasites), seed, generations=generations, opponents=5)
+    own = virulence if callable(virulence) else partial(reduced_virulence, virulence=virulence)
+    learner = Bits(parasite_bias=PARASITE_BIAS)
+    return evolve(SCALAR, learner, seed, generations=generations, opponents=5, parasites=own)

@@ -378,7 +378,7 @@ SOURCES = {
     "schools": Source(schools, range(10, 20), kept=True),
     "chosen": Source(chosen, range(100, 106)),
     "race by hand": Source(race_by_hand, range(100, 110)),
-    "numbers games": Source(numbers_games, range(200, 205)),
+    "numbers games": Source(numbers_games, range(200, 210)),
     "tournament": Source(tournament_gain, range(120, 200)),
     "paper": Source(paper_race, range(10, 20)),
     "noise": Source(noise, range(200, 400)),

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-import matrixworld as mw
-from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create
+from matrixworld.coevolution import RaceSettings, Run, SavedRun, create
 
 
 class Penalised(Run):
     """A run with such a penalty."""
 
     def __init__(self, directory: Path, penalty: float, **options: Any) -> None:
-        self.penalty = penalty
         super().__init__(directory, **options)
-
-    def fitness(self, team: Team, scores: mw.EpisodeStatistics, table: Any) -> np.ndarray:
-        """Return the fitness (n,) of the candidates."""
-        return self.settings.fitness.fitness(scores, team, table, self.penalty)
+        self.game = replace(self.game, penalty=penalty)
 
 
 def finish(

@@ -114,6 +114,14 @@ def check_floats(
     return kept
 
 
+def unmasked(name: str, given: Any) -> NDArray[Any]:
+    """Return an argument as an array; TypeError where a mask hides values of it."""
+    rows = given if isinstance(given, list | tuple) else (given,)
+    if any(isinstance(row, np.ma.MaskedArray) for row in rows):
+        raise TypeError(f"{name}: expected an array that hides no values, got a masked array")
+    return np.asarray(given)
+
+
 def _no_number(given: ArrayLike) -> str:
     """Return the first cell of what should be numbers that is none, with its place."""
     with suppress(StopIteration, ValueError):
@@ -126,7 +134,7 @@ def _no_number(given: ArrayLike) -> str:
 def check_shape(name: str, array: NDArray[Any], *expected: int) -> None:
     """Raise TypeError unless an argument is an array, or ValueError if it has another shape."""
     check_instance(name, array, np.ndarray)
-    if array.shape != expected:
+    if unmasked(name, array).shape != expected:
         raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
 
 
@@ -196,10 +204,8 @@ def check_integers(
     """Return integers from `low` (None: the smallest) to the largest of a dtype as a new array."""
     limits = np.iinfo(dtype)
     least, most = int(limits.min) if low is None else low, int(limits.max)
-    if isinstance(given, np.ma.MaskedArray):
-        raise TypeError(f"{name}: expected an array of integers, got a masked array")
     try:
-        array = np.asarray(given)
+        array = unmasked(name, given)
     except ValueError:  # rows of different lengths
         array = np.asarray(given, object)
     if array.dtype.kind not in "iu":

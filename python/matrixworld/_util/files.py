@@ -15,14 +15,17 @@ import stat
 import sys
 import zipfile
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from importlib.util import find_spec
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+from tokenize import TokenError
 from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from matrixworld._util.checks import unmasked
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -60,12 +63,15 @@ LONGEST = 1000
 KINDS = {stat.S_IFDIR: "a directory", stat.S_IFLNK: "a symbolic link", stat.S_IFIFO: "a FIFO"}
 """Kinds of files that are not regular, by their modes; all others are called devices."""
 
+EXPANDS, MOST_SMALL = 100, 2**26
+"""An archive may hold so many times its own bytes, and so many more."""
+
 UNREADABLE = (
     *(AttributeError, EOFError, KeyError, MemoryError, NotImplementedError, OSError),
     *(OverflowError, RecursionError, RuntimeError, TypeError, ValueError),
-    *(zipfile.BadZipFile, zlib.error),
+    *(SyntaxError, TokenError, zipfile.BadZipFile, zlib.error),
 )
-"""What zipfile and NumPy raise while they read a damaged npz file."""
+"""What zipfile and NumPy raise while they read a damaged archive."""
 
 
 def load_toml(path: Path) -> dict[str, Any]:
@@ -85,6 +91,18 @@ class DamagedFileError(ValueError):
     def __str__(self) -> str:
         path, problem = self.args
         return f"{path}: {one_line(problem)}"
+
+
+class ArraysOf(Arrays):
+    """The arrays of a file: to ask for one that is missing is a DamagedFileError."""
+
+    def __init__(self, path: Path, arrays: Arrays) -> None:
+        super().__init__(arrays)
+        self.path = path
+
+    def __missing__(self, name: str) -> NDArray[Any]:
+        got = ", ".join(self) or "none"
+        raise DamagedFileError(self.path, f"expected an array {name!r}, got {got}")
 
 
 class LockedError(RuntimeError):
@@ -160,20 +178,40 @@ def read_json(path: Path, text: str | None = None) -> dict[str, Any]:
 
 def load_arrays(path: Path, content: bytes | None = None) -> Arrays:
     """Return the arrays of an npz file, or of its content; DamagedFileError if it is altered."""
+    arrays = read_archive(path, "npz file", np.lib.format.read_array, content)
+    return ArraysOf(path, {name.removesuffix(".npy"): array for name, array in arrays.items()})
+
+
+def read_archive(
+    path: Path, kind: str, read: Callable[[Any], Any], content: bytes | None = None
+) -> dict[str, Any]:
+    """Return what `read` makes of each part of a zip archive, by the name of the part.
+
+    DamagedFileError if it is cut, altered or encrypted, or has parts that lie outside of it, are
+    compressed in an unusual way, or become far larger than the archive.
+    """
     content = read_content(path) if content is None else content
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            names = archive.namelist()
+            parts = archive.infolist()
             # An altered length in the directory of an archive swallows the entries behind it.
             end = content.rfind(b"PK\5\6")
-            if len(names) != int.from_bytes(content[end + 10 : end + 12], "little"):
-                raise zipfile.BadZipFile(f"got {len(names)} arrays, not as many as it counts")
-            return {
-                name.removesuffix(".npy"): np.lib.format.read_array(archive.open(name))
-                for name in names
-            }
+            if len(parts) != int.from_bytes(content[end + 10 : end + 12], "little"):
+                raise zipfile.BadZipFile(f"got {len(parts)} parts, not as many as it counts")
+            for part in parts:
+                inside = not PurePosixPath(part.filename).is_absolute()
+                if not inside or {"..", "\\", ":"} & {*part.filename, *part.filename.split("/")}:
+                    raise zipfile.BadZipFile(f"expected parts inside of it, got {part.filename}")
+                if part.flag_bits & 1:
+                    raise zipfile.BadZipFile(f"{part.filename} is encrypted")
+                if part.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+                    raise zipfile.BadZipFile(f"expected deflate, got method {part.compress_type}")
+            size, most = sum(part.file_size for part in parts), MOST_SMALL + EXPANDS * len(content)
+            if size > most:
+                raise zipfile.BadZipFile(f"expected at most {most:,} bytes in it, got {size:,}")
+            return {part.filename: read(archive.open(part)) for part in parts if not part.is_dir()}
     except UNREADABLE as error:
-        raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
+        raise DamagedFileError(path, f"cut, altered or not an {kind} ({error})") from error
 
 
 # Writing:
@@ -235,7 +273,7 @@ def remove_temporary_files(path: Path) -> None:
 
 def save_arrays(path: Path, arrays: Mapping[str, ArrayLike]) -> None:
     """Write named arrays as an npz file; TypeError if one holds objects, which would be pickled."""
-    plain: dict[str, Any] = {name: np.asarray(array) for name, array in arrays.items()}
+    plain: dict[str, Any] = {name: unmasked(name, array) for name, array in arrays.items()}
     objects = [name for name, array in plain.items() if array.dtype.hasobject]
     if objects:
         raise TypeError(f"{objects[0]}: expected numbers or text, got objects")

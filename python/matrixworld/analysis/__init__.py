@@ -10,7 +10,7 @@ what came: ValueError for shapes, ranges and values that are not finite, TypeErr
 real numbers, FileNotFoundError for a file that does not exist.
 
 >>> from matrixworld import analysis
->>> print(analysis.headline(analysis.judge(scores, per_episode=True)))  # doctest: +SKIP
+>>> print(analysis.sentence(analysis.judge(scores, per_episode=True)))  # doctest: +SKIP
 >>> print(analysis.measure_table("payoff.csv"))  # doctest: +SKIP
 """
 
@@ -26,14 +26,7 @@ from matrixworld.analysis.intervals import (
     mean_over_episodes,
 )
 from matrixworld.analysis.judge import judge
-from matrixworld.analysis.judgement import (
-    CONDITIONS,
-    Judgement,
-    explain,
-    headline,
-    judgement_table,
-    sentence,
-)
+from matrixworld.analysis.judgement import CONDITIONS, Judgement, explain, judgement_table, sentence
 from matrixworld.analysis.measures import MEASURES, measure_all, measure_table
 from matrixworld.analysis.payoffs import last_half, read_payoffs
 from matrixworld.analysis.progress import (
@@ -63,7 +56,6 @@ __all__ = [
     "exploitability",
     "forgetting",
     "generalization",
-    "headline",
     "interquartile_mean",
     "interval_over_runs",
     "judge",

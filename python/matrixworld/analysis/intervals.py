@@ -7,7 +7,7 @@ Student's t (means, curves, linear measures), Welch's t (differences of runs), G
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,6 +22,8 @@ LEVEL = 0.95
 """Default confidence level: share of intervals that should contain the true value."""
 FEW_RUNS = 5
 """With fewer runs an interval is wide, since the variation between runs is hardly known."""
+RUNS_FOR_T = 4
+"""Fewest runs of which a judgement takes the mean: of fewer, one run decides."""
 SINGLE_RUN = "a single run has no interval over runs"
 BIASED = "biased by episode noise: no interval"
 """Note of numbers that noise shifts by an unknown amount, such as maxima of cells."""
@@ -223,6 +225,13 @@ def band_over_runs(
     half = t_quantile(level, freedom) * np.sqrt(squares / freedom / counts)
     ends = np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1])
     return Band(at, mean, *ends, counts)
+
+
+def around(singles: Sequence[Estimate]) -> Estimate:
+    """Return the mean of runs with the interval that contains the intervals of all of them."""
+    ends = zip(*(each.ends for each in singles), strict=True)
+    low, high = (pick(side) for pick, side in zip((min, max), ends, strict=True))
+    return Estimate(float(np.mean([each.value for each in singles])), low, high, "runs")
 
 
 # ---- Over the episodes of one run ---------------------------------------------------------------

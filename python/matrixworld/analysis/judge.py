@@ -13,14 +13,28 @@ from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
 from matrixworld.analysis.judgement import (
     ABSENT,
     CANNOT_TELL,
+    CONDITIONS,
     PRESENT,
     Estimates,
     Finding,
     Findings,
     Judgement,
 )
-from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
-from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
+from matrixworld.analysis.measures import (
+    FALLS_BACK,
+    MEASURES,
+    NO_EPISODES,
+    NOT_SUSTAINED,
+    TOO_SHORT,
+)
+from matrixworld.analysis.payoffs import (
+    GENERATIONS_TO_JUDGE,
+    TEAMS,
+    Payoffs,
+    Source,
+    Window,
+    read_payoffs,
+)
 from matrixworld.analysis.progress import PURSUERS_WIN
 
 LEAST_GAIN = 0.05
@@ -37,8 +51,13 @@ by .03 to .12, by chance."""
 LEAST_FORGETTING = 0.05
 """Forgetting: mean drop below the best ancestors above this."""
 
+CLOSE = 0.2
+"""Capture rates so close to 1 or 0 over a window say which team wins nearly all matches."""
+
 HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
+ONE_HALF = "what rises in this half does not rise in the same way over the whole race"
+CIRCLE = "both teams lose again what they gain, as in a circle, whose end is not seen"
 ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
 
 
@@ -70,21 +89,21 @@ def judge(
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     check_level(level)
-    windows = {
-        name: _judge_window(payoffs, window, level) for name, window in payoffs.windows.items()
-    }
+    windows: dict[str, Findings] = {}
+    for name, window in payoffs.windows.items():
+        found = _judge_window(payoffs, window, level)
+        windows[name] = _as_sure(found, windows["whole"]) if windows else found
     return Judgement(
-        len(payoffs), payoffs.shape, payoffs.episodes, level, payoffs.late.name, windows,
-        payoffs.teams, payoffs.exact,
-    )  # fmt: skip
+        len(payoffs), payoffs.shape, payoffs.episodes, level, windows, payoffs.teams, payoffs.exact
+    )
 
 
 def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
     by_run = [_findings(run, window, level) for run in payoffs.runs]
     found = _findings(payoffs, window, level) if len(payoffs) > 1 else by_run[0]
     # Disengagement is judged over all runs, the other conditions over the engaged ones.
-    engaged = [run for run, each in enumerate(by_run) if not _is_disengaged(each)]
-    if not _is_disengaged(found) and len(engaged) < len(by_run):
+    engaged = [run for run, each in enumerate(by_run) if not _is_one_sided(each)]
+    if not _is_one_sided(found) and len(engaged) < len(by_run):
         if len(engaged) >= 2:
             others = _findings(payoffs.select(engaged), window, level)
         else:
@@ -94,8 +113,8 @@ def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
             }
         found = {**others, "disengagement": found["disengagement"]}
     return {
-        name: replace(each, by_run=tuple(one[name].verdict for one in by_run))
-        for name, each in found.items()
+        name: replace(found[name], by_run=tuple(one[name].verdict for one in by_run))
+        for name in CONDITIONS
     }
 
 
@@ -111,14 +130,31 @@ def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
         estimates = {
             key: MEASURES[key].estimate(payoffs, window, level) for key in condition.measures
         }
-        hidden = name != "disengagement" and _is_disengaged(found)
+        hidden = name != "disengagement" and _is_one_sided(found)
         decided = Finding(CANNOT_TELL, HIDDEN) if hidden else condition.rule(estimates, found)
         found[name] = replace(decided, estimates=estimates)
     return found
 
 
-def _is_disengaged(findings: Findings) -> bool:
-    return findings["disengagement"].verdict == PRESENT
+def _is_one_sided(findings: Findings) -> bool:
+    """Return whether one team won nearly all matches, be they enough for a verdict or not."""
+    known = findings["disengagement"].estimates.get("one_sidedness")
+    return known is not None and known.value > PURSUERS_WIN
+
+
+def _as_sure(half: Findings, whole: Findings) -> Findings:
+    """Return the findings on a half, which shows no progress that the whole race speaks against.
+
+    Any smooth curve rises in some half, and any circle does: both teams have to have risen over the
+    whole race, too, without circles; or the same is present there.
+    """
+    circles = whole["intransitivity"].verdict == PRESENT
+    both_rose = len(whole["rise"].teams) == 2 and not circles
+    found = dict(half)
+    for name, known in (("arms race", both_rose), ("one-sided progress", False)):
+        if half[name].verdict == PRESENT != whole[name].verdict and not known:
+            found[name] = replace(half[name], verdict=CANNOT_TELL, reason=ONE_HALF, teams=())
+    return found
 
 
 def _against(estimate: Estimate, margin: float, above: str, below: str) -> Finding:
@@ -139,17 +175,22 @@ def _against_all(estimates: Estimates, keys: tuple[str, ...], margin: float, bel
 
 
 def _disengagement(estimates: Estimates, known: Findings) -> Finding:
-    return _against(
+    found = _against(
         estimates["one_sidedness"],
         PURSUERS_WIN,
         f"one team gets more than {PURSUERS_WIN:.0%} of its payoff in half of the generations",
         f"neither team gets {PURSUERS_WIN:.0%} of its payoff in half of the generations",
     )
+    rate, winners = estimates["capture_rate"].value, dict(zip(TEAMS, (1.0, 0.0), strict=True))
+    teams = tuple(team for team, all_won in winners.items() if abs(rate - all_won) < CLOSE)
+    return replace(found, teams=teams if found.verdict == PRESENT else ())
 
 
 def _arms_race(estimates: Estimates, known: Findings) -> Finding:
     gains = _ends(estimates, *GAINS)
     if all(low > 0.0 for low, _ in gains):
+        if _may_be_a_circle(estimates, known):
+            return Finding(CANNOT_TELL, CIRCLE)
         reason = "both teams rise by more than a random walk with such steps would"
         return Finding(PRESENT, reason, _teams(GAINS))
     if any(_does_not_gain(gain) for gain in gains):
@@ -164,14 +205,25 @@ def _one_sided_progress(estimates: Estimates, known: Findings) -> Finding:
         return Finding(ABSENT, "both teams have a trend")
     if all(_does_not_gain(gain) for gain in gains):
         return Finding(ABSENT, "neither team has a trend")
-    for key, (low, _), other in zip(GAINS, gains, gains[::-1], strict=True):
-        if low > 0.0 and _does_not_gain(other):
-            reason = "only one team rises by more than a random walk with such steps would"
+    for key, other in zip(GAINS, GAINS[::-1], strict=True):
+        still = _does_not_gain(estimates[other].ends) and estimates[other].value > -LEAST_GAIN
+        if estimates[key].ends[0] > 0.0 and still:
+            if _may_be_a_circle(estimates, known):
+                return Finding(CANNOT_TELL, CIRCLE)
+            reason = "one team rises by more than a random walk would, the other stands still"
             return Finding(PRESENT, reason, _teams([key]))
     return Finding(CANNOT_TELL, "a random walk may explain the gain of at least one team")
 
 
+def _may_be_a_circle(estimates: Estimates, known: Findings) -> bool:
+    # Where strategies return, the circle is complete, and what remains of the gains is progress.
+    lost = all(estimates[key].note == FALLS_BACK for key in GAINS)
+    return lost and known["cycling"].verdict != PRESENT
+
+
 def _rise(estimates: Estimates, known: Findings) -> Finding:
+    if _may_be_a_circle(known["arms race"].estimates, known):
+        return Finding(CANNOT_TELL, CIRCLE)
     rose = [key for key in CHANGES if estimates[key].ends[0] > LEAST_GAIN]
     teams = _teams(key for key in rose if estimates[key].note != NOT_SUSTAINED)
     if teams:
@@ -283,12 +335,12 @@ DROPS = ("pursuer_forgetting", "evader_forgetting")
 RECURRENCES = ("pursuer_recurrence", "evader_recurrence")
 
 RULES: Mapping[str, Rule] = {
-    "disengagement": Rule(("one_sidedness",), _disengagement, _noise),
+    "disengagement": Rule(("one_sidedness", "capture_rate"), _disengagement, _noise),
+    "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
+    "cycling": Rule(RECURRENCES, _cycling, _noise),
     "arms race": Rule(GAINS, _arms_race, _nothing),
     "one-sided progress": Rule(GAINS, _one_sided_progress, _nothing),
     "rise": Rule(CHANGES, _rise, _nothing),
-    "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
-    "cycling": Rule(RECURRENCES, _cycling, _noise),
     "forgetting": Rule(DROPS, _forgetting, _single_episodes),
     "stagnation": Rule(CHANGES, _stagnation, _nothing),
 }

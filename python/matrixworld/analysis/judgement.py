@@ -1,4 +1,4 @@
-"""Judgements: the findings on a race, and what they say in words and tables."""
+"""Judgements: the findings on a race, and what they say in a sentence and a table."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from matrixworld._util.checks import check_choice, check_instance
 from matrixworld._util.readable import Parts, Readable, plain_values
-from matrixworld.analysis.intervals import Estimate
-from matrixworld.analysis.measures import MEASURES
+from matrixworld.analysis.intervals import RUNS_FOR_T, Estimate
+from matrixworld.analysis.measures import MEASURES, TOO_SHORT
 from matrixworld.analysis.payoffs import TEAMS, in_words_of
 
 PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
@@ -48,8 +48,6 @@ class Judgement(Readable):
         Episodes behind each cell; None if unknown.
     level : float
         Level of the intervals.
-    window : str
-        Name of the window that headlines speak of: the last half, of short races the whole.
     windows : mapping of str to mapping of str to Finding
         Findings on the whole race, its first half and its last half, by condition.
     teams : tuple of str, optional
@@ -62,25 +60,23 @@ class Judgement(Readable):
     shape: tuple[int, int]
     episodes: int | None
     level: float
-    window: str
     windows: Mapping[str, Findings]
     teams: tuple[str, str] = TEAMS
     exact: bool = False
 
     def _parts(self) -> Parts:
-        return [*summary(self), judgement_cells(self)]
+        return [sentence(self), judgement_cells(self)]
 
     @property
     def findings(self) -> Findings:
-        """The findings on the window that headlines speak of."""
-        return self.windows[self.window]
+        """The findings on the whole race."""
+        return self.windows[WHOLE]
 
-    def present(self, window: str | None = None) -> tuple[str, ...]:
-        """Return the conditions that are present in a window, by default that of headlines."""
-        if window is not None:
-            check_choice("window", window, self.windows)
-        findings = self.windows[window or self.window]
-        return tuple(name for name, found in findings.items() if found.verdict == PRESENT)
+    def present(self, window: str = "whole") -> tuple[str, ...]:
+        """Return the conditions that are present in a window."""
+        check_choice("window", window, self.windows)
+        found = self.windows[window]
+        return tuple(name for name in CONDITIONS if found[name].verdict == PRESENT)
 
     def to_json(self) -> dict[str, Any]:
         """Return plain values that JSON can represent."""
@@ -89,248 +85,192 @@ class Judgement(Readable):
 
 
 class Words(NamedTuple):
-    """What is told of a condition that is present: in a sentence of its ``{teams}``, in numbers.
+    """What is told of a condition that is present, of its ``{teams}`` and their ``{sizes}``.
 
-    A headline leaves out the condition that this one `implies`.
+    ``{doubt}``: which of these teams have no trend. A sentence leaves out the condition that this
+    one `implies`.
     """
 
     happened: str
     implies: str = ""
-    numbers: str = ""
 
 
 WORDS: Mapping[str, Words] = {
-    "disengagement": Words("one team often won nearly all matches"),
-    "arms race": Words("{teams} improved", "rise", "gains"),
-    "one-sided progress": Words("only {teams} improved", "rise", "gains"),
-    "rise": Words("{teams} became stronger (perhaps by chance)", numbers="changes"),
-    "intransitivity": Words("some generations beat each other in a circle"),
-    "cycling": Words("{teams} returned to earlier strategies", "intransitivity"),
-    "forgetting": Words("{teams} lost old skills", numbers="drops"),
+    "disengagement": Words("{teams} won nearly all matches"),
+    "arms race": Words("{teams} improved", "rise"),
+    "one-sided progress": Words("only {teams} improved", "rise"),
+    "rise": Words("{teams} became stronger{doubt}"),
     "stagnation": Words("neither team became stronger or weaker"),
+    "intransitivity": Words("no order of strength explains who beats whom"),
+    "cycling": Words("{teams} went back to old strategies", "intransitivity"),
+    "forgetting": Words("{teams} lost old skills ({sizes})"),
 }
-"""All conditions by name, in the order in which they are judged."""
+"""All conditions by name, in the order in which they are told."""
 
 CONDITIONS = tuple(WORDS)
 """Names of the conditions."""
 
-TIMES = {"first half": "early", "last half": "late"}
-"""Windows in a headline."""
-OVERALL = "overall"
-WHEN = {
-    "first half": {ABSENT: "until {}", CANNOT_TELL: "at least until {}"},
-    "last half": {ABSENT: "from {} on", CANNOT_TELL: "at least from {} on"},
-}
-"""When something happened in one half only, by the verdict on the other half."""
-IMPROVEMENTS = ("arms race", "one-sided progress", "rise")
-BETTER_OR_NOT = {"disengagement", "stagnation", *IMPROVEMENTS}
+PROGRESS = ("arms race", "one-sided progress")
+OF_STRENGTH = ("disengagement", *PROGRESS, "rise", "stagnation")
 """Conditions that say whether a team improved, or why that is not known."""
-
-
-def summary(judgement: Judgement) -> list[str]:
-    """Return what happened, in lines: `sentence`, `headline` and `headline_numbers`."""
-    return [sentence(judgement), headline(judgement), *headline_numbers(judgement)]
+NO_GAIN = Estimate(0.0)
+WHOLE, *HALVES = ("whole", "first half", "last half")
 
 
 def sentence(judgement: Judgement) -> str:
-    """Return in one plain sentence who improved, until when, and what was lost.
+    """Return what happened in plain words: who improved, and what was lost.
 
-    Such as ``"Both teams improved until generation 14; the pursuers lost old skills from
-    generation 15 on."``. It says what the verdicts say, and no more: "until" if a condition is
-    absent in the other half, "at least until" if this cannot be told.
+    Such as ``"Both teams improved. From generation 15 on, the pursuers lost old skills (0.06)."``.
+    It speaks of the whole race, and of a half where that surely differs. Terminal, page, figures
+    and reports all print it.
 
     Parameters
     ----------
     judgement : Judgement
     """
-    parts: dict[str, list[_Claim]] = {}
-    for claim in _claims(judgement):
-        parts.setdefault(claim.window, []).append(claim)
-    # Whether a team improved comes first, then what holds for the whole race, then the halves.
-    order = ["", "whole", "both", *TIMES]
-    told = "; ".join(
-        _part(parts[window])
-        for window in sorted(
-            parts, key=lambda each: (not any(c.better for c in parts[each]), order.index(each))
-        )
+    check_instance("judgement", judgement, Judgement)
+    if judgement.findings["arms race"].reason == TOO_SHORT:
+        return f"Too short to be judged: {TOO_SHORT}."
+    better: list[str] = []
+    others: list[str] = []
+    for at in (WHOLE, *HALVES):
+        told = _told(judgement, at)
+        parts = better if {*OF_STRENGTH} & {*told} else others
+        parts += _at(judgement, at, [*told.values()])
+    if better:
+        lead = _of_runs(judgement) + "; ".join(better)
+    else:
+        lead = ": ".join([_no_progress(judgement), *others[:1]])
+        others = others[1:]
+    said = (f"{part[0].upper()}{part[1:]}." for part in (lead, *others))
+    return in_words_of(judgement.teams, " ".join(said))
+
+
+def clarity(judgement: Judgement) -> tuple[bool, float]:
+    """Return how clearly a race shows who improved, for an order: the clearest is the largest.
+
+    Whether anything of that is known, then the least gain that the worse team surely has.
+    """
+    told = any({*OF_STRENGTH} & {*judgement.present(window)} for window in judgement.windows)
+    gains = judgement.findings["arms race"].estimates.values()
+    return told, min((gain.low or 0.0 for gain in gains), default=0.0)
+
+
+def _told(judgement: Judgement, window: str) -> dict[str, str]:
+    """Return what is told of a window: conditions and their words."""
+    present = {at: _present(judgement, at) for at in judgement.windows}
+    told = {}
+    for name in CONDITIONS:
+        halves = [half for half in HALVES if name in present[half]]
+        verdicts = {judgement.windows[half][name].verdict for half in HALVES}
+        if name in present[WHOLE]:
+            # A half speaks for itself if the other one surely differs.
+            places = halves if verdicts == {PRESENT, ABSENT} else [WHOLE]
+        else:
+            places = halves
+        words = [_happened(judgement.windows[at], name) for at in places]
+        if len({*words}) < len(words):  # the same in both halves
+            places = [WHOLE]
+        if window in places:
+            told[name] = words[places.index(window)]
+    return told
+
+
+def _present(judgement: Judgement, window: str) -> list[str]:
+    """Return the conditions that are present in a window and that nothing told implies."""
+    every = {name for at in judgement.windows for name in judgement.present(at)}
+    implied = {WORDS[name].implies for name in every}
+    return [name for name in judgement.present(window) if name not in implied]
+
+
+def _happened(findings: Findings, name: str) -> str:
+    """Return in words what happened to which teams."""
+    finding, gains = findings[name], findings["arms race"].estimates
+    sizes = [finding.estimates.get(f"{team[:-1]}_{name}") for team in finding.teams]
+    known = {team: gains.get(f"{team[:-1]}_gain", NO_GAIN) for team in finding.teams}
+    vague = tuple(team for team, gain in known.items() if (gain.low or 0.0) <= 0.0)
+    those = "" if vague == finding.teams else f" {_who(vague)}"
+    return WORDS[name].happened.format(
+        teams=_who(finding.teams),
+        sizes=" and ".join(f"{size.value:.2f}" for size in sizes if size),
+        doubt=f",{those} without a clear trend" if vague else "",
     )
-    if judgement.runs > 1:
-        told = f"in the mean of {judgement.runs} runs, {told}"
-    return in_words_of(judgement.teams, f"{told[0].upper()}{told[1:]}.")
 
 
-class _Claim(NamedTuple):
-    """What happened, in which window, and in words when; and whether it is about improvement."""
-
-    what: str
-    window: str
-    when: str
-    better: bool
+SUBJECTS = ("both teams ", "one team ", *(f"the {team} " for team in TEAMS))
+"""What clauses begin with."""
 
 
-def _part(claims: list[_Claim]) -> str:
-    """Return what happened in a window as a part of a sentence."""
-    (first, *others), [when, *different] = claims, dict.fromkeys(each.when for each in claims)
-    if not others:
-        return f"{first.what} {when}".rstrip()
-    when = f"in the {first.window}" if different else when
-    *listed, last = (each.what for each in claims)
-    return f"{when}, {', '.join(listed)} and {last}".removeprefix(", ")
+def _who(teams: tuple[str, ...]) -> str:
+    return "both teams" if len(teams) == 2 else f"the {teams[0]}" if teams else "one team"
 
 
-def _claims(judgement: Judgement) -> list[_Claim]:
-    """Return what is present, and whether a team improved if nothing present says it."""
-    claims, present = [], _present(judgement)
-    for name in sorted(present, key=lambda each: (each not in BETTER_OR_NOT, each)):
-        by_teams: dict[tuple[str, ...], list[str]] = {}
-        for window in _halves(present[name]):
-            by_teams.setdefault(judgement.windows[window][name].teams, []).append(window)
-        verdicts = {at: found[name].verdict for at, found in judgement.windows.items()}
-        for teams, windows in by_teams.items():
-            who = "both teams" if len(teams) == 2 else "".join(f"the {team}" for team in teams)
-            time = _time(judgement, windows, verdicts)
-            what = WORDS[name].happened.format(teams=who)
-            claims.append(_Claim(what, *time, name in BETTER_OR_NOT))
-    if not BETTER_OR_NOT & present.keys():
-        claims.insert(0, _no_improvement(judgement))
-    return claims
-
-
-def _no_improvement(judgement: Judgement) -> _Claim:
-    """Return where no team improved; if that is not known anywhere, so much."""
-    verdicts = {
-        at: PRESENT if {found[name].verdict for name in IMPROVEMENTS} == {ABSENT} else CANNOT_TELL
-        for at, found in judgement.windows.items()
-    }
-    windows = _halves([at for at, verdict in verdicts.items() if verdict == PRESENT])
-    if not windows:
-        return _Claim("it cannot be told whether a team improved", "", "", True)
-    return _Claim("neither team improved", *_time(judgement, windows, verdicts), True)
-
-
-def _halves(windows: list[str]) -> list[str]:
-    """Return the halves among windows, or else the whole race."""
-    return [window for window in windows if window in TIMES] or windows
-
-
-def _time(judgement: Judgement, windows: list[str], verdicts: Mapping[str, str]) -> tuple[str, str]:
-    """Return the window in which something holds, and when it did in words."""
-    if judgement.window not in TIMES:
-        return "whole", ""  # too short to have halves
-    if len(windows) == 2:
-        return "both", "throughout the race"
-    [window] = windows
-    if window == "whole":
-        return window, "over the whole race"
-    [other] = TIMES.keys() - windows
-    words = WHEN[window].get(verdicts[other], f"in the {window}")
+def _at(judgement: Judgement, window: str, words: list[str]) -> list[str]:
+    """Return what happened in a window in one clause, with the window in words; none of nothing."""
+    # "both teams did this and both teams did that" has one subject.
+    subjects = [next((who for who in SUBJECTS if each.startswith(who)), each) for each in words]
+    same = [one == other for one, other in zip(subjects, ["", *subjects], strict=False)]
+    clause = " and ".join(
+        each.removeprefix(who) if again else each
+        for each, who, again in zip(words, subjects, same, strict=True)
+    )
+    if window == WHOLE or not words:
+        return words and [clause]
     pursuers, evaders = judgement.shape
     # The last half begins with the middle generation; teams of different length share no number.
-    middle = f"generation {pursuers // 2 - (window == 'first half')}"
-    return window, words.format(middle if pursuers == evaders else "the middle of the race")
+    first = window == HALVES[0]
+    middle = f"generation {pursuers // 2 - first}" if pursuers == evaders else "the middle"
+    return [f"{f'until {middle}' if first else f'from {middle} on'}, {clause}"]
 
 
-def headline(judgement: Judgement) -> str:
-    """Return what is present, and when, in one sentence; commands, figures and pages share it.
-
-    Such as ``"CYCLING early, FORGETTING late"``. "early" and "late" are the halves of a race. What
-    is present in both halves, or only in the whole race, is so "overall", or has no time. "cannot
-    tell" if nothing is present in any window and not everything is absent.
-
-    Parameters
-    ----------
-    judgement : Judgement
-    """
-    at: dict[str, list[str]] = {time: [] for time in (OVERALL, *TIMES.values())}
-    for name, windows in _present(judgement).items():
-        halves = [TIMES[window] for window in windows if window in TIMES]
-        at[halves[0] if len(halves) == 1 else OVERALL].append(name.upper())
-    if not any(at.values()):
-        verdicts = {each.verdict for found in judgement.windows.values() for each in found.values()}
-        return CANNOT_TELL if CANNOT_TELL in verdicts else "no condition is present"
-    if not (at["early"] or at["late"]):
-        return ", ".join(at[OVERALL])
-    parts = [f"{' and '.join(names)} {time}" for time, names in at.items() if names]
-    if not (at["late"] or at[OVERALL]):
-        early = (judgement.findings[name.lower()].verdict for name in at["early"])
-        parts.append("later undecided" if CANNOT_TELL in early else "not later")
-    return ", ".join(parts)
+def _of_runs(judgement: Judgement) -> str:
+    """Return of which runs a sentence speaks: of the mean, or of each of a few."""
+    if judgement.runs == 1:
+        return ""
+    each = judgement.runs < RUNS_FOR_T
+    return f"{'in each of' if each else 'on average over'} {judgement.runs} runs, "
 
 
-def _present(judgement: Judgement) -> dict[str, list[str]]:
-    """Return the windows in which each condition is present and no other one implies it."""
-    check_instance("judgement", judgement, Judgement)
-    found: dict[str, list[str]] = {}
-    for window in judgement.windows:
-        present = judgement.present(window)
-        implied = {WORDS[name].implies for name in present}
-        for name in present:
-            if name not in implied:
-                found.setdefault(name, []).append(window)
-    return found
-
-
-def headline_numbers(judgement: Judgement) -> list[str]:
-    """Return the numbers under a headline: gains, and how far teams fall below their best.
-
-    Such as ``"gains: pursuers +0.42, evaders +0.70 (whole race)"``.
-    """
-    lines = []
-    for name, window in _numbered(judgement):
-        found, kind = judgement.windows[window][name], WORDS[name].numbers
-        known = {MEASURES[key].short: each for key, each in found.estimates.items()}
-        if kind == "drops":  # only of teams that are known to forget
-            drops = [f"{team} {known[team].value:.2f}" for team in found.teams]
-            lines.append(f"{', '.join(drops)} below their best ({_named(window)})")
-        elif known:
-            gains = [f"{team} {each.value:+.2f}" for team, each in known.items()]
-            lines.append(f"{kind}: {', '.join(gains)} ({_named(window)})")
-    return [in_words_of(judgement.teams, line) for line in lines]
-
-
-def _numbered(judgement: Judgement) -> list[tuple[str, str]]:
-    """Return the conditions whose numbers stand under a headline, each with a window."""
-    present = _present(judgement)
-    told = [name for name in CONDITIONS if name in present and WORDS[name].numbers]
-    # A rise is a change in what was played; a gain would come again. One of them is enough.
-    falling = [name for name in told if WORDS[name].numbers == "drops"]
-    rising = [name for name in told if name not in falling][:1]
-    numbered = []
-    for name in rising + falling or ["arms race"]:
-        halves = _halves(present.get(name, []))
-        numbered.append((name, halves[0] if len(halves) == 1 else "whole"))
-    return numbered
+def _no_progress(judgement: Judgement) -> str:
+    """Return that no team is known to have improved, and in which runs both did."""
+    whole, runs = judgement.findings, judgement.runs
+    if {whole[name].verdict for name in (*PROGRESS, "rise")} == {ABSENT}:
+        return f"{_of_runs(judgement)}neither team improved"
+    if runs == 1:
+        return "no clear progress"
+    improved = whole["arms race"].by_run.count(PRESENT)
+    some = f" (in {improved} of them, both teams improved)" if improved else ""
+    if runs < RUNS_FOR_T:
+        return f"no clear progress that all {runs} runs share{some}"
+    return f"no clear progress on average over {runs} runs{some}"
 
 
 def _named(window: str) -> str:
-    return "whole race" if window == "whole" else window
+    return "whole race" if window == WHOLE else window
 
 
 def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
     """Return the rows of a table: condition, verdict, numbers with intervals, window.
 
-    After the heads all findings of the headline window; then those that are present in another
-    window only, and those whose numbers stand under the headline.
+    After the heads all findings on the whole race, then those that are present in a half only.
 
     Parameters
     ----------
     judgement : Judgement
     """
-    rows = [_row(judgement, *told) for told in _told(judgement)]
+    rows = [_row(judgement, *told) for told in _rows(judgement)]
     return [("condition", "verdict", f"{judgement.level:.0%} interval", "window"), *rows]
 
 
-def _told(judgement: Judgement) -> list[tuple[str, Finding, str]]:
+def _rows(judgement: Judgement) -> list[tuple[str, Finding, str]]:
     """Return condition, finding and window of what `judgement_table` lists."""
     check_instance("judgement", judgement, Judgement)
-    told = [(name, found, judgement.window) for name, found in judgement.findings.items()]
-    # A wave that is over belongs into the table, too.
-    numbered = _numbered(judgement)
-    for window, findings in judgement.windows.items():
-        others = [each for each in judgement.present(window) if each not in judgement.present()]
-        others += [name for name, at in numbered if at == window and name not in others]
-        told += [(name, findings[name], window) for name in others if window != judgement.window]
-    return told
+    return [
+        (name, judgement.windows[at][name], at)
+        for at in judgement.windows
+        for name in (CONDITIONS if at == WHOLE else judgement.present(at))
+        if at == WHOLE or name not in judgement.present()
+    ]
 
 
 def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
@@ -363,9 +303,9 @@ def explain(judgement: Judgement) -> str:
     judgement : Judgement
     """
     lines = "\n".join(
-        f"{name.capitalize()}{'' if window == judgement.window else f' ({_named(window)})'}: "
+        f"{name.capitalize()}{'' if window == WHOLE else f' ({window})'}: "
         f"{finding.verdict}, because {finding.reason}.{_counts(finding.by_run)}"
-        for name, finding, window in _told(judgement)
+        for name, finding, window in _rows(judgement)
     )
     return in_words_of(judgement.teams, lines)
 

@@ -33,6 +33,7 @@ NO_EPISODES = (
     f"{payoff_module.EPISODES_TO_JUDGE}, to tell it from noise"
 )
 NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
+FALLS_BACK = "loses again, against some opponents, what it had gained"
 
 GAIN: Bounds = (-1.0, 1.0)
 """Bounds of a difference of two rates."""
@@ -42,8 +43,8 @@ GAIN: Bounds = (-1.0, 1.0)
 class Measure:
     """A named number of a race, in a row of `MEASURES`; use `of`.
 
-    `label` names it in tables, and `short` in the table of a judgement. `late`: tables show it in
-    the window that headlines speak of, and not of the whole race. `form`: how it is printed, as in
+    `label` names it in tables, and `short` in the table of a judgement. `late`: tables of measures
+    show it in the last half, and not of the whole race. `form`: how it is printed, as in
     an f-string. `squared`: it is a square, whose root is printed.
     """
 
@@ -249,12 +250,17 @@ def _deciding(
 
 
 def over_runs(singles: list[Estimate], level: float) -> Estimate:
-    """Return the mean, the low end of the interval of `biased_low`, and the high one likewise."""
+    """Return the mean, the low end of the interval of `biased_low`, and the high one likewise.
+
+    Of few runs the interval contains those of all of them: what is said of them holds for each.
+    """
     found = [one for one in singles if math.isfinite(one.value)]
     if len(found) < 2:
         return next(one for one in singles if math.isnan(one.value))
     lows = [one.value if one.biased_low is None else one.biased_low for one in found]
     highs = [one.value if one.biased_high is None else one.biased_high for one in found]
+    if len(found) < intervals.RUNS_FOR_T:
+        return replace(intervals.around(found), samples=len(found))
     ends = intervals.t_ends(lows, level)[0], intervals.t_ends(highs, level)[1]
     return Estimate(float(np.mean([one.value for one in found])), *ends, "runs", len(found))
 
@@ -279,7 +285,15 @@ def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estim
         return Estimate(math.nan, note=TOO_SHORT)
     found = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
     several = ("runs", len(payoffs)) if len(payoffs) > 1 else ("episodes", payoffs.episodes or 0)
-    return replace(found, across=several[0], samples=several[1])
+    note = FALLS_BACK if strength.falls_back(_seen_by(payoffs, window, team)) else ""
+    return replace(found, across=several[0], samples=several[1], note=note)
+
+
+def _seen_by(payoffs: Payoffs, window: Window, team: str) -> Rates:
+    """Return the mean payoffs of a team in a window against all opponents."""
+    matrix = _from_side(payoffs.matrices.mean(axis=0), team)
+    rows: Rates = matrix[window.cells[team == "evaders"]]
+    return rows
 
 
 def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
@@ -310,8 +324,8 @@ def _effective_episodes(run: Payoffs, window: Window) -> float:
     episodes, rates = run.episodes or 0, run.matrices[0][window.cells]
     wins_and_losses = float((rates * (1.0 - rates)).sum()) / (episodes - 1)
     noise = float(run.noise[0][window.cells].sum())
-    # Episodes without variation show none of their noise.
-    return episodes * max(1.0, wins_and_losses / noise if noise else 1.0)
+    # Episodes that are all equal have no noise.
+    return episodes * max(1.0, wins_and_losses / noise) if noise else math.inf
 
 
 def _intransitivity(run: Payoffs, window: Window, level: float) -> Estimate:

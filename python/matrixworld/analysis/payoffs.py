@@ -79,8 +79,8 @@ class Payoffs(Readable):
     """Payoff matrices (runs, n, m) of independent runs, and their episodes if known.
 
     `scores` (runs, n, m, episodes): the capture rate of each of the `episodes` behind each cell.
-    `teams`: what the teams are called in words. `exact`: the game has no chance, and the episodes
-    are all equal.
+    `teams`: what the teams are called in words. `exact`: all episodes are equal, as in a game
+    without chance.
     """
 
     matrices: Rates
@@ -164,7 +164,7 @@ class Payoffs(Readable):
 
     @property
     def late(self) -> Window:
-        """The window that headlines and tables speak of: last half, of short races the whole."""
+        """The window of most tables of measures: last half, of short races the whole."""
         half = self.windows["last half"]
         return half if half.generations >= GENERATIONS_TO_JUDGE else self.windows["whole"]
 
@@ -298,18 +298,31 @@ def read_payoffs(
         payoffs = source.payoffs()
     else:
         payoffs = _payoffs(source, per_episode)
-    if exact:
-        # What any number of episodes would be.
-        scores = np.repeat(payoffs.matrices[..., np.newaxis], EPISODES_TO_RECUR, axis=3)
-        payoffs = Payoffs(payoffs.matrices, scores, EPISODES_TO_RECUR, exact=True)
     if teams != TEAMS:
         payoffs = replace(payoffs, teams=teams)
-    if episodes is None:
+    if episodes is not None:
+        number = check_integer("episodes", episodes, 1)
+        held = payoffs.episodes or number
+        require(held == number, f"the {held} episodes of each cell that the payoffs hold", number)
+        payoffs = replace(payoffs, episodes=number)
+    return payoffs if payoffs is source and not exact else _once_each(payoffs, exact)
+
+
+def _once_each(payoffs: Payoffs, exact: bool) -> Payoffs:
+    """Return payoffs without copies: what is there several times tells no more than once."""
+    copies, scores = 1, payoffs.scores
+    if scores is not None:
+        each = scores.reshape(-1, scores.shape[3]).T
+        _, first, counts = np.unique(each, axis=0, return_index=True, return_counts=True)
+        copies = int(np.gcd.reduce(counts))
+        exact = exact or (copies > 1 and len(counts) == 1)
+    if exact:  # what any number of episodes would be
+        scores = np.repeat(payoffs.matrices[..., np.newaxis], EPISODES_TO_RECUR, axis=3)
+    elif scores is not None and copies > 1:
+        scores = scores[..., np.sort(np.repeat(first, counts // copies))]
+    else:
         return payoffs
-    number = check_integer("episodes", episodes, 1)
-    held = payoffs.episodes or number
-    require(held == number, f"the {held} episodes of each cell that the payoffs hold", number)
-    return replace(payoffs, episodes=number)
+    return replace(payoffs, scores=scores, episodes=scores.shape[3], exact=exact)
 
 
 def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:

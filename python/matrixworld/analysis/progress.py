@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -136,7 +137,8 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
     """Return the largest mean payoff of the winning team over half of the K generations in a row.
 
     From `rates` (K, 2) as for `disengagements`. The interval is that of Clopper and Pearson (1934)
-    for as many wins and losses as have the variance of each rate (Korn and Graubard 1998).
+    for as many wins and losses as have the variance of each rate (Korn and Graubard 1998); there
+    are infinitely many if the rates are exact.
     """
     from scipy.special import betaincinv
 
@@ -145,6 +147,10 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
     # Mean of each stretch of that length; a stretch in which evaders win is seen from their side.
     means = np.convolve(array.mean(axis=1), np.full(length, 1.0 / length), mode="valid")
     winning = np.maximum(means, 1.0 - means)
+    best = int(winning.argmax())
+    if math.isinf(episodes):
+        rate = float(winning[best])
+        return Estimate(rate, rate, rate, "episodes", biased_low=rate, biased_high=rate)
     matches = 2 * length * episodes
     wins, losses = winning * matches, (1.0 - winning) * matches
     tail = (1.0 - level) / 2.0 / len(winning)  # of all stretches together (Bonferroni)
@@ -153,7 +159,6 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
     highs = np.where(
         losses > 0.0, betaincinv(wins + 1.0, np.maximum(losses, 1e-9), 1.0 - tail), 1.0
     )
-    best = int(winning.argmax())
     low, high = float(lows[best]), float(highs.max())
     return Estimate(float(winning[best]), low, high, "episodes", biased_low=low, biased_high=high)
 

@@ -12,7 +12,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_ends, t_quantile
+from matrixworld.analysis.intervals import (
+    LEVEL,
+    RUNS_FOR_T,
+    Estimate,
+    around,
+    normal_quantile,
+    t_ends,
+    t_quantile,
+)
 from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, swap_teams
 
 GRID = 40
@@ -20,10 +28,10 @@ GRID = 40
 WIDEST = (4.0, 3.0)
 """Largest standard deviations of steps and of fluctuation on the grid, in units of that of the
 observed steps."""
-RUNS_FOR_T = 4
-"""Fewest runs whose gains have Student's t interval, too: of fewer it is wider than a walk's."""
 PARTS = 5
-"""Parts of a mean course, none of which may fall back if the course is sustained."""
+"""Parts of a course, none of which may fall back, and of the opponents."""
+SETBACK = 0.05
+"""Share of its change by which a course that keeps its direction goes back at most."""
 _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
 
@@ -58,24 +66,22 @@ def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estim
 def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the gain of a team over several runs; scores and noise have the shape (runs, k).
 
-    It is that of their mean course, `_gain_of_mean_course`, if runs also gain without the tenth in
-    which each would have jumped: of runs that jump once, each at its own time, the mean rises
-    evenly. Otherwise the interval reaches to what is left.
+    It is that of their mean course if this never falls back (a smooth curve may rise by chance, and
+    then falls), and if runs also gain without the tenth in which each would have jumped: of runs
+    that jump once, each at its own time, the mean rises evenly. Otherwise the interval reaches to
+    0, or to what is left. Runs that are too few for a mean have the interval that contains those
+    of all of them.
     """
+    if 1 < len(scores) < RUNS_FOR_T:
+        courses = zip(scores[:, np.newaxis], noise[:, np.newaxis], strict=True)
+        return around([gain_of_runs(*each, level=level) for each in courses])
     found = _gain_of_mean_course(scores, noise, level)
-    if len(scores) == 1:
-        return found
     sign = 1.0 if found.value > 0.0 else -1.0
-    left = _without_jumps(sign * scores)
-    once = 2.0 * level - 1.0  # one end of this interval has the error of both of the other
-    weights = _slope_weights(scores.shape[1])
-    if len(scores) < RUNS_FOR_T:
-        errors = noise.mean(axis=0) / len(scores)
-        # The ends of the cut have errors, too, and a step moves a slope by 1.5 times its height.
-        errors += 1.5**2 * 2.0 * errors.mean() / (weights**2).sum()
-        least, _ = strength_change(left.mean(axis=0), errors, level=once).ends
-    else:
-        least, _ = t_ends(left @ weights, once, (-1.0, 1.0))
+    least = 1.0 if setback(scores.mean(axis=0)) < SETBACK else 0.0
+    if len(scores) > 1:
+        left = _without_jumps(sign * scores) @ _slope_weights(scores.shape[1])
+        # One end of this interval has the error of both of the other.
+        least = min(least, t_ends(left, 2.0 * level - 1.0, (-1.0, 1.0))[0])
     if least > 0.0:
         return found
     low, high = found.ends
@@ -104,14 +110,14 @@ def _without_jumps(scores: Rates) -> Rates:
 def _gain_of_mean_course(scores: Rates, noise: Rates, level: float) -> Estimate:
     """Return the `strength_gain` of the mean course of several runs.
 
-    From `RUNS_FOR_T` runs on there is a second interval, Student's t over the runs' linear changes,
-    which becomes narrower with each run; it counts if the mean course is sustained, because a jump
-    in the same generation of all runs is no trend. Both then have half of the error, and what both
-    contain remains.
+    Several runs have a second interval, Student's t over the runs' linear changes, which becomes
+    narrower with each run; it counts if the mean course is sustained, because a jump in the same
+    generation of all runs is no trend. Both then have half of the error, and what both contain
+    remains.
     """
     runs, course, errors = len(scores), scores.mean(axis=0), noise.mean(axis=0) / len(scores)
     changes = scores @ _slope_weights(scores.shape[1])
-    if runs < RUNS_FOR_T or not is_sustained(course):
+    if runs == 1 or not is_sustained(course):
         return strength_gain(course, errors, level=level)
     both = (1.0 + level) / 2.0
     ends = [strength_gain(course, errors, level=both).ends, t_ends(changes, both, (-1.0, 1.0))]
@@ -122,18 +128,39 @@ def _gain_of_mean_course(scores: Rates, noise: Rates, level: float) -> Estimate:
 
 
 def is_sustained(course: Rates) -> bool:
-    """Return whether a course keeps its direction: that of its linear change, over `PARTS` parts.
+    """Return whether a course keeps its direction: that of its linear change.
 
-    No tenth of the course, and no two steps, make half of the change, and from part to part the
-    mean goes back by a quarter of the change at most. It may rest: a late onset and an early
-    plateau are sustained.
+    No tenth of the course, and no two steps, make half of the change, and no part falls back. It
+    may rest: a late onset and an early plateau are sustained.
     """
     change = float(_slope_weights(len(course)) @ course)
-    forward = course * np.sign(change)
-    parts = np.array([part.mean() for part in np.array_split(forward, PARTS)])
-    tenth = _tenth(len(course))
-    jump, setback = (forward[tenth:] - forward[:-tenth]).max(), -np.diff(parts).min()
-    return bool(jump < abs(change) / 2.0 and setback < abs(change) / 4.0)
+    forward, tenth = course * np.sign(change), _tenth(len(course))
+    jump = (forward[tenth:] - forward[:-tenth]).max()
+    return bool(jump < abs(change) / 2.0) and setback(course) < SETBACK
+
+
+def setback(course: Rates) -> float:
+    """Return the most by which a course goes back from part to part, as a share of its change."""
+    change = float(_slope_weights(len(course)) @ course)
+    parts = np.array([part.mean() for part in np.array_split(course * np.sign(change), PARTS)])
+    return -float(np.diff(parts).min()) / max(abs(change), _LEAST)
+
+
+def falls_back(scores: Rates) -> bool:
+    """Return whether a team loses again, against some opponents, what it had gained.
+
+    From the mean scores (k, m) of its generations against all opponents, in parts of both: a team
+    falls back if its mean against a part of the opponents falls by more than a quarter of its
+    change, and by more than noise.
+    """
+    change = float(_slope_weights(len(scores)) @ scores.mean(axis=1))
+    rows = (part.mean(axis=0) for part in np.array_split(scores, PARTS))
+    parts = np.array([[c.mean() for c in np.array_split(row, PARTS)] for row in rows])
+    drops = np.maximum.accumulate(parts, axis=0) - parts
+    # Neighbours differ by noise, but for their strengths, which these contrasts do not hold.
+    contrasts = np.diff(np.diff(scores, axis=0), axis=1)
+    noise = float((contrasts**2).mean()) / 4.0 * parts.size / scores.size
+    return bool(drops.max() > abs(change) / 4.0 + 2.0 * np.sqrt(2.0 * noise))
 
 
 def _tenth(generations: int) -> int:

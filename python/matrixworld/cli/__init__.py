@@ -14,6 +14,7 @@ from typing import Any
 
 import click
 
+from matrixworld.__main__ import INTERRUPTED
 from matrixworld.version import __version__
 
 __all__ = ["main"]
@@ -51,11 +52,14 @@ class Commands(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command."""
-        from matrixworld._util.files import printable, sentence_of
-        from matrixworld.cli import console, options
-
         try:
+            from matrixworld._util.files import printable, sentence_of
+            from matrixworld.cli import options
+
             return super().invoke(ctx)
+        except KeyboardInterrupt:  # first: it may come before the names below are there
+            click.echo("\nStopped. No file is half written.", err=True)
+            raise click.exceptions.Exit(INTERRUPTED) from None
         except click.ClickException as error:
             # It may quote a name or a file; the attribute is final for others.
             vars(error)["message"] = printable(error.message)
@@ -67,9 +71,6 @@ class Commands(click.Group):
             raise click.ClickException(problem) from error
         except options.FAILURES as error:
             raise click.ClickException(printable(sentence_of(error))) from error
-        except KeyboardInterrupt:
-            console.note("\nStopped. No file is half written.")
-            raise click.exceptions.Exit(console.INTERRUPTED) from None
 
     def main(self, *args: Any, **options: Any) -> Any:
         """Run the command, and fail if standard output cannot take all that was printed."""

@@ -5,9 +5,10 @@ from __future__ import annotations
 import shlex
 import shutil
 import sys
+import time
 import warnings
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import click
@@ -15,13 +16,12 @@ from tqdm import tqdm
 
 from matrixworld._util.files import printable
 from matrixworld._util.readable import table_lines
+from matrixworld.coevolution import Progress, ProgressBar
 from matrixworld.coevolution.groups import RunGroup
 
-INTERRUPTED = 130
-"""Exit code of a program that Ctrl-C has ended: 128 + SIGINT, as shells report it."""
+SHARES = 1000
+"""Parts into which progress divides work that has no other ones."""
 TERMS = "Terms are explained in docs/glossary.md."
-WIDEST = 80
-"""Columns of printed text, also in a wider terminal."""
 TO_STDOUT = "matrixworld.json"
 """Key in the context of a command whose numbers take standard output, and its text the other."""
 
@@ -48,16 +48,41 @@ def warnings_as_notes() -> Iterator[None]:
         yield
 
 
+@contextmanager
+def progress_of_parts() -> Iterator[Callable[[str, float], None]]:
+    """Yield what shows the share of each part of some work, if all takes more than a second."""
+    began, shown, before = time.monotonic(), Progress("", 0, SHARES), 0
+    bar = ProgressBar()
+    with ExitStack() as bars:
+
+        def tell(what: str, share: float) -> None:
+            nonlocal bar, shown, before
+            done = round(SHARES * share)
+            if time.monotonic() < began + 1.0:
+                return
+            if what != shown.what or done < shown.done:  # another part
+                bars.close()
+                bar, before = bars.enter_context(ProgressBar()), done
+            shown = Progress(what, done, SHARES, before)
+            bar(shown)
+
+        yield tell
+
+
 def print_head(text: str) -> None:
     """Print what a table is about, in bold, below an empty line."""
     say(f"\n{text}", bold=True)
 
 
+def width() -> int:
+    """Return the columns of the terminal."""
+    return shutil.get_terminal_size().columns
+
+
 def print_wrapped(text: str) -> None:
     """Print each line of a text as an indented paragraph as wide as the terminal."""
-    width = min(WIDEST, shutil.get_terminal_size().columns)
     for line in text.splitlines():
-        say(click.wrap_text(line, width, initial_indent="  ", subsequent_indent="    "))
+        say(click.wrap_text(line, width(), initial_indent="  ", subsequent_indent="    "))
 
 
 def print_table(rows: Sequence[Sequence[str]], align: str) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -22,9 +22,11 @@ from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament
 from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.tournament import team_size
-from matrixworld.coevolution.groups import RunGroup, job_directory
+from matrixworld.coevolution.groups import RunGroup, by_clarity, job_directory
 from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import find_runs
+from matrixworld.coevolution.types import Team
+from matrixworld.world.config import WorldConfig
 
 # Judgements:
 
@@ -70,7 +72,7 @@ def judge_command(
         raise click.UsageError("--episodes: expected a FILE; runs know their episodes")
     judged: dict[str, tuple[Payoffs, RunGroup | None]] = {}
     with usage_errors():
-        for group in options.finished_groups(runs) if runs else ():
+        for group in by_clarity(options.finished_groups(runs)) if runs else ():
             if not group.is_race:
                 raise click.UsageError(f"{group.name}: expected a race, got a run of one team")
             for one in group.singles if each else [group]:
@@ -111,14 +113,13 @@ def judge_command(
 
 
 def print_judgement(judgement: analysis.Judgement) -> None:
-    """Print a judgement: in words, the numbers of what was judged, its table, what limits it."""
-    for line in judgements.summary(judgement):
-        console.print_wrapped(line)
+    """Print a judgement: its sentence, what was judged, its table, what limits it."""
+    console.print_wrapped(analysis.sentence(judgement))
     runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
     pursuers, evaders = judgement.shape
     played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
     if judgement.exact:
-        played = ", exact scores"
+        played = ", all episodes equal"
     if judgement.teams == TEAMS:
         counted = f"{pursuers} pursuer and {evaders} evader generations"
     else:
@@ -136,7 +137,7 @@ def print_judgement(judgement: analysis.Judgement) -> None:
             f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions "
             "from noise; matrixworld tournament RUN --episodes NUMBER plays more."
         )
-    if judgement.window == "whole":
+    if min(judgement.shape) < 2 * GENERATIONS_TO_JUDGE:
         console.print_wrapped(
             f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, "
             f"and {2 * GENERATIONS_TO_JUDGE} to judge its halves."
@@ -148,7 +149,7 @@ def print_strip(
 ) -> None:
     """Print the verdict on each seed in columns, and how many seeds have which verdict."""
     every = sorted([*seeds, *missing])
-    beside = max(1, (console.WIDEST - 50) // (2 + max(len(str(seed)) for seed in every)))
+    beside = max(1, (console.width() - 50) // (2 + max(len(str(seed)) for seed in every)))
     for first in range(0, len(every), beside):
         part, is_last = every[first : first + beside], first + beside >= len(every)
         together = f"together (seeds: {', '.join(SIGNS.values())})" if is_last else ""
@@ -190,9 +191,11 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
     metavar="NUMBER|all",
     help="which one, negative numbers from the last; all: means of every one  [default: the last]",
 )
+@click.option("--training-worlds", "trained", is_flag=True, help="in each world of training, too")
 @options.shared("episodes", "steps", "seed", "json", "force", "threads", "cluster")
 def score_command(
     runs: list[Path],
+    trained: bool,
     json_file: Path | None,
     force: bool,
     threads: int | None,
@@ -214,40 +217,61 @@ def score_command(
     options.check_outputs(json_file, force=force)
     with usage_errors():
         groups = options.finished_groups(runs, unfinished=True)
-        every = [run for group in groups for run in group.runs]
+        places = [(group, world) for group in groups for world in _worlds(group, trained)]
+        every = [(run, world) for group, world in places for run in group.runs]
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
             played = held_out.score_runs(
                 every, threads=threads, executor=executor, report=bar, **chosen
             )
     matches = sum(each.matches for of_run in played for each in of_run.values())
-    found = {}
-    for group in groups:
+    found: dict[str, Any] = {}
+    for group, world in places:
         of_runs = [played.pop(0) for _ in group.runs]
-        finished = f": {console.seeds_finished(group)}" if group.several else ""
-        console.print_head(f"{group.name}{finished}")
-        plain: dict[str, Any] = {
-            "seeds": list(group.seeds),
-            "missing": list(group.missing),
-            "held_out": held_out.HELD_OUT_VERSION,
-        }
-        for team, first in of_runs[0].items():
-            scores = [of_run[team] for of_run in of_runs]
-            console.say(held_out.score_table(scores))
-            if first.left_out:
-                console.print_wrapped(f"Left out: {first.left_out}.")
-            rows = range(len(first.generations))
-            by_seed = zip(group.seeds, scores, strict=True)
-            plain[f"{team}s"] = {
-                "generations": list(first.generations),
-                "estimates": plain_values([held_out.estimates_of(scores, row) for row in rows]),
-                "by_seed": {str(seed): each.to_json() for seed, each in by_seed},
+        if world is None:
+            finished = f": {console.seeds_finished(group)}" if group.several else ""
+            console.print_head(f"{group.name}{finished}")
+            found[group.name] = {
+                "seeds": list(group.seeds),
+                "missing": list(group.missing),
+                "held_out": held_out.HELD_OUT_VERSION,
+                **_print_scores(group, of_runs),
             }
-        console.print_missing(group)
-        found[group.name] = plain
+            console.print_missing(group)
+        else:
+            size = f"{world.rows} x {world.cols}, {world.n_pursuers} v {world.n_evaders}"
+            walls = ", with obstacles" if world.density or world.map is not None else ""
+            console.print_head(f"{group.name} in a world of training: {size}{walls}")
+            in_world = {"world": world.to_json(), **_print_scores(group, of_runs)}
+            found[group.name].setdefault("training_worlds", []).append(in_world)
     console.say()
     console.print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
     console.say(f"{matches:,} matches were played.")
     options.write_json(json_file, {"seed": chosen["seed"], "groups": found})
+
+
+def _worlds(group: RunGroup, trained: bool) -> list[WorldConfig | None]:
+    """Return the worlds in which the runs of a group are scored; None is their own."""
+    return [None, *(group.runs[0].settings.training_worlds if trained else ())]
+
+
+def _print_scores(
+    group: RunGroup, of_runs: Sequence[Mapping[Team, held_out.HeldOutScores]]
+) -> dict[str, Any]:
+    """Print the scores of the runs of a group, and return them as values of JSON by team."""
+    plain = {}
+    for team, first in of_runs[0].items():
+        scores = [of_run[team] for of_run in of_runs]
+        console.say(held_out.score_table(scores))
+        if first.left_out:
+            console.print_wrapped(f"Left out: {first.left_out}.")
+        rows = range(len(first.generations))
+        by_seed = zip(group.seeds, scores, strict=True)
+        plain[f"{team}s"] = {
+            "generations": list(first.generations),
+            "estimates": plain_values([held_out.estimates_of(scores, row) for row in rows]),
+            "by_seed": {str(seed): each.to_json() for seed, each in by_seed},
+        }
+    return plain
 
 
 # Tournaments:
@@ -321,7 +345,7 @@ def tournament_command(
         # Generations of two runs have no common order in time, and are not judged.
         judgement = None if rival else analysis.judge(payoff.payoffs())
         first, second = payoff.teams
-        shown = analysis.headline(judgement) if judgement else f"against {second} of {theirs.title}"
+        shown = analysis.sentence(judgement) if judgement else f"against {second} of {theirs.title}"
         title = f"{f'{first} of ' if rival else ''}{ours.title}\n{shown}"
         save_arrays(target, payoff.arrays())
         plots.save_figure(plots.payoff_heatmap(payoff.matrix, title=title), figure)

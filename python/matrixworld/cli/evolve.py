@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
@@ -14,13 +14,14 @@ from typing import Any
 import click
 from tqdm import tqdm
 
-from matrixworld._util.files import LockedError, save_json
-from matrixworld.analysis.judgement import summary
+from matrixworld.__main__ import INTERRUPTED
+from matrixworld._util.files import DamagedFileError, LockedError, save_json
+from matrixworld.analysis import sentence
 from matrixworld.cli import cluster, console, options, pages, setting_options
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs, storage
 from matrixworld.coevolution.evaluation.explanation import sentence_of
 from matrixworld.coevolution.evaluation.scores import kept_scores
-from matrixworld.coevolution.groups import RunGroup, grouped
+from matrixworld.coevolution.groups import RunGroup, by_clarity, grouped
 from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.types import TEAMS, other
@@ -81,17 +82,19 @@ def _write_page(ctx: click.Context) -> None:
     pages.open_page(page, opens=True)
 
 
-def _shows(name: str, show: Callable[[click.Context], None], text: str) -> options.Option:
-    """Return an option that prints or writes something, and the command does nothing else."""
+SHOWS = {
+    "page": (_write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"),
+    "variants": (_print_variants, "print the nine variants of the game as a table of rules"),
+    "worlds": (_print_worlds, "print the worlds that have names as a table"),
+    "help_all": (setting_options.help_all, "print this page and all settings"),
+}
+"""Options that print or write something, and the command does nothing else."""
 
-    def callback(ctx: click.Context, param: click.Parameter, value: bool) -> None:
-        if value:
-            show(ctx)
-            ctx.exit()
 
-    return click.option(
-        name, is_flag=True, is_eager=True, expose_value=False, callback=callback, help=text
-    )
+def _shows(function: Any) -> Any:
+    for name, (_, text) in reversed(SHOWS.items()):
+        function = click.option(options.option_name(name), is_flag=True, help=text)(function)
+    return function
 
 
 @click.command("evolve", epilog=EXAMPLES)
@@ -164,12 +167,7 @@ def _shows(name: str, show: Callable[[click.Context], None], text: str) -> optio
     metavar="FILE",
     help="settings from a .toml file, or the config.json of a run; options replace them",
 )
-@_shows(
-    "--page", _write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"
-)
-@_shows("--variants", _print_variants, "print the nine variants of the game as a table of rules")
-@_shows("--worlds", _print_worlds, "print the worlds that have names as a table")
-@_shows("--help-all", setting_options.help_all, "print this page and all settings")
+@_shows
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
@@ -200,7 +198,13 @@ def evolve_command(
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
     """
-    given = options.given(settings)
+    context = click.get_current_context()
+    everything = options.given(context.params)
+    for name in SHOWS.keys() & everything:
+        options.refuse_beside(options.option_name(name), everything.keys() - {name})
+        SHOWS[name][0](context)
+        return
+    given = options.given({n: each for n, each in settings.items() if n not in SHOWS})
     with console.warnings_as_notes():
         if resumed is None and force:
             raise click.UsageError("--force: expected --resume beside it")
@@ -236,13 +240,14 @@ def _resumable(root: Path) -> Iterator[None]:
     try:
         yield
     except (Exception, KeyboardInterrupt) as error:
-        # Stopped before anything was made, the command itself is repeated.
-        if isinstance(error, click.ClickException | LockedError) or not storage.find_runs(root):
+        # Stopped before anything was made, the command itself is repeated; damage stays.
+        known = click.ClickException | DamagedFileError | LockedError
+        if isinstance(error, known) or not storage.find_runs(root):
             raise
         again = options.resume_command(root)
         console.note(f"\nStopped. Finished parts are saved; to continue:\n  {again}")
         if isinstance(error, KeyboardInterrupt):
-            raise click.exceptions.Exit(console.INTERRUPTED) from None
+            raise click.exceptions.Exit(INTERRUPTED) from None
         raise
 
 
@@ -286,13 +291,8 @@ def _found(
         refused = options.refusal(root, "a directory that holds a run")
         raise click.UsageError(f"--resume: {refused}")
     generations = given.get("generations")
-    others = (name for name in given if name != "generations")
-    names = [*(["--out"] if output else []), *map(options.option_name, others)]
-    if names:
-        raise click.UsageError(
-            f"--resume: expected no settings but --generations beside it, because a run keeps its "
-            f"own, got {', '.join(names)}"
-        )
+    beside = [*(["output"] if output else []), *(name for name in given if name != "generations")]
+    options.refuse_beside("--resume", beside, ": a run keeps its own, all but --generations")
     with setting_options.usage_errors():
         jobs.change(root, generations=generations, force=force)
     return root, jobs.found_job(root)
@@ -390,16 +390,17 @@ def report(
     done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
     page = f" Open {root / PAGE}" if finished else ""
     console.say(f"{done} in {took}.{page}", bold=True)
-    for group in groups:
+    for group in by_clarity(groups):
         console.print_head(group.name)
         console.print_wrapped("\n".join(_lines(group)))
         console.print_missing(group)
+    if any(group.several for group in races):
+        clearest = by_clarity([single for group in races for single in group.singles])[0]
+        console.print_head(f"The clearest race: {clearest.inside(root).name}")
+        console.print_wrapped(sentence(clearest.judgement))
     if of_pursuit:
-        console.print_head(
-            "Score against opponents nobody trained on (from 0 to 1, more is better)"
-        )
-        rows = [(g.name, *(f"{g.held_out(team).mean():.2f}" for team in TEAMS)) for g in of_pursuit]
-        console.print_table([("", "pursuers", "evaders"), *rows], "<>>")
+        console.say()
+        console.print_wrapped(_against_strangers(of_pursuit))
     for group in of_pursuit:
         if words := [said for team in TEAMS if (said := sentence_of(group.runs[0], team))]:
             console.print_head(f"What evolved: {group.name}, seed {group.seeds[0]}")
@@ -408,6 +409,23 @@ def report(
         console.print_wrapped(f"Failed: {path}: {problem}")
     for why, typed in _hints(finished, root) if finished else ():
         console.say(f"\n{why}\n  {typed}")
+
+
+def _against_strangers(groups: Sequence[RunGroup]) -> str:
+    """Return the scores of the best group against held-out opponents, and what stands beside."""
+
+    def means(group: RunGroup) -> list[float]:
+        return [float(group.held_out(team).mean()) for team in TEAMS]
+
+    best = max(groups, key=lambda group: sum(means(group)))
+    beside = [kept_scores(best.runs)[0][f"{team}s"] for team in TEAMS]
+    numbers = (
+        *zip(("pursuers", "evaders"), means(best), strict=True),
+        *((f"script {name}", value) for name, value in (each["best script"] for each in beside)),
+    )
+    told = ", ".join(f"{name} {value:.2f}" for name, value in numbers)
+    first = " and ".join(f"{each['untrained']:.2f}" for each in beside)
+    return f"Best against strangers: {best.name} ({told}; untrained teams {first})."
 
 
 def draw(groups: Sequence[RunGroup], root: Path) -> None:
@@ -427,7 +445,7 @@ def _lines(group: RunGroup) -> list[str]:
     if not group.runs:
         return [console.seeds_finished(group)]
     if group.is_race:
-        return summary(group.judgement)
+        return [sentence(group.judgement)]
     settings, means = group.runs[0].settings, group.means()
     schedule = settings.schedule
     assert isinstance(schedule, Against)  # one team evolved
@@ -453,7 +471,7 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
         return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]
     more = ("Verdict on each seed:", console.command("judge --each", root))
     if not any(group.several for group in groups):
-        why = "One seed proves little; with your other options:"
+        why = "One seed is one anecdote; with your other options:"
         more = (why, console.command("evolve --seeds 0-9"))
     return [more, ("Reasons and intervals:", console.command("judge --explain", root))]
 

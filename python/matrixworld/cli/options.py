@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor
 from pathlib import Path, PurePath
 from tempfile import TemporaryFile
 from typing import Any
-from zipfile import BadZipFile, ZipFile
 
 import click
 from click.core import ParameterSource
@@ -46,8 +45,17 @@ FAILURES = (
 
 
 def option_name(field_name: str) -> str:
-    """Return the option of a settings field."""
-    return "--" + field_name.replace("_", "-")
+    """Return the option of a settings field, as the current command writes it."""
+    context = click.get_current_context(silent=True)
+    params = context.command.params if context else ()
+    written = {str(param.name): param.opts[0] for param in params}
+    return written.get(field_name, "--" + field_name.replace("_", "-"))
+
+
+def refuse_beside(option: str, names: Iterable[str], why: str = "") -> None:
+    """Raise click.UsageError if settings of these names are given beside an option."""
+    if named := ", ".join(map(option_name, names)):
+        raise click.UsageError(f"{option}: expected no {named} beside it{why}")
 
 
 def refusal(path: str | Path, expected: str) -> str:
@@ -255,22 +263,20 @@ def unpacked(path: Path) -> Path:
     if path.suffix.lower() != ".zip" or not path.is_file():
         return path
     directory = path.with_suffix("")
-    try:
-        with ZipFile(path) as archive:
-            if not directory.exists():
-                with storage.new_directory(directory) as place:
-                    archive.extractall(place)
-            for name in archive.namelist():
-                file = directory / name
-                if not file.is_dir() and not (
-                    file.is_file() and file.read_bytes() == archive.read(name)
-                ):
-                    raise click.BadParameter(
-                        f"{path}: expected its own run in {directory}, got another {name} there, "
-                        "or none"
-                    )
-    except BadZipFile as error:
-        raise click.BadParameter(f"{path}: expected an archive of a race, got: {error}") from error
+    parts = files.read_archive(path, "archive of a race", lambda part: part.read())
+    if storage.CONFIG not in parts:
+        raise click.BadParameter(f"{path}: expected an archive of a race, got none of its files")
+    if not directory.exists():
+        with storage.new_directory(directory) as place:
+            for name, content in parts.items():
+                (place / name).parent.mkdir(parents=True, exist_ok=True)
+                (place / name).write_bytes(content)
+    for name, content in parts.items():
+        file = directory / name
+        if not (file.is_file() and file.read_bytes() == content):
+            raise click.BadParameter(
+                f"{path}: expected its own run in {directory}, got another {name} there, or none"
+            )
     return directory
 
 

@@ -172,7 +172,7 @@ def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:
             "matrixworld explore RUN... makes one of others."
         )
         print_wrapped(left_out)
-    write_page(page, explorer_page(shown, note=left_out))
+    write_page(page, explorer_page(shown, note=left_out, groups=groups))
 
 
 def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:

@@ -13,7 +13,7 @@ import click
 from matrixworld._util.checks import SEED_MAX, check_choice
 from matrixworld._util.files import replacing
 from matrixworld.cli import options
-from matrixworld.cli.console import say, warnings_as_notes
+from matrixworld.cli.console import progress_of_parts, say, warnings_as_notes
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -23,7 +23,7 @@ from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
 from matrixworld.play import read_genome
-from matrixworld.solver import solve
+from matrixworld.solver import States, solve
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, EnginePolicy, Script
 from matrixworld.world.rules import VARIANTS, Rules, rules_of
@@ -264,7 +264,8 @@ def _player(
 ) -> tuple[EnginePolicy, int]:
     """Return what plays for a team in the world of a run or a new one, and its generation or 0."""
     if who == SOLVED:
-        return solve(config).policy(team), 0
+        with progress_of_parts() as report:
+            return solve(States(config, report=report)).policy(team), 0
     if who.lower().endswith(".npz"):
         found, population = read_genome(who)
         if found != team:

@@ -39,7 +39,13 @@ PATHS = {name: path for name in NAMES for path in paths_of(name)}
 """Options of their own, and the settings that they set."""
 AS_BEFORE = {"evader_learner", "schedule.evaders_meet"}
 """Settings that have the sections of the setting before them."""
-TYPES = {bool: "true|false", Ellipsis: "SIZES", int: "INTEGER", float: "NUMBER"}
+TYPES = {
+    bool: "true|false",
+    WorldConfig: "WORLDS",
+    Ellipsis: "SIZES",
+    int: "INTEGER",
+    float: "NUMBER",
+}
 """How the help names the value of a setting; any other one is a text."""
 OTHER_DEFAULTS = {
     "schedule=hall-of-fame": AtOnce().defaults,
@@ -102,8 +108,13 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
     """
     file: Mapping[str, Any] = given.get("config", {})
     changes = {path: given[name] for name, path in PATHS.items() if name in given}
-    changes |= given.get("sets", ())
     names: Sequence[str] = given.get("schedule", ())
+    taken = {*changes, *(["schedule"] if names else []), *(["seed"] if "seeds" in given else [])}
+    for path, value in given.get("sets", ()):
+        if path in taken:
+            raise click.UsageError(f"--set {path}: expected one value of a setting, got several")
+        taken.add(path)
+        changes[path] = value
     if ALL in names:
         names = [*SCHEDULES, *(name for name in names if name != ALL)]
     elif not names:

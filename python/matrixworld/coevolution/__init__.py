@@ -40,7 +40,7 @@ from matrixworld.coevolution.own_code import check_learner, check_sampler
 from matrixworld.coevolution.progress import Progress, ProgressBar, StopRun
 from matrixworld.coevolution.pursuit import Cells, Programs, Pursuit, Ratings
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns, available
-from matrixworld.coevolution.run import DisengagementWarning, Run, create, finish
+from matrixworld.coevolution.run import DisengagementWarning, Run, RunInMemory, create, finish
 from matrixworld.coevolution.sections import PluginError
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import OtherVersionError, SavedRun, open_run, open_runs
@@ -77,6 +77,7 @@ __all__ = [
     "Results",
     "Run",
     "RunGroup",
+    "RunInMemory",
     "SavedRun",
     "StopRun",
     "Task",

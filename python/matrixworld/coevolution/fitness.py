@@ -70,7 +70,7 @@ def feasible_first(fitness: ArrayLike, violation: ArrayLike) -> FloatArray:
     Deb 2000, "An efficient constraint handling method for genetic algorithms", Computer Methods in
     Applied Mechanics and Engineering 186, equation 5.
     """
-    values, beyond = np.asarray(fitness, np.float64), np.asarray(violation, np.float64)
+    values, beyond = check_floats("fitness", fitness), check_floats("violation", violation)
     within = beyond <= 0.0
     worst = values[within].min() if within.any() else 0.0
     return np.where(within, values, worst - beyond)

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from PIL import Image
 
 from matrixworld._util import checks
-from matrixworld.coevolution.sections import PATH, Section, documented, imported, setting
+from matrixworld.coevolution.sections import PATH, Section, documented, imported, no_exit, setting
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Matches, Rng, Team
 
 Play = Callable[[Genomes, Genomes, Rng], ArrayLike]
@@ -216,7 +216,7 @@ class Game:
     def _checked(self, calls: list[ArrayLike], matches: int) -> NDArray[np.float32]:
         """Return the scores of all calls, each of so many matches."""
         for found in calls:
-            if np.shape(found) != (matches,):
+            if checks.unmasked("scores of the game", found).shape != (matches,):
                 got = np.shape(found)
                 raise ValueError(f"scores of the game: expected shape ({matches},), got {got}")
         scores = checks.check_floats("scores of the game", np.concatenate(calls), np.float32)
@@ -245,6 +245,7 @@ class Game:
         """Return what matches add to `counters`."""
         return {}
 
+    @no_exit("show")
     def shown(self, a: Genome, b: Genome) -> str | bytes:
         """Return what the game shows of two genomes: text, or the bytes of a PNG file.
 
@@ -255,7 +256,7 @@ class Game:
         shown = self.show(a, b)
         if isinstance(shown, str):
             return shown
-        image = np.asarray(shown)
+        image = checks.unmasked("show", shown)
         if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3:
             got = f"{image.dtype} {image.shape}"
             raise ValueError(f"show: expected text or an image of uint8 (rows, cols, 3), got {got}")
@@ -277,7 +278,7 @@ class Game:
         """Return genomes of opponents whose `shape_of` is given."""
         return self.population(team, genomes)
 
-    def check_opponents(self, opponents: Any) -> None:
+    def check_opponents(self, team: Team, opponents: Any) -> None:
         """Raise ValueError if opponents do not fit the game."""
 
     def check_start(self, population: Any) -> None:
@@ -453,6 +454,7 @@ CHECKED = 64
 """Matches of a check."""
 
 
+@no_exit("check_game")
 def check_game(game: Game) -> None:
     """Check that a game keeps the promises of `Game`.
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from matrixworld import analysis
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis import Estimate, Judgement, intervals
-from matrixworld.analysis.judgement import CANNOT_TELL
+from matrixworld.analysis.judgement import CANNOT_TELL, clarity
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import SCORE, kept_scores, score
 from matrixworld.coevolution.settings import RaceSettings
@@ -80,6 +80,11 @@ class RunGroup:
         """Each run as a group of its own."""
         alone = (RunGroup((run.path,), (run,)) for run in self.runs)
         return tuple(alone) if self.several else (self,)
+
+    @property
+    def clarity(self) -> tuple[bool, float]:
+        """How clearly a race shows who improved; runs of one team show nothing."""
+        return clarity(self.judgement) if self.runs and self.is_race else (False, 0.0)
 
     def held_out(self, team: Team) -> NDArray[np.float64]:
         """Return the scores (seeds, opponents) of the last generation of a team, as `score` does.
@@ -170,6 +175,11 @@ def open_groups(*directories: str | Path) -> list[RunGroup]:
             raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
         runs |= {path: SavedRun(path).settings for path in paths}
     return grouped(runs)
+
+
+def by_clarity(groups: Sequence[RunGroup]) -> list[RunGroup]:
+    """Return groups, those first that show most clearly who improved."""
+    return sorted(groups, key=lambda group: group.clarity, reverse=True)
 
 
 def grouped(

@@ -9,6 +9,7 @@ saved.
 from __future__ import annotations
 
 import concurrent.futures
+import itertools
 import multiprocessing
 import os
 import re
@@ -105,7 +106,10 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
 
 
 def default_directory(job: Job) -> Path:
-    """Return the directory named after a job's world and seeds, such as ``runs/O-seeds0-9``."""
+    """Return a new directory named after a job's world and seeds, such as ``runs/O-seeds0-9``.
+
+    If there is one already, a number follows: ``runs/O-seeds0-9-2``.
+    """
     settings = next(iter(job.values()))
     seeds = [*dict.fromkeys(each.seed for each in job.values())]
     named = f"{seeds[0]}-{seeds[-1]}"
@@ -114,7 +118,9 @@ def default_directory(job: Job) -> Path:
     seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
     what = "" if settings.is_race else f"-{settings.schedule.name}"
     world = settings.world and world_name(settings.world)
-    return RUNS / f"{world or settings.variant}{what}-{seed}"
+    first = RUNS / f"{world or settings.variant}{what}-{seed}"
+    others = (first.with_name(f"{first.name}-{number}") for number in itertools.count(2))
+    return next(path for path in itertools.chain([first], others) if not path.exists())
 
 
 def found_job(root: Path) -> Job:
@@ -329,9 +335,9 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
     }
     if any("fitness" in each.ignores for each in learners):  # views, for actor and critic
         assert isinstance(game, Pursuit)  # as these learners need
-        agents = max(game.world.n_pursuers, game.world.n_evaders)
-        steps = episodes * settings.train_steps * agents
-        needed["views"] = 4 * steps * CHANNELS * game.world.fov**2
+        worlds = settings.training_worlds or [replace(game.world, max_steps=settings.train_steps)]
+        steps = max(w.max_steps * max(w.n_pursuers, w.n_evaders) for w in worlds)
+        needed["views"] = 4 * episodes * steps * CHANNELS * game.world.fov**2
     return needed
 
 

@@ -15,7 +15,7 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats
+from matrixworld._util.checks import check_floats, check_integers
 from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
@@ -155,7 +155,7 @@ class NewestAndOlder(Opponents):
 
 def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, FloatArray]:
     """Return opponents (c,) and scores (n, c); ValueError unless they fit and are in [0, 1]."""
-    index, values = np.asarray(opponents, dtype=np.intp), np.asarray(scores, dtype=np.float64)
+    index, values = check_integers("opponents", opponents, np.intp), check_floats("scores", scores)
     if values.ndim != 2 or index.shape != values.shape[1:] or not values.size:
         expected = f"shape (n, {index.size}), at least one each"
         raise ValueError(f"scores: expected {expected}, got {values.shape}")
@@ -263,7 +263,7 @@ def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
 
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
-    matrix = np.asarray(beats, dtype=np.float64)
+    matrix = check_floats("beats", beats)
     # argmax takes the first of equals, so a random order of the rows decides ties at random.
     order = rng.permutation(len(matrix))
     shuffled, covered = matrix[order], np.zeros(matrix.shape[1])

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer
 from matrixworld.coevolution.game import Game
-from matrixworld.coevolution.learners.learner import Learner, Results, Task
+from matrixworld.coevolution.learners.learner import Learner, Results, Task, check_genomes
 from matrixworld.coevolution.opponents import Opponents
-from matrixworld.coevolution.sections import PluginError
+from matrixworld.coevolution.sections import PluginError, no_exit
 from matrixworld.coevolution.types import TEAMS, State
 
 EPOCHS, GENES = 6, 140
@@ -25,6 +25,7 @@ Step = Callable[[State, int], tuple[list[NDArray[Any]], State]]
 """Plays one epoch from a state; returns what was decided, and the next state."""
 
 
+@no_exit("check_learner")
 def check_learner(learner: Learner) -> None:
     """Check that a learner of your own keeps the promises of its base `Learner`.
 
@@ -86,6 +87,7 @@ def check_learner(learner: Learner) -> None:
     _check_steps(lambda: learner.start(task), step)
 
 
+@no_exit("check_sampler")
 def check_sampler(sampler: Opponents, *, count: int = 2) -> None:
     """Check that a sampler of your own keeps the promises of its base `Opponents`.
 
@@ -132,12 +134,7 @@ def _expect(kept: bool, promise: str) -> None:
 
 
 def _expect_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
-    is_array = isinstance(array, np.ndarray) and array.dtype == np.float32
-    got = f"{array.dtype} {array.shape}" if isinstance(array, np.ndarray) else repr(array)
-    _expect(
-        is_array and array.shape == shape,
-        f"{name}: expected an array of float32 {shape}, got {got}",
-    )
+    check_genomes(name, array, shape)
     _expect(bool(np.isfinite(array).all()), f"{name}: expected finite numbers, got {array}")
 
 

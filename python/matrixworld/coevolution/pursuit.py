@@ -98,6 +98,16 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
 sections.PLAIN[WorldConfig] = sections.Plain(_world, WORLD_HELP)
 
 
+def world_of(other: Any, usual: Mapping[str, Any]) -> WorldConfig:
+    """Return a world from what it has other than the `usual` fields, or from its name."""
+    if isinstance(other, WorldConfig):
+        return other
+    changes = {"kind": other} if isinstance(other, str) else other
+    if not isinstance(changes, Mapping):
+        raise TypeError(f"expected the fields of a world, got {checks.shown(other)}")
+    return _world({**usual, **WORLDS.get(changes.get("kind", ""), {}), **changes})
+
+
 def _mask(default: str, more: str = "") -> Any:
     return setting(
         default,
@@ -325,10 +335,11 @@ class Pursuit(Game):
         """Return genomes of opponents that may have policies of another shape."""
         return Population(genomes, policy_of(shape))
 
-    def check_opponents(self, team: TeamPolicy) -> None:
-        """Raise ValueError if opponents do not fit the world."""
-        if isinstance(team, Population):
-            check_fits("opponents", team.policy, self.world)
+    def check_opponents(self, team: Team, opponents: TeamPolicy) -> None:
+        """Raise ValueError if opponents, who play for `team`, do not fit the world."""
+        if isinstance(opponents, Population):
+            check_fits("opponents", opponents.policy, self.world)
+            masks.check_team("opponents", opponents, self.world, team)
 
     def check_start(self, population: Population) -> None:
         """Raise ValueError if a genome to start from has another policy."""

@@ -50,7 +50,7 @@ from matrixworld.coevolution.seeding import Phase, Purpose, learning_phase, trai
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Payoff, Team, other
 
 if TYPE_CHECKING:
-    from matrixworld.coevolution.run import Run
+    from matrixworld.coevolution.run import Run, RunInMemory
     from matrixworld.coevolution.settings import RaceSettings
 
 CONFIDENCE = 0.95
@@ -111,10 +111,10 @@ class Race(Section):
         return RoundRobin()
 
     @abstractmethod
-    def learn(self, run: Run, stage: int) -> None:
+    def learn(self, run: RunInMemory, stage: int) -> None:
         """Run one stage: improve learners, extend the archive, log each epoch."""
 
-    def finalists(self, run: Run) -> dict[Team, tuple[Any, int]]:
+    def finalists(self, run: RunInMemory) -> dict[Team, tuple[Any, int]]:
         """Return who plays the evaluation for each team, and the generation of the first."""
         return {team: (run.population(team, run.genomes(team)), 0) for team in TEAMS}
 
@@ -266,7 +266,7 @@ class InTurns(OfGenerations):
         """Return how many generations of the other team are archived when generation k learns."""
         return available(team, k)
 
-    def learn(self, run: Run, stage: int) -> None:
+    def learn(self, run: RunInMemory, stage: int) -> None:
         """Let one team learn for the epochs of a generation, and archive its genome."""
         # Pursuers in even stages, evaders in odd ones; generation 0 is untrained.
         generation, team = 1 + stage // 2, TEAMS[stage % 2]
@@ -289,7 +289,7 @@ def available(team: Team, k: int) -> int:
 
 
 def improve(
-    run: Run, team: Team, generation: int, count: int, epochs: Iterable[int], activity: str
+    run: RunInMemory, team: Team, generation: int, count: int, epochs: Iterable[int], activity: str
 ) -> types.Genome:
     """Let a team learn for some epochs against `count` opponents each; return its genome.
 
@@ -326,7 +326,7 @@ def improve(
     return run.champion(team, generation, candidates, fitness, opponents, met)
 
 
-def match_seeds(run: Run, team: Team, generation: int, epoch: int, met: Indices) -> Any:
+def match_seeds(run: RunInMemory, team: Team, generation: int, epoch: int, met: Indices) -> Any:
     """Return the seeds (n, c) of n candidates against the opponents (c,) of an epoch."""
     # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
     groups = run.learners[team].seed_groups
@@ -406,12 +406,13 @@ class AtOnce(OfGenerations):
         living = self.contemporaries if team == "pursuer" else 0
         return matches + self.joint_epochs * living * settings.learner_of(team).population
 
-    def learn(self, run: Run, stage: int) -> None:
+    def learn(self, run: RunInMemory, stage: int) -> None:
         """Let both teams evolve for the epochs of a generation, and archive their champions."""
         generation = 1 + stage
         for team in TEAMS:
             run.update_sampler(team, generation, generation)
         for epoch in range(self.joint_epochs):
+            run.begin_epoch("pursuer", generation, epoch)
             populations = {team: run.ask(team, generation, epoch) for team in TEAMS}
             played = self._play(run, generation, epoch, populations)
             run.report(f"generation {generation}: both")
@@ -423,7 +424,7 @@ class AtOnce(OfGenerations):
             run.archive_genome(team, genomes[team])
 
     def _play(
-        self, run: Run, generation: int, epoch: int, populations: Mapping[Team, Genomes]
+        self, run: RunInMemory, generation: int, epoch: int, populations: Mapping[Team, Genomes]
     ) -> dict[Team, tuple[FloatArray, Any, Indices]]:
         """Play the matches of an epoch, and let both teams learn from them.
 
@@ -461,7 +462,7 @@ class AtOnce(OfGenerations):
             run.tell(team, fitness, rivals, opponents[living], seeds[living])
         return found
 
-    def _sample_halls(self, run: Run, epoch: int, rng: types.Rng) -> dict[Team, Indices]:
+    def _sample_halls(self, run: RunInMemory, epoch: int, rng: types.Rng) -> dict[Team, Indices]:
         """Return for each team its opponents from the other team's hall of fame."""
         if not self.hall_sample:
             return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
@@ -501,7 +502,8 @@ def pairings(
     for meeting in range(contemporaries):
         if meeting % size == 0:
             opponents = blocks[rng.permutation(len(blocks))]
-        rounds.append((individuals, np.roll(opponents, meeting % size, axis=1).ravel()))
+        met = np.roll(opponents, meeting % size, axis=1) if size > 1 else opponents
+        rounds.append((individuals, met.ravel()))
     rounds += [(individuals, np.full(n, n + member)) for member in range(hall[1])]
     rounds += [(np.full(n, n + member), individuals) for member in range(hall[0])]
     pursuers, evaders = zip(*rounds, strict=True)
@@ -613,7 +615,7 @@ class Against(Race):
         matches = self.epochs * settings.learner_of(self.team).population
         return (matches + self.n_stages * settings.retested_matches) * settings.match_episodes
 
-    def learn(self, run: Run, stage: int) -> None:
+    def learn(self, run: RunInMemory, stage: int) -> None:
         """Let the team learn until the next entry of the archive."""
         first = stage * self.archive_every
         epochs = range(first, min(first + self.archive_every, self.epochs))
@@ -621,7 +623,7 @@ class Against(Race):
         genome = improve(run, self.team, 1 + stage, 1, epochs, activity)
         run.archive_genome(self.team, genome)
 
-    def finalists(self, run: Run) -> dict[Team, tuple[Any, int]]:
+    def finalists(self, run: RunInMemory) -> dict[Team, tuple[Any, int]]:
         """Return the last genome, and all opponents."""
         last = run.population(self.team, run.archive[self.team][-1][np.newaxis])
         rivals = run.opponents(self.team)

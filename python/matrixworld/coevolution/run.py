@@ -1,9 +1,10 @@
 """A run: stages of learning, each saved at its end, and then an evaluation.
 
-A kind of race says what a stage is and how teams learn in it (`race`); a `Run` is what its loop
-works with. Everything that a stage changes (states of learners and samplers, archive, counters,
-log) is saved at its end. A run that is stopped within a stage, even by a power cut, repeats that
-stage when it goes on, and ends bit for bit as if it had never been stopped.
+A kind of race says what a stage is and how teams learn in it (`race`); a `RunInMemory` is what its
+loop works with, and a `Run` is one in a directory. Everything that a stage changes (states of
+learners and samplers, archive, counters, log) is saved at its end. A run that is stopped within a
+stage, even by a power cut, repeats that stage when it goes on, and ends bit for bit as if it had
+never been stopped.
 """
 
 from __future__ import annotations
@@ -26,12 +27,12 @@ from matrixworld.coevolution import storage, types
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.fitness import Table
 from matrixworld.coevolution.game import Game, Scores
-from matrixworld.coevolution.learners.learner import Learner, Results
+from matrixworld.coevolution.learners.learner import Learner, Results, check_genomes
 from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.progress import LOG, OnEpoch, Progress, Report, silent
-from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit
+from matrixworld.coevolution.pursuit import SCRIPTS, Pursuit, WorldConfig
 from matrixworld.coevolution.race import Against, OfGenerations
-from matrixworld.coevolution.sections import PluginError, different_settings
+from matrixworld.coevolution.sections import different_settings, no_exit
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import (
@@ -56,6 +57,7 @@ class DisengagementWarning(UserWarning):
 # New runs:
 
 
+@no_exit("create")
 def create(
     settings: RaceSettings,
     directory: str | Path,
@@ -107,15 +109,25 @@ def create(
                 config["opponent_policy"] = shape
         # config.json must not name opponents that were not used.
         settings = settings.changed({f"schedule.{name}": GIVEN for name in given})
+    learned, states = beginning(settings, begin)
+    archive |= learned
+    with storage.new_directory(path) as place:
+        storage.RunWriter(place).begin(settings.to_json(), archive, states, **config)
+    return storage.SavedRun(path)
+
+
+def beginning(
+    settings: RaceSettings, begin: types.Genome | None = None
+) -> tuple[dict[Team, Any], dict[str, types.State]]:
+    """Return generation 0 of all that learn, and the states of learners and samplers."""
+    archive: dict[Team, Any] = {}
     states: dict[str, types.State] = {}
     for team in settings.learning_teams:
         learner = settings.learner_of(team)
         states[team] = learner.start(settings.task(team, begin))
-        states[f"{team}.opponents"] = schedule.sampler(team).start()
+        states[f"{team}.opponents"] = settings.schedule.sampler(team).start()
         archive[team] = [learner.genome(states[team])]
-    with storage.new_directory(path) as place:
-        storage.RunWriter(place).begin(settings.to_json(), archive, states, **config)
-    return storage.SavedRun(path)
+    return archive, states
 
 
 def check_sources(
@@ -132,7 +144,7 @@ def check_sources(
         policy = schedule.opponent
     elif opponents is None:
         policy = _last(settings, schedule.opponent, other(schedule.team))
-    game.check_opponents(policy)
+    game.check_opponents(other(schedule.team), policy)
     if start is None and schedule.start is not None:
         population = _last(settings, schedule.start, schedule.team)
         game.check_start(population)
@@ -161,23 +173,23 @@ def check_same(run: storage.SavedRun, expected: RaceSettings) -> None:
         raise ValueError(f"{run.path}: holds a run with other settings: {', '.join(different)}")
 
 
-# Runs that go on:
+# Runs in memory:
 
 
-class Run:
-    """A run that goes on in its directory, from its last finished stage.
+class RunInMemory:
+    """A race in memory, with all that its loop works with.
 
     ::
 
-        states of learners and samplers, archive (generation 0), stage = 0; saved by `create`
-        while stage < n_stages:
-            learn(stage); stage += 1; saved
-        payoff of the archives; saved
+        states of learners and samplers, archive (generation 0), stage = 0
+        train:
+            while stage < n_stages:
+                learn(stage); stage += 1
 
     Parameters
     ----------
-    directory : str or Path
-        The directory that `create` has made.
+    settings : RaceSettings
+        Settings of a race.
     threads : int, optional
         Threads that play matches. By default one per usable core. Results do not depend on it.
 
@@ -189,168 +201,53 @@ class Run:
         Genomes of generations 0, 1, ... of each team.
     states : dict of str to dict of str to ndarray
         States of the learners by team, and of their samplers as ``<team>.opponents``.
+    rows : list of dict
+        The log: values of each epoch by column.
     stage : int
         Number of finished stages.
     counts : dict of str to int
         Training episodes so far, ``matches``; of pursuit also ``steps`` of worlds, and
         ``agent_steps`` of living agents.
-
-    Raises
-    ------
-    FileNotFoundError
-        If the directory holds no run.
-    ValueError
-        If its game cannot be imported, is another one, or has changed.
-    DamagedFileError
-        If no stage is intact that has a checkpoint.
-    OtherVersionError
-        If the run is of another version of the package.
-    LockedError
-        If another process runs it.
     """
 
-    def __init__(self, directory: str | Path, *, threads: int | None = None) -> None:
+    def __init__(self, settings: RaceSettings, *, threads: int | None = None) -> None:
+        check_instance("settings", settings, RaceSettings)
         check_threads(threads)
-        self.files: storage.RunWriter = storage.RunWriter(directory)
-        self.settings: RaceSettings = self.files.settings
-        check_source(self.files)
+        self.settings: RaceSettings = settings
         self.threads: int | None = threads
-        teams = self.settings.learning_teams
-        self.learners: dict[Team, Learner] = {
-            team: self.settings.learner_of(team) for team in teams
-        }
+        teams = settings.learning_teams
+        self.learners: dict[Team, Learner] = {team: settings.learner_of(team) for team in teams}
         self.samplers: dict[Team, Opponents] = {
-            team: self.settings.schedule.sampler(team) for team in teams
+            team: settings.schedule.sampler(team) for team in teams
         }
-        self.game: Game = self.settings.training_game
+        self.game: Game = settings.training_game
         self.rows: list[storage.Row] = []
-        self.results: dict[str, NDArray[Any]] = {}
-        """Other arrays of this stage, which a subclass may add to its file."""
-        self._report: Report = silent
-        self._on_epoch: OnEpoch | None = None
-        with self.files.lock():
-            self._restore()
+        self.stage: int = 0
+        self.counts: dict[str, int] = dict.fromkeys(("matches", *self.game.counters), 0)
+        self.archive: dict[Team, list[types.Genome]]
+        self.states: dict[str, types.State]
+        self._begin()
 
-    def __repr__(self) -> str:
-        schedule, seed = self.settings.schedule, self.settings.seed
-        stages = f"stage {self.stage} of {schedule.n_stages}"
-        return f"<{type(self).__name__}: {self.files.path}, {schedule.name}, seed {seed}, {stages}>"
+    def _begin(self) -> None:
+        if not self.settings.is_race:
+            raise ValueError("settings: expected those of a race, got those of one team alone")
+        self.archive, self.states = beginning(self.settings)
 
-    def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> storage.SavedRun:
-        """Go on to the end: the last stage, the payoff and the summary.
-
-        `report` is called often with the progress (see `ProgressBar`), and `on_epoch` with a row
-        for each epoch (see `evolve`). After KeyboardInterrupt or any other error, such as one that
-        `on_epoch` raises, the files hold the last finished stage, from which the run goes on.
-        """
-        self._report, self._on_epoch = report, on_epoch
-        schedule, path = self.settings.schedule, self.files.path
-        with self.files.lock():
-            # Also if this object has just been made: an interrupted stage has changed states, and
-            # another process may have continued the run.
-            self._restore()
-            LOG.info("%s: goes on from stage %d of %d", path, self.stage, schedule.n_stages)
-            self._before, self._total = (
-                self.counts["matches"],
-                total_matches(self.settings, self._pairs()),
-            )
-            while self.stage < schedule.n_stages:
-                try:
-                    self.learn(self.stage)
-                except SystemExit as error:  # it would end the program without a word
-                    where = f"stage {self.stage + 1} of the run {path}"
-                    raise PluginError(f"{where}: code of your own called exit") from error
-                except Exception as error:
-                    if sys.version_info >= (3, 11):
-                        error.add_note(f"in stage {self.stage + 1} of the run {path}")
-                    raise
-                self._end_stage()
-            if self.files.finished:
-                self.files.summary()  # only to raise an error if one of them is damaged
-                self.files.payoff()
-            else:
-                payoff = self.evaluate()
-                self.files.save_results(payoff.arrays(), self.summary(payoff))
-                LOG.info("%s: ended", path)
-        return storage.SavedRun(path)
+    def train(self) -> None:
+        """Run all stages that are left."""
+        while self.stage < self.settings.schedule.n_stages:
+            self.learn(self.stage)
+            self.end_stage()
 
     def learn(self, stage: int) -> None:
         """Run one stage, as the kind of race says."""
+        if isinstance(self.settings.training_game, Pursuit):
+            self.play_in(self.settings.training_game.world)  # until an epoch draws another one
         self.settings.schedule.learn(self, stage)
 
-    def evaluate(self) -> types.Payoff:
-        """Play the finalists of one team against those of the other, on episodes of their own."""
-        finalists = self.settings.schedule.finalists(self)
-        (pursuers, g), (evaders, h) = (finalists[team] for team in TEAMS)
-        return tournament(
-            self.settings.evaluation_game,
-            pursuers,
-            evaders,
-            seed=self.settings.seed,
-            episodes=self.settings.evaluation_episodes,
-            threads=self.threads,
-            generations=(g, h),
-            known=self.files.payoff() if (self.files.path / storage.PAYOFF).exists() else None,
-            on_row=lambda played: self.report("tournament", played),
-        )
-
-    def summary(self, payoff: types.Payoff) -> dict[str, Any]:
-        """Return the most important numbers of the run, which summary.json holds."""
-        counters = {f"training_{name}": count for name, count in self.counts.items()}
-        return {
-            "stages": self.stage,
-            **counters,
-            "evaluation_matches": payoff.scores.size,
-            **self.settings.schedule.summary(self, payoff),
-        }
-
-    # Stages:
-
-    def _end_stage(self) -> None:
-        """Count and save a finished stage; warn once of each disengagement."""
-        # In the second half of the epochs the team has mostly adapted to its opponents.
-        score, *_ = self.game.columns
-        rates = [row[score] for row in self.rows[len(self.rows) // 2 :]]
-        self.stage_scores.append(float(np.mean(rates)))
+    def end_stage(self) -> None:
+        """Count a stage."""
         self.stage += 1
-        counters = {**self.counts, "score": self.stage_scores[-1]}
-        self.files.save(self.stage, self.archive, self.rows, counters, self.states, self.results)
-        LOG.info(
-            "%s: saved stage %d of %d",
-            self.files.path, self.stage, self.settings.schedule.n_stages,
-        )  # fmt: skip
-        self.rows, self.results = [], {}
-        generation, left = divmod(self.stage, self.settings.schedule.stages_per_generation)
-        for stretch in self.disengagements() if not left else ():
-            # Equal, not at least: a longer stretch has been reported before.
-            if stretch.last == generation and len(stretch) == PATIENCE:
-                told = in_words_of(self.settings.teams, str(stretch))
-                warnings.warn(told, DisengagementWarning, stacklevel=3)
-
-    def disengagements(self) -> tuple[Disengagement, ...]:
-        """Return the stretches of finished generations in which one team won everything."""
-        if not self.settings.is_race:
-            return ()
-        stages = self.settings.schedule.stages_per_generation
-        finished = self.stage // stages
-        rates = np.array(self.stage_scores[: finished * stages]).reshape(finished, stages)
-        # If a stage is a generation, both phases have its rate.
-        return disengagements(np.broadcast_to(rates, (finished, 2)))
-
-    def _restore(self) -> None:
-        restored = self.files.restore()
-        _, *stages = restored.stages  # stage 0 is before training
-        self.stage: int = len(stages)
-        self.stage_scores: list[float] = [float(each["score"]) for each in stages]
-        last = restored.stages[-1]
-        self.counts: dict[str, int] = {
-            name: int(last[name]) for name in ("matches", *self.game.counters)
-        }
-        self.archive: dict[Team, list[types.Genome]] = {
-            team: [*genomes] for team, genomes in zip(TEAMS, restored.archive.values(), strict=True)
-        }
-        self.states: dict[str, types.State] = restored.states
-        self.rows, self.results = [], {}
 
     # What the loop of a race works with:
 
@@ -364,17 +261,18 @@ class Run:
         return self.settings.teams[TEAMS.index(team)]
 
     def population(self, team: Team, genomes: Genomes) -> Any:
-        """Return genomes (n, genes) of a team as what plays; DivergedError for infinite ones."""
+        """Return genomes (n, genes) of a team as what plays; DivergedError for too large ones."""
         try:
             return self.game.population(team, genomes)
         except ValueError as error:
-            if np.isfinite(genomes).all():  # of another shape, by a learner of the user's own
+            if np.shape(genomes)[1:] != (self.game.genome_size(team),):  # by a learner of your own
                 raise
-            raise self.learners[team].diverged(self.settings.learner_path(team)) from error
+            path = self.settings.learner_path(team)
+            raise self.learners[team].diverged(path, str(error)) from error
 
     def opponents(self, team: Team) -> Any:
-        """Return whom a team can meet now: all generations of the other team, or its script."""
-        return self.files.as_policy(other(team), self.genomes(other(team)))
+        """Return whom a team can meet now: all generations of the other team."""
+        return self.population(other(team), self.genomes(other(team)))
 
     def size(self, opponents: Any) -> int:
         """Return how many opponents there are."""
@@ -385,12 +283,23 @@ class Run:
         return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
 
     def begin_epoch(self, team: Team, generation: int, epoch: int) -> None:
-        """Prepare an epoch in which a team learns in turns; a subclass may change the world."""
+        """Draw the world of an epoch; where both teams learn at once, `team` is the first."""
+        if self.settings.training_worlds:
+            rng = self.generator(Purpose.WORLD, team, generation, epoch)
+            self.play_in(self.settings.drawn_world(rng))
+
+    def play_in(self, world: WorldConfig) -> None:
+        """Play the matches that follow in another world."""
+        self.game = replace(self.game, world=world)  # type: ignore[call-arg]  # of pursuit
 
     def ask(self, team: Team, generation: int, epoch: int) -> Genomes:
         """Return the candidates (n, genes) of a team."""
         rng = self.generator(Purpose.LEARN, team, generation, epoch)
-        candidates, self.states[team] = self.learners[team].ask(self.states[team], rng)
+        learner = self.learners[team]
+        candidates, self.states[team] = learner.ask(self.states[team], rng)
+        expected = len(learner.seed_groups), self.game.genome_size(team)
+        name = f"ask of {self.settings.learner_path(team)} {learner.kind or type(learner).__name__}"
+        check_genomes(name, candidates, expected)
         return candidates
 
     def tell(
@@ -433,9 +342,7 @@ class Run:
         self.archive[team].extend(self.population(team, genome[np.newaxis].copy()).genomes)
 
     def report(self, activity: str, evaluated: int = 0) -> None:
-        """Report the progress: the current activity, and evaluation episodes played so far."""
-        done = self.settings.counted(self.counts["matches"], evaluated)
-        self._report(Progress(activity, done, self._total, self._before))
+        """Report the current activity, and evaluation episodes played so far: to nobody."""
 
     # Matches:
 
@@ -484,11 +391,12 @@ class Run:
             **self.game.row(scores),
             **self._logged_counts(),
         }
-        self.rows.append(row)
-        if self._on_epoch is not None:
-            name = self.files.path.absolute().name
-            self._on_epoch({"run": name, "seed": self.settings.seed, **row})
+        self.log(row)
         return fitness
+
+    def log(self, row: storage.Row) -> None:
+        """Add an epoch to the log."""
+        self.rows.append(row)
 
     def champion(
         self,
@@ -531,7 +439,7 @@ class Run:
 
     def _logged_counts(self) -> dict[str, int]:
         """Return what the log has of the counts."""
-        return {name: n for name, n in self.counts.items() if name in self.files.columns}
+        return {name: n for name, n in self.counts.items() if name in self.game.columns}
 
     def _payoff(self, team: Team, own: Indices, rivals: Indices, *, episodes: int) -> FloatArray:
         """Play generations (n,) of a team against opponents (m,), and return the payoffs (n, m)."""
@@ -549,6 +457,189 @@ class Run:
         shape = len(met["pursuer"]), len(met["evader"]), episodes
         captured = np.asarray(rates.reshape(shape).mean(axis=2))
         return captured if team == "pursuer" else 1.0 - captured.T
+
+
+# Runs that go on:
+
+
+class Run(RunInMemory):
+    """A run that goes on in its directory, from its last finished stage.
+
+    ::
+
+        states of learners and samplers, archive (generation 0), stage = 0; saved by `create`
+        while stage < n_stages:
+            learn(stage); stage += 1; saved
+        payoff of the archives; saved
+
+    Parameters
+    ----------
+    directory : str or Path
+        The directory that `create` has made.
+    threads : int, optional
+        Threads that play matches. By default one per usable core. Results do not depend on it.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the directory holds no run.
+    ValueError
+        If its game cannot be imported, is another one, or has changed.
+    DamagedFileError
+        If no stage is intact that has a checkpoint.
+    OtherVersionError
+        If the run is of another version of the package.
+    LockedError
+        If another process runs it.
+    """
+
+    def __init__(self, directory: str | Path, *, threads: int | None = None) -> None:
+        self.files: storage.RunWriter = storage.RunWriter(directory)
+        check_source(self.files)
+        self.results: dict[str, NDArray[Any]] = {}
+        """Other arrays of this stage, which a subclass may add to its file."""
+        self._report: Report = silent
+        self._on_epoch: OnEpoch | None = None
+        super().__init__(self.files.settings, threads=threads)
+
+    def _begin(self) -> None:
+        with self.files.lock():
+            self._restore()
+
+    def __repr__(self) -> str:
+        schedule, seed = self.settings.schedule, self.settings.seed
+        stages = f"stage {self.stage} of {schedule.n_stages}"
+        return f"<{type(self).__name__}: {self.files.path}, {schedule.name}, seed {seed}, {stages}>"
+
+    def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> storage.SavedRun:
+        """Go on to the end: the last stage, the payoff and the summary.
+
+        `report` is called often with the progress (see `ProgressBar`), and `on_epoch` with a row
+        for each epoch (see `evolve`). After KeyboardInterrupt or any other error, such as one that
+        `on_epoch` raises, the files hold the last finished stage, from which the run goes on.
+        """
+        self._report, self._on_epoch = report, on_epoch
+        schedule, path = self.settings.schedule, self.files.path
+        with self.files.lock():
+            # Also if this object has just been made: an interrupted stage has changed states, and
+            # another process may have continued the run.
+            self._restore()
+            LOG.info("%s: goes on from stage %d of %d", path, self.stage, schedule.n_stages)
+            self._before, self._total = (
+                self.counts["matches"],
+                total_matches(self.settings, self._pairs()),
+            )
+            self.train()
+            if self.files.finished:
+                self.files.summary()  # only to raise an error if one of them is damaged
+                self.files.payoff()
+            else:
+                with no_exit(f"evaluation of the run {path}"):
+                    payoff = self.evaluate()
+                self.files.save_results(payoff.arrays(), self.summary(payoff))
+                LOG.info("%s: ended", path)
+        return storage.SavedRun(path)
+
+    def learn(self, stage: int) -> None:
+        """Run one stage, as the kind of race says; errors tell which one."""
+        where = f"stage {stage + 1} of the run {self.files.path}"
+        try:
+            with no_exit(where):
+                super().learn(stage)
+        except Exception as error:
+            if sys.version_info >= (3, 11):
+                error.add_note(f"in {where}")
+            raise
+
+    def evaluate(self) -> types.Payoff:
+        """Play the finalists of one team against those of the other, on episodes of their own."""
+        finalists = self.settings.schedule.finalists(self)
+        (pursuers, g), (evaders, h) = (finalists[team] for team in TEAMS)
+        return tournament(
+            self.settings.evaluation_game,
+            pursuers,
+            evaders,
+            seed=self.settings.seed,
+            episodes=self.settings.evaluation_episodes,
+            threads=self.threads,
+            generations=(g, h),
+            known=self.files.payoff() if (self.files.path / storage.PAYOFF).exists() else None,
+            on_row=lambda played: self.report("tournament", played),
+        )
+
+    def summary(self, payoff: types.Payoff) -> dict[str, Any]:
+        """Return the most important numbers of the run, which summary.json holds."""
+        counters = {f"training_{name}": count for name, count in self.counts.items()}
+        return {
+            "stages": self.stage,
+            **counters,
+            "evaluation_matches": payoff.scores.size,
+            **self.settings.schedule.summary(self, payoff),
+        }
+
+    # Stages:
+
+    def end_stage(self) -> None:
+        """Count and save a finished stage; warn once of each disengagement."""
+        # In the second half of the epochs the team has mostly adapted to its opponents.
+        score, *_ = self.game.columns
+        rates = [row[score] for row in self.rows[len(self.rows) // 2 :]]
+        self.stage_scores.append(float(np.mean(rates)))
+        super().end_stage()
+        counters = {**self.counts, "score": self.stage_scores[-1]}
+        self.files.save(self.stage, self.archive, self.rows, counters, self.states, self.results)
+        LOG.info(
+            "%s: saved stage %d of %d",
+            self.files.path, self.stage, self.settings.schedule.n_stages,
+        )  # fmt: skip
+        self.rows, self.results = [], {}
+        generation, left = divmod(self.stage, self.settings.schedule.stages_per_generation)
+        for stretch in self.disengagements() if not left else ():
+            # Equal, not at least: a longer stretch has been reported before.
+            if stretch.last == generation and len(stretch) == PATIENCE:
+                told = in_words_of(self.settings.teams, str(stretch))
+                warnings.warn(told, DisengagementWarning, stacklevel=4)
+
+    def disengagements(self) -> tuple[Disengagement, ...]:
+        """Return the stretches of finished generations in which one team won everything."""
+        if not self.settings.is_race:
+            return ()
+        stages = self.settings.schedule.stages_per_generation
+        finished = self.stage // stages
+        rates = np.array(self.stage_scores[: finished * stages]).reshape(finished, stages)
+        # If a stage is a generation, both phases have its rate.
+        return disengagements(np.broadcast_to(rates, (finished, 2)))
+
+    def _restore(self) -> None:
+        restored = self.files.restore()
+        _, *stages = restored.stages  # stage 0 is before training
+        self.stage = len(stages)
+        self.stage_scores: list[float] = [float(each["score"]) for each in stages]
+        last = restored.stages[-1]
+        self.counts = {name: int(last[name]) for name in ("matches", *self.game.counters)}
+        self.archive = {
+            team: [*genomes] for team, genomes in zip(TEAMS, restored.archive.values(), strict=True)
+        }
+        self.states = restored.states
+        self.rows, self.results = [], {}
+
+    # Where the loop meets the directory:
+
+    def opponents(self, team: Team) -> Any:
+        """Return whom a team can meet now: all generations of the other team, or its script."""
+        return self.files.as_policy(other(team), self.genomes(other(team)))
+
+    def log(self, row: storage.Row) -> None:
+        """Add an epoch to the log, and report it."""
+        super().log(row)
+        if self._on_epoch is not None:
+            name = self.files.path.absolute().name
+            self._on_epoch({"run": name, "seed": self.settings.seed, **row})
+
+    def report(self, activity: str, evaluated: int = 0) -> None:
+        """Report the progress: the current activity, and evaluation episodes played so far."""
+        done = self.settings.counted(self.counts["matches"], evaluated)
+        self._report(Progress(activity, done, self._total, self._before))
 
     def _pairs(self) -> int:
         """Return how many pairs of genomes the evaluation plays."""
@@ -632,4 +723,8 @@ def finish(
     report, on_epoch : callable, optional
         As for `Run.run`.
     """
+    files = storage.RunWriter(directory)
+    if files.exists and files.finished and not files.has_checkpoint:  # as a page saves it
+        files.payoff()
+        return storage.SavedRun(directory)
     return Run(directory, threads=threads).run(report, on_epoch)

@@ -123,6 +123,15 @@ class PluginError(RuntimeError):
     """
 
 
+@contextmanager
+def no_exit(where: str) -> Iterator[None]:
+    """Raise PluginError where code of your own exits: the program would end as if all was well."""
+    try:
+        yield
+    except SystemExit as error:
+        raise PluginError(f"{where}: code of your own called exit") from error
+
+
 @dataclass(frozen=True)
 class OwnCode(Section):
     """Base of what stands for a section of your own: its name, and its settings.
@@ -271,6 +280,8 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
                 value = PLAIN[hint].read(value)
         checks.check_instance(name, value, hint)
         return value
+    if get_origin(hint) is tuple and PLAIN.keys() & {*get_args(hint)}:
+        return checks.check_sequence(name, value, "mappings")  # read by `RaceSettings`
     if get_origin(hint) is tuple and str in get_args(hint):
         texts = checks.check_sequence(name, value, "texts")
         if not all(isinstance(text, str) for text in texts):
@@ -307,7 +318,7 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     without a kind is of the class of that section, or of the default one.
     """
     known = sections_in(hint)
-    if isinstance(given, Section) and isinstance(given, tuple(known.values())):
+    if isinstance(given, Section) and type(given) in known.values():  # derived ones are own code
         return given
     own: Any = known.get("own")
     if own is not None and isinstance(given, own.base):
@@ -440,7 +451,12 @@ def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
             for name, each in value.to_json().items():
                 yield f"{here}.{name}", each, PLAIN[type(value)].help[name]
         else:
-            yield here, list(value) if isinstance(value, tuple) else value, text
+            yield here, [*map(_plain, value)] if isinstance(value, tuple) else value, text
+
+
+def _plain(value: Any) -> Any:
+    """Return a part of a value as JSON holds it."""
+    return value.to_json() if type(value) in PLAIN else value
 
 
 def values_of(section: Section) -> dict[str, Any]:

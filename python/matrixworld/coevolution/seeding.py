@@ -13,6 +13,7 @@ candidates of an       run seed, `Purpose.LEARN`, team, generation, epoch
 epoch
 opponents of an epoch  run seed, `Purpose.OPPONENTS`, team, generation, epoch (both teams of a
                        hall-of-fame race: team 0)
+world of an epoch      run seed, `Purpose.WORLD`, team, generation, epoch (as opponents)
 training matches       run seed, generation of the pursuers and of the evaders, `Phase`, epoch
 matches that choose a  run seed, generation twice, `Phase.RETEST`, team
 champion
@@ -42,6 +43,7 @@ class Purpose(IntEnum):
     NOISE = 2
     LEARN = 3
     OPPONENTS = 4
+    WORLD = 5
 
 
 class Phase(IntEnum):

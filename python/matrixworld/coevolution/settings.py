@@ -11,6 +11,8 @@ from difflib import get_close_matches
 from functools import cached_property, partial
 from typing import Any
 
+import numpy as np
+
 from matrixworld.coevolution import sections
 from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game, OwnGame
@@ -28,17 +30,18 @@ from matrixworld.coevolution.pursuit import (
     check_script,
     overlap_penalty,
     variant_name,
+    world_of,
 )
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import Section, by_race, setting
-from matrixworld.coevolution.types import TEAMS, Genome, Team
+from matrixworld.coevolution.types import TEAMS, Genome, Rng, Team
 
 MOST_SEED = 2**63 - 1
 """Largest seed: the largest integer of 64 bits with a sign."""
 RETESTED = 3
 """Genomes that are played again at the end of a generation: the learner's own, and the fittest two
 candidates."""
-OF_PURSUIT = ("world", "policy", "train_steps")
+OF_PURSUIT = ("world", "policy", "train_steps", "training_worlds")
 """Settings that a game of your own has not."""
 
 
@@ -69,6 +72,14 @@ class RaceSettings(Section):
     )
     fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
     train_steps: int = by_race(200, "maximum steps of a training episode", least=1)
+    training_worlds: tuple[WorldConfig, ...] = setting(
+        (),
+        "worlds in which teams learn, each by what it has other than the world; an epoch plays one "
+        "of them, drawn at random; none: they learn in the world",
+    )
+    training_shares: tuple[int, ...] = setting(
+        (), "of how many epochs each training world is one, in the mean; none: of equally many"
+    )
     match_episodes: int = setting(1, "episodes of each training match", least=1)
     retest_episodes: int = setting(
         0,
@@ -99,6 +110,7 @@ class RaceSettings(Section):
             if isinstance(self.schedule, Against):
                 check_script("schedule.opponent", self.schedule.opponent, self.world)
             check_mask(self.policy.mask, self.world, masked)
+            self._read_training_worlds()
         self._check_idle()
         if self.evader_learner and not isinstance(self.schedule, InTurns):
             why = "one team learns" if isinstance(self.schedule, Against) else "both learn at once"
@@ -110,6 +122,21 @@ class RaceSettings(Section):
             learner = getattr(self, self.learner_path(team))
             if not isinstance(learner, sections.OwnCode):  # which is not imported yet
                 self._check_fits(self.learner_path(team), learner)
+
+    def _read_training_worlds(self) -> None:
+        """Make worlds of what they have other than `world`; ValueError if genomes fit no world."""
+        usual = {**self.world.to_json(), "max_steps": self.train_steps}
+        with sections.inside("training_worlds"):
+            worlds = tuple(world_of(each, usual) for each in self.training_worlds)
+            for world in worlds:
+                for name in ("rules", "fov", "diagonal"):
+                    expected, got = getattr(self.world, name), getattr(world, name)
+                    if got != expected:
+                        raise ValueError(f"{name}: expected {expected}, as in world, got {got}")
+        object.__setattr__(self, "training_worlds", worlds)
+        shares = len(self.training_shares)
+        if shares not in (0, len(worlds)):
+            raise ValueError(f"training_shares: expected {len(worlds)} or none, got {shares}")
 
     def _check_fits(self, path: str, learner: Learner) -> None:
         """Raise ValueError if a learner cannot learn here, or would change what a mask fixes."""
@@ -155,7 +182,7 @@ class RaceSettings(Section):
     def _check_own_game(self) -> None:
         """Raise ValueError for settings that a game of your own has not."""
         assert self.game is not None
-        given = [name for name in OF_PURSUIT if getattr(self, name) is not None]
+        given = [name for name in OF_PURSUIT if getattr(self, name) not in (None, ())]
         if self.fitness.measure != FitnessSettings().measure:
             given.append("fitness.measure")
         if self.fitness.cost_limit is not None:
@@ -288,6 +315,11 @@ class RaceSettings(Section):
         penalty = overlap_penalty(self.world, self.fitness.measure, alone)
         world = replace(self.world, max_steps=self.train_steps)
         return Pursuit(world=world, settings=self.policy, penalty=penalty)
+
+    def drawn_world(self, rng: Rng) -> WorldConfig:
+        """Return the world of an epoch, one of `training_worlds`."""
+        shares = self.training_shares or (1,) * len(self.training_worlds)
+        return self.training_worlds[rng.choice(len(shares), p=np.divide(shares, sum(shares)))]
 
     @property
     def teams(self) -> tuple[str, str]:

@@ -21,8 +21,8 @@ from matrixworld.solver import solve
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.masks import ActionMasks, check_script
-from matrixworld.world.policy import SCRIPTS, Population, TablePolicy
+from matrixworld.world.masks import ActionMasks, check_script, check_team
+from matrixworld.world.policy import SCRIPTS, Network, Population, TablePolicy
 from matrixworld.world.world import World
 
 if TYPE_CHECKING:
@@ -87,6 +87,13 @@ class BuiltInTeam:
         if not found:
             raise ValueError(f"{name}: expected at least one opponent, got none")
         return tuple(found)
+
+    @property
+    def yields_in_turn(self) -> bool:
+        """Whether what plays in the only world has the right of way in the order of the step."""
+        [policy] = self.playing
+        learned = isinstance(policy, Population) and not isinstance(policy.policy, Network)
+        return learned or isinstance(policy, str)
 
     def draw(self, world: int, seed: int, episode: int) -> None:
         """Draw the opponent of an episode that begins in a world, all equally likely."""
@@ -258,6 +265,7 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
         return _resolved(name, team, given.teams[team], config)
     if isinstance(given, Population):
         check_fits(name, given.policy, config)
+        check_team(name, given, config, team)
         return [Population(genome, given.policy) for genome in given.genomes]
     if callable(given) or isinstance(given, TablePolicy):
         return [given]

@@ -102,6 +102,7 @@ class MatrixWorldBase(PlaysTeam):
     """What both environments share; `MatrixWorldParallel` tells its arguments and attributes."""
 
     _actions: NDArray[np.int64]
+    _mates: BuiltInTeam | None = None  # which plays for the others of the caller's team
 
     def __init__(
         self,
@@ -180,11 +181,16 @@ class MatrixWorldBase(PlaysTeam):
         """Return what all agents observe now, in the form of the spaces, and their infos."""
         moment, infos = self.world.read(*self._read), status.infos()
         if self._masks.given:
-            for info, mask in zip(infos, self._masks.of(moment["views"]), strict=True):
+            for info, mask in zip(infos, self._allowed(moment["views"]), strict=True):
                 info["action_mask"] = mask
         shape = len(infos), *self._space.shape
         seen = moment[self._observed].reshape(shape).astype(self._space.dtype, copy=False)
         return seen, infos
+
+    def _allowed(self, views: NDArray[np.uint8]) -> NDArray[np.int8]:
+        """Return the masks of all agents, in one order with the teammates that are played."""
+        in_turn = self._mates is not None and self._mates.yields_in_turn
+        return self._masks.of(views, step=self.world.steps if in_turn else None)
 
     def _by_agent(self, agents: list[str], values: Any) -> dict[str, Any]:
         return {agent: values[self._index[agent]] for agent in agents}
@@ -200,8 +206,8 @@ class MatrixWorldBase(PlaysTeam):
         self.world.reset(seed, **given)
         if seed is not None:
             self._np_random = None
-        if self._team is not None:
-            self._team.draw(0, self.world.seed, self.world.episode)
+        for team in filter(None, (self._team, self._mates)):
+            team.draw(0, self.world.seed, self.world.episode)
         self._seeded = True
         self.agents = self.possible_agents[:]
         if self._drawing is not None:
@@ -490,7 +496,9 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         The agent that the caller plays, such as ``"evader_2"``. The default is ``"pursuer_0"``.
     pursuers, evaders : Opponents, optional
         What plays the other agents of each team, as for `parallel_env`. The defaults are
-        ``"clumsy-chaser"`` and ``"clumsy-fleer"``, against which first attempts learn.
+        ``"clumsy-chaser"`` and ``"clumsy-fleer"``, against which first attempts learn. With the
+        `action_mask` of right of way only teammates that keep it, too, leave the agent without
+        fault: ``careful-`` scripts, and policies with this mask. It has their order.
 
     Attributes
     ----------
@@ -526,10 +534,11 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     ) -> None:
         if str(agent).startswith("evader"):
             self.env = MatrixWorldParallel(config, pursuers=pursuers, **settings)
-            self._mates = BuiltInTeam("evader", evaders, self.env.config)
+            mates = BuiltInTeam("evader", evaders, self.env.config)
         else:
             self.env = MatrixWorldParallel(config, evaders=evaders, **settings)
-            self._mates = BuiltInTeam("pursuer", pursuers, self.env.config)
+            mates = BuiltInTeam("pursuer", pursuers, self.env.config)
+        self._mates = self.env._mates = mates
         checks.check_choice("agent", agent, self.env.possible_agents)
         self.agent: str = agent
         self.observation_space: spaces.Box = self.env.observation_space(agent)
@@ -554,7 +563,6 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         """Start an episode and return observation and info; see `MatrixWorldParallel.reset`."""
         observations, infos = self.env.reset(seed, options)
         super().reset(seed=None if seed is None else int(seed))
-        self._mates.draw(0, self.env.world.seed, self.env.world.episode)
         return observations[self.agent], infos[self.agent]
 
     def step(self, action: int) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
@@ -573,7 +581,7 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     def action_masks(self) -> NDArray[np.bool_]:
         """Return which actions are allowed now, bool (n_actions,): all without an `action_mask`."""
         env = self.env
-        masks: NDArray[np.bool_] = env._masks.of(env.world.views())[env._index[self.agent]] > 0
+        masks: NDArray[np.bool_] = env._allowed(env.world.views())[env._index[self.agent]] > 0
         return masks
 
     def render(self) -> Any:

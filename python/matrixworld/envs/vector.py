@@ -71,7 +71,26 @@ _NOT_IN_INFOS = {
 _RENAMED = {"steps": "step", "episode": "episode_number"}
 
 
-class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
+class SharedArrays:
+    """Base of what has arrays that others share: what is assigned to one is written into it."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Set an attribute, or the values of an array; TypeError or ValueError if these cannot."""
+        array = vars(self).get(name)
+        if not isinstance(array, np.ndarray):
+            super().__setattr__(name, value)
+        elif value is not array:  # as after +=
+            given = checks.unmasked(name, value)
+            if not np.can_cast(given.dtype, array.dtype, "same_kind"):
+                raise TypeError(f"{name}: expected {array.dtype}, got {given.dtype}")
+            if given.ndim:
+                checks.check_shape(name, given, *array.shape)
+            array[...] = given
+
+
+class VectorEnv(
+    SharedArrays, PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]
+):
     """Vector environment of W worlds with A agents each, pursuers first.
 
     Parameters
@@ -105,7 +124,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     observations, rewards, terminations, truncations, infos : ndarray and dict
         Results of the last step, see Notes. Every step overwrites these arrays.
     actions : ndarray of int64, shape (W, A)
-        Actions for a `step` without arguments, to be filled in place.
+        Actions for a `step` without arguments. What is assigned to this attribute, to another array
+        here or to one of a `TeamView`, is written into the array: all keep sharing it.
     pursuers, evaders : TeamView
         The teams' parts of these arrays; of a built-in team without agents.
     agents : range
@@ -244,7 +264,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         if isinstance(seed, list | tuple) and len(seed) == self.num_envs and None in seed:
             # Such worlds start their seed's next episode, as in Gymnasium.
             anew = np.array([each is None for each in seed])
-            chosen = np.ones_like(anew) if mask is None else np.asarray(mask)
+            chosen = np.ones_like(anew) if mask is None else checks.unmasked("mask", mask)
             known = [0 if each is None else each for each in seed]
             self._batch.reset(known, mask=chosen & ~anew, **given)
             given.pop("episode", None)
@@ -333,7 +353,7 @@ def make_vec(
     return VectorEnv(config, num_envs, **with_opponent(team, opponent, limited))
 
 
-class TeamView:
+class TeamView(SharedArrays):
     """One team's part of the arrays and infos of a `VectorEnv`; shapes begin with (W, n).
 
     Every step overwrites these arrays, also with ``copy=True``: copy what you keep.
@@ -371,7 +391,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     team : {None, "pursuer", "evader"}, optional
         The team whose agents are sub-environments; None (the default) for all agents that the
         caller plays. If that is both teams, the other one plays what ``worlds.actions`` holds for
-        it at a step: fill ``worlds.evaders.actions[:]`` before it. At first that is staying.
+        it at a step: set ``worlds.evaders.actions`` before it. At first that is staying.
 
     Notes
     -----
@@ -444,7 +464,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         return self._seen()
 
     def _worlds_of(self, mask: ArrayLike) -> NDArray[Any]:
-        agents = np.asarray(mask)
+        agents = checks.unmasked("reset_mask", mask)
         checks.check_shape("reset_mask", agents, self.num_envs)
         by_world = agents.reshape(self.worlds.n_worlds, -1)
         differ = (by_world != by_world[:, :1]).any(axis=1)

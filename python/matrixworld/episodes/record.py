@@ -17,7 +17,8 @@ from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import MapLike, WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
-from matrixworld.world.policy import EnginePolicy, check_team
+from matrixworld.world.masks import check_team
+from matrixworld.world.policy import EnginePolicy
 from matrixworld.world.render import MARK_STEPS, Scene, ansi, png, rgb
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
@@ -161,8 +162,8 @@ def record(
     # The engine chooses the actions; a world that plays them again gives everything else.
     chosen = _core.record(
         config.setup,
-        check_team("pursuers", pursuers),
-        check_team("evaders", evaders),
+        check_team("pursuers", pursuers, config, "pursuer"),
+        check_team("evaders", evaders, config, "evader"),
         pursuer=check_integer("pursuer", pursuer, 0, INT_MAX),
         evader=check_integer("evader", evader, 0, INT_MAX),
         seed=check_integer("seed", seed, 0, SEED_MAX),

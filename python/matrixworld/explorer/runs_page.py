@@ -18,7 +18,7 @@ import json
 import os
 import shlex
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
@@ -32,11 +32,11 @@ from matrixworld._util.files import DamagedFileError
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.intervals import generalization_over_episodes
-from matrixworld.analysis.judgement import headline_numbers
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.coevolution.evaluation.explanation import sentence_of
 from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.groups import RunGroup, by_clarity, grouped
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -131,14 +131,23 @@ def _common(paths: Sequence[Path]) -> Path:
 
 
 def explorer_page(
-    runs: Sequence[SavedRun], *, note: str = "", so_far: Mapping[Path, Payoff] | None = None
+    runs: Sequence[SavedRun],
+    *,
+    note: str = "",
+    so_far: Mapping[Path, Payoff] | None = None,
+    groups: Sequence[RunGroup] | None = None,
 ) -> str:
-    """Return the page of runs as HTML, in this order.
+    """Return the page of runs as HTML: the clearest race first, and what all seeds together show.
 
     A `note` says what the page does not show, such as further runs of the job. The page of runs
-    that go on has their payoffs `so_far`, by directory, and loads itself again. FileNotFoundError
-    if another run is not finished; ValueError or PluginError if a game cannot be imported.
+    that go on has their payoffs `so_far`, by directory, keeps their order, and loads itself again.
+    `groups` are those that the runs belong to, by default of these runs. FileNotFoundError if
+    another run is not finished; ValueError or PluginError if a game cannot be imported.
     """
+    together: tuple[str, ...] = ()
+    if so_far is None:
+        every = groups or grouped({run.path: run.settings for run in runs})
+        runs, together = zip(*_in_order(runs, every), strict=True)
     paths = [run.path.absolute() for run in runs]
     common = _common(paths)
     # Each by its path below the directory that holds all of them.
@@ -146,6 +155,8 @@ def explorer_page(
     title = names[0] if len(names) == 1 else common.name
     named = [*zip(names, runs, strict=True)]
     plain, blobs = runs_data(named, so_far=so_far)
+    for one, told in zip(plain, together, strict=False):
+        one["together"] = told
     games = {run.settings.game for run in runs}
     notes = [note, *(CHANGED.format(game.code) for game in games if game and game.changed())]
     pursuit = None in games
@@ -162,6 +173,20 @@ def explorer_page(
     }
     opens, head = ["playground"] if pursuit else [], f"{title} - matrixworld"
     return render_page("explorer", head, data, blobs, opens=opens, engine=pursuit)
+
+
+def _in_order(
+    runs: Sequence[SavedRun], groups: Sequence[RunGroup]
+) -> Iterator[tuple[SavedRun, str]]:
+    """Yield runs, the clearest races first, with what all seeds of a group show together."""
+    chosen = {run.path for run in runs}
+    for group in by_clarity(groups):
+        told = analysis.sentence(group.judgement) if len(group.runs) > 1 and group.is_race else ""
+        yield from (
+            (each.runs[0], told)
+            for each in by_clarity(group.singles)
+            if each.runs and each.runs[0].path in chosen
+        )
 
 
 def heading(runs: Sequence[SavedRun]) -> str:
@@ -341,14 +366,12 @@ BOARDS = 12
 
 
 def findings(payoff: Payoff) -> dict[str, Any]:
-    """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
+    """Return judgement and curves of a race of at least 2 x 2 generations."""
     matrix = payoff.matrix
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
     judgement = analysis.judge(payoff.payoffs())
     return {
         "sentence": analysis.sentence(judgement),
-        "headline": analysis.headline(judgement),
-        "numbers": headline_numbers(judgement),
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
         "checkerboards": plain_values(boards),
@@ -359,8 +382,8 @@ def findings(payoff: Payoff) -> dict[str, Any]:
 
 def so_far_found(payoff: Payoff) -> dict[str, Any]:
     """Return what is shown of a race that goes on: curves, and no judgement."""
-    headline = f"generation {min(payoff.matrix.shape) - 1} so far"
-    return {"headline": headline, "table": [], **curves(payoff)}
+    sentence = f"Generation {min(payoff.matrix.shape) - 1} so far."
+    return {"sentence": sentence, "table": [], **curves(payoff)}
 
 
 def curves(payoff: Payoff) -> dict[str, Any]:

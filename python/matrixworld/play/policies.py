@@ -10,7 +10,7 @@ from typing import Any, TypeAlias, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_bool, check_choice, check_instance
+from matrixworld._util.checks import check_bool, check_choice, check_instance, unmasked
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
 from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
@@ -33,6 +33,11 @@ def check_fits(name: str, policy: Policy, config: WorldConfig) -> None:
             f"{name}: expected a policy for fov {config.fov} and {config.n_actions} actions, "
             f"got fov {policy.fov} and {policy.n_actions} actions"
         )
+
+
+def _check_finite(name: str, array: NDArray[Any]) -> None:
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: expected finite numbers, got NaN or infinity")
 
 
 class GenomePolicy:
@@ -134,7 +139,7 @@ class NetworkPolicy(GenomePolicy):
     ) -> NDArray[np.float32]:
         """Return the outputs of the network, (..., n_actions), for arguments as in a call."""
         logits, _, leading = self._advance(observations, states)
-        return logits.reshape(*leading, -1)
+        return logits.reshape(*leading, self.policy.n_actions)
 
     def probabilities(
         self, observations: ArrayLike, states: ArrayLike | None = None
@@ -157,15 +162,17 @@ class NetworkPolicy(GenomePolicy):
             if np.shape(states) != shape or not self.policy.state_size:
                 expected = f"shape {shape}" if self.policy.state_size else "none without memory"
                 raise ValueError(f"states: expected {expected}, got shape {np.shape(states)}")
-            states = np.asarray(states, np.float32).reshape(len(views), -1)
+            states = unmasked("states", states).astype(np.float32).reshape(len(views), shape[-1])
+            _check_finite("states", states)
         logits, following = self.policy.advance(self.genome, views, states)
         return logits, following.reshape(shape), leading
 
     def _views(self, observations: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
         """Return observations as (n, 3, fov, fov), and the axes in front of an observation."""
-        array = np.asarray(observations)
+        array = unmasked("observations", observations)
         if array.dtype.kind not in "buif":
             raise TypeError(f"observations: expected numbers, got dtype {array.dtype}")
+        _check_finite("observations", array)
         view = (CHANNELS, self.policy.fov, self.policy.fov)
         size = self.policy.sizes[0]
         for tail in (view, (size,)):
@@ -247,10 +254,11 @@ class RatingPolicy(GenomePolicy):
         return free
 
     def _checked(self, inputs: ArrayLike) -> NDArray[np.float32]:
-        array, shape = np.asarray(inputs), (self.policy.n_actions, len(INPUTS))
+        array, shape = unmasked("inputs", inputs), (self.policy.n_actions, len(INPUTS))
         if array.dtype != np.float32 or array.shape[-2:] != shape:
             expected = f"float32 of shape (..., {str(shape)[1:]}"
             raise ValueError(f"inputs: expected {expected}, got {array.dtype} {array.shape}")
+        _check_finite("inputs", array)
         return array
 
     def to_python(self) -> str:

@@ -14,7 +14,8 @@ from matrixworld._util import checks
 from matrixworld._util.readable import Readable
 from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import EnginePolicy, check_team
+from matrixworld.world.masks import check_team
+from matrixworld.world.policy import EnginePolicy
 from matrixworld.world.rules import Rules
 
 
@@ -144,7 +145,10 @@ def rollout(
     Ctrl-C ends a rollout of the main thread within about 0.1 s with KeyboardInterrupt.
     """
     config, n_threads = WorldConfig.of(config), checks.check_threads(threads)
-    teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
+    teams = (
+        check_team("pursuers", pursuers, config, "pursuer"),
+        check_team("evaders", evaders, config, "evader"),
+    )
     columns = Matches.of(*matches)
     each = checks.check_integer("episodes", episodes, 1)
     arrays = _core.rollout(

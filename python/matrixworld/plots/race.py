@@ -208,7 +208,7 @@ def comparison(
         scores.set_title("generalization", size="medium")
         scores.set_ylabel("mean score")
         lags.set_xlabel(words.lag.replace("minus ", "minus\n"))
-        judged = analysis.headline(known[name]) if name in known else ""
+        judged = analysis.sentence(known[name]) if name in known else ""
         heads[name] = textwrap.wrap(judged, int(width / SMALL))
     _write_heads([heatmap for heatmap, *_ in panels], heads, width)
     for first in range(0, len(panels), columns):

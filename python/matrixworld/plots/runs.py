@@ -229,7 +229,7 @@ def seed_bands(
         matrices = analysis.read_payoffs(source).matrices
         _draw_group(column, matrices, words)
         counted = "1 seed: no band" if len(matrices) == 1 else f"{len(matrices)} seeds"
-        judged = analysis.headline(known[name]) if name in known else ""
+        judged = analysis.sentence(known[name]) if name in known else ""
         head = [style.wrapped(name, width), counted, *textwrap.wrap(judged, width)]
         column[0].set_title("\n".join(head), size="medium")
         names = ("mean score", "Elo rating (points)", f"mean {words.score}")
@@ -323,7 +323,7 @@ def verdict_strip(
     panels = figure.subplots(len(judgements), 1, squeeze=False)[:, 0]
     for axes, (name, judgement) in zip(panels, judgements.items(), strict=True):
         _draw_verdicts(axes, columns[name], judgement, most)
-        head = style.wrapped(f"{name}: {analysis.headline(judgement)}", style.room(figure, 1.3))
+        head = style.wrapped(f"{name}: {analysis.sentence(judgement)}", style.room(figure, 1.3))
         axes.set_title(head, size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
     entries = {name: Patch(**look) for name, look in LOOKS.items()}

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from matrixworld import plots
 from matrixworld._util.checks import check_choice
-from matrixworld.analysis import Judgement, headline
+from matrixworld.analysis import Judgement, sentence
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
@@ -131,7 +131,7 @@ def _drawn(
     draw: Callable[..., Figure], shown: str, group: RunGroup, baselines: Baselines
 ) -> Figure:
     """Draw the payoff of a race, titled by what it is; without words by what was judged."""
-    title = _title(group, shown or headline(group.judgement))
+    title = _title(group, shown or sentence(group.judgement))
     return draw(group.payoffs.matrices[0], title=title, teams=_teams(group))
 
 

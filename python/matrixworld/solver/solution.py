@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal, TypeAlias
@@ -128,7 +128,7 @@ class Solution(Readable):
         if team in self.fixed:
             return self.fixed[team].at(turn, left)
         found = _backup(
-            self.states, values_after(self, turn, left), turn, left, self.fixed, chosen=True
+            self.states, values_after(self, turn, left), turn, left, self.fixed, None, chosen=True
         )
         played = found[2] if team == "pursuer" else found[3]
         assert played is not None  # it was asked for
@@ -146,6 +146,8 @@ class Solution(Readable):
         tables = [np.empty(shape, np.float32) for shape in shapes]
         for turn, table in enumerate(tables):
             for left in range(1, rounds + 1):
+                if told := self.states.told("tables", turn * rounds + left, len(tables) * rounds):
+                    told(0.0)
                 table[left - 1] = self.probabilities(team, left, turn)
         return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
 
@@ -165,9 +167,9 @@ class Solution(Readable):
         now = (np.arange(states.count()) == states.n_ends - 1).astype(np.float64)
         times = np.where(now == 1.0, 0.0, np.inf)
         for rounds in range(1, states.count() + 1):
-            before = now
+            before, told = now, states.told(f"capture times, round {rounds}")
             for turn in reversed(range(states.n_turns)):
-                now = _backup(states, now, turn, rounds, {})[0]
+                now = _backup(states, now, turn, rounds, {}, told)[0]
             if (now == before).all():
                 break
             times[(now == 1.0) & (before < 1.0)] = rounds
@@ -203,11 +205,14 @@ def _backup(
     turn: int,
     rounds: int,
     fixed: dict[Team, Fixed],
+    told: Callable[[float], None] | None,
     chosen: bool = False,
 ) -> tuple[NDArray[np.float64], float, NDArray[np.float64] | None, NDArray[np.float64] | None]:
     """Return values, gap, and if wanted the play of both teams in one turn."""
     given = [fixed[team].at(turn, rounds) if team in fixed else None for team in TEAMS]
-    return states.core.backup(turn, after, given[0], given[1], chosen, states.threads)
+    if told:
+        told(0.0)
+    return states.core.backup(turn, after, given[0], given[1], chosen, states.threads, told)
 
 
 def induct(
@@ -242,6 +247,7 @@ def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, F
         values[0][0] = states.payoffs
     first = values[0][0].copy()  # the row of the first turn
     changes = any(each.depends_on_rounds for each in fixed.values())
+    what, n_turns = "best responses" if fixed else "perfect play", states.n_turns
     gap, left = 0.0, 0
     while left < rounds:
         left += 1
@@ -252,7 +258,8 @@ def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, F
                 values[turn].resize((room, count), refcheck=False)
         before = after = first
         for turn in reversed(range(states.n_turns)):
-            after, wrong, _, _ = _backup(states, after, turn, left, fixed)
+            told = states.told(what, left * n_turns - turn - 1, rounds * n_turns)
+            after, wrong, _, _ = _backup(states, after, turn, left, fixed, told)
             gap = max(gap, wrong)
             if turn == 0 and not captures:
                 after -= 1.0

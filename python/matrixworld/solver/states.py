@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cached_property
 from math import comb, inf, isqrt, perm, prod
@@ -14,7 +14,8 @@ from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
 from matrixworld._util import checks
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import TEAMS, Team, TeamPolicy, check_team
+from matrixworld.world.masks import check_team
+from matrixworld.world.policy import TEAMS, Team, TeamPolicy
 
 _MOST_BYTES = 2**31
 """More states would take hours to solve, wherever they fit."""
@@ -45,6 +46,9 @@ class States:
         The world. Its `max_steps`, views and rewards do not matter here.
     threads : int, optional
         Threads, by default all cores. The result does not depend on it.
+    report : callable, optional
+        Called several times a second with what is being computed, of these states or from them, and
+        the share of it that is done.
 
     Attributes
     ----------
@@ -67,15 +71,22 @@ class States:
     (74, 72, (74, 5, 5))
     """
 
-    def __init__(self, config: WorldConfig, *, threads: int | None = None) -> None:
+    def __init__(
+        self,
+        config: WorldConfig,
+        *,
+        threads: int | None = None,
+        report: Callable[[str, float], None] | None = None,
+    ) -> None:
         checks.check_instance("config", config, WorldConfig)
         self.config, self.threads = config, checks.check_threads(threads)
+        self.report = report
         if config.density:
             raise ValueError(
                 "obstacles: expected none or a map, got obstacles that each episode draws anew"
             )
         check_size(config)
-        self.core = _core.States(config.setup, self.threads, _count(config))
+        self.core = _core.States(config.setup, self.threads, _count(config), self.told("states"))
         self.n_turns = self.core.n_turns()
         self.starts = self.core.starts()
 
@@ -96,6 +107,11 @@ class States:
     def total(self) -> int:
         """The number of states of all turns together."""
         return sum(map(self.count, range(self.n_turns)))
+
+    def told(self, what: str, part: int = 0, parts: int = 1) -> Callable[[float], None] | None:
+        """Return what tells `report` of a share of a part of some work."""
+        report = self.report
+        return report and (lambda share: report(what, (part + share) / parts))
 
     def count(self, turn: int = 0) -> int:
         """Return the number S of the states of a turn."""
@@ -132,9 +148,14 @@ class States:
         ValueError if a script sees nothing that it looks for in some state, and so walks on.
         """
         checks.check_choice("team", team, TEAMS)
-        plain, evaders = check_team("champion", policy), team == "evader"
+        plain, evaders, n = (
+            check_team("champion", policy, self.config, team),
+            team == "evader",
+            self.n_turns,
+        )
         return tuple(
-            self.core.weigh(turn, evaders, plain, self.threads) for turn in range(self.n_turns)
+            self.core.weigh(turn, evaders, plain, self.threads, self.told("play", turn, n))
+            for turn in range(n)
         )
 
 

@@ -14,7 +14,8 @@ from matrixworld._core import Autoreset
 from matrixworld._util import checks
 from matrixworld.world.arrays import LARGE, array_specs, check_written, integers, new_arrays
 from matrixworld.world.config import MapLike, WorldConfig, WorldSettings
-from matrixworld.world.policy import EnginePolicy, check_agents, check_team
+from matrixworld.world.masks import check_team
+from matrixworld.world.policy import EnginePolicy, check_agents, team_of
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import Turns, World, start_of
 
@@ -72,12 +73,15 @@ class Batch(Turns):
             specs = array_specs(self.config)
             few = {name: spec for name, spec in specs.items() if name not in LARGE}
             buffers = new_arrays(few, self.n_worlds)
-        self.buffers: dict[str, NDArray[Any]] = buffers
+        self._buffers = buffers
         # The engine checks the buffers and keeps them alive.
-        self._core = _core.Batch(
-            self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers
-        )
+        self._core = _core.Batch(self.config.setup, self.n_worlds, n_threads, autoreset, buffers)
         self.reset(0)
+
+    @property
+    def buffers(self) -> dict[str, NDArray[Any]]:
+        """The arrays that the engine writes into; another array put into the dict is not one."""
+        return self._buffers
 
     def reset(
         self,
@@ -168,9 +172,8 @@ class Batch(Turns):
         for `agents` of one team; entries of `actions`, int64 (W, A), of gone agents, other agents
         and ended worlds stay as they are.
         """
-        teams = [
-            policy if policy is None else check_team("policies", policy) for policy in policies
-        ]
+        side = team_of(self.config, agents)
+        teams = [each and check_team("policies", each, self.config, side) for each in policies]
         check_written("actions", actions)
         numbers = np.ascontiguousarray(checks.check_integers("chosen", chosen, np.int32))
         self._core.decide(teams, numbers, *check_agents(agents), actions)
@@ -189,7 +192,7 @@ class Batch(Turns):
 
 
 def _mask(given: ArrayLike) -> NDArray[np.bool_]:
-    mask = np.ascontiguousarray(given)
+    mask = np.ascontiguousarray(checks.unmasked("mask", given))
     if mask.dtype != np.bool_:
         raise TypeError(f"mask: expected dtype bool, got {mask.dtype}")
     return mask

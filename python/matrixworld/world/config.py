@@ -363,7 +363,7 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
         return _from_rows(list(source), "map")
     array = np.array(None)
     with suppress(ValueError):  # of rows of different lengths
-        array = np.asanyarray(source)
+        array = checks.unmasked("map", source)
     if array.ndim == 0 or array.dtype.kind in "OUS":
         expected = "a path, rows of text or an array"
         raise TypeError(f"map: expected {expected}, got {checks.shown(source)}")
@@ -371,7 +371,7 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
 
 
 def _from_array(array: NDArray[Any]) -> NDArray[np.bool_]:
-    if array.dtype.kind not in "biu" or isinstance(array, np.ma.MaskedArray):
+    if array.dtype.kind not in "biu":
         raise TypeError(f"map: expected dtype bool, or 0 and 1, got {array.dtype}")
     if array.ndim != 2 or array.size == 0:
         raise ValueError(f"map: expected shape (rows, cols), got {array.shape}")

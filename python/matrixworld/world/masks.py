@@ -13,7 +13,8 @@ from matrixworld import _core
 from matrixworld._util.checks import check_choice, shown
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CAREFUL, SCRIPTS, Network, Team
+from matrixworld.world.policy import CAREFUL, FORBIDDEN, SCRIPTS, TEAMS, Network, Team
+from matrixworld.world.policy import check_team as engine_form
 from matrixworld.world.rules import Action, Capture
 
 Mask: TypeAlias = Literal["none", "obstacles", "right-of-way"]
@@ -41,19 +42,25 @@ def check_script(name: str, player: str, config: WorldConfig) -> None:
         check_mask(name, "right-of-way", config, player)
 
 
-def right_of_way_cells(config: WorldConfig, team: Team) -> list[list[tuple[int, int, int]]]:
+def right_of_way_cells(
+    config: WorldConfig, team: Team, step: int | None = None
+) -> list[list[tuple[int, int, int]]]:
     """Return the cells of a view in which an agent forbids each move, without staying, of a team.
 
-    They are (channel, rows down, columns to the right) from the middle of the view.
+    They are (channel, rows down, columns to the right) from the middle of the view, in the order of
+    networks, or in that of scripts and ratings in a step.
     """
-    _, *cells = _core.right_of_way(config.setup, team == "evader")
+    _, *cells = _core.right_of_way(config.setup, team == "evader", step)
     return cells
 
 
-def forbidding_cells(config: WorldConfig, mask: str, team: Team) -> NDArray[np.intp]:
+def forbidding_cells(
+    config: WorldConfig, mask: str, team: Team, step: int | None = None
+) -> NDArray[np.intp]:
     """Return which numbers of a view forbid each move: indices (n_actions - 1, k) of a flat view.
 
-    A move is forbidden where one of its k numbers is 1; a number may be named twice.
+    A move is forbidden where one of its k numbers is 1; a number may be named twice. `step` is as
+    for `right_of_way_cells`.
     """
     fov, moves = config.fov, range(1, config.n_actions)
     if mask == "none":
@@ -61,7 +68,7 @@ def forbidding_cells(config: WorldConfig, mask: str, team: Team) -> NDArray[np.i
     if mask == "obstacles":
         cells = [[(CHANNEL["obstacle"], *MOVES[move])] for move in moves]
     else:
-        cells = right_of_way_cells(config, team)
+        cells = right_of_way_cells(config, team, step)
     most = max(map(len, cells))
     channels, rows, cols = np.moveaxis(
         np.array([each + each[:1] * (most - len(each)) for each in cells]), -1, 0
@@ -80,19 +87,23 @@ class ActionMasks:
             )
         mask = ("obstacles" if chosen else "none") if isinstance(chosen, bool) else chosen
         check_mask("action_mask", mask, config)
-        self._n_pursuers = config.n_pursuers
-        self._pursuers, self._evaders = (
-            forbidding_cells(config, mask, team) for team in ("pursuer", "evader")
-        )
+        self._config, self._mask = config, mask
+        self._cells: dict[int | None, list[NDArray[np.intp]]] = {}
         self.given: bool = mask != "none"
 
-    def of(self, views: NDArray[Any], first: int = 0) -> NDArray[np.int8]:
-        """Return what the agents from `first` on may do, (..., A, n_actions), by their views."""
-        pursuers = max(0, self._n_pursuers - first)
-        parts = (views[..., :pursuers, :, :, :], self._pursuers), (
-            views[..., pursuers:, :, :, :], self._evaders,
-        )  # fmt: skip
-        return np.concatenate([action_masks(*part) for part in parts], axis=-2)
+    def of(self, views: NDArray[Any], first: int = 0, step: int | None = None) -> NDArray[np.int8]:
+        """Return what the agents from `first` on may do, (..., A, n_actions), by their views.
+
+        `step` is as for `right_of_way_cells`.
+        """
+        if step not in self._cells:
+            self._cells[step] = [
+                forbidding_cells(self._config, self._mask, team, step) for team in TEAMS
+            ]
+        pursuers = max(0, self._config.n_pursuers - first)
+        parts = views[..., :pursuers, :, :, :], views[..., pursuers:, :, :, :]
+        masks = map(action_masks, parts, self._cells[step])
+        return np.concatenate([*masks], axis=-2)
 
 
 def action_masks(views: NDArray[Any], cells: NDArray[np.intp]) -> NDArray[np.int8]:
@@ -104,6 +115,30 @@ def action_masks(views: NDArray[Any], cells: NDArray[np.intp]) -> NDArray[np.int
     masks = np.ones((*flat.shape[:-1], 1 + len(cells)), np.int8)
     masks[..., Action.STAY + 1 :] = ~(flat[..., cells] != 0).any(axis=-1)
     return masks
+
+
+def check_team(name: str, given: Any, config: WorldConfig, team: Team) -> Any:
+    """Return the engine's form of a team policy, as `policy.check_team`.
+
+    ValueError for networks with the right of way of the other team, or of rules under which more is
+    allowed: they would be at fault.
+    """
+    population = given.population() if hasattr(given, "population") else given
+    network = getattr(population, "policy", None)
+    size = config.fov, config.n_actions
+    if isinstance(network, Network) and (network.fov, network.n_actions) == size:
+        # The channels of agents come first: without them a mask is that of obstacles.
+        of_agents = population.forbids[:, : CHANNEL["obstacle"] * config.fov**2]
+        masked = of_agents.any(axis=(1, 2))
+        if masked.any():
+            cells = forbidding_cells(config, "right-of-way", team)
+            moves = np.arange(len(cells))[:, np.newaxis]
+            if not population.forbids[masked][:, cells, moves].all():
+                raise ValueError(
+                    f"{name}: expected networks that keep the right of way of {team}s under these "
+                    "rules, got a mask of other rules or of the other team"
+                )
+    return engine_form(name, population)
 
 
 def leaves_captures(config: WorldConfig) -> bool:
@@ -124,10 +159,6 @@ def leaves_captures(config: WorldConfig) -> bool:
 # forbids a move where certain numbers of a view are 1, so it is a network itself: one unit for each
 # move, active if the move is forbidden, with a large negative weight to the output of that move.
 # These units stand beside the others in each hidden layer.
-
-FORBIDDEN = -(2.0**100)
-"""Added to the output of a forbidden move. Its probability is 0: e^x is 0 in float32 below -104,
-and other outputs are smaller than this number by far, whatever is learned. Its sums are finite."""
 
 
 @dataclass(frozen=True, eq=False)

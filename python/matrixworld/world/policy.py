@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
+from math import prod
 from typing import Any, ClassVar, Literal, TypeAlias, get_args
 
 import numpy as np
@@ -90,6 +91,10 @@ GATES: dict[Memory, int] = {"none": 0, "gru": 3}
 
 CHANNELS = 3
 """Channels of a view: evaders, pursuers, obstacles."""
+
+FORBIDDEN = -(2.0**100)
+"""What a mask adds to the output of a forbidden move. Its probability is 0: e^x is 0 in float32
+below -104, and other outputs are smaller by far, as `Network.check_genomes` sees to."""
 
 _MAX_FOV = 255  # as in a world
 _MAX_LAYER = 2**20
@@ -322,6 +327,30 @@ class Network(Policy):
             weights[:] = scale * rng.standard_normal(weights.shape, dtype=np.float32)
         return genome
 
+    def forbids(self, genomes: NDArray[np.float32]) -> NDArray[np.bool_]:
+        """Return which inputs forbid each move but staying by masks, bool (n, inputs, moves)."""
+        moves, (n_in, n_out), (last, _) = self.n_actions - 1, self.shapes[0], self.shapes[-1]
+        first = genomes[:, : n_in * n_out].reshape(-1, n_in, n_out)
+        if not self.hidden:
+            return np.asarray(first[..., 1:] == FORBIDDEN)
+        if min(self.hidden) < moves:  # no unit for each move
+            return np.zeros((len(genomes), n_in, moves), np.bool_)
+        outputs = genomes[:, -(last + 1) * self.n_actions : -self.n_actions]
+        units = outputs.reshape(-1, last, self.n_actions)[:, -moves:, 1:]
+        masked = (np.diagonal(units, axis1=1, axis2=2) == FORBIDDEN).all(axis=1)
+        return np.asarray((first[..., -moves:] == 1.0) & masked[:, np.newaxis, np.newaxis])
+
+    def check_genomes(self, genomes: NDArray[np.float32]) -> None:
+        """Raise ValueError for weights that may outweigh those of a mask in the same genome."""
+        masked = genomes[self.forbids(genomes).any(axis=(1, 2))]
+        # Each layer multiplies numbers by at most so much: a quarter is left for rounding and tanh.
+        terms = prod(n_in + 1 for n_in, _ in self.shapes)
+        most = (-FORBIDDEN / 8 / terms) ** (1 / len(self.shapes))
+        largest = np.abs(masked[masked != FORBIDDEN]).max(initial=0.0)
+        if largest > most:
+            expected = f"weights of at most {most:.1e} beside a mask"
+            raise ValueError(f"genomes: expected {expected}, got {largest:.1e}")
+
     # Networks are compared and hashed by their fields, so the engine's form is not one of them.
     @cached_property
     def core(self) -> _core.Network:
@@ -351,11 +380,9 @@ class Population(Readable):
 
     def __post_init__(self) -> None:
         checks.check_instance("policy", self.policy, Policy)
-        given = np.atleast_2d(self.genomes)
-        floats = np.issubdtype(given.dtype, np.floating)
-        if not floats or isinstance(given, np.ma.MaskedArray):
-            got = type(given).__name__ if floats else given.dtype
-            raise TypeError(f"genomes: expected dtype float32, got {got}")
+        given = np.atleast_2d(checks.unmasked("genomes", self.genomes))
+        if not np.issubdtype(given.dtype, np.floating):
+            raise TypeError(f"genomes: expected dtype float32, got {given.dtype}")
         with np.errstate(over="ignore"):  # what is too large becomes infinite, and is refused
             genomes = given.astype(np.float32, copy=False)
         expected = (len(genomes), self.policy.genome_size)
@@ -370,6 +397,11 @@ class Population(Readable):
         # The engine reads the genomes from one block of memory, without copying them.
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
         self.policy.check_genomes(self.genomes)
+
+    @cached_property
+    def forbids(self) -> NDArray[np.bool_]:
+        """Which inputs of networks forbid each move by masks in the genomes, (n, inputs, moves)."""
+        return np.asarray(self.policy.forbids(self.genomes))
 
 
 TeamPolicy: TypeAlias = Population | Script
@@ -402,6 +434,11 @@ def check_team(name: str, team: Any) -> Any:
         )
     checks.check_choice(name, team, SCRIPTS)
     return team
+
+
+def team_of(config: WorldConfig, agents: range) -> Team:
+    """Return the team of agents of one team."""
+    return TEAMS[check_agents(agents)[0] >= config.n_pursuers]
 
 
 def check_agents(agents: range) -> tuple[int, int]:

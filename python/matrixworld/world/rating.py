@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from types import MappingProxyType
-from typing import Any, ClassVar, TypeAlias
+from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -257,30 +257,27 @@ _NUMBERS = {name: number for number, (name, _) in enumerate(_core.operations())}
 _SIGNS: dict[type[ast.operator], str] = {
     ast.Add: "add", ast.Sub: "subtract", ast.Mult: "multiply",
 }  # fmt: skip
-_FUNCTIONS: dict[str, Callable[..., Any]] = {
-    "add": operator.add,
-    "subtract": operator.sub,
-    "multiply": operator.mul,
-    "min": lambda a, b: np.where(a < b, a, b),
-    "max": lambda a, b: np.where(a < b, b, a),
-    "negate": operator.neg,
-    "less": lambda a, b: (a < b).astype(np.float32),
-    "where": lambda a, b, c: np.where(a > 0, b, c),
-}
-_FORMS = {
-    "add": "({}) + ({})",
-    "subtract": "({}) - ({})",
-    "multiply": "({}) * ({})",
-    "min": "min({}, {})",
-    "max": "max({}, {})",
-    "negate": "-({})",
-    "less": "({}) < ({})",
-    "where": "({1}) if {0} else ({2})",
-}
-_FORMS_OF_ARRAYS = _FORMS | {
-    "min": "np.minimum({}, {})",
-    "max": "np.maximum({}, {})",
-    "where": "np.where({0}, {1}, {2})",
+
+
+class _Meaning(NamedTuple):
+    """What an operation does, and its text in Python and, where that differs, for arrays."""
+
+    function: Callable[..., Any]
+    text: str
+    of_arrays: str = ""
+
+
+_MEANINGS = {
+    "add": _Meaning(operator.add, "({}) + ({})"),
+    "subtract": _Meaning(operator.sub, "({}) - ({})"),
+    "multiply": _Meaning(operator.mul, "({}) * ({})"),
+    "min": _Meaning(lambda a, b: np.where(a < b, a, b), "min({}, {})", "np.minimum({}, {})"),
+    "max": _Meaning(lambda a, b: np.where(a < b, b, a), "max({}, {})", "np.maximum({}, {})"),
+    "negate": _Meaning(operator.neg, "-({})"),
+    "less": _Meaning(lambda a, b: (a < b).astype(np.float32), "({}) < ({})"),
+    "where": _Meaning(
+        lambda a, b, c: np.where(a > 0, b, c), "({1}) if {0} else ({2})", "np.where({}, {}, {})"
+    ),
 }
 
 Token: TypeAlias = str | float
@@ -462,24 +459,24 @@ class Program(_Rates):
                     stack.append(named[token])
                 else:
                     first = len(stack) - OPERATIONS[token]
-                    stack[first:] = [_FUNCTIONS[token](*stack[first:])]
+                    stack[first:] = [_MEANINGS[token].function(*stack[first:])]
             return np.asarray(np.fmax(stack[0], _LOWEST))
 
     def expression(self, genome: _Floats) -> str:
         """Return a genome as an expression, of which `genome` makes the same program."""
-        return self._text(genome, _FORMS, "{}", "{}", "{}")
+        return self._text(genome, "{}", "{}", "{}")
 
     def to_python(self, genome: _Floats) -> str:
         """Return a genome as lines of Python that play the same: see `Rating.to_python`."""
-        text = self._text(genome, _FORMS_OF_ARRAYS, "x['{}']", "f({})", "f({})")
+        text = self._text(genome, "x['{}']", "f({})", "f({})", of_arrays=True)
         head = "import numpy as np\n\nf = np.float32\n\n\ndef rate(x):\n"
         told = '    """Return the rating of each move by its inputs."""\n'
         return f"{head}{told}    return {text}\n{_CHOICE}"
 
     def _text(
-        self, genome: _Floats, forms: Mapping[str, str], name: str, constant: str, truth: str
+        self, genome: _Floats, name: str, constant: str, truth: str, *, of_arrays: bool = False
     ) -> str:
-        """Return an expression by the forms of operations, inputs, constants and comparisons."""
+        """Return an expression by the forms of inputs, constants and comparisons."""
         stack: list[tuple[str, bool]] = []  # text; whether it is a comparison
         for token in self.tokens(genome):
             if isinstance(token, float):
@@ -492,7 +489,9 @@ class Program(_Rates):
                 if token == "where":
                     text, less = stack[first]
                     parts[0] = text if less else f"({text}) > 0"
-                stack[first:] = [(forms[token].format(*parts), token == "less")]
+                meaning = _MEANINGS[token]
+                form = (of_arrays and meaning.of_arrays) or meaning.text
+                stack[first:] = [(form.format(*parts), token == "less")]
         text, less = stack[0]
         whole = ast.parse(truth.format(text) if less else text, mode="eval")
         return ast.unparse(whole)  # without the parentheses that are not needed
@@ -504,7 +503,7 @@ def _shorter(name: str, parts: list[list[Token]]) -> list[Token]:
     numbers = [each if isinstance(each, float) else None for each in alone]
     if None not in numbers:
         with np.errstate(over="ignore", invalid="ignore"):
-            value = float(_FUNCTIONS[name](*map(np.float32, numbers)))
+            value = float(_MEANINGS[name].function(*map(np.float32, numbers)))
         if np.isfinite(value):
             return [value]
     first, *others = parts

@@ -13,7 +13,8 @@ from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, shown
 from matrixworld.world import arrays
 from matrixworld.world.config import MapLike, WorldConfig, WorldSettings, read_map
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
-from matrixworld.world.policy import EnginePolicy, check_agents, check_team
+from matrixworld.world.masks import check_team
+from matrixworld.world.policy import EnginePolicy, check_agents, team_of
 from matrixworld.world.render import Scene
 from matrixworld.world.rules import Rules
 
@@ -82,8 +83,8 @@ class World(Turns, arrays.WorldArrays):
         sets it.
     positions, alive, rewards, terminated, ...
         All that `matrixworld.array_specs` lists: the present moment, and results of the last step.
-        What has the shape () is a number of Python. `views`, `inputs` and `state` are
-        methods.
+        What has the shape () is a number of Python; none can be assigned to. `views`, `inputs` and
+        `state` are methods.
 
     Notes
     -----
@@ -214,7 +215,11 @@ class World(Turns, arrays.WorldArrays):
         agents and of agents that are not in `agents`; in an ended episode all do.
         """
         arrays.check_written("actions", actions)
-        self._core.decide(check_team("policy", policy), *check_agents(agents), actions)
+        self._core.decide(
+            check_team("policy", policy, self.config, team_of(self.config, agents)),
+            *check_agents(agents),
+            actions,
+        )
 
     def _require_open(self) -> None:
         if self.terminated or self.truncated:
@@ -252,6 +257,11 @@ class World(Turns, arrays.WorldArrays):
             if name not in arrays.WORLD_FIELDS:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
             return arrays.python_value(self.read(name)[name])
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            if name in arrays.WORLD_FIELDS:  # it would hide what the engine tells
+                raise AttributeError(f"{name}: expected no assignment: the world computes it")
+            super().__setattr__(name, value)
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *arrays.WORLD_FIELDS]

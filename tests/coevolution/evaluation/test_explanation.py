@@ -4,7 +4,7 @@ import json
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,10 +18,8 @@ from matrixworld.coevolution.evaluation.explanation import (
     sentence,
     terms_of,
 )
-from matrixworld.coevolution.learners import BuiltInLearner
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.types import other
-from pages import read
 from tiny_race import played, tiny_race, tiny_single
 
 NAMES = list(mw.INPUTS)
@@ -52,7 +50,7 @@ SENTENCES = [
         "A pursuer goes for evaders that no teammate is nearer to, goes for the free sides of "
         "evaders and minds walls little.",
     ),
-    ("evader", {"pressure": -3, "stay": 0.01}, "An evader runs from all pursuers in view."),
+    ("evader", {"pressure": -3, "exits": 0.01}, "An evader runs from all pursuers in view."),
     ("evader", {"adversary": 0.0}, "An evader takes any move that is allowed."),
 ]
 
@@ -60,20 +58,21 @@ SENTENCES = [
 @pytest.mark.parametrize(("team", "effects", "expected"), SENTENCES)
 def test_sentences(team: Any, effects: dict[str, float], expected: str) -> None:
     assert sentence(team, effects) == expected
+    assert [*PHRASES] == [*mw.INPUTS]
 
 
 @pytest.mark.parametrize(("team", "weight", "said"), [("pursuer", -1, 0), ("evader", 1, 1)])
 def test_a_chaser_and_a_fleer_are_told(team: Any, weight: float, said: int) -> None:
     """Of two inputs, one of which does nothing."""
-    told = explain(rating([weight, 0], ("adversary", "stay")), team, WORLD, episodes=12)
+    told = explain(rating([weight, 0], ("adversary", "exits")), team, WORLD, episodes=12)
     assert told.sentence == SENTENCES[said][2]
-    adversary, stay = told.terms
+    adversary, exits = told.terms
     assert (adversary.input, adversary.weight) == ("adversary", weight)
     assert np.sign(adversary.effect) == weight
     assert adversary.cost is not None
     assert adversary.cost.sign == 1  # without it, any move is as good
-    assert stay.cost is not None
-    assert stay.cost.ends == (0.0, 0.0)
+    assert exits.cost is not None
+    assert exits.cost.ends == (0.0, 0.0)
     table = str(told).splitlines()[-1]
     assert re.match(rf"adversary +{weight}.000 .*[+-]█{{10}} ", table)
 
@@ -112,7 +111,7 @@ def test_effects_are_weights_by_spread_and_dependence_is_a_mean() -> None:
         x = seen[..., NAMES.index(term.input)]
         spread = np.mean([np.var(row[free]) for row, free in zip(x, allowed, strict=True)]) ** 0.5
         assert term.effect == pytest.approx(term.weight * spread, rel=1e-3)
-    policy = mw.Rating.for_config(WORLD, inputs=("stay", "room"), hidden=(4,))
+    policy = mw.Rating.for_config(WORLD, inputs=("exits", "room"), hidden=(4,))
     acts = mw.RatingPolicy(policy, policy.initial(np.random.default_rng(0), 1.0))
     [room] = [term for term in terms_of(acts, seen) if term.input == "room"]
     assert len(room.dependence) == 5
@@ -222,35 +221,14 @@ def test_what_no_tree_imitates_is_refused(tmp_path: Path) -> None:
         run.explain(other(run.settings.learning_teams[0]))
 
 
-# The page:
-
-
-def rows_of(page: str, head: str) -> dict[str, list[str]]:
-    """Return the rows of the table below a head, by their first cell."""
-    table = page.partition(f"| {head} |")[2].partition("\n\n")[0]
-    rows = [line.strip("| ").split(" | ") for line in table.splitlines()[2:]]
-    return {row[0].strip("`"): row[1:] for row in rows}
-
-
-def test_the_page_has_the_pairs_and_the_inputs_that_exist() -> None:
-    page = read("docs/explain.md")
-    kinds, learners = rows_of(page, "`policy`"), get_args(BuiltInLearner)
-    for kind in {kind for learner in learners for kind in learner.policies}:
-        expected = {learner.kind for learner in learners if kind in learner.policies}
-        assert set(re.findall(r"`([\w-]+)`", kinds[kind][1])) == expected
-    told = {name: text for name, [text] in rows_of(page, "input").items()}
-    assert told == dict(mw.INPUTS)
-    assert [*PHRASES] == [*mw.INPUTS]
-
-
 def test_parts_of_a_program_that_are_worth_nothing_are_left_out() -> None:
-    policy = mw.Program.for_config(WORLD, inputs=("adversary", "room", "crowd"))
-    text = "min(5.0 + crowd, 0.0001 * room - 2.0 * adversary)"
+    policy = mw.Program.for_config(WORLD, inputs=("adversary", "room", "teammate"))
+    text = "min(5.0 + teammate, 0.0001 * room - 2.0 * adversary)"
     acts = mw.RatingPolicy(policy, policy.genome(text))
     told = explain(acts, "pursuer", WORLD, episodes=60).text
     [short] = re.findall("Without parts that are worth nothing: (.*)", told)
     assert "adversary" in short
-    assert "crowd" not in short
+    assert "teammate" not in short
     # What decides stays: a program of one input has no shorter one.
     chaser = mw.RatingPolicy(policy, policy.genome("-adversary"))
     assert "Without parts" not in explain(chaser, "pursuer", WORLD, episodes=60).text

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a06e325b71b208b8be1de6dd805766dc47b0d3b314d6e2591253cfbb5e234780 */
+/* built from web/ by "npm run build"; sources 19803710c74d8bcd7748bcef845faa981728dd246dada40538a027e1c7b2a6ac */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,wn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
@@ -27,46 +27,45 @@ eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-d
 surrounder":"as team-surrounder, but takes only moves that right of way allows"},Nt={adversary:"distance to the nearest adversary (0 to 2, in half views)",pressure:"\
 sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to the nearest adversary to which no teammate is nearer than the agent is now; withou\
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
-o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",crowd:"sum over teammates of 1 / (1 + moves)^2 (0 or more)",exits:"shar\
-e of the cells around that are no obstacle (0 to 1)",room:"distance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"\
-1 if right of way forbids the move (0 to 1)",stay:"1 if it is no move (0 to 1)",ahead:"1 if it is the direction that the agent draws for each 12 steps (0 to 1)"},
-Lt={free:".GS",blocked:"#@OTW"};var H=1+Ot.length;function se(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function j(t,e){return t<e?se(Ge[0],{number:t}):se(Ge[1],{number:t-e})}function xn(t,e){
+o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
+istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
+it is the direction that the agent draws for each 12 steps (0 to 1)"},Lt={free:".GS",blocked:"#@OTW"};var H=1+Ot.length;function se(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function j(t,e){return t<e?se(Ge[0],{number:t}):se(Ge[1],{number:t-e})}function xn(t,e){
 let[r,n,o,s,a,i,l,...u]=Array.from(t),m=a<0?[s]:[s,a],[c,f,d]=u.map(C=>m.filter((P,x)=>C>>x&1)),g=m.map(C=>j(C,e)),p=se(Pt[a<0?"obstacle":Be[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),b=se(It,{event:p,outcome:Mn(m.length,f,d,e)});return{kind:Rt[n],form:Be[o],agents:m,cell:[i,l],at_fault:c,held:f,doomed:d,turn:r,
 text:b}}function Mn(t,e,r,n){if(t===2&&e.length===2)return oe["both held"];if(t===2&&r.length===2)return oe["both doomed"];let o=s=>a=>se(oe[s],{agent:j(a,n)});
 return[...e.map(o("held")),...r.map(o("doomed"))].join(", ")||oe.none}function Me(t,e){let r=[];for(let n=0;n<t.length;n+=H)r.push(xn(t.subarray(n+1,n+H),e));return r}var z=class extends Error{name="EngineError"};function v(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new z(`${t}\
-: expected ${e}, got ${n}`)}var V=class{bytes;constructor(e){this.bytes=e}},zt=0,Ve=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],$t=4,Ut=4,Sn=new TextEncoder,
-An=new TextDecoder;function Tn(t){for(let e=Ve.length-1;e>zt;--e)if(t instanceof Ve[e])return e;throw new TypeError("array: expected a typed array of the engine\
-'s numbers, got another")}function je(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Cn(t){return Sn.encode(`${t}\0`)}var qe=class{engine;addresses=[];constructor(e){
+: expected ${e}, got ${n}`)}var V=class{bytes;constructor(e){this.bytes=e}},zt=0,Ve=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],$t=4,Ut=4,An=new TextEncoder,
+Sn=new TextDecoder;function Tn(t){for(let e=Ve.length-1;e>zt;--e)if(t instanceof Ve[e])return e;throw new TypeError("array: expected a typed array of the engine\
+'s numbers, got another")}function je(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Cn(t){return An.encode(`${t}\0`)}var qe=class{engine;addresses=[];constructor(e){
 this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new z("memory: expected room for the arguments, got none");return this.addresses.
 push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Cn(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([s,a])=>{let i=a instanceof V,l=i?a.bytes:a;
 return[this.text(s),i?zt:Tn(l),l.length,this.copy(je(l))]}),o=this.copy(je(Int32Array.from(n)));return this.copy(je(Int32Array.of(r.length,o)))}free(){for(let e of this.
-addresses)this.engine._free(e)}};function Ft(t,e){let r=t.HEAPU8;return An.decode(r.subarray(e,r.indexOf(0,e)))}function q(t){let e=new Int32Array(t.HEAPU8.buffer),
+addresses)this.engine._free(e)}};function Ft(t,e){let r=t.HEAPU8;return Sn.decode(r.subarray(e,r.indexOf(0,e)))}function q(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/$t,n=e[r+1]/$t,o={};for(let s=n;s<n+e[r]*Ut;s+=Ut){let a=Ve[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[Ft(t,e[s])]=new a(t.HEAPU8.slice(
 l,l+i).buffer)}return o}function U(t,e){let r=new qe(t);try{let n=e(r);if(n===0)throw new z(Ft(t,t._last_error()));return n}finally{r.free()}}var En=2**31-1,Dt=["none","gru"],kn=2n**64n-1n,_n=34028234663852886e22;function _(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>En)throw v(t,"an\
- integer",e);return Int32Array.of(e)}function Se(t,e){if(typeof e!="boolean")throw v(t,"true or false",e);return new V(Uint8Array.of(Number(e)))}function F(t,e,r){
+ integer",e);return Int32Array.of(e)}function Ae(t,e){if(typeof e!="boolean")throw v(t,"true or false",e);return new V(Uint8Array.of(Number(e)))}function F(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw v(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Ke(t,e){
 if(typeof e!="number"||!(Math.abs(e)<=_n))throw v(t,"a finite number",e);return e}function ae(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
 e)?BigInt(e):-1n;if(n<0n||n>kn)throw v(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Rn(t){return{"rules.interaction":F("interaction",
 t.interaction,Et),"rules.obstacle":F("obstacle",t.obstacle,ne),"rules.teammate":F("teammate",t.teammate,ne),"rules.evader":F("evader",t.evader,ne),"rules.pursue\
-r":F("pursuer",t.pursuer,ne),"rules.capture":F("capture",t.capture,kt),"rules.captured_disappear":Se("captured_disappear",t.captured_disappear)}}function Wt(t,e){
+r":F("pursuer",t.pursuer,ne),"rules.capture":F("capture",t.capture,kt),"rules.captured_disappear":Ae("captured_disappear",t.captured_disappear)}}function Wt(t,e){
 let r=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(r)||r.length!==3)throw v(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>Ke(t,n))}function On(t){let e=(r,n)=>Float32Array.
 of(Ke(r,t[r]),Ke(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.ste\
 p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":Wt("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Wt("evader_collide",t.evader_collide),
-"rewards.blame":F("blame",t.blame,_t),"rewards.capture_repeats":Se("capture_repeats",t.capture_repeats)}}function Ht(t){if(t===void 0||typeof t=="number")return new Uint8Array(
+"rewards.blame":F("blame",t.blame,_t),"rewards.capture_repeats":Ae("capture_repeats",t.capture_repeats)}}function Ht(t){if(t===void 0||typeof t=="number")return new Uint8Array(
 0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=Lt;for(let[n,o]of t.entries()){if(o.length!==t[0]?.length)throw v(`map, row ${n}`,`${t[0]?.length} \
 cells as in row 0`,o.length);let s=[...o].find(a=>!e.includes(a)&&!r.includes(a));if(s)throw v(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,s)}return Uint8Array.
 from([...t.join("")],n=>Number(r.includes(n)))}function jt(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
 throw v("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function K(t){jt(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
 ...Rn(t.rules),...On(t.rewards),rows:_("rows",t.rows),cols:_("cols",t.cols),n_pursuers:_("n_pursuers",t.n_pursuers),n_evaders:_("n_evaders",t.n_evaders),fov:_("\
-fov",t.fov),diagonal:Se("diagonal",t.diagonal),max_steps:_("max_steps",t.max_steps),density:Float64Array.of(e),map:Ht(t.obstacles)}}function Bt(t,e){return Int32Array.
+fov",t.fov),diagonal:Ae("diagonal",t.diagonal),max_steps:_("max_steps",t.max_steps),density:Float64Array.of(e),map:Ht(t.obstacles)}}function Bt(t,e){return Int32Array.
 from((e??[]).flat(),r=>_(t,r)[0])}function Vt(t,e){return jt(t.obstacles,e),{seed:ae("seed",t.seed??0n),episode:ae("episode",t.episode??0),pursuers:Bt("pursuers",
-t.pursuers),evaders:Bt("evaders",t.evaders),map:Ht(t.obstacles)}}function Ae(t){return{actions:Int32Array.from(t,e=>_("actions",e)[0])}}var Gt=Object.keys(Nt);function Ze(t){
+t.pursuers),evaders:Bt("evaders",t.evaders),map:Ht(t.obstacles)}}function Se(t){return{actions:Int32Array.from(t,e=>_("actions",e)[0])}}var Gt=Object.keys(Nt);function Ze(t){
 let e=Gt.indexOf(t);if(e<0)throw v("inputs",`names of ${Gt.join(", ")}`,t);return e}function D(t){if(typeof t=="string"){if(!Object.hasOwn(He,t))throw v("policy",
 `one of ${Object.keys(He).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.kind!=="cells")return{inputs:Int32Array.from(t.inputs,e=>Ze(e)),hidden:Int32Array.
 from(t.kind==="rating"?t.hidden:[],e=>_("hidden",e)[0]),length:_("length",t.kind==="program"?t.length:0),mask:new TextEncoder().encode(t.mask),genome:t.genome};
 if(t.activation!=="relu"&&t.activation!=="tanh")throw v("activation","'relu' or 'tanh'",t.activation);if(!Dt.includes(t.memory))throw v("memory",`one of ${Dt.join(
-", ")}`,t.memory);return{hidden:Int32Array.from(t.hidden,e=>_("hidden",e)[0]),activation:new TextEncoder().encode(t.activation),sampled:Se("sampled",t.sampled),
+", ")}`,t.memory);return{hidden:Int32Array.from(t.hidden,e=>_("hidden",e)[0]),activation:new TextEncoder().encode(t.activation),sampled:Ae("sampled",t.sampled),
 memory:new TextEncoder().encode(t.memory),genome:t.genome}}var Pn=["first_turn","terminated","truncated"];function qt(t){let e={...t};for(let r of Pn)e[r]=new V(
 t[r]);return e}var Kt="statistics.",Te=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,o){this.config=e,this.seed=r,this.episode=n,this.n_agents=
 e.n_pursuers+e.n_evaders,this.statistics=Nn(Zt(o)),Object.assign(this,o),this.first_conflict=In(this.conflict_table,this.length)}get length(){return this.actions.
@@ -93,10 +92,10 @@ max_steps-e.steps,e],o=n+1===this.n_turns,s=r>0?this.values[Math.min(r-Number(o)
 engine._states_game(this.states,e.address,i.arrays({next:s})));return a.agents.length?new Ye(e,a):null}call(e){return U(this.engine,e),q(this.engine)}};var Qt=new FinalizationRegistry(([t,e])=>t._world_free(e)),le=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
 n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=U(e,n=>e._world_new(n.arrays(K(r)))),Qt.register(this,[e,this.at],this)}free(){this.freed||
 (this.freed=!0,Qt.unregister(this),this.engine._world_free(this.at))}get address(){if(this.freed)throw v("world","one that is in use","one that was freed");return this.
-at}reset(e={}){let r=Vt(e,this.config);this.call(n=>this.engine._world_reset(this.address,n.arrays(r)))}step(e){let r=Ae(e);this.call(n=>this.engine._world_step(
-this.address,n.arrays(r)))}playTurn(e){let r=Ae(e);this.call(n=>this.engine._world_play_turn(this.address,n.arrays(r)))}decide(e,r,n){let{n_pursuers:o}=this.config,
+at}reset(e={}){let r=Vt(e,this.config);this.call(n=>this.engine._world_reset(this.address,n.arrays(r)))}step(e){let r=Se(e);this.call(n=>this.engine._world_step(
+this.address,n.arrays(r)))}playTurn(e){let r=Se(e);this.call(n=>this.engine._world_play_turn(this.address,n.arrays(r)))}decide(e,r,n){let{n_pursuers:o}=this.config,
 s={pursuer:[0,o],evader:[o,this.n_agents]},[a,i]=typeof r=="string"?s[r]:r;if(n.length!==this.n_agents)throw v("actions",String(this.n_agents),n.length);let l=[
-D(e),Ae(n)],{actions:u}=this.call(m=>this.engine._world_decide(this.address,m.arrays(l[0]),a,i,m.arrays(l[1])));return Uint8Array.from(u)}replay(e,r){let n=s=>typeof s!=
+D(e),Se(n)],{actions:u}=this.call(m=>this.engine._world_decide(this.address,m.arrays(l[0]),a,i,m.arrays(l[1])));return Uint8Array.from(u)}replay(e,r){let n=s=>typeof s!=
 "string"&&s.kind==="cells"&&s.memory!=="none";if(!n(r.pursuer)&&!n(r.evader))return this.step(e);let{n_pursuers:o}=this.config;for(let s=this.n_turns;s>0;--s){let[
 a,i]=this.actors;a<o&&this.decide(r.pursuer,[a,Math.min(i,o)],e),i>o&&this.decide(r.evader,[Math.max(a,o),i],e),this.playTurn(e)}}get n_turns(){return this.turnNumbers()[1]}get turn(){
 return this.turnNumbers()[0]}get actors(){let[,,e,r]=this.turnNumbers();return[e,r]}turnNumbers(){return this.call(()=>this.engine._world_turn(this.address)).turn}get steps(){
@@ -129,7 +128,7 @@ var r=e/8|0;return(t[r]|t[r+1]<<8|t[r+2]<<16)>>(e&7)},Vn=function(t){return(t+7)
 length),new k(t.subarray(e,r))};var Kn=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],O=function(t,e,r){var n=new Error(e||Kn[t]);
 if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,O),!r)throw n;return n},Zn=function(t,e,r,n){var o=t.length,s=n?n.length:0;if(!o||e.f&&!e.l)return r||
-new k(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new k(o*3));var u=function(At){var Tt=r.length;if(At>Tt){var Ct=new k(Math.max(Tt*2,At));Ct.set(r),r=Ct}},m=e.f||0,c=e.
+new k(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new k(o*3));var u=function(St){var Tt=r.length;if(St>Tt){var Ct=new k(Math.max(Tt*2,St));Ct.set(r),r=Ct}},m=e.f||0,c=e.
 p||0,f=e.b||0,d=e.l,g=e.d,p=e.m,b=e.n,C=o*8;do{if(!d){m=R(t,c,1);var P=R(t,c+1,3);if(c+=3,P)if(P==1)d=Hn,g=jn,p=9,b=5;else if(P==2){var Ue=R(t,c,31)+257,yt=R(t,
 c+10,15)+4,gt=Ue+R(t,c+5,31)+1;c+=14;for(var ee=new k(gt),ze=new k(19),E=0;E<yt;++E)ze[Wn[E]]=R(t,c+E*3,7);c+=yt*3;for(var vt=Qe(ze),pn=(1<<vt)-1,yn=ce(ze,vt,1),
 E=0;E<gt;){var bt=yn[R(t,c,pn)];c+=bt&15;var x=bt>>4;if(x<16)ee[E++]=x;else{var B=0,ge=0;for(x==16?(ge=3+R(t,c,3),c+=2,B=ee[E-1]):x==17?(ge=3+R(t,c,7),c+=3):x==
@@ -137,9 +136,9 @@ E=0;E<gt;){var bt=yn[R(t,c,pn)];c+=bt&15;var x=bt>>4;if(x<16)ee[E++]=x;else{var 
 4]|t[x-3]<<8,Q=x+L;if(Q>o){l&&O(0);break}i&&u(f+L),r.set(t.subarray(x,Q),f),e.b=f+=L,e.p=c=Q*8,e.f=m;continue}if(c>C){l&&O(0);break}}i&&u(f+131072);for(var gn=(1<<
 p)-1,vn=(1<<b)-1,Fe=c;;Fe=c){var B=d[et(t,c)&gn],G=B>>4;if(c+=B&15,c>C){l&&O(0);break}if(B||O(2),G<256)r[f++]=G;else if(G==256){Fe=c,d=null;break}else{var xt=G-
 254;if(G>264){var E=G-257,te=ar[E];xt=R(t,c,(1<<te)-1)+cr[E],c+=te}var De=g[et(t,c)&vn],We=De>>4;De||O(3),c+=De&15;var $=Gn[We];if(We>3){var te=ir[We];$+=et(t,c)&
-(1<<te)-1,c+=te}if(c>C){l&&O(0);break}i&&u(f+131072);var Mt=f+xt;if(f<$){var St=s-$,bn=Math.min($,Mt);for(St+f<0&&O(3);f<bn;++f)r[f]=n[St+f]}for(;f<Mt;++f)r[f]=
+(1<<te)-1,c+=te}if(c>C){l&&O(0);break}i&&u(f+131072);var Mt=f+xt;if(f<$){var At=s-$,bn=Math.min($,Mt);for(At+f<0&&O(3);f<bn;++f)r[f]=n[At+f]}for(;f<Mt;++f)r[f]=
 r[f-$]}}e.l=d,e.p=Fe,e.b=f,e.f=m,d&&(m=1,e.m=p,e.d=g,e.n=b)}while(!m);return f!=r.length&&a?qn(r,0,f):r.subarray(0,f)};var Yn=new k(0);var Xn=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&O(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&O(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function fr(t,e){return Zn(t.subarray(Xn(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Jn=typeof TextDecoder<"u"&&new TextDecoder,Qn=0;try{Jn.decode(Yn,{stream:!0}),Qn=1}catch{}var S=(t,e=2)=>t==null?"-":t.toFixed(e);function dr(t){let e=atob(rt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}var rt=t=>document.getElementById(t)?.textContent??
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function fr(t,e){return Zn(t.subarray(Xn(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Jn=typeof TextDecoder<"u"&&new TextDecoder,Qn=0;try{Jn.decode(Yn,{stream:!0}),Qn=1}catch{}var A=(t,e=2)=>t==null?"-":t.toFixed(e);function dr(t){let e=atob(rt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}var rt=t=>document.getElementById(t)?.textContent??
 "";function pr(){return JSON.parse(rt("data"))}var nt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var W=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],ot=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,st=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(
 0,r).some(n=>t[3*e+n]),at=(t,e)=>st(t.fault,e),yr=(t,e)=>!at(t,e)&&st(t.involved,e,2);function Ce(t,e,r){let[n,o]=[w(t,r),w(e,r)],s=n[0]!==o[0]||n[1]!==o[1],a=e.
 involved===void 0||st(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!s&&a)}function Ee(t,e,r){let[n,o]=w(t,r),[s,a]=nt[e.actions?.[r]??0];return[n+s,o+a]}function me(t,e,r){
@@ -148,17 +147,17 @@ me(t,t.moments[r-1],e).length?[r]:[]);function ke(t,e){return Array.from({length
 -.23,-.23],[.23,-.23]]},{size:.36,at:vr.flatMap(t=>vr.map(e=>[e,t]))}],eo=.3,to=.35,ro=.55;function fe(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
 alive[n])continue;let[o,s]=w(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function wr(t,e){let r=Array.from(e.alive,(n,o)=>{let[s,a]=w(e,o);return{
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of fe(t,e).values()){let o=br[Math.min(n.length,br.length)-1];n.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
-u=r[s];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return r}var xr=t=>t*t*(3-2*t),Y=(t,e,r)=>t+(e-t)*r,Mr=t=>Math.min(1,Math.max(0,t));function Sr(t,e,r,n){let o={SIMULTANEOUS:1,
+u=r[s];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return r}var xr=t=>t*t*(3-2*t),Y=(t,e,r)=>t+(e-t)*r,Mr=t=>Math.min(1,Math.max(0,t));function Ar(t,e,r,n){let o={SIMULTANEOUS:1,
 SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return xr(n);let s=o===r?e:+!W(t,e),a=Math.max(1/o,to);return xr(Mr((n-s/(o-1)*(1-a))/a))}function _e(t,e){
-let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=wr(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=wr(t,a);return s.map((l,u)=>{let m=Sr(
+let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=wr(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=wr(t,a);return s.map((l,u)=>{let m=Ar(
 t,u,s.length,e-n);return no(o,a,u,l,i[u],m)})}function it(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
-n)]],i=Sr(t,e,s.alive.length,r-o),[[l,u],[m,c]]=[w(s,e),w(a,e)];return[Y(u,c,i)+.5,Y(l,m,i)+.5]}function no(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:Y(n.x,o.x,s),
+n)]],i=Ar(t,e,s.alive.length,r-o),[[l,u],[m,c]]=[w(s,e),w(a,e)];return[Y(u,c,i)+.5,Y(l,m,i)+.5]}function no(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:Y(n.x,o.x,s),
 y:Y(n.y,o.y,s),size:a?n.size:Y(n.size,o.size,s),alpha:a?Mr((1-s)/(1-ro)):Y(n.alpha,o.alpha,s)};if(Ce(t,e,r)){let[l,u]=w(t,r),[m,c]=Ee(t,e,r),f=eo*Math.sin(Math.
-PI*s);i.x+=(c-u)*f,i.y+=(m-l)*f}return i}var Ar=2*Math.PI;function de(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Ar)}function Tr(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
+PI*s);i.x+=(c-u)*f,i.y+=(m-l)*f}return i}var Sr=2*Math.PI;function de(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Sr)}function Tr(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[u,m]=s[(l+1)%3];t.arcTo(a,i,u,m,n*.09)}),t.closePath()}function Cr(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function Er(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
-2*(o%2?.6:.95),a=Ar*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function kr(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var _r=4,oo=1.6,so=.95,ao=5,io=.16,lo=9,uo=.09,co=.2,Rr=.75,A=(t,e)=>t.left+e*t.cell,T=(t,e)=>t.top+e*t.cell;function X(t,e,r){return W(e,r)?t.colors.pursuer:t.
+2*(o%2?.6:.95),a=Sr*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function kr(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var _r=4,oo=1.6,so=.95,ao=5,io=.16,lo=9,uo=.09,co=.2,Rr=.75,S=(t,e)=>t.left+e*t.cell,T=(t,e)=>t.top+e*t.cell;function X(t,e,r){return W(e,r)?t.colors.pursuer:t.
 colors.evader}function Re({ctx:t,colors:e},r,n,o,s,a,i=0){t.font=`700 ${Math.round(s)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=
 e.paper,t.lineWidth=i,i&&t.strokeText(r,n,o),t.fillStyle=a,t.fillText(r,n,o)}function Or({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,u]=[
 i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,u),s<ao)return;t.fillStyle=r.line;let m=Math.max(1,Math.round(s/60));for(let c=1;c<i;c++)t.fillRect(n+c*s,o,m,u);
@@ -168,34 +167,34 @@ cell:n,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,Math.round(n/18)));
 ctx:t,grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e,u=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-\
 serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.textAlign="center";let m=5*n+a/40;for(let c=0;c<l;c+=u)t.fillText(String(c),o+(c+.5)*a,s-m);t.textAlign=
 "right",t.textBaseline="middle";for(let c=0;c<i;c+=u)t.fillText(String(c),o-m,s+(c+.5)*a)}function Lr({grid:t},e,r,n){let o=Math.floor(e.fov/2)+.5,[s,a]=[Math.max(
-0,r-o),Math.min(t.cols,r+o)],[i,l]=[Math.max(0,n-o),Math.min(t.rows,n+o)];return[A(t,s),T(t,i),(a-s)*t.cell,(l-i)*t.cell]}function $r(t,e,r,n){let{ctx:o,grid:s,
+0,r-o),Math.min(t.cols,r+o)],[i,l]=[Math.max(0,n-o),Math.min(t.rows,n+o)];return[S(t,s),T(t,i),(a-s)*t.cell,(l-i)*t.cell]}function $r(t,e,r,n){let{ctx:o,grid:s,
 colors:a}=t;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,o.canvas.height),o.rect(...Lr(t,e,r,n)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),
 o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,s.rows*s.cell),o.restore(),Ir(t)}function Ur(t,{x:e,y:r,alpha:n},o){let{ctx:s,grid:a,colors:i}=t,l=Math.
-max(a.cell,16*o)*1.06,[u,m]=[A(a,e),T(a,r)];s.globalAlpha=Math.max(n,.6),s.beginPath(),s.roundRect(u-l/2,m-l/2,l,l,l*.2),s.strokeStyle=i.focus,s.lineWidth=Math.
+max(a.cell,16*o)*1.06,[u,m]=[S(a,e),T(a,r)];s.globalAlpha=Math.max(n,.6),s.beginPath(),s.roundRect(u-l/2,m-l/2,l,l,l*.2),s.strokeStyle=i.focus,s.lineWidth=Math.
 max(2,2.5*o),s.stroke();let c=Math.max(11*o,Math.min(18*o,a.cell*.5)),f=m-l/2<c*1.2,d=m+(f?1:-1)*(l/2+c*.7);s.lineJoin="round",Re(t,"You",u,d,c,i.ink,c*.35),s.globalAlpha=
 1}function zr(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Lr(t,e,n,o),l=X(t,e,r);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=
 Math.max(1,a.cell/24),s.strokeRect(...i),s.globalAlpha=1}function Fr(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.
 lineCap="round",s.lineWidth=Math.min(lo,Math.max(1,a.cell*io));for(let u=Math.max(1,Math.floor(r-n)+1);u<=i;u++){let[m,c]=[e.moments[u-1],e.moments[u]],f=Math.max(
 0,Math.min(1,(r-u)/n));s.globalAlpha=Rr+(co-Rr)*f;for(let d=0;d<c.alive.length;d++){let g=u===i&&r<i;if(!m.alive[d]||!(l.alive[d]||g))continue;let p=(W(e,d)?-1:
-1)*uo,[b,C]=w(m,d),[P,x]=w(c,d);if(b===P&&C===x)continue;let L=g?o[d].x:x+.5,Q=g?o[d].y:P+.5;s.strokeStyle=X(t,e,d),s.beginPath(),s.moveTo(A(a,C+.5+p),T(a,b+.5+
-p)),s.lineTo(A(a,L+p),T(a,Q+p)),s.stroke()}}s.globalAlpha=1}function Dr(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-_r+1);o<=n;o++){
+1)*uo,[b,C]=w(m,d),[P,x]=w(c,d);if(b===P&&C===x)continue;let L=g?o[d].x:x+.5,Q=g?o[d].y:P+.5;s.strokeStyle=X(t,e,d),s.beginPath(),s.moveTo(S(a,C+.5+p),T(a,b+.5+
+p)),s.lineTo(S(a,L+p),T(a,Q+p)),s.stroke()}}s.globalAlpha=1}function Dr(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-_r+1);o<=n;o++){
 let[s,a]=[e.moments[o-1],e.moments[o]],i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/_r,l=me(e,s,a);for(let u of ke(s,a))l.includes(u)||mo(t,w(a,u),i);for(let u of l)ho(t,
-w(a,u),i)}t.ctx.globalAlpha=1}function ho({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Er(t,A(e,o+.5),T(e,n+.5),Math.max(8,e.cell*oo)),t.fillStyle=r.capture,
-t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function mo({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Cr(t,A(
+w(a,u),i)}t.ctx.globalAlpha=1}function ho({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Er(t,S(e,o+.5),T(e,n+.5),Math.max(8,e.cell*oo)),t.fillStyle=r.capture,
+t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function mo({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Cr(t,S(
 e,o+.5),T(e,n+.5),Math.max(7,e.cell*so)),t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Wr({ctx:t,grid:e,colors:r},n,o){
 let s=Math.max(1,e.cell*.07);t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<
-0||i<0||a>=e.rows||i>=e.cols)continue;let l=[A(e,i)+s,T(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash(
-[]),t.globalAlpha=1}function Br({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=a,de(t,A(e,n),T(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=
+0||i<0||a>=e.rows||i>=e.cols)continue;let l=[S(e,i)+s,T(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash(
+[]),t.globalAlpha=1}function Br({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=a,de(t,S(e,n),T(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=
 Math.max(1.5,e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var fo=.8,po=.92,yo=15,go=7,lt=9;function Gr(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&vo(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of fe(e,r).values())a.length>
-lt&&bo(t,n[a[lt-1]],a.length-lt+1)}function vo(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:u}=t,m=W(e,n),[c,f]=[A(l,o.x),T(l,o.y)],d=Math.max(4,l.cell*o.size*(m?po:fo)),
+lt&&bo(t,n[a[lt-1]],a.length-lt+1)}function vo(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:u}=t,m=W(e,n),[c,f]=[S(l,o.x),T(l,o.y)],d=Math.max(4,l.cell*o.size*(m?po:fo)),
 g=X(t,e,n),p=!m&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(m?Tr:de)(i,c,f,d),d>go*a&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(2,d*.1),i.stroke()),
 i.fillStyle=p?u.paper:g,i.fill(),p&&(de(i,c,f,d*.82),i.strokeStyle=g,i.lineWidth=d*.18,i.stroke()),!s||d<yo*a)return;let b=String(m?n:n-e.nPursuers),C=d*(m?.4:.5)*
-(b.length>1?.8:1);Re(t,b,c,f+d*(m?.17:.03),C,p?g:u.paper)}function bo(t,e,r){let{cell:n}=t.grid;Re(t,`+${r}`,A(t.grid,e.x),T(t.grid,e.y),n*.3,t.colors.ink,n*.1)}var wo=.46,xo=.86,Mo=.66,Hr=.48,So=.78,Ao=.58;function jr(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
+(b.length>1?.8:1);Re(t,b,c,f+d*(m?.17:.03),C,p?g:u.paper)}function bo(t,e,r){let{cell:n}=t.grid;Re(t,`+${r}`,S(t.grid,e.x),T(t.grid,e.y),n*.3,t.colors.ink,n*.1)}var wo=.46,xo=.86,Mo=.66,Hr=.48,Ao=.78,So=.58;function jr(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
 l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let u=0;u<s.alive.length;u++)Ce(o,s,u)&&To(t,e,w(o,u),Ee(o,s,u));a.globalAlpha=
-1}function To({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=c=>A(e,n[1]+.5+s*c),l=c=>T(e,n[0]+.5+a*c),u=ot(r,o)?So:Ao;t.setLineDash([e.cell*.09,e.cell*
+1}function To({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=c=>S(e,n[1]+.5+s*c),l=c=>T(e,n[0]+.5+a*c),u=ot(r,o)?Ao:So;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(Hr),l(Hr)),t.lineTo(i(u),l(u)),t.stroke(),t.setLineDash([]);let m=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(u)-a*m,l(u)+
 s*m),t.lineTo(i(u)+a*m,l(u)-s*m),t.stroke()}function Vr(t,e,r,n,o,s){let a=nt[s];if(!s||!a)return;let{ctx:i,grid:l,colors:u}=t,m=ot(e,[n[0]+a[0],n[1]+a[1]])?xo:
-Mo,c=wo*o.size,f=[A(l,o.x+a[1]*c),T(l,o.y+a[0]*c),A(l,o.x+a[1]*m),T(l,o.y+a[0]*m)],d=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,p]of[[u.paper,
+Mo,c=wo*o.size,f=[S(l,o.x+a[1]*c),T(l,o.y+a[0]*c),S(l,o.x+a[1]*m),T(l,o.y+a[0]*m)],d=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,p]of[[u.paper,
 d*2.1],[X(t,e,r),d]])i.strokeStyle=g,i.lineWidth=p,kr(i,...f,l.cell*.2),i.stroke()}var Kr={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Zr(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),u=e.moments[l],m=r===l,c=_e(e,r),f=m?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Or(t);for(let p of n.
 viewers)c[p]?.alpha&&zr(t,e,p,...it(e,p,r));Pr(t,e),n.axes&&Nr(t,o),Fr(t,e,r,n.trail,c),Wr(t,u.contested??[],f),Dr(t,e,r),jr(t,e,l,f),c.forEach(({x:p,y:b,size:C},P)=>{
@@ -258,8 +257,8 @@ nearest"}))}#c(){this.player.pause(),this.#f();let{pair:e}=this.#r;this.#u&&(thi
 this.replay?`${e.pursuer} ${e.evader}`:"",this.element.classList.toggle("without-recording",!this.replay),this.player.length=this.replay?.length??0,this.player.
 marks=this.replay?gr(this.replay.recording):[],this.player.jump(0),this.#m(),this.#d())}#m(){let{pursuer:e,evader:r}=this.#r.pair;if(!this.replay){this.#l.textContent=
 "The page holds no recording of this match: it would be too large.";return}let[n,o]=[this.replay.statistics.capture_rate,this.#e.first[e][r]],s=Math.abs(n-o)<.001;
-this.#l.dataset.equal=String(s),this.#l.textContent=s?`Episode 1 of ${this.#e.episodes}: capture rate ${S(n)}, as in the tournament.`:`Episode 1 of ${this.#e.episodes}\
-: capture rate ${S(n)}; the tournament had ${S(o)}.`}#f(){let{pursuer:e,evader:r}=this.#r.pair;this.#o.replaceChildren(h("span",{class:"pursuer"},this.#e.names.
+this.#l.dataset.equal=String(s),this.#l.textContent=s?`Episode 1 of ${this.#e.episodes}: capture rate ${A(n)}, as in the tournament.`:`Episode 1 of ${this.#e.episodes}\
+: capture rate ${A(n)}; the tournament had ${A(o)}.`}#f(){let{pursuer:e,evader:r}=this.#r.pair;this.#o.replaceChildren(h("span",{class:"pursuer"},this.#e.names.
 pursuer[e])," against ",h("span",{class:"evader"},this.#e.names.evader[r]))}#d(){if(!this.replay){this.#a.replaceChildren(),this.#s.replaceChildren();return}let{
 recording:e}=this.replay,r=this.player.step,n=Array.from(e.moments[r].everCaptured).filter(Boolean).length;this.#s.replaceChildren(h("strong",{},n),` of ${this.#e.
 world.n_evaders} captured`,h("span",{class:"muted"},` · step ${r}`)),this.#a.replaceChildren(...nn(this.replay,e,r).map(o=>h("li",{class:o.kind},o.text)))}};var ye=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
@@ -276,7 +275,7 @@ point(this.#m(u,n)),onpointerleave:()=>this.#r.point(null),onclick:u=>{let m=thi
 map((c,f)=>{let d=this.#e.capture_rate[u][c];return M("rect",{x:f*n,y:m*n,width:n,height:n,fill:dt(d),"data-pair":`${u} ${c}`})}));return i.append(...l,...this.#u(
 n),...this.#h("pursuer",n,o),...this.#h("evader",n,o),this.#s),this.#s.dataset.size=String(n),i.style.minWidth=`${No/o*a}px`,i}#u(e){return Math.max(this.#n.length,
 this.#t.length)>Io?[]:this.#n.flatMap((r,n)=>this.#t.map((o,s)=>{let a=this.#e.capture_rate[r][o];return M("text",{x:(s+.5)*e,y:(n+.5)*e,fill:ft(a),"font-size":Math.
-min(30,.38*e),class:"in-cell"},S(a))}))}#h(e,r,n){return(e==="pursuer"?this.#n:this.#t).map((s,a)=>{let i=(a+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:
+min(30,.38*e),class:"in-cell"},A(a))}))}#h(e,r,n){return(e==="pursuer"?this.#n:this.#t).map((s,a)=>{let i=(a+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:
 {transform:`translate(${i} -6) rotate(-90)`,"text-anchor":"start"};return M("text",{...l,class:`name ${this.#c(e,s).kind}`,"font-size":n,"data-name":`${e} ${s}`},
 cn(this.#e.names[e][s]))})}#c(e,r){return this.#e.standings[e].find(n=>n.number===r)}#m(e,r){let n=new DOMPoint(e.clientX,e.clientY).matrixTransform(this.#a.getScreenCTM().
 inverse()),[o,s]=[this.#n[Math.floor(n.y/r)],this.#t[Math.floor(n.x/r)]];return o===void 0||s===void 0||n.x<0||n.y<0?null:{pursuer:o,evader:s}}#f(e){let n={ArrowUp:[
@@ -285,7 +284,7 @@ e.stopPropagation()}#d([e,r]){let{pursuer:n,evader:o}=this.#r.pair,s=this.#n[thi
 select({pursuer:s,evader:a})}#i(){let{pair:e,hover:r}=this.#r,n=Number(this.#s.dataset.size),o=({pursuer:a,evader:i},l)=>M("rect",{class:l,x:this.#t.indexOf(i)*
 n,y:this.#n.indexOf(a)*n,width:n,height:n});this.#s.replaceChildren(o(e,"selected-halo"),o(e,"selected"),...r?[o(r,"hovered")]:[]);let s=r??e;for(let a of this.#a.
 querySelectorAll("[data-name]")){let i=[`pursuer ${s.pursuer}`,`evader ${s.evader}`].includes(a.dataset.name);a.classList.toggle("about",i)}this.#o.replaceChildren(
-...this.#p(s))}#p({pursuer:e,evader:r}){let{names:n,capture_rate:o,lowest:s,highest:a,length:i,episodes:l}=this.#e,u=S(o[e][r]),[m,c]=[S(s[e][r]),S(a[e][r])];return[
+...this.#p(s))}#p({pursuer:e,evader:r}){let{names:n,capture_rate:o,lowest:s,highest:a,length:i,episodes:l}=this.#e,u=A(o[e][r]),[m,c]=[A(s[e][r]),A(a[e][r])];return[
 h("span",{},h("span",{class:"pursuer"},n.pursuer[e])," against ",h("span",{class:"evader"},n.evader[r])),h("span",{},h("strong",{},u),h("span",{class:"small mut\
 ed"},` captured; ${m} to ${c} in ${l} episodes, ${i[e][r].toFixed(0)} steps on average`))]}};function Lo(t,e){let r=document.createElement("canvas").getContext(
 "2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).fontFamily}`,Math.max(...t.map(n=>r.measureText(n).width))}var hn=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,Le=class extends EventTarget{#e;#r=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
@@ -296,11 +295,11 @@ toUpperCase()}${e.slice(1)}s`)),h("p",{class:"small muted"},`${o} against ${t.na
 0"},h("table",{},h("thead",{},h("tr",{},...s.map(a=>h("th",{scope:"col"},a)))),h("tbody",{},...n))))}function $o(t,e,r,n){let{kind:o,name:s,file:a,rank:i,number:l}=r,
 u=h("tr",{class:o,"data-number":l},h("td",{class:"rank numbers"},i||"–"),h("th",{scope:"row",title:a},h("span",{class:"who",title:s},s),h("span",{class:"kind \
 small muted"},o)),h("td",{class:"numbers score"},zo(r,e),Uo(r)),h("td",{class:"matches"},...["best","worst"].map(c=>Fo(t,e,r,c,n)))),m=()=>{u.classList.toggle("\
-about",l===(n.hover??n.pair)[e])};return n.on("pair",m),n.on("hover",m),m(),u}function Uo({score:t,low:e,high:r}){let n=e===null||r===null?"":`${S(e)} – ${S(r)}`;
-return h("span",{class:"score-text"},h("strong",{},S(t)),h("span",{class:"small muted"},n))}function zo({score:t,low:e,high:r},n){let[o,s]=[h("span",{class:`fil\
+about",l===(n.hover??n.pair)[e])};return n.on("pair",m),n.on("hover",m),m(),u}function Uo({score:t,low:e,high:r}){let n=e===null||r===null?"":`${A(e)} – ${A(r)}`;
+return h("span",{class:"score-text"},h("strong",{},A(t)),h("span",{class:"small muted"},n))}function zo({score:t,low:e,high:r},n){let[o,s]=[h("span",{class:`fil\
 led of-${n}`}),h("span",{class:"whisker"})];return o.style.width=`${100*t}%`,e!==null&&r!==null&&(s.style.left=`${100*e}%`,s.style.width=`${100*(r-e)}%`),h("spa\
 n",{class:"bar","aria-hidden":"true"},o,s)}function Fo(t,e,r,n,o){let s=r[n],a=e==="pursuer"?{pursuer:r.number,evader:s}:{pursuer:s,evader:r.number},i=t.names[mn[e]][s],
-l=t.capture_rate[a.pursuer][a.evader],u=S(e==="pursuer"?l:1-l);return h("button",{type:"button",class:"to-match",title:`Watch the ${n} match: against ${i}, ${u}`,
+l=t.capture_rate[a.pursuer][a.evader],u=A(e==="pursuer"?l:1-l);return h("button",{type:"button",class:"to-match",title:`Watch the ${n} match: against ${i}, ${u}`,
 "aria-label":`Watch the ${n} match of ${r.name}: against ${i}, ${u}`,onclick:()=>o.play(a)},n==="best"?"▲ ":"▼ ",i)}function fn({votes:t}){let e=Object.keys(
 t);if(!e.length)return[];let r=e.map(n=>{let o=Object.entries(t[n]),s=o.reduce((i,[,l])=>i+l,0),a=o.map(([i,l])=>{let u=h("span",{class:"filled"});return u.style.
 width=`${100*l/s}%`,h("div",{class:"vote"},h("span",{},i),h("span",{class:"bar","aria-hidden":"true"},u),h("span",{class:"numbers"},`${l} of ${s}`))});return h(

@@ -80,11 +80,9 @@ export const INPUTS = {
   "unclaimed": "distance to the nearest adversary to which no teammate is nearer than the agent is now; without one, to the nearest adversary (0 to 2, in half views)",
   "open_side": "distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 to 2, in half views)",
   "teammate": "distance to the nearest teammate (0 to 2, in half views)",
-  "crowd": "sum over teammates of 1 / (1 + moves)^2 (0 or more)",
   "exits": "share of the cells around that are no obstacle (0 to 1)",
   "room": "distance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",
   "must_yield": "1 if right of way forbids the move (0 to 1)",
-  "stay": "1 if it is no move (0 to 1)",
   "ahead": "1 if it is the direction that the agent draws for each 12 steps (0 to 1)"
 } as const;
 

@@ -60,10 +60,8 @@ type OfTeams<Value> = Readonly<Record<"pursuers" | "evaders", Value>>;
 export type Checkerboard = OfTeams<readonly [number, number]> & { readonly margin: number };
 
 export interface Findings {
-  /** What happened, in plain words; none while a race goes on. */
-  readonly sentence?: string;
-  readonly headline: string;
-  readonly numbers: readonly string[];
+  /** What happened, in plain words. */
+  readonly sentence: string;
   readonly table: readonly (readonly [string, string, string, string])[];
   readonly reasons: readonly string[];
   readonly generalization: OfTeams<Band>;
@@ -77,6 +75,8 @@ export interface Findings {
 
 export interface Run {
   readonly name: string;
+  /** What all seeds show together; empty for a single one. */
+  readonly together?: string;
   readonly schedule: string;
   readonly learning: readonly Team[];
   readonly seed: string;

@@ -35,7 +35,9 @@ const told = html("span", { class: "told", "aria-live": "polite" });
 const lead = html("span", { class: "small muted" });
 const tell = (): void => {
   const run = runs[store.selected.run]!;
-  [told.textContent, lead.textContent] = [run.findings?.sentence ?? "", gameWords(run).lead];
+  const sentence = run.findings?.sentence ?? "";
+  told.textContent = run.together || sentence; // a job of several seeds opens with all of them
+  lead.textContent = run.together ? `Seed ${run.seed}: ${sentence} ${gameWords(run).lead}` : gameWords(run).lead;
 };
 store.on("run", tell);
 tell();

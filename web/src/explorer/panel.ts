@@ -36,8 +36,6 @@ export function diagnosisPanel(run: Run): Panel | null {
   const element = card(
     "What happened", "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",
     html("p", { class: "headline" }, findings.sentence),
-    html("p", {}, findings.headline),
-    ...findings.numbers.map((line) => html("p", { class: "numbers" }, `${capital(line)}.`)),
     html("ul", { class: "findings" }, ...items),
     run.limits ? html("p", { class: "small" }, run.limits) : null,
   );

@@ -33,7 +33,7 @@ function tab(run: Run, number: number, store: Store): { button: HTMLButtonElemen
     html("span", { class: "small-matrix" }, canvas, mark),
     html("span", { class: "race-text" },
       html("strong", {}, named ? run.name : run.schedule),
-      html("span", { class: "small" }, run.findings ? run.findings.headline : `${run.learning.map((team) => gameWords(run).teams[team]).join(" and ")} against ${scriptOf(run)}`),
+      html("span", { class: "small" }, run.findings ? run.findings.sentence : `${run.learning.map((team) => gameWords(run).teams[team]).join(" and ")} against ${scriptOf(run)}`),
       html("span", { class: "small muted" }, `${named ? `${run.schedule}, ` : ""}seed ${run.seed}`)),
   );
   const update = (selected: boolean): void => {

@@ -85,7 +85,7 @@ export function explorer({ runs, playground }: Lesson, engine: Promise<Engine>):
 export function judgement({ runs }: Lesson): HTMLElement {
   const [run, findings] = [runs[0]!, runs[0]!.findings!];
   const [head, ...rows] = findings.table;
-  const row = rows.findIndex(([condition, , , part]) => condition === "arms race" && part === "last half");
-  const asked = { headline: run.name, numbers: [], table: [head!, rows[row]!], reasons: [findings.reasons[row]!] };
+  const row = rows.findIndex(([condition]) => condition === "arms race");
+  const asked = { sentence: run.name, table: [head!, rows[row]!], reasons: [findings.reasons[row]!] };
   return html("div", { class: "widget text" }, diagnosisPanel({ ...run, findings: { ...findings, ...asked } })!.element);
 }

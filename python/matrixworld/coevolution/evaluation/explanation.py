@@ -76,11 +76,9 @@ PHRASES: dict[str, tuple[str, str, str]] = {
         "{seeks} the free sides of {foe}s", "{flees} the free sides of {foe}s", "sides of {foe}s",
     ),
     "teammate": ("keeps close to a teammate", "keeps apart from teammates", "teammates"),
-    "crowd": ("avoids crowds of teammates", "gathers with teammates", "crowds of teammates"),
     "exits": ("enters narrow places", "prefers open cells", "narrow places"),
     "room": ("keeps to walls", "keeps off walls", "walls"),
     "must_yield": ("gives way to others", "takes the way of others", "right of way"),
-    "stay": ("keeps moving", "likes to stay", "staying"),
     "ahead": ("keeps turning", "keeps its direction", "its direction"),
 }  # fmt: skip
 WORDS: dict[Team, dict[str, str]] = {

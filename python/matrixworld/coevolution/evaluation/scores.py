@@ -64,12 +64,13 @@ SCORES = "scores.json"
 EPISODES, SEED = 100, 0
 """Episodes of each pair, and their seed, if nothing else is asked for."""
 CHOICE_EPISODES = 20
-"""Episodes of each pair by which the best generation is chosen: others than those of scores."""
+"""Episodes of each pair by which the best is chosen of many, and of what stands beside scores."""
 SCORED_BY = {
     "matrixworld": __version__,
     "held_out": HELD_OUT_VERSION,
     "episodes": EPISODES,
     "seed": SEED,
+    "beside": ["untrained", "best script"],
 }
 """What kept scores were played by. Scores by anything else are played anew."""
 
@@ -317,6 +318,7 @@ def score(
     episodes: int = EPISODES,
     steps: int | None = None,
     seed: int = SEED,
+    world: WorldConfig | None = None,
     threads: int | None = None,
     report: Report = silent,
     executor: Executor | None = None,
@@ -336,6 +338,8 @@ def score(
         Maximum steps of an episode. By default as in the run's evaluation.
     seed : int, optional
         Seed of the episodes, by default the same for all runs.
+    world : WorldConfig, optional
+        The world, by default that of the run: another size or map, other numbers of agents.
     threads, executor
         As in `tournament`.
     report : callable, optional
@@ -348,13 +352,13 @@ def score(
 
     Notes
     -----
-    The world is that of the run. A script that the run trained against is left out, and so are
+    A script that the run trained against is left out, and so are
     evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
     """
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)
     checks.check_threads(threads)
-    world = run.pursuit.world
+    world = world or run.pursuit.world
     world = world if steps is None else replace(world, max_steps=steps)
     sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
     return _scores(
@@ -422,11 +426,14 @@ def best_scripts(
 
 
 def score_runs(
-    runs: Sequence[SavedRun], *, report: Report = silent, **options: Any
+    runs: Sequence[tuple[SavedRun, WorldConfig | None]], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:
-    """Return the scores of several runs, with one progress for all; options as those of `score`."""
+    """Return the scores of runs, each in a world or its own, with one progress for all.
+
+    Options are those of `score`.
+    """
     found = []
-    for number, run in enumerate(runs):
+    for number, (run, world) in enumerate(runs):
         # Runs of a job play about equally many matches.
         def part(one: Progress, number: int = number) -> None:
             place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
@@ -434,7 +441,7 @@ def score_runs(
             report(Progress(place + one.what, done, len(runs) * one.total))
 
         # A reader of its own: the archives of all runs together may be large.
-        found.append(score(SavedRun(run.path), report=part, **options))
+        found.append(score(SavedRun(run.path), world=world, report=part, **options))
     return found
 
 
@@ -444,14 +451,30 @@ def kept_scores(
     """Return the scores of the last generations as values of JSON, by "pursuers" and "evaders".
 
     They are those of `score` without options, played once and kept in the directories of the runs.
+    Beside them are the mean scores of the first generation, ``untrained``, and of the ``best
+    script`` of each team, with its name.
     """
     missing = [run for run in runs if _kept(run) is None]
     if missing:
-        played = score_runs(missing, report=report, threads=threads)
+        played = score_runs([(run, None) for run in missing], report=report, threads=threads)
         for run, teams in zip(missing, played, strict=True):
-            plain = {f"{team}s": each.to_json() for team, each in teams.items()}
+            best = _scripts_beside(run.pursuit.world)
+            first = score(run, generation=0, episodes=CHOICE_EPISODES, threads=threads)
+            plain = {
+                f"{team}s": {
+                    **each.to_json(),
+                    "untrained": float(first[team].means[0]),
+                    "best script": [*best[team]],
+                }
+                for team, each in teams.items()
+            }
             save_json(run.path / SCORES, {**SCORED_BY, **plain})
     return [_kept(run) or {} for run in runs]
+
+
+@cache
+def _scripts_beside(world: WorldConfig) -> dict[Team, tuple[Script, float]]:
+    return best_scripts(world, episodes=CHOICE_EPISODES)
 
 
 def _kept(run: SavedRun) -> dict[str, Any] | None:

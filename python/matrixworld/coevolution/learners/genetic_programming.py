@@ -23,12 +23,8 @@ from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, 
 
 Tree: TypeAlias = gp.PrimitiveTree
 
-SHALLOW = 3
-"""Most levels of a tree that is drawn."""
-LEAF = 0.3
-"""Probability that a node of a tree that is drawn is a leaf, where it may be one."""
-NUMBER = 0.2
-"""Probability that a leaf is a number."""
+DEPTH = 2
+"""Most operations one inside the other in a part that is drawn."""
 
 
 class Truth:
@@ -81,21 +77,6 @@ def _number(value: float) -> gp.Terminal:
     return gp.Terminal(float(np.float32(value)), False, float)
 
 
-def drawn(primitives: gp.PrimitiveSetTyped, kind: type, levels: int, rng: Rng) -> list[Any]:
-    """Return the nodes of a random tree of a type, with so many levels below the first at most."""
-    if kind is float and (levels <= 0 or rng.random() < LEAF):
-        leaves = primitives.terminals[float]
-        if rng.random() < NUMBER:
-            return [_number(round(rng.normal(), 2))]
-        return [leaves[rng.integers(len(leaves))]]
-    choices = primitives.primitives[kind]
-    if levels <= 1:  # a comparison inside would need further levels
-        choices = [each for each in choices if Truth not in each.args]
-    node = choices[rng.integers(len(choices))]
-    parts = (drawn(primitives, each, levels - 1, rng) for each in node.args)
-    return [node, *(part for nodes in parts for part in nodes)]
-
-
 def place_in(tree: Tree, rng: Rng, kind: type | None = None) -> int | None:
     """Return a random node of a tree, of a type if one is given; None if there is none."""
     places = [i for i, node in enumerate(tree) if kind is None or node.ret is kind]
@@ -114,19 +95,20 @@ def mate(tree: Tree, other: Tree, rng: Rng) -> Tree:
     return child
 
 
-def mutate(primitives: gp.PrimitiveSetTyped, tree: Tree, rng: Rng) -> Tree:
+def mutate(policy: Program, tree: Tree, rng: Rng) -> Tree:
     """Return a tree with one change.
 
     A part is drawn anew or replaced by a part of itself, a node by another one with the same
     arguments, or a number is moved.
     """
-    child = Tree(tree)
+    primitives, child = primitives_of(policy), Tree(tree)
     place = place_in(tree, rng)
     assert place is not None
     node, part = tree[place], tree.searchSubtree(place)
     way = rng.integers(4)
     if way == 0:
-        child[part] = drawn(primitives, node.ret, SHALLOW - 1, rng)
+        drawn = tree_of(policy, policy.initial(rng, DEPTH))
+        child[part] = _typed(drawn, node.ret, primitives.mapping)
     elif way == 1:
         inner = Tree(tree[part])
         source = place_in(inner, rng, node.ret)
@@ -139,7 +121,7 @@ def mutate(primitives: gp.PrimitiveSetTyped, tree: Tree, rng: Rng) -> Tree:
         if isinstance(node.value, float):
             child[place] = _number(round(node.value + rng.normal(0.0, 0.5), 2))
         else:
-            child[place] = drawn(primitives, float, 0, rng)[0]
+            [child[place]] = tree_of(policy, policy.initial(rng, 0))
     return child
 
 
@@ -189,7 +171,10 @@ class GeneticProgramming(learner.Learner):
     population: int = by_race(48, "candidates per epoch", least=2)
     tournament: int = setting(4, "individuals in a tournament by fitness", least=1)
     parsimony: float = setting(
-        0.7, "probability that the shorter one of two winners becomes a parent", most=1.0
+        0.5,
+        "probability that the shorter one of two winners becomes a parent; 0.5: length does not "
+        "matter",
+        most=1.0,
     )
     crossover: float = setting(0.6, "share of children with a part of another parent", most=1.0)
     elites: int = setting(2, "fittest individuals kept unchanged")
@@ -221,7 +206,6 @@ class GeneticProgramming(learner.Learner):
         if not len(fitness):
             return population, {**state, "candidates": population}
         policy: Any = policy_of(json.loads(str(state["policy"])))
-        primitives = primitives_of(policy)
         trees = [tree_of(policy, genome) for genome in population]
         count = len(population) - self.elites
         parents, mates = (
@@ -236,7 +220,7 @@ class GeneticProgramming(learner.Learner):
             if rng.random() < self.crossover:
                 child = mate(trees[parent], trees[other], rng)
             else:
-                child = mutate(primitives, trees[parent], rng)
+                child = mutate(policy, trees[parent], rng)
             # A child that is too long is its parent.
             fits = len(child) <= policy.length
             children.append(genome_of(policy, child) if fits else population[parent])

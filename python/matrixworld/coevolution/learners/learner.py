@@ -11,9 +11,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats
+from matrixworld._util.checks import check_floats, shown
 from matrixworld.coevolution.game import Game
-from matrixworld.coevolution.sections import Section, by_race
+from matrixworld.coevolution.sections import PluginError, Section, by_race
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import (
     TEAMS,
@@ -199,14 +199,22 @@ class Learner(Section):
         """Return an untrained genome of a team."""
         return game.untrained(team, rng)
 
-    def diverged(self, path: str) -> DivergedError:
-        """Return the error for genes that are not finite; `path` is the setting of the learner."""
+    def diverged(
+        self, path: str, problem: str = "expected finite genes, got NaN or infinity"
+    ) -> DivergedError:
+        """Return the error for genes that are too large; `path` is the setting of the learner."""
         named = [f"{path}.{name} (now {getattr(self, name):g})" for name in self.steps]
         lower = f"; lower {' or '.join(named)}" if named else ""
         name = self.kind or type(self).__name__
-        return DivergedError(
-            f"{path} {name}: expected finite genes, got NaN or infinity: it diverges{lower}"
-        )
+        return DivergedError(f"{path} {name}: {problem}: it diverges{lower}")
+
+
+def check_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
+    """Raise PluginError unless a learner's method `name` has returned float32 of a shape."""
+    is_array = isinstance(array, np.ndarray) and not isinstance(array, np.ma.MaskedArray)
+    if not is_array or (array.dtype, array.shape) != (np.float32, shape):
+        got = f"{array.dtype} {array.shape}" if is_array else shown(array)
+        raise PluginError(f"{name}: expected an array of float32 {shape}, got {got}")
 
 
 def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:

@@ -1,0 +1,79 @@
+"""Teams that learn in several worlds: one of them in each epoch."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from command_line import matrixworld_command
+from matrixworld.coevolution import RaceSettings, score
+from tiny_race import Listening, check_resumes, played, results, tiny_race, tiny_single
+
+WORLDS = [{"n_pursuers": 1, "n_evaders": 1}, {"rows": 5}, {"obstacles": 0.1, "max_steps": 5}]
+RACES = {
+    "in turns": tiny_race(training_worlds=WORLDS),
+    "psro": tiny_race(training_worlds=WORLDS, schedule="psro", retest_episodes=1),
+    "at once": tiny_race(training_worlds=WORLDS, schedule="hall-of-fame"),
+    "alone": tiny_single(training_worlds=WORLDS, learner="cma"),
+}
+
+
+def test_fields_that_are_not_given_are_those_of_the_world_and_of_training() -> None:
+    settings = RACES["in turns"]
+    rows = [(w.rows, w.n_pursuers, w.density, w.max_steps) for w in settings.training_worlds]
+    assert rows == [(6, 1, 0.0, 8), (5, 2, 0.0, 8), (6, 2, 0.1, 5)]
+    assert RaceSettings.of(settings.to_json()) == settings
+
+
+def test_the_world_itself_changes_nothing(tmp_path: Path) -> None:
+    played(tiny_race(), tmp_path / "plain")
+    played(tiny_race(training_worlds=[{}]), tmp_path / "one")
+    plain, one = results(tmp_path / "plain"), results(tmp_path / "one")
+    assert plain.pop("config.json") != one.pop("config.json")
+    assert plain == one
+
+
+@pytest.mark.parametrize("kind", RACES)
+@pytest.mark.parametrize("call_number", [1, 4])
+def test_a_stopped_run_draws_the_same_worlds(kind: str, call_number: int, tmp_path: Path) -> None:
+    check_resumes(RACES[kind], call_number, tmp_path)
+
+
+def test_worlds_are_drawn_by_their_shares(tmp_path: Path) -> None:
+    play = Listening()
+    shares = {"training_worlds": WORLDS, "training_shares": (6, 1, 1)}
+    settings = tiny_single(**shares, epochs=80, archive_every=80)
+    played(settings, tmp_path / "run", play)
+    *training, evaluation = [config for config, *_ in play.calls]
+    counts = [training.count(world) for world in settings.training_worlds]
+    assert sum(counts) == 80
+    # Three standard deviations of a binomial number of 80 epochs, with the share 3/4.
+    assert counts[0] == pytest.approx(60, abs=12)
+    assert min(counts) > 0
+    assert evaluation == settings.world
+
+
+def test_scores_in_every_world_of_training(tmp_path: Path) -> None:
+    run = played(RACES["alone"], tmp_path / "run")
+    told = matrixworld_command("score", run.path, "--training-worlds", "--episodes", 2).output
+    assert "in a world of training: 5 x 6, 2 v 3\n" in told
+    assert "in a world of training: 6 x 6, 2 v 3, with obstacles" in told
+    small = run.settings.training_worlds[0]
+    found = score(run, world=small, episodes=2)["pursuer"]
+    # One evader is captured, or none.
+    assert {*np.unique(found.rates)} <= {0.0, 1.0}
+
+
+@pytest.mark.parametrize(
+    ("bad", "message"),
+    [
+        ({"training_worlds": [{"fov": 5}]}, r"training_worlds\.fov: expected 3, as in world"),
+        ({"training_worlds": [{"n_cats": 5}]}, r"training_worlds\.n_cats: expected one of"),
+        ({"training_worlds": [7]}, "training_worlds: expected the fields of a world, got 7"),
+        ({"training_worlds": WORLDS, "training_shares": (1,)}, "expected 3 or none, got 1"),
+        ({"training_shares": (1,)}, "training_shares: expected 0 or none, got 1"),
+    ],
+)
+def test_worlds_in_which_the_genomes_cannot_play_are_refused(bad: dict, message: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=message):
+        tiny_race(**bad)

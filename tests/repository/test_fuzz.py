@@ -1,0 +1,92 @@
+"""The public fuzzer: it finds planted bugs, by its seed alone; what it found stays found."""
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from unittest import mock
+from zipfile import ZipExtFile
+
+import pytest
+
+import fuzz
+import matrixworld as mw
+from matrixworld._util import files
+from matrixworld.coevolution import storage
+
+
+@contextmanager
+def a_move_is_lost() -> Iterator[None]:
+    """The last agent stays in its third step."""
+    step = mw.World.step
+
+    def planted(world: mw.World, actions: object, **options: bool) -> object:
+        chosen = list(actions)  # type: ignore[call-overload]
+        if world.steps == 2:
+            chosen[-1] = 0
+        return step(world, chosen, **options)
+
+    with mock.patch.object(mw.World, "step", planted):
+        yield
+
+
+@contextmanager
+def an_unknown_directory_is_no_sentence() -> Iterator[None]:
+    plain = storage.find_runs
+
+    def planted(path: Path) -> list[Path]:
+        return plain(path) or {}["run"]  # type: ignore[no-any-return]
+
+    with mock.patch.object(storage, "find_runs", planted):
+        yield
+
+
+@contextmanager
+def what_is_altered_is_read() -> Iterator[None]:
+    with mock.patch.object(ZipExtFile, "_update_crc"):
+        yield
+
+
+@contextmanager
+def what_a_killed_writer_left_stays() -> Iterator[None]:
+    with mock.patch.object(files, "remove_temporary_files"):
+        yield
+
+
+@contextmanager
+def a_clock_decides() -> Iterator[None]:
+    """Old checkpoints are removed if time has passed since the last one."""
+    save, last = storage.RunWriter.save, [-1e300]
+
+    def planted(run: storage.RunWriter, *args: object) -> None:
+        last.append(time.time())
+        keep = last[-1] < last[-2]
+        with mock.patch.object(Path, "unlink") if keep else mock.MagicMock():
+            save(run, *args)  # type: ignore[arg-type]
+
+    with mock.patch.object(storage.RunWriter, "save", planted):
+        yield
+
+
+PLANTED: dict[str, Callable[[], object]] = {
+    "worlds": a_move_is_lost,
+    "commands": an_unknown_directory_is_no_sentence,
+    "files": what_is_altered_is_read,
+    "kills": what_a_killed_writer_left_stays,
+    "clocks": a_clock_decides,
+}
+SEEDS = {"worlds": 0, "commands": 8, "files": 48, "kills": 1, "clocks": 0}
+"""Seeds with which few steps find each bug."""
+FOUND: list[tuple[int, int]] = []
+"""Seeds and steps that found something, once."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", PLANTED)
+def test_a_planted_bug_is_found(kind: str) -> None:
+    seed = SEEDS[kind]
+    assert not fuzz.fuzz(seed, steps=4, kinds=[kind])  # and nothing else
+    with PLANTED[kind]():  # type: ignore[attr-defined]
+        problem = fuzz.fuzz(seed, steps=4, kinds=[kind])
+    assert problem.startswith(f"seed {seed}, step ")
+    assert f"({kind})" in problem
