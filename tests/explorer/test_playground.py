@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 import matrixworld as mw
 from browser import Browser
 from command_line import matrixworld_command
-from matrixworld import Episode, World, WorldConfig, record
+from matrixworld import Episode, Matches, World, WorldConfig, record, rollout
 from matrixworld.coevolution import TEAMS, SavedRun, Team
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
@@ -334,6 +334,20 @@ def test_files_and_links_hold_the_match(
 
 def press_button(browser: Browser, text: str) -> None:
     browser.driver.find_element("xpath", f"//button[text()='{text}']").click()
+
+
+def test_rounds_are_harder_and_harder_and_standing_still_wins_none() -> None:
+    """What docs/pages.md says of "Can you escape it?", from any starts."""
+    rates = {
+        evader: [
+            1.0 - rollout(world, pursuers, evader, Matches.of(0, 0, [1]), episodes=100).capture_rate
+            for world, pursuers in shipped("O").rounds
+        ]
+        for evader in ("dodger", "still", "random")
+    }
+    first, second, third = (float(rate.mean()) for rate in rates["dodger"])
+    assert first > 0.7 > second > 0.35 > third > 0.05
+    assert max(float(rate.mean()) for rate in rates["still"] + rates["random"]) < 0.1
 
 
 def test_a_run_gives_its_generations_to_the_page(job: Job) -> None:

@@ -216,13 +216,17 @@ def courses(kind: int, rng: np.random.Generator, n: int) -> tuple[np.ndarray, np
 @pytest.mark.slow
 def test_the_sentence_of_a_race_never_contradicts_its_judgement() -> None:
     """The page says that a team became better, or weaker; 200 races, of every verdict."""
-    rng, n, races = np.random.default_rng(0), 12, []
+    rng, n, races = np.random.default_rng(0), 14, []
     for kind in range(200):
         pursuers, evaders, circle = courses(kind, rng, n)
-        strength, phase = rng.normal(0.0, 0.3, (2, n)), 4 * np.pi * np.linspace(0, 1, n)
+        one_sided = kind % 10 in (1, 2)  # which takes many matches to tell
+        strength = rng.normal(0.0, 0.0 if one_sided else 0.15, (2, n))
+        phase = 4 * np.pi * np.linspace(0, 1, n)
         ahead = (pursuers + strength[0])[:, None] - (evaders + strength[1])
         odds = ahead + circle * np.sin(phase[:, None] - phase)
-        races.append(rng.binomial(4, 1 / (1 + np.exp(-odds[..., None])), (n, n, 6)) / 4)
+        races.append(
+            rng.binomial(4, 1 / (1 + np.exp(-odds[..., None])), (n, n, 40 if one_sided else 8)) / 4
+        )
     told = run_node("outcome.mjs", {"races": [r.tolist() for r in races], "told": [], "data": {}})
     said, present = set(), set()
     for race, outcome in zip(races, told["outcomes"], strict=True):
@@ -232,13 +236,15 @@ def test_the_sentence_of_a_race_never_contradicts_its_judgement() -> None:
         still = found["stagnation"].verdict == "present"
         one_sided = found["one-sided progress"].verdict == "present"
         none = all(found[name].verdict == "absent" for name in UP)
+        won = found["disengagement"].verdict == "present"  # which hides the rest
         for team, its in outcome["teams"].items():
-            said.add(its["verdict"])
-            other = one_sided and f"{team}s" not in rose
-            assert its["verdict"] != "better" or not (still or none or other)
-            assert its["verdict"] != "weaker" or not (still or f"{team}s" in rose)
+            said.add(verdict := its["verdict"])
+            denied = still or none or (one_sided and f"{team}s" not in rose)
+            assert not (verdict.startswith("better") and denied)
+            assert verdict != "better" or won or f"{team}s" in rose  # or "no clear progress"
+            assert verdict != "weaker" or not (still or f"{team}s" in rose)
     assert present == set(CONDITIONS)
-    assert said == {"better", "weaker", "cannot tell"}
+    assert said == {"better", "better by a jump", "weaker", "cannot tell"}
 
 
 def test_what_agents_do_is_told_as_by_explain() -> None:

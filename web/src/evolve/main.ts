@@ -7,11 +7,9 @@ import { copyLink, readOnly, saveFile } from "../page/dialog.ts";
 import { hasAddress, html, started } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import { top } from "../page/top.ts";
-import type { WorldConfig } from "../engine/types.ts";
 import { legend } from "../board/legend.ts";
-import { Live } from "../board/live.ts";
 import { withCell } from "../playground/scene.ts";
-import { randomSeed } from "../playground/played.ts";
+import { fairSeed } from "../playground/played.ts";
 import { GENERATIONS, MOST_GENERATIONS, settingsOf, whyNotPlayed } from "./choice.ts";
 import type { Choice } from "./choice.ts";
 import { controls } from "./controls.ts";
@@ -32,8 +30,6 @@ import { work } from "./worker.ts";
 
 /** Milliseconds after the last stroke until a race goes on among new walls. */
 const REST = 250;
-/** Starts of which a game takes the one with the farthest opponent. */
-const STARTS = 8;
 
 const button = (text: string, title: string, onclick: () => void, style = ""): HTMLButtonElement =>
   html("button", { type: "button", title: title || null, class: style || null, onclick }, text);
@@ -231,20 +227,7 @@ class Page {
     const policies = { pursuer: run.playing("pursuer", champions.pursuer), evader: run.playing("evader", champions.evader) };
     const players = Array.from({ length: (run.best?.[team] ?? run.newest) + 1 }, (_, generation) => ({ name: `generation ${generation}`, text: "", policy: () => run.policy(team, generation) }));
     this.#duel.play(team, { world: run.world, policies, players, seed: this.#choice.seed, rate: Math.round(100 * (outcome?.rate ?? 0)), friend: null },
-      { seed: this.#fairSeed(run.world, team), episode: 0 });
-  }
-
-  /** Return a seed whose match does not begin with an opponent beside the person. */
-  #fairSeed(world: WorldConfig, team: Team): string {
-    const { n_pursuers, n_evaders } = world;
-    const [seat, first, last] = team === "evader" ? [n_pursuers, 0, n_pursuers] : [0, n_pursuers, n_pursuers + n_evaders];
-    const nearest = (seed: bigint): number => {
-      const cells = new Live(this.#engine, world, { seed }).recording.moments[0]!.positions;
-      const away = (axis: number, other: number): number => Math.abs(cells[2 * seat + axis]! - cells[2 * other + axis]!);
-      return Math.min(...Array.from({ length: last - first }, (_, place) => away(0, first + place) + away(1, first + place)));
-    };
-    const seeds = Array.from({ length: STARTS }, randomSeed).map((seed) => [seed, nearest(seed)] as const);
-    return String(seeds.reduce((best, each) => (each[1] > best[1] ? each : best))[0]);
+      { seed: String(fairSeed(this.#engine, run.world, team === "evader" ? run.world.n_pursuers : 0)), episode: 0 });
   }
 
   // ---- What is shown ----------------------------------------------------------------------------

@@ -7,7 +7,7 @@ import type { Cell, OfTeams } from "./race.ts";
 import { TEAMS, otherOf } from "./settings.ts";
 import type { Team } from "./settings.ts";
 
-export type Verdict = "better" | "weaker" | "cannot tell";
+export type Verdict = "better" | "better by a jump" | "weaker" | "cannot tell";
 
 export interface Outcome {
   /** Capture rate of the best pursuers and evaders against each other; the generation of each. */
@@ -23,6 +23,8 @@ const LAST = 1 / 4;
 /** Standard deviations of an interval that holds 95 %, and the least change of strength: `LEAST_GAIN` of `judge`. */
 const REACH = 1.96;
 const LEAST = 0.05;
+/** Parts of a course, none of which may fall back if it is sustained. */
+const PARTS = 5;
 
 interface Estimate {
   readonly value: number;
@@ -40,7 +42,9 @@ export function outcomeOf(cells: ReadonlyMap<string, Pick<Cell, "capture_rates">
     const [before, after] = [[own[0]!.slice(-last)], own.slice(-last).map((row) => row.slice(-last))];
     const errorOf = (rows: Rates): number => mean(rows.map((row) => mean(row.slice(-last)) / last)) / rows.length;
     const difference = { value: mean(after.map(mean)) - mean(before.map(mean)), reach: REACH * Math.sqrt(errorOf(errors.slice(-last)) + errorOf([errors[0]!])) };
-    return { verdict: verdictOf(difference, changeOf(own, errors)), before: mean(before[0]!), after: mean(after.map(mean)) };
+    const change = changeOf(own, errors);
+    const told = verdictOf(difference, change);
+    return { verdict: told === "better" && !isSustained(own.map(mean), change.value) ? "better by a jump" : told, before: mean(before[0]!), after: mean(after.map(mean)) };
   };
   const teams = { pursuer: teamOf("pursuer"), evader: teamOf("evader") };
   const bestOf = (team: Team): number => {
@@ -69,6 +73,17 @@ function changeOf(own: Rates, errors: Rates): Estimate {
   };
 }
 
+/** Return whether a course keeps its direction, without a jump that is half of its change: `analysis.strength.is_sustained`. */
+function isSustained(course: readonly number[], change: number): boolean {
+  const forward = course.map((each) => each * Math.sign(change));
+  const [size, more] = [Math.floor(course.length / PARTS), course.length % PARTS];
+  const parts = Array.from({ length: PARTS }, (_, part) => mean(forward.slice(part * size + Math.min(part, more), (part + 1) * size + Math.min(part + 1, more))));
+  const tenth = Math.max(2, Math.floor(course.length / 10));
+  const jump = Math.max(...forward.slice(tenth).map((each, at) => each - forward[at]!));
+  const setback = Math.max(...parts.slice(1).map((each, part) => parts[part]! - each));
+  return jump < Math.abs(change) / 2 && setback < Math.abs(change) / 4;
+}
+
 function verdictOf(...estimates: readonly Estimate[]): Verdict {
   if (estimates.every(({ value, reach }) => value - reach > LEAST)) return "better";
   return estimates.every(({ value, reach }) => value + reach < -LEAST) ? "weaker" : "cannot tell";
@@ -76,16 +91,17 @@ function verdictOf(...estimates: readonly Estimate[]): Verdict {
 
 export const percent = (rate: number): string => `${Math.round(100 * rate)} %`;
 
+const WORDS: Readonly<Record<Verdict, string>> = {
+  better: "better than in generation 0", "better by a jump": "better than in generation 0, mostly by one jump",
+  weaker: "weaker than in generation 0", "cannot tell": "",
+};
+
 function sentenceOf(rate: number, teams: Outcome["teams"]): string {
-  const { pursuer, evader } = teams;
   const now = `The best pursuers now catch ${percent(rate)} of the best evaders.`;
-  if (pursuer.verdict === evader.verdict) {
-    return pursuer.verdict === "cannot tell" ? `${now} Whether a team has become better since generation 0, this race cannot tell.`
-      : `${now} Both teams are ${pursuer.verdict} than in generation 0.`;
-  }
-  const known = TEAMS.filter((team) => teams[team].verdict !== "cannot tell").map((team) => `the ${team}s are ${teams[team].verdict}`);
-  const unknown = TEAMS.filter((team) => teams[team].verdict === "cannot tell").map((team) => `; of the ${team}s this race cannot tell`);
-  return `${now} Since generation 0, ${known.join(", ")}${unknown.join("")}.`;
+  const words = TEAMS.map((team) => WORDS[teams[team].verdict]);
+  if (words[0] === words[1]) return words[0] ? `${now} Both teams are ${words[0]}.` : `${now} Whether a team has become better since generation 0, this race cannot tell.`;
+  const parts = TEAMS.map((team, place) => (words[place] ? `the ${team}s are ${words[place]}` : `of the ${team}s this race cannot tell`));
+  return `${now} ${parts[0]![0]!.toUpperCase()}${parts[0]!.slice(1)}; ${parts[1]}.`;
 }
 
 /** Return what a team's verdict rests on, in a sentence. */

@@ -56,6 +56,7 @@ export function evolving({ evolve }: Lesson, engine: Promise<Engine>, { grows = 
       lane.start(settings());
     });
     lane.addEventListener("state", tell);
+    if (grows) lane.element.querySelector("details")!.open = true;
     room.append(lane.element);
     whileSeen(lane.chases, lane.boards);
     button.disabled = false;

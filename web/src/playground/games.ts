@@ -5,7 +5,7 @@ import type { Engine } from "../engine/engine.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
 import type { OpponentsData } from "./data.ts";
-import { ladder, randomSeed, resultInSeat, resultOf, teamOf } from "./played.ts";
+import { ladder, fairSeed, resultInSeat, resultOf, teamOf } from "./played.ts";
 import type { Played, Player, Result } from "./played.ts";
 import type { Game, PlayView } from "./view.ts";
 
@@ -30,7 +30,7 @@ function roundsOf(world: WorldConfig, pursuers: readonly Player[]): Round[] {
 }
 
 /** Play one evader in three rounds that are harder and harder, for a score. */
-export function escapeGame(view: PlayView, data: Pick<OpponentsData, "world" | "rounds">, pursuers: readonly Player[]): void {
+export function escapeGame(engine: Engine, view: PlayView, data: Pick<OpponentsData, "world" | "rounds">, pursuers: readonly Player[]): void {
   const rounds: readonly Round[] = data.rounds.length ? data.rounds.map(({ world: config, pursuers: name, text }) => ({ config, rival: { name: `${name.replaceAll("-", " ")}s`, text, policy: () => name } }))
     : roundsOf(data.world, pursuers);
   const scores: number[] = [];
@@ -40,7 +40,7 @@ export function escapeGame(view: PlayView, data: Pick<OpponentsData, "world" | "
     view.play({
       title: `Can you escape it? Round ${scores.length + 1} of ${rounds.length}, ${config.n_pursuers} pursuers: ${rival.name}`,
       about: rival.text && `${rival.name}: ${rival.text}`,
-      played: { config, seed: randomSeed(), episode: 0, seat: config.n_pursuers, from: 0, moves: [], policies: { pursuer: rival.policy(), evader: "still" } },
+      played: { config, seed: fairSeed(engine, config, config.n_pursuers), episode: 0, seat: config.n_pursuers, from: 0, moves: [], policies: { pursuer: rival.policy(), evader: "still" } },
       ending: (live) => {
         scores.push(resultOf(live, config.n_pursuers).lasted);
         const rows = rounds.map(({ rival: { name } }, place) => html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, scores[place] ?? "")));
@@ -51,7 +51,7 @@ export function escapeGame(view: PlayView, data: Pick<OpponentsData, "world" | "
           left ? html("button", { type: "button", class: "primary", onclick: round }, "Next round") : "",
         ];
       },
-      again: () => escapeGame(view, data, pursuers),
+      again: () => escapeGame(engine, view, data, pursuers),
       link: () => null,
     });
   };

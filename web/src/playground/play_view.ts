@@ -56,7 +56,7 @@ export class Games extends EventTarget {
   /** Begin a game. */
   begin(game: GameName): void {
     this.#show(game);
-    if (game === "escape") escapeGame(this.view, this.#data, this.#players.pursuer);
+    if (game === "escape") escapeGame(this.#engine, this.view, this.#data, this.#players.pursuer);
     else if (game === "match") this.#match();
     else {
       this.view.stop();

@@ -88,3 +88,19 @@ export function movesOf(parts: URLSearchParams, config: WorldConfig): Moves | nu
 }
 
 export const randomSeed = (): bigint => crypto.getRandomValues(new BigUint64Array(1))[0]!;
+
+/** Starts of which a game takes the one whose nearest opponent is the farthest. */
+const STARTS = 8;
+
+/** Return a random seed whose match does not begin with an opponent beside the person. */
+export function fairSeed(engine: Engine, config: WorldConfig, seat: number): bigint {
+  const { n_pursuers, n_evaders } = config;
+  const others = Array.from({ length: n_pursuers + n_evaders }, (_, agent) => agent).filter((agent) => teamOf(config, agent) !== teamOf(config, seat));
+  const nearest = (seed: bigint): number => {
+    const cells = new Live(engine, config, { seed }).recording.moments[0]!.positions;
+    const away = (axis: number, other: number): number => Math.abs(cells[2 * seat + axis]! - cells[2 * other + axis]!);
+    return Math.min(...others.map((other) => away(0, other) + away(1, other)));
+  };
+  const seeds = Array.from({ length: STARTS }, randomSeed).map((seed) => [seed, nearest(seed)] as const);
+  return seeds.reduce((best, each) => (each[1] > best[1] ? each : best))[0];
+}

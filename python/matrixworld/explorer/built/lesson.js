@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 9704e19f25d14bdb62ffe7ea1e83376bc0df7494e3fffca84e69f390ccc691bc */
+/* built from web/ by "npm run build"; sources 19803710c74d8bcd7748bcef845faa981728dd246dada40538a027e1c7b2a6ac */
 "use strict";(()=>{var _n={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Je={DISAPPEAR:0,REACH:1,BOUNCE:2},Ln={OCCUPATION:0,SURROUND:1},Nn={FAULT:0,INVOLVED:1};var In=["obstacle","teammate","adversary"],wr=["vertex","edge","chain"],Fn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xr=["p\
 ursuer_{number}","evader_{number}"],Dn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Xe={"both held":"both bounce","both doomed":"\
@@ -774,13 +774,13 @@ pursuer:n-1,evader:s-1,episode:i++%o,seed:null}),`Generation ${n-1} of both team
 ar())}function Ya({evolve:r},e,{grows:t=!1}){let n=u("button",{type:"button",class:"evolve",disabled:!0},"Evolve"),s=u("progress",{max:1,value:0,"aria-label":"P\
 rogress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let i=-1,l=()=>da(r,{...ua(r,eu),policy:"cells",seed:Math.max(0,i)}),c=new hr(
 r,a,"lesson",l()),m=()=>{n.textContent=c.state==="waiting"?"Evolve":c.state==="evolving"?"Stop":"Again, with other luck",s.value=c.done};n.addEventListener("cli\
-ck",()=>{if(c.state==="evolving")return c.stop();i++,c.start(l())}),c.addEventListener("state",m),o.append(c.element),fn(c.chases,c.boards),n.disabled=!1}),u("d\
-iv",{class:`widget evolving ${t?"grows":"boards"}`},u("div",{class:"buttons"},n,s),o)}function Za({runs:r,playground:e},t){let n=r[0].payoff.shape.map(c=>c-1),s=new Ye(
-{run:0,pursuer:n[0],evader:n[1],episode:0,seed:null}),[o,a]=[new qe(r,s,e),new Ke(r,s)];o.actions.remove(),a.element.addEventListener("play",()=>{o.playSoon(),o.
-reveal()}),t.then(c=>o.start(c));let[{seed:i},l]=[r[0],r[0].world];return u("div",{class:"widget wide"},Va(r,s),u("div",{class:"stages"},a.element,o.element),u(
-"p",{class:"small muted"},"Three races of ",u("code",{},`matrixworld evolve --seed ${i}`),`: ${l.n_pursuers} pursuers and ${l.n_evaders} evaders on ${l.rows} x ${l.
-cols} cells.`))}function Ja({runs:r}){let[e,t]=[r[0],r[0].findings],[n,...s]=t.table,o=s.findIndex(([i])=>i==="arms race"),a={sentence:e.name,table:[n,s[o]],reasons:[
-t.reasons[o]]};return u("div",{class:"widget text"},ja({...e,findings:{...t,...a}}).element)}var xn=()=>{let[r]=crypto.getRandomValues(new Uint32Array(1));return{pupil:r.toString(16).padStart(8,"0"),choices:[],solved:{},exit:"",done:!1}},pr=class extends EventTarget{#e;#r;#t;keeps=!0;constructor(e){
+ck",()=>{if(c.state==="evolving")return c.stop();i++,c.start(l())}),c.addEventListener("state",m),t&&(c.element.querySelector("details").open=!0),o.append(c.element),
+fn(c.chases,c.boards),n.disabled=!1}),u("div",{class:`widget evolving ${t?"grows":"boards"}`},u("div",{class:"buttons"},n,s),o)}function Za({runs:r,playground:e},t){
+let n=r[0].payoff.shape.map(c=>c-1),s=new Ye({run:0,pursuer:n[0],evader:n[1],episode:0,seed:null}),[o,a]=[new qe(r,s,e),new Ke(r,s)];o.actions.remove(),a.element.
+addEventListener("play",()=>{o.playSoon(),o.reveal()}),t.then(c=>o.start(c));let[{seed:i},l]=[r[0],r[0].world];return u("div",{class:"widget wide"},Va(r,s),u("d\
+iv",{class:"stages"},a.element,o.element),u("p",{class:"small muted"},"Three races of ",u("code",{},`matrixworld evolve --seed ${i}`),`: ${l.n_pursuers} pursuer\
+s and ${l.n_evaders} evaders on ${l.rows} x ${l.cols} cells.`))}function Ja({runs:r}){let[e,t]=[r[0],r[0].findings],[n,...s]=t.table,o=s.findIndex(([i])=>i==="a\
+rms race"),a={sentence:e.name,table:[n,s[o]],reasons:[t.reasons[o]]};return u("div",{class:"widget text"},ja({...e,findings:{...t,...a}}).element)}var xn=()=>{let[r]=crypto.getRandomValues(new Uint32Array(1));return{pupil:r.toString(16).padStart(8,"0"),choices:[],solved:{},exit:"",done:!1}},pr=class extends EventTarget{#e;#r;#t;keeps=!0;constructor(e){
 super(),[this.#r,this.#t]=[e,`matrixworld lesson ${e}`],this.#e=this.#n(),this.#o({})}choice=e=>this.#e.choices.find(({prediction:t})=>t===e)?.choice;choose(e,t){
 let n=new Date().toISOString().replace(/\.\d+Z$/,"+00:00");this.#o({choices:[...this.#e.choices,{prediction:e,choice:t,time:n}]}),this.dispatchEvent(new CustomEvent(
 "choice",{detail:e}))}solved=e=>this.#e.solved[e];solve=(e,t)=>this.#o({solved:{...this.#e.solved,[e]:t}});get exit(){return this.#e}set exit(e){this.#o(e)}get count(){
