@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 19803710c74d8bcd7748bcef845faa981728dd246dada40538a027e1c7b2a6ac */
+/* built from web/ by "npm run build"; sources 6e615483b8c17baf9f851d7faa952b82f65d516aeb179f4782abb9c9881a8f14 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,wn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
