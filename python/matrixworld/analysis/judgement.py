@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from itertools import groupby
-from operator import itemgetter
 from typing import Any, NamedTuple
 
 from matrixworld._util.checks import check_choice, check_instance
@@ -105,7 +103,7 @@ WORDS: Mapping[str, Words] = {
     "rise": Words("{teams}", "became stronger{doubt}"),
     "intransitivity": Words("no order of strength", "explains who beats whom"),
     "cycling": Words("{teams}", "went back to old strategies", "intransitivity"),
-    "forgetting": Words("{teams}", "lost old skills ({sizes})"),
+    "forgetting": Words("{teams}", "lost old skills ({sizes})", "intransitivity"),
     "stagnation": Words("neither team", "became stronger or weaker"),
 }
 """All conditions by name, in the order of tables."""
@@ -134,18 +132,13 @@ def sentence(judgement: Judgement) -> str:
     check_instance("judgement", judgement, Judgement)
     if judgement.findings["arms race"].reason == TOO_SHORT:
         return f"Too short to be judged: {TOO_SHORT}."
-    better: list[str] = []
-    others: list[str] = []
-    for at in (WHOLE, *HALVES):
-        if told := _told(judgement, at):
-            parts = better if {*OF_STRENGTH} & {*told} else others
-            parts.append(_at(judgement, at) + _clause([*told.values()]))
-    if better:
-        lead = _of_runs(judgement) + "; ".join(better)
+    told = {at: each for at in (WHOLE, *HALVES) if (each := _told(judgement, at))}
+    parts = [_at(judgement, at) + _clause(each) for at, each in told.items()]
+    if {*OF_STRENGTH} & {name for each in told.values() for name in each}:
+        parts[0] = _of_runs(judgement) + parts[0]
     else:
-        lead = ": ".join([_no_progress(judgement), *others[:1]])
-        others = others[1:]
-    said = (f"{part[0].upper()}{part[1:]}." for part in (lead, *others))
+        parts[:1] = [": ".join([_no_progress(judgement), *parts[:1]])]
+    said = (f"{part[0].upper()}{part[1:]}." for part in parts)
     return in_words_of(judgement.teams, " ".join(said))
 
 
@@ -192,11 +185,13 @@ def _happened(findings: Findings, name: str) -> tuple[str, str]:
     sizes = [finding.estimates.get(f"{team[:-1]}_{name}") for team in finding.teams]
     known = {team: gains.get(f"{team[:-1]}_gain", NO_GAIN) for team in finding.teams}
     vague = tuple(team for team, gain in known.items() if (gain.low or 0.0) <= 0.0)
-    those = "" if vague == finding.teams else f" {_named(vague)}"
+    doubt = "without a clear trend" if vague else ""
+    if vague != finding.teams:
+        doubt = doubt and f"({_named(vague)} {doubt})"
     words = {
         "teams": _named(finding.teams),
         "sizes": " and ".join(f"{size.value:.2f}" for size in sizes if size),
-        "doubt": f",{those} without a clear trend" if vague else "",
+        "doubt": doubt and f" {doubt}",
     }
     return WORDS[name].who.format(**words), WORDS[name].did.format(**words)
 
@@ -205,10 +200,14 @@ def _named(teams: tuple[str, ...]) -> str:
     return "both teams" if len(teams) == 2 else f"the {teams[0]}" if teams else "one team"
 
 
-def _clause(told: list[tuple[str, str]]) -> str:
-    """Return who did what, naming each once: "both teams went back to ... and lost ..."."""
-    by_subject = groupby(told, key=itemgetter(0))
-    return " and ".join(f"{who} {' and '.join(did for _, did in each)}" for who, each in by_subject)
+def _clause(told: Mapping[str, tuple[str, str]]) -> str:
+    """Return who did what, naming each once: "both teams improved, but lost old skills"."""
+    clause, last, improved = "", "", False
+    for name, (who, did) in told.items():
+        joint = ", but " if improved and name not in OF_STRENGTH else " and " if clause else ""
+        clause += f"{joint}{did if who == last else f'{who} {did}'}"
+        last, improved = who, name in OF_STRENGTH
+    return clause
 
 
 def _at(judgement: Judgement, window: str) -> str:
