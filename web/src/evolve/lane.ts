@@ -90,7 +90,8 @@ export class Lane extends EventTarget {
       chase.addEventListener("agent", () => chase.agent !== null && this.#ask(chase, chase.agent));
       chase.addEventListener("step", () => !asked.hidden && chase.agent !== null && this.#look(chase));
     }
-    this.element = html("section", { class: "lane" }, this.#title, this.#facts, this.boards, asked, this.#weights.element, this.#more, this.#dialogs);
+    this.element = html("section", { class: "lane" }, this.#title, this.#facts, this.boards,
+      html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and why it moves."), asked, this.#weights.element, this.#more, this.#dialogs);
     this.reset(settings);
   }
 
@@ -336,6 +337,14 @@ export class Lane extends EventTarget {
     if (!chase) return;
     this.#look(chase, true);
     this.#inspector.choose(agent);
+  }
+
+  /** Ask the next agent on the board of now. */
+  askNext(): void {
+    const { match, player: { step }, agent } = this.after;
+    const order = Array.from({ length: match?.n_agents ?? 0 }, (_, place) => ((agent ?? -1) + 1 + place) % match!.n_agents);
+    const next = order.find((each) => match!.alive[step * match!.n_agents + each]);
+    if (next !== undefined) this.after.choose(next);
   }
 
   #look(chase: Chase, anew = false): void {

@@ -332,7 +332,9 @@ async function show(): Promise<void> {
   const page = new Page(readData(), await loadEngine());
   document.addEventListener("keydown", ({ key, target, ctrlKey, metaKey, altKey }) => {
     const busy = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || document.querySelector("dialog[open]");
-    if (key.toLowerCase() === "d" && !busy && !ctrlKey && !metaKey && !altKey) changeTheme();
+    if (busy || ctrlKey || metaKey || altKey) return;
+    if (key.toLowerCase() === "d") changeTheme();
+    else if (key.toLowerCase() === "a") page.lanes[0]!.askNext();
   });
   window.addEventListener("hashchange", () => location.reload()); // another race
   Object.assign(window, { matrixworldEvolve: page }); // for tests, and for the curious
