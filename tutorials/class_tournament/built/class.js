@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 6e615483b8c17baf9f851d7faa952b82f65d516aeb179f4782abb9c9881a8f14 */
+/* built from web/ by "npm run build"; sources a5c3e4bfc2d7d2f1e930ee460abf48719283905fe4ab2cfc2518a1d131fbb765 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,wn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

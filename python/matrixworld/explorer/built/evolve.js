@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 6e615483b8c17baf9f851d7faa952b82f65d516aeb179f4782abb9c9881a8f14 */
+/* built from web/ by "npm run build"; sources a5c3e4bfc2d7d2f1e930ee460abf48719283905fe4ab2cfc2518a1d131fbb765 */
 "use strict";(()=>{var ys={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},dt={DISAPPEAR:0,REACH:1,BOUNCE:2},gs={OCCUPATION:0,SURROUND:1},vs={FAULT:0,INVOLVED:1};var rn=["obstacle","teammate","adversary"],nn=["vertex","edge","chain"],bs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],sn=["p\
 ursuer_{number}","evader_{number}"],ws={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},mt={"both held":"both bounce","both doomed":"\
@@ -767,55 +767,57 @@ super(),[this.#e,this.#r,this.settings]=[e,t,s],this.#t=new Xr(n,a=>this.#A(a)),
 add("before"),this.boards=d("div",{class:"pair"},this.before.element,this.after.element),this.#f=new Zr(t,e,()=>this.#k(!0)),this.#p=new st(()=>{});let o=d("sec\
 tion",{class:"card asked","aria-label":"An agent",hidden:!0},d("button",{type:"button",class:"leave",onclick:()=>this.#E(null,null)},"Close"),this.#p.element);for(let a of[
 this.before,this.after])a.addEventListener("agent",()=>a.agent!==null&&this.#E(a,a.agent)),a.addEventListener("step",()=>!o.hidden&&a.agent!==null&&this.#R(a));
-this.element=d("section",{class:"lane"},this.#n,this.#a,this.boards,o,this.#f.element,this.#m,this.#d),this.reset(s)}reset(e){this.#t.send({type:"stop"}),[this.
-settings,this.state,this.done,this.epochs,this.kept]=[e,"waiting",0,0,null],this.#C();let{archive:t}=new at(this.#r,e,this.#e.masks);this.#o.add({pursuer:t.pursuer[0],
-evader:t.evader[0]}),this.#k(!0),this.#$()}start(e,t=[],n=1/0){this.settings=e,this.#C(),this.settings=t.at(-1)?.settings??e,[this.state,this.done,this.epochs,this.
-kept]=["evolving",0,0,null],this.changed.splice(0),this.#x({type:"start",settings:e,masks:this.#e.masks,plan:t,until:n}),this.#$()}restore(e,t,n,s){this.settings=
-t.settings,this.#C();for(let o of Array(t.finished).keys())this.#o.add({pursuer:t.archive.pursuer[o],evader:t.archive.evader[o]});for(let[o,a]of t.cells)this.#o.
-addCell(a),this.#c.set(o,a);this.#l={pursuer:[...t.scores.pursuer],evader:[...t.scores.evader]},[this.settings,this.kept,this.seconds,this.epochs,this.done]=[e,
-t,t.seconds,n,1],this.changed.splice(0,1/0,...s),this.#O("ended"),this.#M()}stop(){this.#x({type:"stop"})}go(){this.state="evolving",this.#x({type:"go"}),this.#$()}change(e){
-if(this.state==="waiting")return this.reset(e);this.settings=e,this.#x({type:"change",settings:e}),this.#$()}saved(){return this.kept?Promise.resolve(this.kept):
-new Promise(e=>{this.#h=e,this.#x({type:"save"})})}async keep(){return{...await this.saved(),scores:this.#l,seconds:this.seconds}}get newestGeneration(){return this.#o.
-newest}get champions(){return{pursuer:this.#f.genome("pursuer"),evader:this.#f.genome("evader")}}get run(){return this.#o}close(){this.#t.close(),this.chases.runs=
-!1}#x(e){this.#t.send(e)}#A(e){if(e.type==="began"&&(this.#b=!0),!!this.#b){if(e.type==="generation")this.#o.add(e.genomes),this.#k(e.number===0);else if(e.type===
-"cell"){let{pursuer:t,evader:n}=e.cell;this.#o.addCell(e.cell),this.#w&&t===n&&t===this.#o.newest&&this.#i.select({pursuer:t,evader:n}),this.#c.set(`${t} ${n}`,
-e.cell),(this.state==="stopped"||this.state==="ended")&&this.#O(this.state)}else if(e.type==="scores")for(let t of T)this.#l[t][e.number]=e.scores[t];else e.type===
-"changed"?(this.#o.extend(e.settings),this.changed.push(e.at),this.epochs=e.at,e.settings.schedule.generations>this.#o.newest&&this.state==="ended"&&this.#S()):
-e.type==="anew"?(this.#o.change(e.settings,e.genomes),this.#T(),this.#k(!0)):e.type==="epoch"?(this.epochs+=1,this.done=e.done/e.of):e.type==="stopped"?this.#O(
-"stopped"):e.type==="end"?([this.seconds,this.done]=[e.seconds,1],this.#O("ended")):e.type==="saved"?this.#h?.(e.race):e.type==="failed"&&(this.#a.textContent=`\
-The race failed: ${e.message}`,this.state="stopped");this.#v||(this.#v=setTimeout(()=>requestAnimationFrame(()=>this.#M()),Tu))}}#S(){[this.state,this.outcome]=
-["evolving",null],this.#o.best=null}#O(e){let t=this.outcome;this.state=e,this.outcome=yi(this.#c,this.#o.newest+1),this.#o.best=this.outcome?.best??null,this.outcome&&
-!t&&this.#k(!0),this.#N()}#M(){this.#v=0,this.#i.dispatchEvent(new Event("run")),this.#y(),this.#$()}#T(){this.#c=new Map,this.#l={pursuer:[],evader:[]},this.outcome=
-null,this.#u.hidden=!0}#C(){let e=`race ${Ou++}`,t=cr(this.settings);this.#o=new Jr(this.settings,this.#e.masks,t,e),this.#T(),this.#E(null,null),[this.#w,this.#b]=
-[!0,!1],this.#i=new zr({run:0,pursuer:0,evader:0,episode:0,seed:null});let[n,s]=[new jr([this.#o],this.#i),new Ur([this.#o],this.#i,null)];n.element.ariaLabel=`\
-Payoff matrix. ${t}`,s.actions.remove();let o=d("dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>s.player.pause()},d("button",{type:"button",class:"\
-leave",onclick:()=>o.close()},"Close"),s.element),a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#i.selected;this.#w=!1,this.#o.payoff.
-capture_rate[l][c]!==void 0&&(o.showModal(),a||s.start(this.#r),a=!0,s.playSoon())});let i=Ea(`Scores against scripts, by generation: ${qr.pursuer.join(", ")} a\
-nd ${qr.evader.join(", ")}`,(l,c)=>{let u=this.settings.schedule.generations,h=Aa(l,c,{low:0,high:u,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let m of T){
-let p=Array.from(this.#l[m],y=>y??null);Ma(h,[...p.keys()],p,`of-${m}s`)}return h},()=>{},l=>{let c=Math.min(this.#o.newest,Math.max(0,Math.round(l)));this.#i.select(
-{pursuer:c,evader:c})});this.#y=i.redraw,this.#s.replaceChildren(n.element,d("section",{class:"card scores"},d("h3",{},"Against opponents that never change"),d(
-"p",{class:"small muted"},"Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),Ta(["pursuers","of-pursuers"],
-["evaders","of-evaders"]),i.element)),this.#d.replaceChildren(o)}#P(){let{newest:e,best:t}=this.#o;if(e<0)return;let[n,s]=[{pursuer:0,evader:0},this.#g++%this.#o.
-payoff.episodes],o=c=>this.#r.match(this.#o.world,...this.#_(c),BigInt(this.#o.seeds[0][0]),s),{pursuer:a,evader:i}=t??{pursuer:e,evader:e},l=a===i?`generation ${a}`:
-`pursuers of generation ${a}, evaders of generation ${i}`;this.before.show(o(this.#o.genomesOf(n)),"Before: generation 0"),this.after.show(o(this.champions),e?t?
-`After: ${l}`:`Now: ${l}`:"Generation 0: nobody has learned anything yet");for(let c of[this.before,this.after])c.agent!==null&&this.#R(c,!0)}#_({pursuer:e,evader:t}){
-return[this.#o.playing("pursuer",e),this.#o.playing("evader",t)]}#k(e){this.#f.show(this.#o),this.chases.renew(e)}#E(e,t){for(let n of[this.before,this.after])n!==
-e&&n.agent!==null&&n.choose(null);(this.#p.element.parentElement??{hidden:!0}).hidden=!e,e&&(this.#R(e,!0),this.#p.choose(t))}#R(e,t=!1){if(t){let n=e===this.before,
-[s,o]=this.#_(n?this.#o.genomesOf({pursuer:0,evader:0}):this.champions),a=n?0:this.#o.newest;this.#p.show(this.#r,this.#o,e.match,{run:0,pursuer:a,evader:a,episode:0,
-seed:null},{pursuers:s,evaders:o})}this.#p.at(e.player.step)}#$(){let{newest:e}=this.#o;this.element.dataset.state=this.state,this.#n.textContent=cr(this.settings),
-this.#m.hidden=this.state==="waiting",this.#a.replaceChildren(...this.#I().map(t=>d("span",{},t))),this.element.dataset.newest=String(e),this.dispatchEvent(new Event(
-"state"))}#I(){let{newest:e}=this.#o;if(this.outcome)return[this.outcome.sentence];if(e<0)return[];let t=a=>{let i=this.#c.get(`${a} ${a}`);return i?A(i.capture_rates):
-null};if(this.state==="waiting"||e<1){let a=t(0)??this.#f.rate(this.#o.genomesOf({pursuer:0,evader:0}),{pursuer:0,evader:0});return[`${U(a)} of the evaders are \
-caught.`,...a>Eu?["By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt."]:[]]}let[n,s]=[t(e)??t(e-1),t(0)],o=n===null||
-s===null?"":`: the pursuers catch ${U(n)} of the evaders, in generation 0 ${U(s)}`;return[`Generation ${e} of ${this.settings.schedule.generations}${o}.`]}#N(){
-let{outcome:e}=this;if(this.#u.hidden=!e,this.#u.ariaLabel=`What came out. ${cr(this.settings)}`,!e)return;let t=this.#o.payoff.capture_rate.slice(0,this.#o.newest+
-1).map(o=>o.slice(0,this.#o.newest+1)),n=this.#c.get(`${this.#o.newest} ${this.#o.newest}`),s=[["Score against scripts: generation 0",o=>U(this.#l[o][0]??0)],["\
-Score against scripts: newest generation",o=>U(this.#l[o].at(-1)??0)],["Newest generation against all generations of the other team",o=>U(Qa(t,o))],["Below its \
-own best so far, in the later half (forgetting)",o=>U(ei(t,o))],["Collisions at fault in 1000 moves of the newest generation",(o,a)=>Cu(n,a).toFixed(1)]];this.#u.
-replaceChildren(d("h3",{},"In numbers"),...T.map(o=>d("p",{},gi(o,e.teams[o]))),d("table",{class:"numbers"},d("thead",{},d("tr",{},d("td"),...T.map(o=>d("th",{scope:"\
-col",class:o},`${o}s`)))),d("tbody",{},...s.map(([o,a])=>d("tr",{},d("th",{scope:"row"},o),...T.map((i,l)=>d("td",{},a(i,l))))))),d("p",{class:"small muted"},"O\
-ne race proves little: save it, and ",d("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Cu({means:{faults:r,agent_steps:e}},t){
-let n=r.length/T.length;return 1e3*r.slice(t*n,(t+1)*n).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}var Si=r=>Ie(JSON.stringify(r,null,2)),cs=(r,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(r)}),ku=r=>Math.sqrt(A(r.map(e=>(e-A(r))**2)));function Ru({settings:r,
+this.element=d("section",{class:"lane"},this.#n,this.#a,this.boards,d("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and why it moves\
+."),o,this.#f.element,this.#m,this.#d),this.reset(s)}reset(e){this.#t.send({type:"stop"}),[this.settings,this.state,this.done,this.epochs,this.kept]=[e,"waiting",
+0,0,null],this.#C();let{archive:t}=new at(this.#r,e,this.#e.masks);this.#o.add({pursuer:t.pursuer[0],evader:t.evader[0]}),this.#k(!0),this.#$()}start(e,t=[],n=1/0){
+this.settings=e,this.#C(),this.settings=t.at(-1)?.settings??e,[this.state,this.done,this.epochs,this.kept]=["evolving",0,0,null],this.changed.splice(0),this.#x(
+{type:"start",settings:e,masks:this.#e.masks,plan:t,until:n}),this.#$()}restore(e,t,n,s){this.settings=t.settings,this.#C();for(let o of Array(t.finished).keys())
+this.#o.add({pursuer:t.archive.pursuer[o],evader:t.archive.evader[o]});for(let[o,a]of t.cells)this.#o.addCell(a),this.#c.set(o,a);this.#l={pursuer:[...t.scores.
+pursuer],evader:[...t.scores.evader]},[this.settings,this.kept,this.seconds,this.epochs,this.done]=[e,t,t.seconds,n,1],this.changed.splice(0,1/0,...s),this.#O("\
+ended"),this.#M()}stop(){this.#x({type:"stop"})}go(){this.state="evolving",this.#x({type:"go"}),this.#$()}change(e){if(this.state==="waiting")return this.reset(
+e);this.settings=e,this.#x({type:"change",settings:e}),this.#$()}saved(){return this.kept?Promise.resolve(this.kept):new Promise(e=>{this.#h=e,this.#x({type:"sa\
+ve"})})}async keep(){return{...await this.saved(),scores:this.#l,seconds:this.seconds}}get newestGeneration(){return this.#o.newest}get champions(){return{pursuer:this.#f.
+genome("pursuer"),evader:this.#f.genome("evader")}}get run(){return this.#o}close(){this.#t.close(),this.chases.runs=!1}#x(e){this.#t.send(e)}#A(e){if(e.type===
+"began"&&(this.#b=!0),!!this.#b){if(e.type==="generation")this.#o.add(e.genomes),this.#k(e.number===0);else if(e.type==="cell"){let{pursuer:t,evader:n}=e.cell;this.#o.
+addCell(e.cell),this.#w&&t===n&&t===this.#o.newest&&this.#i.select({pursuer:t,evader:n}),this.#c.set(`${t} ${n}`,e.cell),(this.state==="stopped"||this.state==="\
+ended")&&this.#O(this.state)}else if(e.type==="scores")for(let t of T)this.#l[t][e.number]=e.scores[t];else e.type==="changed"?(this.#o.extend(e.settings),this.
+changed.push(e.at),this.epochs=e.at,e.settings.schedule.generations>this.#o.newest&&this.state==="ended"&&this.#S()):e.type==="anew"?(this.#o.change(e.settings,
+e.genomes),this.#T(),this.#k(!0)):e.type==="epoch"?(this.epochs+=1,this.done=e.done/e.of):e.type==="stopped"?this.#O("stopped"):e.type==="end"?([this.seconds,this.
+done]=[e.seconds,1],this.#O("ended")):e.type==="saved"?this.#h?.(e.race):e.type==="failed"&&(this.#a.textContent=`The race failed: ${e.message}`,this.state="sto\
+pped");this.#v||(this.#v=setTimeout(()=>requestAnimationFrame(()=>this.#M()),Tu))}}#S(){[this.state,this.outcome]=["evolving",null],this.#o.best=null}#O(e){let t=this.
+outcome;this.state=e,this.outcome=yi(this.#c,this.#o.newest+1),this.#o.best=this.outcome?.best??null,this.outcome&&!t&&this.#k(!0),this.#N()}#M(){this.#v=0,this.#i.
+dispatchEvent(new Event("run")),this.#y(),this.#$()}#T(){this.#c=new Map,this.#l={pursuer:[],evader:[]},this.outcome=null,this.#u.hidden=!0}#C(){let e=`race ${Ou++}`,
+t=cr(this.settings);this.#o=new Jr(this.settings,this.#e.masks,t,e),this.#T(),this.#E(null,null),[this.#w,this.#b]=[!0,!1],this.#i=new zr({run:0,pursuer:0,evader:0,
+episode:0,seed:null});let[n,s]=[new jr([this.#o],this.#i),new Ur([this.#o],this.#i,null)];n.element.ariaLabel=`Payoff matrix. ${t}`,s.actions.remove();let o=d("\
+dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>s.player.pause()},d("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element),
+a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#i.selected;this.#w=!1,this.#o.payoff.capture_rate[l][c]!==void 0&&(o.showModal(),a||s.
+start(this.#r),a=!0,s.playSoon())});let i=Ea(`Scores against scripts, by generation: ${qr.pursuer.join(", ")} and ${qr.evader.join(", ")}`,(l,c)=>{let u=this.settings.
+schedule.generations,h=Aa(l,c,{low:0,high:u,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let m of T){let p=Array.from(this.#l[m],y=>y??null);Ma(
+h,[...p.keys()],p,`of-${m}s`)}return h},()=>{},l=>{let c=Math.min(this.#o.newest,Math.max(0,Math.round(l)));this.#i.select({pursuer:c,evader:c})});this.#y=i.redraw,
+this.#s.replaceChildren(n.element,d("section",{class:"card scores"},d("h3",{},"Against opponents that never change"),d("p",{class:"small muted"},"Captures of ra\
+ndom walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),Ta(["pursuers","of-pursuers"],["evaders","of-evaders"]),i.element)),this.#d.
+replaceChildren(o)}#P(){let{newest:e,best:t}=this.#o;if(e<0)return;let[n,s]=[{pursuer:0,evader:0},this.#g++%this.#o.payoff.episodes],o=c=>this.#r.match(this.#o.
+world,...this.#_(c),BigInt(this.#o.seeds[0][0]),s),{pursuer:a,evader:i}=t??{pursuer:e,evader:e},l=a===i?`generation ${a}`:`pursuers of generation ${a}, evaders \
+of generation ${i}`;this.before.show(o(this.#o.genomesOf(n)),"Before: generation 0"),this.after.show(o(this.champions),e?t?`After: ${l}`:`Now: ${l}`:"Generation\
+ 0: nobody has learned anything yet");for(let c of[this.before,this.after])c.agent!==null&&this.#R(c,!0)}#_({pursuer:e,evader:t}){return[this.#o.playing("pursue\
+r",e),this.#o.playing("evader",t)]}#k(e){this.#f.show(this.#o),this.chases.renew(e)}#E(e,t){for(let n of[this.before,this.after])n!==e&&n.agent!==null&&n.choose(
+null);(this.#p.element.parentElement??{hidden:!0}).hidden=!e,e&&(this.#R(e,!0),this.#p.choose(t))}askNext(){let{match:e,player:{step:t},agent:n}=this.after,o=Array.
+from({length:e?.n_agents??0},(a,i)=>((n??-1)+1+i)%e.n_agents).find(a=>e.alive[t*e.n_agents+a]);o!==void 0&&this.after.choose(o)}#R(e,t=!1){if(t){let n=e===this.
+before,[s,o]=this.#_(n?this.#o.genomesOf({pursuer:0,evader:0}):this.champions),a=n?0:this.#o.newest;this.#p.show(this.#r,this.#o,e.match,{run:0,pursuer:a,evader:a,
+episode:0,seed:null},{pursuers:s,evaders:o})}this.#p.at(e.player.step)}#$(){let{newest:e}=this.#o;this.element.dataset.state=this.state,this.#n.textContent=cr(this.
+settings),this.#m.hidden=this.state==="waiting",this.#a.replaceChildren(...this.#I().map(t=>d("span",{},t))),this.element.dataset.newest=String(e),this.dispatchEvent(
+new Event("state"))}#I(){let{newest:e}=this.#o;if(this.outcome)return[this.outcome.sentence];if(e<0)return[];let t=a=>{let i=this.#c.get(`${a} ${a}`);return i?A(
+i.capture_rates):null};if(this.state==="waiting"||e<1){let a=t(0)??this.#f.rate(this.#o.genomesOf({pursuer:0,evader:0}),{pursuer:0,evader:0});return[`${U(a)} of\
+ the evaders are caught.`,...a>Eu?["By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt."]:[]]}let[n,s]=[t(e)??t(e-
+1),t(0)],o=n===null||s===null?"":`: the pursuers catch ${U(n)} of the evaders, in generation 0 ${U(s)}`;return[`Generation ${e} of ${this.settings.schedule.generations}${o}\
+.`]}#N(){let{outcome:e}=this;if(this.#u.hidden=!e,this.#u.ariaLabel=`What came out. ${cr(this.settings)}`,!e)return;let t=this.#o.payoff.capture_rate.slice(0,this.#o.
+newest+1).map(o=>o.slice(0,this.#o.newest+1)),n=this.#c.get(`${this.#o.newest} ${this.#o.newest}`),s=[["Score against scripts: generation 0",o=>U(this.#l[o][0]??
+0)],["Score against scripts: newest generation",o=>U(this.#l[o].at(-1)??0)],["Newest generation against all generations of the other team",o=>U(Qa(t,o))],["Belo\
+w its own best so far, in the later half (forgetting)",o=>U(ei(t,o))],["Collisions at fault in 1000 moves of the newest generation",(o,a)=>Cu(n,a).toFixed(1)]];
+this.#u.replaceChildren(d("h3",{},"In numbers"),...T.map(o=>d("p",{},gi(o,e.teams[o]))),d("table",{class:"numbers"},d("thead",{},d("tr",{},d("td"),...T.map(o=>d(
+"th",{scope:"col",class:o},`${o}s`)))),d("tbody",{},...s.map(([o,a])=>d("tr",{},d("th",{scope:"row"},o),...T.map((i,l)=>d("td",{},a(i,l))))))),d("p",{class:"sma\
+ll muted"},"One race proves little: save it, and ",d("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Cu({means:{faults:r,
+agent_steps:e}},t){let n=r.length/T.length;return 1e3*r.slice(t*n,(t+1)*n).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}var Si=r=>Ie(JSON.stringify(r,null,2)),cs=(r,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(r)}),ku=r=>Math.sqrt(A(r.map(e=>(e-A(r))**2)));function Ru({settings:r,
 finished:e}){let t=r.schedule.kind==="alternating"?T.map(n=>[n]):[T];return Array.from({length:e},(n,s)=>(s?t:[T]).map(o=>[s,o])).flat()}function _u({archive:r,
 rows:e,counters:t},n,[s,o]){let a=e.filter(c=>c.generation===s&&o.includes(c.team)),i=Ie(a.map(c=>`${[n,...mi.map(u=>c[u])].join(",")}
 `).join("")),l=c=>({dtype:"<f4",shape:[1,r[c][s].length],data:r[c][s]});return{...Object.fromEntries(o.map(c=>[`${c}s`,l(c)])),log:{dtype:`|S${Math.max(1,i.length)}`,
@@ -925,6 +927,6 @@ n ${this.lanes[0].newestGeneration}`],`${this.#h.world}, seed ${t.seed}, ${t.sch
 ther`,this.#z];qe(`chase-seed-${this.#h.seed}.png`,await _i(this.#U,n))}async#V(){let e=await Promise.all(this.lanes.map(async n=>({name:lr(n.settings),race:await n.
 saved()})));if(!e.every(({race:n})=>us(n))){this.#c.textContent="Wait for the next generation, and save then.";return}let t=`${e.map(n=>n.name).join("-and-")}-s\
 eed-${this.#h.seed}.zip`;qe(t,Ai(e,this.#e)),this.#c.textContent=`Saved as ${t}.`}};async function Hu(){let r=new fs(So(),await Zt());document.addEventListener(
-"keydown",({key:e,target:t,ctrlKey:n,metaKey:s,altKey:o})=>{let a=t instanceof HTMLInputElement||t instanceof HTMLSelectElement||document.querySelector("dialog[\
-open]");e.toLowerCase()==="d"&&!a&&!n&&!s&&!o&&fn()}),window.addEventListener("hashchange",()=>location.reload()),Object.assign(window,{matrixworldEvolve:r})}typeof document>
-"u"?ls(globalThis):zs(Hu());})();
+"keydown",({key:e,target:t,ctrlKey:n,metaKey:s,altKey:o})=>{t instanceof HTMLInputElement||t instanceof HTMLSelectElement||document.querySelector("dialog[open]")||
+n||s||o||(e.toLowerCase()==="d"?fn():e.toLowerCase()==="a"&&r.lanes[0].askNext())}),window.addEventListener("hashchange",()=>location.reload()),Object.assign(window,
+{matrixworldEvolve:r})}typeof document>"u"?ls(globalThis):zs(Hu());})();

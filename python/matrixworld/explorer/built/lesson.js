@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 6e615483b8c17baf9f851d7faa952b82f65d516aeb179f4782abb9c9881a8f14 */
+/* built from web/ by "npm run build"; sources a5c3e4bfc2d7d2f1e930ee460abf48719283905fe4ab2cfc2518a1d131fbb765 */
 "use strict";(()=>{var Ln={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Je={DISAPPEAR:0,REACH:1,BOUNCE:2},Nn={OCCUPATION:0,SURROUND:1},In={FAULT:0,INVOLVED:1};var Fn=["obstacle","teammate","adversary"],wr=["vertex","edge","chain"],Dn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xr=["p\
 ursuer_{number}","evader_{number}"],Wn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Xe={"both held":"both bounce","both doomed":"\
@@ -710,55 +710,57 @@ super(),[this.#e,this.#r,this.settings]=[e,t,s],this.#t=new It(n,a=>this.#A(a)),
 add("before"),this.boards=u("div",{class:"pair"},this.before.element,this.after.element),this.#h=new mr(t,e,()=>this.#E(!0)),this.#d=new je(()=>{});let o=u("sec\
 tion",{class:"card asked","aria-label":"An agent",hidden:!0},u("button",{type:"button",class:"leave",onclick:()=>this.#R(null,null)},"Close"),this.#d.element);for(let a of[
 this.before,this.after])a.addEventListener("agent",()=>a.agent!==null&&this.#R(a,a.agent)),a.addEventListener("step",()=>!o.hidden&&a.agent!==null&&this.#C(a));
-this.element=u("section",{class:"lane"},this.#n,this.#o,this.boards,o,this.#h.element,this.#m,this.#u),this.reset(s)}reset(e){this.#t.send({type:"stop"}),[this.
-settings,this.state,this.done,this.epochs,this.kept]=[e,"waiting",0,0,null],this.#k();let{archive:t}=new Le(this.#r,e,this.#e.masks);this.#a.add({pursuer:t.pursuer[0],
-evader:t.evader[0]}),this.#E(!0),this.#O()}start(e,t=[],n=1/0){this.settings=e,this.#k(),this.settings=t.at(-1)?.settings??e,[this.state,this.done,this.epochs,this.
-kept]=["evolving",0,0,null],this.changed.splice(0),this.#g({type:"start",settings:e,masks:this.#e.masks,plan:t,until:n}),this.#O()}restore(e,t,n,s){this.settings=
-t.settings,this.#k();for(let o of Array(t.finished).keys())this.#a.add({pursuer:t.archive.pursuer[o],evader:t.archive.evader[o]});for(let[o,a]of t.cells)this.#a.
-addCell(a),this.#p.set(o,a);this.#i={pursuer:[...t.scores.pursuer],evader:[...t.scores.evader]},[this.settings,this.kept,this.seconds,this.epochs,this.done]=[e,
-t,t.seconds,n,1],this.changed.splice(0,1/0,...s),this.#M("ended"),this.#T()}stop(){this.#g({type:"stop"})}go(){this.state="evolving",this.#g({type:"go"}),this.#O()}change(e){
-if(this.state==="waiting")return this.reset(e);this.settings=e,this.#g({type:"change",settings:e}),this.#O()}saved(){return this.kept?Promise.resolve(this.kept):
-new Promise(e=>{this.#S=e,this.#g({type:"save"})})}async keep(){return{...await this.saved(),scores:this.#i,seconds:this.seconds}}get newestGeneration(){return this.#a.
-newest}get champions(){return{pursuer:this.#h.genome("pursuer"),evader:this.#h.genome("evader")}}get run(){return this.#a}close(){this.#t.close(),this.chases.runs=
-!1}#g(e){this.#t.send(e)}#A(e){if(e.type==="began"&&(this.#v=!0),!!this.#v){if(e.type==="generation")this.#a.add(e.genomes),this.#E(e.number===0);else if(e.type===
-"cell"){let{pursuer:t,evader:n}=e.cell;this.#a.addCell(e.cell),this.#y&&t===n&&t===this.#a.newest&&this.#l.select({pursuer:t,evader:n}),this.#p.set(`${t} ${n}`,
-e.cell),(this.state==="stopped"||this.state==="ended")&&this.#M(this.state)}else if(e.type==="scores")for(let t of T)this.#i[t][e.number]=e.scores[t];else e.type===
-"changed"?(this.#a.extend(e.settings),this.changed.push(e.at),this.epochs=e.at,e.settings.schedule.generations>this.#a.newest&&this.state==="ended"&&this.#w()):
-e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#P(),this.#E(!0)):e.type==="epoch"?(this.epochs+=1,this.done=e.done/e.of):e.type==="stopped"?this.#M(
-"stopped"):e.type==="end"?([this.seconds,this.done]=[e.seconds,1],this.#M("ended")):e.type==="saved"?this.#S?.(e.race):e.type==="failed"&&(this.#o.textContent=`\
-The race failed: ${e.message}`,this.state="stopped");this.#b||(this.#b=setTimeout(()=>requestAnimationFrame(()=>this.#T()),Vc))}}#w(){[this.state,this.outcome]=
-["evolving",null],this.#a.best=null}#M(e){let t=this.outcome;this.state=e,this.outcome=Ua(this.#p,this.#a.newest+1),this.#a.best=this.outcome?.best??null,this.outcome&&
-!t&&this.#E(!0),this.#N()}#T(){this.#b=0,this.#l.dispatchEvent(new Event("run")),this.#f(),this.#O()}#P(){this.#p=new Map,this.#i={pursuer:[],evader:[]},this.outcome=
-null,this.#c.hidden=!0}#k(){let e=`race ${Kc++}`,t=lr(this.settings);this.#a=new dr(this.settings,this.#e.masks,t,e),this.#P(),this.#R(null,null),[this.#y,this.#v]=
-[!0,!1],this.#l=new Ye({run:0,pursuer:0,evader:0,episode:0,seed:null});let[n,s]=[new Ke([this.#a],this.#l),new qe([this.#a],this.#l,null)];n.element.ariaLabel=`\
-Payoff matrix. ${t}`,s.actions.remove();let o=u("dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>s.player.pause()},u("button",{type:"button",class:"\
-leave",onclick:()=>o.close()},"Close"),s.element),a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#l.selected;this.#y=!1,this.#a.payoff.
-capture_rate[l][c]!==void 0&&(o.showModal(),a||s.start(this.#r),a=!0,s.playSoon())});let i=K(`Scores against scripts, by generation: ${Lt.pursuer.join(", ")} an\
-d ${Lt.evader.join(", ")}`,(l,c)=>{let d=this.settings.schedule.generations,m=V(l,c,{low:0,high:d,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let h of T){
-let p=Array.from(this.#i[h],f=>f??null);q(m,[...p.keys()],p,`of-${h}s`)}return m},()=>{},l=>{let c=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#l.select(
-{pursuer:c,evader:c})});this.#f=i.redraw,this.#s.replaceChildren(n.element,u("section",{class:"card scores"},u("h3",{},"Against opponents that never change"),u(
-"p",{class:"small muted"},"Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),We(["pursuers","of-pursuers"],
-["evaders","of-evaders"]),i.element)),this.#u.replaceChildren(o)}#_(){let{newest:e,best:t}=this.#a;if(e<0)return;let[n,s]=[{pursuer:0,evader:0},this.#x++%this.#a.
-payoff.episodes],o=c=>this.#r.match(this.#a.world,...this.#$(c),BigInt(this.#a.seeds[0][0]),s),{pursuer:a,evader:i}=t??{pursuer:e,evader:e},l=a===i?`generation ${a}`:
-`pursuers of generation ${a}, evaders of generation ${i}`;this.before.show(o(this.#a.genomesOf(n)),"Before: generation 0"),this.after.show(o(this.champions),e?t?
-`After: ${l}`:`Now: ${l}`:"Generation 0: nobody has learned anything yet");for(let c of[this.before,this.after])c.agent!==null&&this.#C(c,!0)}#$({pursuer:e,evader:t}){
-return[this.#a.playing("pursuer",e),this.#a.playing("evader",t)]}#E(e){this.#h.show(this.#a),this.chases.renew(e)}#R(e,t){for(let n of[this.before,this.after])n!==
-e&&n.agent!==null&&n.choose(null);(this.#d.element.parentElement??{hidden:!0}).hidden=!e,e&&(this.#C(e,!0),this.#d.choose(t))}#C(e,t=!1){if(t){let n=e===this.before,
-[s,o]=this.#$(n?this.#a.genomesOf({pursuer:0,evader:0}):this.champions),a=n?0:this.#a.newest;this.#d.show(this.#r,this.#a,e.match,{run:0,pursuer:a,evader:a,episode:0,
-seed:null},{pursuers:s,evaders:o})}this.#d.at(e.player.step)}#O(){let{newest:e}=this.#a;this.element.dataset.state=this.state,this.#n.textContent=lr(this.settings),
-this.#m.hidden=this.state==="waiting",this.#o.replaceChildren(...this.#L().map(t=>u("span",{},t))),this.element.dataset.newest=String(e),this.dispatchEvent(new Event(
-"state"))}#L(){let{newest:e}=this.#a;if(this.outcome)return[this.outcome.sentence];if(e<0)return[];let t=a=>{let i=this.#p.get(`${a} ${a}`);return i?S(i.capture_rates):
-null};if(this.state==="waiting"||e<1){let a=t(0)??this.#h.rate(this.#a.genomesOf({pursuer:0,evader:0}),{pursuer:0,evader:0});return[`${P(a)} of the evaders are \
-caught.`,...a>qc?["By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt."]:[]]}let[n,s]=[t(e)??t(e-1),t(0)],o=n===null||
-s===null?"":`: the pursuers catch ${P(n)} of the evaders, in generation 0 ${P(s)}`;return[`Generation ${e} of ${this.settings.schedule.generations}${o}.`]}#N(){
-let{outcome:e}=this;if(this.#c.hidden=!e,this.#c.ariaLabel=`What came out. ${lr(this.settings)}`,!e)return;let t=this.#a.payoff.capture_rate.slice(0,this.#a.newest+
-1).map(o=>o.slice(0,this.#a.newest+1)),n=this.#p.get(`${this.#a.newest} ${this.#a.newest}`),s=[["Score against scripts: generation 0",o=>P(this.#i[o][0]??0)],["\
-Score against scripts: newest generation",o=>P(this.#i[o].at(-1)??0)],["Newest generation against all generations of the other team",o=>P(Ps(t,o))],["Below its \
-own best so far, in the later half (forgetting)",o=>P($s(t,o))],["Collisions at fault in 1000 moves of the newest generation",(o,a)=>Yc(n,a).toFixed(1)]];this.#c.
-replaceChildren(u("h3",{},"In numbers"),...T.map(o=>u("p",{},Ha(o,e.teams[o]))),u("table",{class:"numbers"},u("thead",{},u("tr",{},u("td"),...T.map(o=>u("th",{scope:"\
-col",class:o},`${o}s`)))),u("tbody",{},...s.map(([o,a])=>u("tr",{},u("th",{scope:"row"},o),...T.map((i,l)=>u("td",{},a(i,l))))))),u("p",{class:"small muted"},"O\
-ne race proves little: save it, and ",u("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Yc({means:{faults:r,agent_steps:e}},t){
-let n=r.length/T.length;return 1e3*r.slice(t*n,(t+1)*n).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}function Zc(r,e,...t){return u("section",{class:"card panel","aria-label":r},u("header",{},u("h2",{},r),u("p",{class:"small muted"},e)),...t)}var Jc={present:"●",
+this.element=u("section",{class:"lane"},this.#n,this.#o,this.boards,u("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and why it moves\
+."),o,this.#h.element,this.#m,this.#u),this.reset(s)}reset(e){this.#t.send({type:"stop"}),[this.settings,this.state,this.done,this.epochs,this.kept]=[e,"waiting",
+0,0,null],this.#k();let{archive:t}=new Le(this.#r,e,this.#e.masks);this.#a.add({pursuer:t.pursuer[0],evader:t.evader[0]}),this.#E(!0),this.#O()}start(e,t=[],n=1/0){
+this.settings=e,this.#k(),this.settings=t.at(-1)?.settings??e,[this.state,this.done,this.epochs,this.kept]=["evolving",0,0,null],this.changed.splice(0),this.#g(
+{type:"start",settings:e,masks:this.#e.masks,plan:t,until:n}),this.#O()}restore(e,t,n,s){this.settings=t.settings,this.#k();for(let o of Array(t.finished).keys())
+this.#a.add({pursuer:t.archive.pursuer[o],evader:t.archive.evader[o]});for(let[o,a]of t.cells)this.#a.addCell(a),this.#p.set(o,a);this.#i={pursuer:[...t.scores.
+pursuer],evader:[...t.scores.evader]},[this.settings,this.kept,this.seconds,this.epochs,this.done]=[e,t,t.seconds,n,1],this.changed.splice(0,1/0,...s),this.#M("\
+ended"),this.#T()}stop(){this.#g({type:"stop"})}go(){this.state="evolving",this.#g({type:"go"}),this.#O()}change(e){if(this.state==="waiting")return this.reset(
+e);this.settings=e,this.#g({type:"change",settings:e}),this.#O()}saved(){return this.kept?Promise.resolve(this.kept):new Promise(e=>{this.#S=e,this.#g({type:"sa\
+ve"})})}async keep(){return{...await this.saved(),scores:this.#i,seconds:this.seconds}}get newestGeneration(){return this.#a.newest}get champions(){return{pursuer:this.#h.
+genome("pursuer"),evader:this.#h.genome("evader")}}get run(){return this.#a}close(){this.#t.close(),this.chases.runs=!1}#g(e){this.#t.send(e)}#A(e){if(e.type===
+"began"&&(this.#v=!0),!!this.#v){if(e.type==="generation")this.#a.add(e.genomes),this.#E(e.number===0);else if(e.type==="cell"){let{pursuer:t,evader:n}=e.cell;this.#a.
+addCell(e.cell),this.#y&&t===n&&t===this.#a.newest&&this.#l.select({pursuer:t,evader:n}),this.#p.set(`${t} ${n}`,e.cell),(this.state==="stopped"||this.state==="\
+ended")&&this.#M(this.state)}else if(e.type==="scores")for(let t of T)this.#i[t][e.number]=e.scores[t];else e.type==="changed"?(this.#a.extend(e.settings),this.
+changed.push(e.at),this.epochs=e.at,e.settings.schedule.generations>this.#a.newest&&this.state==="ended"&&this.#w()):e.type==="anew"?(this.#a.change(e.settings,
+e.genomes),this.#P(),this.#E(!0)):e.type==="epoch"?(this.epochs+=1,this.done=e.done/e.of):e.type==="stopped"?this.#M("stopped"):e.type==="end"?([this.seconds,this.
+done]=[e.seconds,1],this.#M("ended")):e.type==="saved"?this.#S?.(e.race):e.type==="failed"&&(this.#o.textContent=`The race failed: ${e.message}`,this.state="sto\
+pped");this.#b||(this.#b=setTimeout(()=>requestAnimationFrame(()=>this.#T()),Vc))}}#w(){[this.state,this.outcome]=["evolving",null],this.#a.best=null}#M(e){let t=this.
+outcome;this.state=e,this.outcome=Ua(this.#p,this.#a.newest+1),this.#a.best=this.outcome?.best??null,this.outcome&&!t&&this.#E(!0),this.#N()}#T(){this.#b=0,this.#l.
+dispatchEvent(new Event("run")),this.#f(),this.#O()}#P(){this.#p=new Map,this.#i={pursuer:[],evader:[]},this.outcome=null,this.#c.hidden=!0}#k(){let e=`race ${Kc++}`,
+t=lr(this.settings);this.#a=new dr(this.settings,this.#e.masks,t,e),this.#P(),this.#R(null,null),[this.#y,this.#v]=[!0,!1],this.#l=new Ye({run:0,pursuer:0,evader:0,
+episode:0,seed:null});let[n,s]=[new Ke([this.#a],this.#l),new qe([this.#a],this.#l,null)];n.element.ariaLabel=`Payoff matrix. ${t}`,s.actions.remove();let o=u("\
+dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>s.player.pause()},u("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element),
+a=!1;n.element.addEventListener("play",()=>{let{pursuer:l,evader:c}=this.#l.selected;this.#y=!1,this.#a.payoff.capture_rate[l][c]!==void 0&&(o.showModal(),a||s.
+start(this.#r),a=!0,s.playSoon())});let i=K(`Scores against scripts, by generation: ${Lt.pursuer.join(", ")} and ${Lt.evader.join(", ")}`,(l,c)=>{let d=this.settings.
+schedule.generations,m=V(l,c,{low:0,high:d,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let h of T){let p=Array.from(this.#i[h],f=>f??null);q(
+m,[...p.keys()],p,`of-${h}s`)}return m},()=>{},l=>{let c=Math.min(this.#a.newest,Math.max(0,Math.round(l)));this.#l.select({pursuer:c,evader:c})});this.#f=i.redraw,
+this.#s.replaceChildren(n.element,u("section",{class:"card scores"},u("h3",{},"Against opponents that never change"),u("p",{class:"small muted"},"Captures of ra\
+ndom walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),We(["pursuers","of-pursuers"],["evaders","of-evaders"]),i.element)),this.#u.
+replaceChildren(o)}#_(){let{newest:e,best:t}=this.#a;if(e<0)return;let[n,s]=[{pursuer:0,evader:0},this.#x++%this.#a.payoff.episodes],o=c=>this.#r.match(this.#a.
+world,...this.#$(c),BigInt(this.#a.seeds[0][0]),s),{pursuer:a,evader:i}=t??{pursuer:e,evader:e},l=a===i?`generation ${a}`:`pursuers of generation ${a}, evaders \
+of generation ${i}`;this.before.show(o(this.#a.genomesOf(n)),"Before: generation 0"),this.after.show(o(this.champions),e?t?`After: ${l}`:`Now: ${l}`:"Generation\
+ 0: nobody has learned anything yet");for(let c of[this.before,this.after])c.agent!==null&&this.#C(c,!0)}#$({pursuer:e,evader:t}){return[this.#a.playing("pursue\
+r",e),this.#a.playing("evader",t)]}#E(e){this.#h.show(this.#a),this.chases.renew(e)}#R(e,t){for(let n of[this.before,this.after])n!==e&&n.agent!==null&&n.choose(
+null);(this.#d.element.parentElement??{hidden:!0}).hidden=!e,e&&(this.#C(e,!0),this.#d.choose(t))}askNext(){let{match:e,player:{step:t},agent:n}=this.after,o=Array.
+from({length:e?.n_agents??0},(a,i)=>((n??-1)+1+i)%e.n_agents).find(a=>e.alive[t*e.n_agents+a]);o!==void 0&&this.after.choose(o)}#C(e,t=!1){if(t){let n=e===this.
+before,[s,o]=this.#$(n?this.#a.genomesOf({pursuer:0,evader:0}):this.champions),a=n?0:this.#a.newest;this.#d.show(this.#r,this.#a,e.match,{run:0,pursuer:a,evader:a,
+episode:0,seed:null},{pursuers:s,evaders:o})}this.#d.at(e.player.step)}#O(){let{newest:e}=this.#a;this.element.dataset.state=this.state,this.#n.textContent=lr(this.
+settings),this.#m.hidden=this.state==="waiting",this.#o.replaceChildren(...this.#L().map(t=>u("span",{},t))),this.element.dataset.newest=String(e),this.dispatchEvent(
+new Event("state"))}#L(){let{newest:e}=this.#a;if(this.outcome)return[this.outcome.sentence];if(e<0)return[];let t=a=>{let i=this.#p.get(`${a} ${a}`);return i?S(
+i.capture_rates):null};if(this.state==="waiting"||e<1){let a=t(0)??this.#h.rate(this.#a.genomesOf({pursuer:0,evader:0}),{pursuer:0,evader:0});return[`${P(a)} of\
+ the evaders are caught.`,...a>qc?["By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt."]:[]]}let[n,s]=[t(e)??t(e-
+1),t(0)],o=n===null||s===null?"":`: the pursuers catch ${P(n)} of the evaders, in generation 0 ${P(s)}`;return[`Generation ${e} of ${this.settings.schedule.generations}${o}\
+.`]}#N(){let{outcome:e}=this;if(this.#c.hidden=!e,this.#c.ariaLabel=`What came out. ${lr(this.settings)}`,!e)return;let t=this.#a.payoff.capture_rate.slice(0,this.#a.
+newest+1).map(o=>o.slice(0,this.#a.newest+1)),n=this.#p.get(`${this.#a.newest} ${this.#a.newest}`),s=[["Score against scripts: generation 0",o=>P(this.#i[o][0]??
+0)],["Score against scripts: newest generation",o=>P(this.#i[o].at(-1)??0)],["Newest generation against all generations of the other team",o=>P(Ps(t,o))],["Belo\
+w its own best so far, in the later half (forgetting)",o=>P($s(t,o))],["Collisions at fault in 1000 moves of the newest generation",(o,a)=>Yc(n,a).toFixed(1)]];
+this.#c.replaceChildren(u("h3",{},"In numbers"),...T.map(o=>u("p",{},Ha(o,e.teams[o]))),u("table",{class:"numbers"},u("thead",{},u("tr",{},u("td"),...T.map(o=>u(
+"th",{scope:"col",class:o},`${o}s`)))),u("tbody",{},...s.map(([o,a])=>u("tr",{},u("th",{scope:"row"},o),...T.map((i,l)=>u("td",{},a(i,l))))))),u("p",{class:"sma\
+ll muted"},"One race proves little: save it, and ",u("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Yc({means:{faults:r,
+agent_steps:e}},t){let n=r.length/T.length;return 1e3*r.slice(t*n,(t+1)*n).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}function Zc(r,e,...t){return u("section",{class:"card panel","aria-label":r},u("header",{},u("h2",{},r),u("p",{class:"small muted"},e)),...t)}var Jc={present:"●",
 absent:"○","cannot tell":"?"};function Va(r){let{findings:e}=r;if(!e?.table.length)return null;let[,...t]=e.table,n=t.map(([o,a,i,l],c)=>{let d=Xc(e.reasons[c]??
 "");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},Jc[a]??""),u("div",{},u("p",{},u("strong",{},o),` ${a}`,u(
 "span",{class:"muted"},` · ${l}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},i)))}),s=Zc("What happened","Each condition is pre\
