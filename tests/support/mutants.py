@@ -34,7 +34,10 @@ SWAPS = [
     (r"(?<![\w.])(\d+)(?![\w.])", "<next>"),
     (r"if \((?!constexpr)(.*)\)( |$)", r"if (true)\2"), (r"if \((.*)\)( |$)", r"if (false)\2"),
     (r"return (?!false|true)([^;]*);", r"return !(\1);"),
-    (r"^( +)(?!return|const|auto|break|continue|using|static)([\w.\->\[\](){}!&* ,]+[^{]);$", r"\1;"),
+    (
+        r"^( +)(?!return|const|auto|break|continue|using|static)([\w.\->\[\](){}!&* ,]+[^{]);$",
+        r"\1;",
+    ),
 ]  # fmt: skip
 
 
