@@ -313,7 +313,11 @@ def test_programs_are_there_as_expressions(rated: list[SavedRun]) -> None:
         team.policy.expression(genome) for genome in team.genomes
     ]
     shape = weights["teams"]["pursuer"]["policy"]
-    assert (shape["kind"], shape["inputs"], shape["genome_size"]) == ("rating", [*INPUTS], len(INPUTS))
+    assert (shape["kind"], shape["inputs"], shape["genome_size"]) == (
+        "rating",
+        [*INPUTS],
+        len(INPUTS),
+    )
 
 
 def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:

@@ -34,10 +34,7 @@ SWAPS = [
     (r"(?<![\w.])(\d+)(?![\w.])", "<next>"),
     (r"if \((?!constexpr)(.*)\)( |$)", r"if (true)\2"), (r"if \((.*)\)( |$)", r"if (false)\2"),
     (r"return (?!false|true)([^;]*);", r"return !(\1);"),
-    (
-        r"^( +)(?!return|const|auto|break|continue|using|static)([\w.\->\[\](){}!&* ,]+[^{]);$",
-        r"\1;",
-    ),
+    (r"^( +)(?!return|const|auto|break|continue|using)([\w.\->\[\](){}!&* ,]+[^{]);$", r"\1;"),
 ]  # fmt: skip
 
 
@@ -130,7 +127,7 @@ def main() -> None:
             return -1
 
     def built() -> bool:
-        if does("make", "-j1", "-C", build):
+        if does("make", "-j1", "-C", build, limit=7200):
             return False
         [library] = build.glob("_core*.so")
         shutil.copy(library, tree / "python" / "matrixworld" / library.name)
