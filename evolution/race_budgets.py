@@ -93,10 +93,13 @@ def found_in(payoffs: FloatArray) -> dict[str, Any]:
     In all together; in how many single ones; and the share of checkerboards in each.
     """
     together = analysis.judge(payoffs, per_episode=True)
-    single = [each.present() for each in map(partial(analysis.judge, per_episode=True), payoffs)]
+    single = [
+        each.present("last half")
+        for each in map(partial(analysis.judge, per_episode=True), payoffs)
+    ]
     measure = analysis.MEASURES["checkerboards"]
     return {
-        "found": np.array(together.present(), str),
+        "found": np.array(together.present("last half"), str),
         "single": np.array([sum(name in each for each in single) for name in SHOWN]),
         "checkerboards": np.array(
             [measure.of(each.mean(axis=-1), "last half").value for each in payoffs]

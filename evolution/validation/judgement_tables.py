@@ -444,10 +444,9 @@ def draw_power(rows: Sequence[Row], file: Path) -> None:
     figure, axis = plt.subplots(figsize=(7, 2.8), constrained_layout=True)
     bars = axis.barh([_in_words(noise) for noise in noises], [found[n] for n in noises])
     axis.bar_label(bars, fmt="{:.2f}", padding=4)
-    axis.set_title("With few episodes only large arms races are found", weight="bold")
-    axis.set_xlabel(
-        "gain of both teams, in capture rate, at which half of the arms races are found"
-    )
+    axis.margins(x=0.1)
+    figure.suptitle("With few episodes only large arms races are found", x=0.0, ha="left")
+    axis.set_xlabel("smaller gain of the two teams at which half are found")
     axis.spines[["top", "right", "left"]].set_visible(False)
     axis.tick_params(left=False)
     figure.savefig(file, dpi=120)

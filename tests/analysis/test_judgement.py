@@ -209,8 +209,8 @@ def test_a_sentence_is_about_the_whole_race_and_a_half_that_differs() -> None:
     only = ("evaders",)
     said = {
         "Both teams improved.": when(arms="wfl", rise="w"),
-        "Until generation 14, both teams improved; from generation 15 on, neither team became "
-        "stronger or weaker and both teams lost old skills ().": when(
+        "Until generation 14, both teams improved. From generation 15 on, neither team became "
+        "stronger or weaker, but both teams lost old skills ().": when(
             arms="wf", stagnation="l", forgetting="l"
         ),
         "Only the evaders improved. From generation 15 on, the evaders lost old skills ().": when(
@@ -219,7 +219,7 @@ def test_a_sentence_is_about_the_whole_race_and_a_half_that_differs() -> None:
         "No clear progress: both teams went back to old strategies and lost old skills ().": when(
             arms="?", intransitivity="wfl", cycling="fl", forgetting="w"
         ),
-        "The evaders became stronger, without a clear trend.": when(only, rise="w?", arms="?"),
+        "The evaders became stronger without a clear trend.": when(only, rise="w?", arms="?"),
         "One team won nearly all matches.": when((), disengagement="w", arms="?"),
         "No clear progress.": when(arms="?"),
         "Neither team improved.": when(),
@@ -257,7 +257,7 @@ def test_a_sentence_tells_what_is_present_and_nothing_else(found: dict) -> None:
     }
     if present & {"arms race", "one-sided progress"}:
         present.discard("rise")
-    if "cycling" in present:
+    if present & {"cycling", "forgetting"}:
         present.discard("intransitivity")
     assert {
         name for name, words in TOLD.items() if words in said.replace("neither team became", "")

@@ -1,10 +1,14 @@
 """What tests of the command line share."""
 
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
+from typing import BinaryIO
 
 import pytest
 from click.testing import Result
+from matplotlib.figure import Figure
+from PIL import Image
 
 from command_line import JOB, matrixworld_command, words
 from executors import jobs_in_threads
@@ -17,9 +21,25 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
+def keep_pictures_small(patch: pytest.MonkeyPatch) -> None:
+    """Save a grey point in place of each figure: what figures show is tested in tests/plots."""
+    save = Figure.savefig
+
+    def saved(figure: Figure, file: BinaryIO, **look: object) -> None:
+        if look["format"] == "png":
+            Image.new("L", (1, 1)).save(file, "PNG")
+        else:
+            save(figure, file, **look)
+
+    patch.setattr(Figure, "savefig", saved)
+
+
 @pytest.fixture(autouse=True, scope="module")
-def quick_jobs(no_processes: None) -> None:
+def quick_jobs(no_processes: None) -> Iterator[None]:
     """Play jobs without worker processes, but in commands that tests start as programs."""
+    with pytest.MonkeyPatch.context() as patch:
+        keep_pictures_small(patch)
+        yield
 
 
 @pytest.fixture
@@ -40,5 +60,6 @@ def main_job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
     folder = tmp_path_factory.mktemp("main")
     with pytest.MonkeyPatch.context() as patch, jobs_in_threads():
         patch.chdir(folder)
+        keep_pictures_small(patch)
         told = matrixworld_command("evolve", "--out", "main job", *words(JOB), "--threads", 1)
     return folder / "main job", told

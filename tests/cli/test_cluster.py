@@ -37,6 +37,7 @@ def test_without_dask_the_command_that_installs_it_is_named(race, monkeypatch):
     assert "pip install 'matrixworld-pursuit[cluster]'" in told
 
 
+@pytest.mark.slow
 def test_workers_of_another_version_are_refused(race, dask, monkeypatch):
     monkeypatch.setattr(cluster, "__version__", "9")
     address = dask.scheduler_address

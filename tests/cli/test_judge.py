@@ -156,7 +156,8 @@ def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, u
     assert [*written["runs"]] == [f"{name}/seed-{seed}" for name in SCHEDULES for seed in SEEDS]
     one, run = written["runs"][f"{FIRST}/seed-1"], open_run(job / FIRST / "seed-1")
     assert one.items() >= run.summary().items()
-    assert one["held_out"]["pursuers"] == score(run, threads=1)["pursuer"].to_json()
+    scored = score(run, threads=1)["pursuer"].to_json()
+    assert one["held_out"]["pursuers"].items() >= scored.items()
 
 
 def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):

@@ -31,7 +31,8 @@ JUDGE = [
     (["stopped"], 2, "expected a finished run; matrixworld evolve --resume stopped"),
     (["damaged"], 1, "payoff.npz: cut, altered or not an npz file"),
     (["bomb.zip"], 1, "bomb.zip: cut, altered or not an archive of a race (expected at most "),
-    (["other.zip"], 2, "other.zip: expected an archive of a race, got none of its files"),
+    *(([file], 2, f"{file}: expected an archive of a race, got none of its files")
+      for file in ("other.zip", "outside.zip")),
 ]
 REPLAY = [
     (["nothing"], 2, "nothing: no such file or directory; expected the directory of a run"),
@@ -149,7 +150,11 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     np.savez(root / "one.npz", payoff=np.full((1, 3), 0.5))
     np.savez(root / "scores.npz", scores=np.full((13, 13, 5), 0.5))
     random_walks().save(root / "walks.npz")
-    for name, part in (("bomb", {"config.json": bytes(2**27)}), ("other", {"a.txt": b"x"})):
+    for name, part in (
+        ("bomb", {"config.json": bytes(2**27)}),
+        ("other", {"a.txt": b"x"}),
+        ("outside", {"config.json": b"{}", "../a": b"x"}),
+    ):
         (root / f"{name}.zip").write_bytes(archive(part))
     save_genome(root / "pursuer.npz", "pursuer", open_run(race).policy("pursuer"))
     return root

@@ -1,6 +1,7 @@
 """Runs and jobs that are killed or cannot write end, when repeated, as if nothing had happened."""
 
 import errno
+import os
 import signal
 import sys
 import time
@@ -10,6 +11,7 @@ from itertools import count
 import pytest
 
 import killed
+import power_cut
 from killed import JOB, RUNS, SETTINGS, SHORT_RUNS, Events, play_run, process, watched
 from matrixworld.coevolution import LockedError, Run, create, evolve, open_run
 from matrixworld.coevolution.jobs import found_job
@@ -105,6 +107,16 @@ def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path)
         play_run(kind, directory)
         assert results(directory) == straight(SETTINGS[kind])
     assert at > 25
+
+
+@pytest.mark.nightly
+@pytest.mark.skipif(
+    not os.access("/dev/loop-control", os.W_OK) or not os.access("/dev/fuse", os.W_OK),
+    reason="needs root, loop devices and FUSE",
+)
+def test_a_run_goes_on_after_a_power_cut(tmp_path):
+    """``tests/support/power_cut.py`` tries as many as one likes."""
+    assert sum(power_cut.tries(0, 8, tmp_path).values()) == 8
 
 
 def test_killed_process_releases_the_lock(tmp_path):

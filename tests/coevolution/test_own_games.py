@@ -314,7 +314,6 @@ if __name__ == "__main__":
 @pytest.mark.parametrize(
     ("file", "arguments", "name"),
     [
-        ("a_race.py", ["a_race.py"], "a_race"),
         ("pack/race.py", ["-m", "pack.race"], "pack.race"),
         ("a-race.py", ["a-race.py"], "__main__"),  # of no use to other processes
     ],

@@ -88,6 +88,13 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
     assert started.training_game.penalty == 0.2
 
 
+def test_what_follows_from_the_settings():
+    settings, alone = RaceSettings(), RaceSettings(schedule=Against(team="evader"))
+    assert settings.schedule.total_epochs("evader") == 30 * 58
+    assert settings.evaluation_game.policy.genome_size == (3 * 11 * 11 + 1) * 32 + (32 + 1) * 5
+    assert (settings.is_race, alone.is_race, alone.learning_teams) == (True, False, ("evader",))
+
+
 def test_a_text_stands_for_a_section():
     assert RaceSettings(schedule="hall-of-fame") == RaceSettings(schedule=AtOnce())
     alternating = InTurns(pursuers_meet="latest", evaders_meet="prioritized-even")

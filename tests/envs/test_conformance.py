@@ -51,8 +51,8 @@ def _quiet() -> Any:
 )
 def test_api_and_seeds(name: str, given: dict[str, Any]) -> None:
     config = config_of(name, obstacles=0.1)
-    official.api_test(mw.aec_env(config, **given), num_cycles=60)
-    official.parallel_api_test(mw.parallel_env(config, **given), num_cycles=60)
+    official.api_test(mw.aec_env(config, **given), num_cycles=30)
+    official.parallel_api_test(mw.parallel_env(config, **given), num_cycles=30)
     official.seed_test(lambda: mw.aec_env(config, **given), num_cycles=20)
     official.parallel_seed_test(lambda: mw.parallel_env(config, **given), num_cycles=20)
 

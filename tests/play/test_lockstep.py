@@ -45,7 +45,7 @@ def test_every_game(name: str) -> None:
         obstacles: Any = (0.0, 0.15, MAP)[(number + shift) % 3]
         config = config_of(name, obstacles=obstacles, diagonal=number % 2 == 1)
         hidden = WIDTHS[number % (7 - shift)]
-        assert_same(config, hidden, episodes=1 + number % 20, memory=memory)
+        assert_same(config, hidden, episodes=1 + number % 8, memory=memory)
 
 
 @pytest.mark.parametrize("episodes", [1, 2, 15, 16, 17, 20, 33])

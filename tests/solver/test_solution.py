@@ -318,32 +318,32 @@ def test_two_evaders_as_the_slow_reading(rules: str) -> None:
     assert_same_values(on_ring(row, rows=2, n_pursuers=1, n_evaders=2), 2)
 
 
-def test_a_long_call_tells_its_share_and_stops_at_a_signal(monkeypatch: pytest.MonkeyPatch) -> None:
-    """In the middle of one call of the engine, on one thread: the states, and a step back."""
+def test_a_long_call_stops_at_a_signal_and_tells_its_share() -> None:
+    """In the middle of one call of the engine, on one thread, after half a second of its time."""
 
     def stop(*_: Any) -> None:
         raise TimeoutError
 
-    before = signal.signal(signal.SIGALRM, stop)
+    told: dict[str, list[float]] = {}
+
+    def tell(what: str, share: float) -> None:
+        told.setdefault(what, []).append(share)
+
+    def states(size: int) -> States:
+        config = mw.WorldConfig("O", rows=size, cols=size, n_pursuers=2, n_evaders=1)
+        return States(config, threads=1, report=tell)
+
+    before, began = signal.signal(signal.SIGVTALRM, stop), time.process_time()
     try:
-        for size, steps in ((9, None), (5, 500)):
-            told: dict[str, list[float]] = {}
-
-            def tell(what: str, share: float, told: dict[str, list[float]] = told) -> None:
-                told.setdefault(what, []).append(share)
-
-            config = mw.WorldConfig("O", rows=size, cols=size, n_pursuers=2, n_evaders=1)
-            with pytest.raises(TimeoutError):  # noqa: PT012, whichever call it is in
-                if steps:
-                    states = States(config, threads=1, report=tell)
-                signal.setitimer(signal.ITIMER_REAL, 1.0)
-                began = time.monotonic()
-                solve(states, steps=steps) if steps else States(config, threads=1, report=tell)
-            assert time.monotonic() - began < 2.0
-            shares = told["perfect play" if steps else "states"]
-            assert len(shares) > 3
-            assert shares == sorted(shares)
-            assert 0.0 < shares[-1] < 1.0
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.5)
+        with pytest.raises(TimeoutError):
+            states(9)
+        assert time.process_time() - began < 1.5
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0.0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+        signal.signal(signal.SIGVTALRM, before)
+    assert 0.0 < told["states"][-1] < 0.5
+    solution = solve(states(4), steps=5)
+    best_response(solution.states, "chaser", "pursuer", steps=5)
+    for what in ("perfect play", "best responses"):
+        assert told[what] == [0.0, 0.2, 0.4, 0.6, 0.8]

@@ -33,10 +33,10 @@ import numpy as np
 from click.testing import CliRunner
 
 TESTS = Path(__file__).resolve().parents[1]
-sys.path[1:1] = [str(TESTS / folder) for folder in ("cli", "contract")]
+sys.path[1:1] = [str(TESTS / folder) for folder in ("cli", "contract", "play")]
 
-from one_by_one import assert_same_one_by_one  # noqa: E402
 from test_borders import CASES, borders, make_template, problem_of, tree, usual  # noqa: E402
+from test_lockstep import assert_same_one_by_one  # noqa: E402
 from test_reference import compare  # noqa: E402
 
 import matrixworld as mw  # noqa: E402

@@ -40,11 +40,12 @@ SMALL: dict[str, Any] = {
     "seed": 2**40 + 3,
 }
 TURNS = {"schedule.pursuer_epochs": 3, "schedule.evader_epochs": 4}
+SPECIALISTS = {"schedule": "specialist-specialist", **TURNS}
 HALL = {"schedule": "hall-of-fame", "schedule.joint_epochs": 3}
 RACES: dict[str, dict[str, Any]] = {
     "es": {"schedule": "generalist-generalist", "policy.hidden": [6], **TURNS},
     "ga": {"schedule": "generalist-specialist", "learner": "ga", "policy.hidden": [], **TURNS},
-    "mask": {"schedule": "specialist-specialist", "policy.mask": "right-of-way", **TURNS},
+    "mask": {**SPECIALISTS, "policy.mask": "right-of-way", "policy.hidden": [5]},
     "mask without hidden layers": {"policy.mask": "right-of-way", "policy.hidden": [], **TURNS},
     "weights of named inputs": {"policy": "rating", **TURNS},
     "es, both at once": {**HALL, "policy.hidden": []},

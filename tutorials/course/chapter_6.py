@@ -2,63 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from course.checks import Mistake, array, comparison, function
-from course.toys import PAYOFF
+from course.toys import AT_ONCE, PAYOFF, WEIGHTED, WEIGHTED_HANDS, BestHand
 from matrixworld import analysis
+from matrixworld.coevolution import TEAMS, RaceSettings, RunInMemory
 from matrixworld.coevolution.types import FloatArray
 
 # ---- Cures, in a toy -----------------------------------------------------------------------------
 
-WEIGHTED = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.4], [0.0, 0.6, 0.5]])
-"""Scissors beat paper in 60 % of the matches only."""
-Played = tuple[list[int], list[int]]
-"""The hands of both teams, from the first one on."""
-Source = Callable[[Played, int, np.random.Generator], tuple[FloatArray, float]]
-"""Takes hands and a team; returns a mixture of opponents, and the matches that it costs."""
+NASH = {"kind": "nash", "episodes": 1}
+SOURCES: dict[str, dict[str, Any]] = {
+    "latest": {"hall_sample": 1, "pursuers_meet": "latest", "evaders_meet": "latest"},
+    "hall": {"hall_sample": 5},
+    "nash": {"hall_sample": 5, "pursuers_meet": NASH, "evaders_meet": NASH},
+}
+"""Where opponents come from: schedules of races, beside `AT_ONCE`."""
 
 
-_mixture = partial(np.bincount, minlength=3)
-
-
-def latest(played: Played, team: int, rng: np.random.Generator) -> tuple[FloatArray, float]:
-    """Answer the newest hand."""
-    return _mixture(played[team][-1:]), 3
-
-
-def hall(played: Played, team: int, rng: np.random.Generator) -> tuple[FloatArray, float]:
-    """Answer up to five hands drawn from all earlier ones."""
-    chosen = rng.choice(played[team], min(5, len(played[team])), replace=False)
-    return _mixture(chosen) / len(chosen), 3 * len(chosen)
-
-
-def nash(played: Played, team: int, rng: np.random.Generator) -> tuple[FloatArray, float]:
-    """Answer the Nash mixture of the earlier hands; the teams share the cost of new cells."""
-    found = analysis.nash_averaging(WEIGHTED[np.ix_(*played)])
-    weights = (found.pursuers, found.evaders)[team]
-    cells = 2 * len(played[0]) - 1
-    return _mixture(played[team], weights), 3 * np.count_nonzero(weights > 1e-6) + cells / 2
-
-
-def race(source: Source, budget: int, seed: int) -> FloatArray:
-    """Return (matches so far, exploitability) after each round.
+def race(source: str, budget: int, seed: int) -> FloatArray:
+    """Return (matches so far, exploitability) after each round of the weighted game.
 
     A race is judged by the mixture of all hands that were played, and that of `nash` by its own.
     """
-    played: Played = ([0], [0])
-    rng, matches, course = np.random.default_rng(seed), 0.0, []
-    while matches < budget:
-        (x, cost_x), (y, cost_y) = (source(played, team, rng) for team in (0, 1))
-        p, q = (x, y) if source is nash else (_mixture(each) / len(each) for each in played)
-        matches += cost_x + cost_y
-        course.append((matches, (WEIGHTED @ q).max() - (p @ WEIGHTED).min()))
-        for team, values in enumerate((WEIGHTED @ y, -(x @ WEIGHTED))):
-            played[team].append(rng.choice(np.flatnonzero(values > values.max() - 1e-9)))
+    schedule = {**AT_ONCE, **SOURCES[source], "generations": budget}
+    settings = RaceSettings.of(
+        game=WEIGHTED_HANDS, learner=BestHand(), schedule=schedule, seed=seed
+    )
+    run, course = RunInMemory(settings, threads=1), []
+    while run.counts["matches"] < budget:
+        run.learn(run.stage)
+        run.end_stage()
+        hands = [np.argmax(run.archive[team], axis=1) for team in TEAMS]
+        p, q = (np.bincount(played, minlength=3) / len(played) for played in hands)
+        if source == "nash":
+            found = analysis.nash_averaging(WEIGHTED[np.ix_(*hands)])
+            p, q = map(np.bincount, hands, (found.pursuers, found.evaders), (3, 3))
+        course.append((run.counts["matches"], (WEIGHTED @ q).max() - (p @ WEIGHTED).min()))
     return np.array(course)
 
 

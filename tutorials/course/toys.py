@@ -5,7 +5,7 @@ these do here they do in real races, too. ``evolution/games`` has such games for
 
 >>> from course import toys
 >>> toys.numbers_game("scalar", seed=0).final_objective.round()
-array([99., 99.])
+array([ 99., 100.])
 
 *Rock-paper-scissors* between two teams with a perfect learner: it plays a best response, so only
 the schedule matters. Specialists cycle with period three. A team that answers all past hands of the
@@ -55,15 +55,23 @@ from matrixworld.coevolution.types import (
 
 PAYOFF = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
 """Of the pursuers' rock, paper and scissors (rows) against the evaders', who get one minus it."""
+WEIGHTED = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.4], [0.0, 0.6, 0.5]])
+"""The same where scissors beat paper in 60 % of the matches only."""
 
 
-def play_hands(a: FloatArray, b: FloatArray, rng: Rng) -> FloatArray:
-    """Return the scores of strategies (M, 3), probabilities of the hands."""
-    return np.asarray(np.einsum("mi,ij,mj->m", a, PAYOFF, b))
+def _hands_game(payoff: FloatArray) -> Game:
+    """Return the game of strategies, which are probabilities of hands; all start with rock."""
+
+    def play(a: FloatArray, b: FloatArray, rng: Rng) -> FloatArray:
+        return np.asarray(np.einsum("mi,ij,mj->m", a, payoff, b))
+
+    def rock(rng: Rng) -> FloatArray:
+        return np.eye(3)[0]
+
+    return Game(play, 3, ("pursuers", "evaders"), rock, deterministic=True)
 
 
-HANDS = Game(play_hands, 3, ("pursuers", "evaders"), lambda rng: np.eye(3)[0], deterministic=True)
-"""Rock-paper-scissors; both teams start with rock."""
+HANDS, WEIGHTED_HANDS = _hands_game(PAYOFF), _hands_game(WEIGHTED)
 
 
 @dataclass(frozen=True)
@@ -79,14 +87,13 @@ class BestHand(GeneticAlgorithm):
 
 
 ALL = 10**6
-ONCE = {"pursuer_epochs": 1, "evader_epochs": 1}
+IN_TURNS = {"pursuer_epochs": 1, "evader_epochs": 1}
+AT_ONCE = {"kind": "hall-of-fame", "joint_epochs": 1, "contemporaries": 0}
 RACES_OF_HANDS: dict[str, dict[str, Any]] = {
-    "specialists": {"kind": "specialist-specialist", **ONCE},
-    "generalists": {"kind": "generalist-generalist", "opponents": ALL, **ONCE},
-    "fictitious play": {
-        "kind": "hall-of-fame", "joint_epochs": 1, "contemporaries": 0, "hall_sample": ALL,
-    },
-}  # fmt: skip
+    "specialists": {"kind": "specialist-specialist", **IN_TURNS},
+    "generalists": {"kind": "generalist-generalist", "opponents": ALL, **IN_TURNS},
+    "fictitious play": {**AT_ONCE, "hall_sample": ALL},
+}
 """Schedules: answers to the newest hand, and to all past hands, in turns or at the same time."""
 
 

@@ -175,8 +175,7 @@ def chance(seed: int) -> Effects:
 
 def toy_cures(seed: int) -> Effects:
     """Return how far races of three hands end from the limit of the prediction."""
-    sources = toy_of_6.latest, toy_of_6.hall, toy_of_6.nash
-    latest, hall, nash = (toy_of_6.race(source, 300, seed)[-1, 1] for source in sources)
+    latest, hall, nash = (toy_of_6.race(name, 300, seed)[-1, 1] for name in toy_of_6.SOURCES)
     return {
         "latest, less 0.2": latest - 0.2,
         "0.2 less hall": 0.2 - hall,

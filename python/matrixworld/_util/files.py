@@ -18,7 +18,7 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from importlib.util import find_spec
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from tokenize import TokenError
 from typing import Any, BinaryIO
 
@@ -187,8 +187,8 @@ def read_archive(
 ) -> dict[str, Any]:
     """Return what `read` makes of each part of a zip archive, by the name of the part.
 
-    DamagedFileError if it is cut, altered or encrypted, or has parts that lie outside of it, are
-    compressed in an unusual way, or become far larger than the archive.
+    DamagedFileError if it is cut, altered, encrypted or compressed in an unusual way, or if its
+    parts are far larger than the archive.
     """
     content = read_content(path) if content is None else content
     try:
@@ -199,9 +199,6 @@ def read_archive(
             if len(parts) != int.from_bytes(content[end + 10 : end + 12], "little"):
                 raise zipfile.BadZipFile(f"got {len(parts)} parts, not as many as it counts")
             for part in parts:
-                inside = not PurePosixPath(part.filename).is_absolute()
-                if not inside or {"..", "\\", ":"} & {*part.filename, *part.filename.split("/")}:
-                    raise zipfile.BadZipFile(f"expected parts inside of it, got {part.filename}")
                 if part.flag_bits & 1:
                     raise zipfile.BadZipFile(f"{part.filename} is encrypted")
                 if part.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
+from matrixworld.analysis.intervals import LEVEL, RUNS_FOR_T, Estimate, check_level
 from matrixworld.analysis.judgement import (
     ABSENT,
     CANNOT_TELL,
@@ -58,7 +58,7 @@ HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
 ONE_HALF = "what rises in this half does not rise in the same way over the whole race"
 CIRCLE = "both teams lose again what they gain, as in a circle, whose end is not seen"
-ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
+FEW_ENGAGED = f"fewer than {RUNS_FOR_T} of the runs are engaged, the others hide this condition"
 
 
 def judge(
@@ -67,13 +67,13 @@ def judge(
     """Judge a race, or several with the same settings, from the payoffs of its generations.
 
     A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
-    about this run: its episodes, and for gains the fluctuation between its generations. Several
-    runs have Student's t interval over runs; a gain must also be a trend of the mean course, and
-    remain without one jump of each run. "Rise" says that a team became stronger in what was
-    played; "arms race" and "one-sided progress" say that no random walk explains it. Runs that are
-    disengaged are left out of the other conditions. docs/analysis.md defines the conditions;
-    evolution/results/judgement has how often verdicts are wrong. Episodes of a pair are
-    independent; pairs may share their worlds.
+    about this run: its episodes, and for gains the fluctuation between its generations. Of 2 or 3
+    runs each has to show what is present. More have Student's t interval over runs; a gain must
+    also be a trend of the mean course, and remain without one jump of each run. "Rise" says that a
+    team became stronger in what was played; "arms race" and "one-sided progress" say that no random
+    walk explains it. Runs that are disengaged are left out of the other conditions.
+    docs/analysis.md defines the conditions; evolution/results/judgement has how often verdicts are
+    wrong. Episodes of a pair are independent; pairs may share their worlds.
 
     Parameters
     ----------
@@ -104,11 +104,11 @@ def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
     # Disengagement is judged over all runs, the other conditions over the engaged ones.
     engaged = [run for run, each in enumerate(by_run) if not _is_one_sided(each)]
     if not _is_one_sided(found) and len(engaged) < len(by_run):
-        if len(engaged) >= 2:
+        if len(engaged) >= RUNS_FOR_T:
             others = _findings(payoffs.select(engaged), window, level)
         else:
             others = {
-                name: replace(each, verdict=CANNOT_TELL, reason=ALL_DISENGAGED, teams=())
+                name: replace(each, verdict=CANNOT_TELL, reason=FEW_ENGAGED, teams=())
                 for name, each in found.items()
             }
         found = {**others, "disengagement": found["disengagement"]}

@@ -85,27 +85,28 @@ class Judgement(Readable):
 
 
 class Words(NamedTuple):
-    """What is told of a condition that is present, of its ``{teams}`` and their ``{sizes}``.
+    """What is told of a condition that is present: who `did` what, of its ``{teams}``.
 
-    ``{doubt}``: which of these teams have no trend. A sentence leaves out the condition that this
-    one `implies`.
+    ``{sizes}`` are those of the teams, ``{doubt}`` says which of them have no trend. A sentence
+    leaves out the condition that this one `implies`.
     """
 
-    happened: str
+    who: str
+    did: str
     implies: str = ""
 
 
 WORDS: Mapping[str, Words] = {
-    "disengagement": Words("{teams} won nearly all matches"),
-    "arms race": Words("{teams} improved", "rise"),
-    "one-sided progress": Words("only {teams} improved", "rise"),
-    "rise": Words("{teams} became stronger{doubt}"),
-    "stagnation": Words("neither team became stronger or weaker"),
-    "intransitivity": Words("no order of strength explains who beats whom"),
-    "cycling": Words("{teams} went back to old strategies", "intransitivity"),
-    "forgetting": Words("{teams} lost old skills ({sizes})"),
+    "disengagement": Words("{teams}", "won nearly all matches"),
+    "arms race": Words("{teams}", "improved", "rise"),
+    "one-sided progress": Words("only {teams}", "improved", "rise"),
+    "rise": Words("{teams}", "became stronger{doubt}"),
+    "intransitivity": Words("no order of strength", "explains who beats whom"),
+    "cycling": Words("{teams}", "went back to old strategies", "intransitivity"),
+    "forgetting": Words("{teams}", "lost old skills ({sizes})", "intransitivity"),
+    "stagnation": Words("neither team", "became stronger or weaker"),
 }
-"""All conditions by name, in the order in which they are told."""
+"""All conditions by name, in the order of tables."""
 
 CONDITIONS = tuple(WORDS)
 """Names of the conditions."""
@@ -131,18 +132,13 @@ def sentence(judgement: Judgement) -> str:
     check_instance("judgement", judgement, Judgement)
     if judgement.findings["arms race"].reason == TOO_SHORT:
         return f"Too short to be judged: {TOO_SHORT}."
-    better: list[str] = []
-    others: list[str] = []
-    for at in (WHOLE, *HALVES):
-        told = _told(judgement, at)
-        parts = better if {*OF_STRENGTH} & {*told} else others
-        parts += _at(judgement, at, [*told.values()])
-    if better:
-        lead = _of_runs(judgement) + "; ".join(better)
+    told = {at: each for at in (WHOLE, *HALVES) if (each := _told(judgement, at))}
+    parts = [_at(judgement, at) + _clause(each) for at, each in told.items()]
+    if {*OF_STRENGTH} & {name for each in told.values() for name in each}:
+        parts[0] = _of_runs(judgement) + parts[0]
     else:
-        lead = ": ".join([_no_progress(judgement), *others[:1]])
-        others = others[1:]
-    said = (f"{part[0].upper()}{part[1:]}." for part in (lead, *others))
+        parts[:1] = [": ".join([_no_progress(judgement), *parts[:1]])]
+    said = (f"{part[0].upper()}{part[1:]}." for part in parts)
     return in_words_of(judgement.teams, " ".join(said))
 
 
@@ -156,11 +152,11 @@ def clarity(judgement: Judgement) -> tuple[bool, float]:
     return told, min((gain.low or 0.0 for gain in gains), default=0.0)
 
 
-def _told(judgement: Judgement, window: str) -> dict[str, str]:
-    """Return what is told of a window: conditions and their words."""
+def _told(judgement: Judgement, window: str) -> dict[str, tuple[str, str]]:
+    """Return what is told of a window: conditions, and who did what."""
     present = {at: _present(judgement, at) for at in judgement.windows}
     told = {}
-    for name in CONDITIONS:
+    for name in sorted(CONDITIONS, key=lambda each: each not in OF_STRENGTH):
         halves = [half for half in HALVES if name in present[half]]
         verdicts = {judgement.windows[half][name].verdict for half in HALVES}
         if name in present[WHOLE]:
@@ -183,44 +179,44 @@ def _present(judgement: Judgement, window: str) -> list[str]:
     return [name for name in judgement.present(window) if name not in implied]
 
 
-def _happened(findings: Findings, name: str) -> str:
-    """Return in words what happened to which teams."""
+def _happened(findings: Findings, name: str) -> tuple[str, str]:
+    """Return in words who did what."""
     finding, gains = findings[name], findings["arms race"].estimates
     sizes = [finding.estimates.get(f"{team[:-1]}_{name}") for team in finding.teams]
     known = {team: gains.get(f"{team[:-1]}_gain", NO_GAIN) for team in finding.teams}
     vague = tuple(team for team, gain in known.items() if (gain.low or 0.0) <= 0.0)
-    those = "" if vague == finding.teams else f" {_who(vague)}"
-    return WORDS[name].happened.format(
-        teams=_who(finding.teams),
-        sizes=" and ".join(f"{size.value:.2f}" for size in sizes if size),
-        doubt=f",{those} without a clear trend" if vague else "",
-    )
+    doubt = "without a clear trend" if vague else ""
+    if vague != finding.teams:
+        doubt = doubt and f"({_named(vague)} {doubt})"
+    words = {
+        "teams": _named(finding.teams),
+        "sizes": " and ".join(f"{size.value:.2f}" for size in sizes if size),
+        "doubt": doubt and f" {doubt}",
+    }
+    return WORDS[name].who.format(**words), WORDS[name].did.format(**words)
 
 
-SUBJECTS = ("both teams ", "one team ", *(f"the {team} " for team in TEAMS))
-"""What clauses begin with."""
-
-
-def _who(teams: tuple[str, ...]) -> str:
+def _named(teams: tuple[str, ...]) -> str:
     return "both teams" if len(teams) == 2 else f"the {teams[0]}" if teams else "one team"
 
 
-def _at(judgement: Judgement, window: str, words: list[str]) -> list[str]:
-    """Return what happened in a window in one clause, with the window in words; none of nothing."""
-    # "both teams did this and both teams did that" has one subject.
-    subjects = [next((who for who in SUBJECTS if each.startswith(who)), each) for each in words]
-    same = [one == other for one, other in zip(subjects, ["", *subjects], strict=False)]
-    clause = " and ".join(
-        each.removeprefix(who) if again else each
-        for each, who, again in zip(words, subjects, same, strict=True)
-    )
-    if window == WHOLE or not words:
-        return words and [clause]
+def _clause(told: Mapping[str, tuple[str, str]]) -> str:
+    """Return who did what, naming each once: "both teams improved, but lost old skills"."""
+    clause, last, improved = "", "", False
+    for name, (who, did) in told.items():
+        joint = ", but " if improved and name not in OF_STRENGTH else " and " if clause else ""
+        clause += f"{joint}{did if who == last else f'{who} {did}'}"
+        last, improved = who, name in OF_STRENGTH
+    return clause
+
+
+def _at(judgement: Judgement, window: str) -> str:
+    """Return a window in words, as the beginning of a clause about it."""
     pursuers, evaders = judgement.shape
     # The last half begins with the middle generation; teams of different length share no number.
     first = window == HALVES[0]
     middle = f"generation {pursuers // 2 - first}" if pursuers == evaders else "the middle"
-    return [f"{f'until {middle}' if first else f'from {middle} on'}, {clause}"]
+    return "" if window == WHOLE else f"until {middle}, " if first else f"from {middle} on, "
 
 
 def _of_runs(judgement: Judgement) -> str:
@@ -243,10 +239,6 @@ def _no_progress(judgement: Judgement) -> str:
     if runs < RUNS_FOR_T:
         return f"no clear progress that all {runs} runs share{some}"
     return f"no clear progress on average over {runs} runs{some}"
-
-
-def _named(window: str) -> str:
-    return "whole race" if window == WHOLE else window
 
 
 def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
@@ -292,7 +284,12 @@ def _row(
         f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
         for key, estimate in finding.estimates.items()
     )
-    return condition, finding.verdict, in_words_of(judgement.teams, numbers), _named(window)
+    return (
+        condition,
+        finding.verdict,
+        in_words_of(judgement.teams, numbers),
+        "whole race" if window == WHOLE else window,
+    )
 
 
 def explain(judgement: Judgement) -> str:

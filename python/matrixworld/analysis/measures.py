@@ -285,15 +285,9 @@ def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estim
         return Estimate(math.nan, note=TOO_SHORT)
     found = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
     several = ("runs", len(payoffs)) if len(payoffs) > 1 else ("episodes", payoffs.episodes or 0)
-    note = FALLS_BACK if strength.falls_back(_seen_by(payoffs, window, team)) else ""
+    seen = _from_side(payoffs.matrices.mean(axis=0), team)[window.cells[team == "evaders"]]
+    note = FALLS_BACK if strength.falls_back(seen) else ""
     return replace(found, across=several[0], samples=several[1], note=note)
-
-
-def _seen_by(payoffs: Payoffs, window: Window, team: str) -> Rates:
-    """Return the mean payoffs of a team in a window against all opponents."""
-    matrix = _from_side(payoffs.matrices.mean(axis=0), team)
-    rows: Rates = matrix[window.cells[team == "evaders"]]
-    return rows
 
 
 def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:

@@ -30,8 +30,8 @@ WIDEST = (4.0, 3.0)
 observed steps."""
 PARTS = 5
 """Parts of a course, none of which may fall back, and of the opponents."""
-SETBACK = 0.05
-"""Share of its change by which a course that keeps its direction goes back at most."""
+SETBACK, OF_GAIN = 0.25, 0.05
+"""Share of its change by which a sustained course goes back at most, and the course of a gain."""
 _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
 
@@ -77,7 +77,7 @@ def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estima
         return around([gain_of_runs(*each, level=level) for each in courses])
     found = _gain_of_mean_course(scores, noise, level)
     sign = 1.0 if found.value > 0.0 else -1.0
-    least = 1.0 if setback(scores.mean(axis=0)) < SETBACK else 0.0
+    least = 1.0 if setback(scores.mean(axis=0)) < OF_GAIN else 0.0
     if len(scores) > 1:
         left = _without_jumps(sign * scores) @ _slope_weights(scores.shape[1])
         # One end of this interval has the error of both of the other.
@@ -130,8 +130,8 @@ def _gain_of_mean_course(scores: Rates, noise: Rates, level: float) -> Estimate:
 def is_sustained(course: Rates) -> bool:
     """Return whether a course keeps its direction: that of its linear change.
 
-    No tenth of the course, and no two steps, make half of the change, and no part falls back. It
-    may rest: a late onset and an early plateau are sustained.
+    No tenth of the course, and no two steps, make half of the change, and from part to part it goes
+    back by a quarter at most. It may rest: a late onset and an early plateau are sustained.
     """
     change = float(_slope_weights(len(course)) @ course)
     forward, tenth = course * np.sign(change), _tenth(len(course))

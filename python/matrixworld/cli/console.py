@@ -5,10 +5,9 @@ from __future__ import annotations
 import shlex
 import shutil
 import sys
-import time
 import warnings
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 import click
@@ -16,11 +15,8 @@ from tqdm import tqdm
 
 from matrixworld._util.files import printable
 from matrixworld._util.readable import table_lines
-from matrixworld.coevolution import Progress, ProgressBar
 from matrixworld.coevolution.groups import RunGroup
 
-SHARES = 1000
-"""Parts into which progress divides work that has no other ones."""
 TERMS = "Terms are explained in docs/glossary.md."
 TO_STDOUT = "matrixworld.json"
 """Key in the context of a command whose numbers take standard output, and its text the other."""
@@ -46,27 +42,6 @@ def warnings_as_notes() -> Iterator[None]:
         warnings.simplefilter("always", UserWarning)
         warnings.showwarning = lambda message, *place: note(f"Warning: {message}")
         yield
-
-
-@contextmanager
-def progress_of_parts() -> Iterator[Callable[[str, float], None]]:
-    """Yield what shows the share of each part of some work, if all takes more than a second."""
-    began, shown, before = time.monotonic(), Progress("", 0, SHARES), 0
-    bar = ProgressBar()
-    with ExitStack() as bars:
-
-        def tell(what: str, share: float) -> None:
-            nonlocal bar, shown, before
-            done = round(SHARES * share)
-            if time.monotonic() < began + 1.0:
-                return
-            if what != shown.what or done < shown.done:  # another part
-                bars.close()
-                bar, before = bars.enter_context(ProgressBar()), done
-            shown = Progress(what, done, SHARES, before)
-            bar(shown)
-
-        yield tell
 
 
 def print_head(text: str) -> None:

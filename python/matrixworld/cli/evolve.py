@@ -201,7 +201,7 @@ def evolve_command(
     context = click.get_current_context()
     everything = options.given(context.params)
     for name in SHOWS.keys() & everything:
-        options.refuse_beside(options.option_name(name), everything.keys() - {name})
+        options.refuse_beside(options.option_name(name), [n for n in everything if n != name])
         SHOWS[name][0](context)
         return
     given = options.given({n: each for n, each in settings.items() if n not in SHOWS})

@@ -264,12 +264,11 @@ def unpacked(path: Path) -> Path:
         return path
     directory = path.with_suffix("")
     parts = files.read_archive(path, "archive of a race", lambda part: part.read())
-    if storage.CONFIG not in parts:
+    if storage.CONFIG not in parts or not all(re.fullmatch(r"\.?\w[\w.-]*", n) for n in parts):
         raise click.BadParameter(f"{path}: expected an archive of a race, got none of its files")
     if not directory.exists():
         with storage.new_directory(directory) as place:
             for name, content in parts.items():
-                (place / name).parent.mkdir(parents=True, exist_ok=True)
                 (place / name).write_bytes(content)
     for name, content in parts.items():
         file = directory / name

@@ -13,9 +13,9 @@ import click
 from matrixworld._util.checks import SEED_MAX, check_choice
 from matrixworld._util.files import replacing
 from matrixworld.cli import options
-from matrixworld.cli.console import progress_of_parts, say, warnings_as_notes
+from matrixworld.cli.console import say, warnings_as_notes
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
+from matrixworld.coevolution import TEAMS, ProgressBar, SavedRun, Team, open_run
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.storage import find_runs
 from matrixworld.envs.opponents import SOLVED
@@ -264,8 +264,8 @@ def _player(
 ) -> tuple[EnginePolicy, int]:
     """Return what plays for a team in the world of a run or a new one, and its generation or 0."""
     if who == SOLVED:
-        with progress_of_parts() as report:
-            return solve(States(config, report=report)).policy(team), 0
+        with ProgressBar(after=1.0) as bar:
+            return solve(States(config, report=bar.share)).policy(team), 0
     if who.lower().endswith(".npz"):
         found, population = read_genome(who)
         if found != team:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -12,9 +12,9 @@ import click
 
 from matrixworld.analysis import interval_over_runs
 from matrixworld.cli import console, options
-from matrixworld.cli.console import print_head, print_wrapped, progress_of_parts, say
+from matrixworld.cli.console import print_head, print_wrapped, say
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import Team
+from matrixworld.coevolution import ProgressBar, Team
 from matrixworld.coevolution.evaluation.scores import SCORE
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.types import other
@@ -77,8 +77,8 @@ def solve_command(
             numbers = _solve_world(given, threads)
         else:
             groups = options.finished_groups([run], unfinished=True)
-            with progress_of_parts() as report:
-                found = {group.name: _solve_runs(group, threads, report) for group in groups}
+            with ProgressBar(after=1.0) as bar:
+                found = {group.name: _solve_runs(group, threads, bar) for group in groups}
             numbers = {"groups": found}
     print_wrapped(SOLVE_LEGEND if run is None else f"\n{RUN_LEGEND}")
     options.write_json(json_file, numbers)
@@ -92,8 +92,8 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
     variant, steps = world.pop("variant"), world.pop("steps")
     config = WorldConfig(variant, max_steps=steps, **world)
     began = time.perf_counter()
-    with progress_of_parts() as report:
-        solution = solve(States(config, threads=threads, report=report))
+    with ProgressBar(after=1.0) as bar:
+        solution = solve(States(config, threads=threads, report=bar.share))
         needed = solution.capture_time if solution.states.n_turns > 1 else None
     seconds = time.perf_counter() - began
     size = f"{config.rows} x {config.cols} cells"
@@ -116,11 +116,9 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
     return numbers
 
 
-def _solve_runs(
-    group: RunGroup, threads: int | None, report: Callable[[str, float], None]
-) -> dict[str, Any]:
+def _solve_runs(group: RunGroup, threads: int | None, bar: ProgressBar) -> dict[str, Any]:
     """Print exact scores of the opponents of each team of a group; return them as JSON has them."""
-    states = States(group.runs[0].pursuit.world, threads=threads, report=report)
+    states = States(group.runs[0].pursuit.world, threads=threads, report=bar.share)
     value = solve(states).value
     found: dict[str, Any] = {"value": value, "seeds": list(group.seeds)}
     for champion in group.runs[0].settings.learning_teams:

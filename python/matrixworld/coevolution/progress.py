@@ -18,6 +18,9 @@ SECONDS = 0.5
 TENTH = 0.1
 """Share of the work from one line to the next, if there is no terminal."""
 
+SHARES = 1000
+"""Parts into which a share is divided."""
+
 LINE = "{desc}: {percentage:3.0f}%  {remaining} left"
 """The parts of a line, as tqdm names them."""
 BAR = LINE.replace("%  ", "%|{bar:16}| ")
@@ -76,6 +79,8 @@ class ProgressBar:
         Where the progress is shown. The default is standard error.
     clock : callable, optional
         Returns the time in seconds.
+    after : float, optional
+        Seconds in which nothing is shown: what takes no longer needs no bar.
 
     Examples
     --------
@@ -88,16 +93,29 @@ class ProgressBar:
     """
 
     def __init__(
-        self, stream: TextIO | None = None, clock: Callable[[], float] = time.monotonic
+        self,
+        stream: TextIO | None = None,
+        clock: Callable[[], float] = time.monotonic,
+        after: float = 0.0,
     ) -> None:
-        self._stream, self._clock = stream or sys.stderr, clock
+        self._stream, self._clock, self._first = stream or sys.stderr, clock, clock() + after
         self._began: float | None = None
+        self._what = ""
         self._next_time, self._next_share = 0.0, 0.0
         self._bar: tqdm[None] | None = None
 
+    def share(self, what: str, share: float) -> None:
+        """Show the share of a part of some work; the time left is that of the part."""
+        done = round(SHARES * share)
+        if what != self._what or self._began is None:  # it begins with this share
+            self.__exit__()
+            self._what, self._before, self._began, self._bar = what, done, None, None
+        self(Progress(what, done, SHARES, self._before))
+
     def __call__(self, progress: Progress) -> None:
         """Show the progress of a run, or of a job."""
-        now = self._clock()
+        if (now := self._clock()) < self._first:
+            return
         if self._began is None:
             self._began, self._next_time, self._next_share = now, now, progress.share + TENTH
         # Bars redraw their lines, which makes a log file unreadable.

@@ -109,25 +109,11 @@ def create(
                 config["opponent_policy"] = shape
         # config.json must not name opponents that were not used.
         settings = settings.changed({f"schedule.{name}": GIVEN for name in given})
-    learned, states = beginning(settings, begin)
+    learned, states = settings.beginning(begin)
     archive |= learned
     with storage.new_directory(path) as place:
         storage.RunWriter(place).begin(settings.to_json(), archive, states, **config)
     return storage.SavedRun(path)
-
-
-def beginning(
-    settings: RaceSettings, begin: types.Genome | None = None
-) -> tuple[dict[Team, Any], dict[str, types.State]]:
-    """Return generation 0 of all that learn, and the states of learners and samplers."""
-    archive: dict[Team, Any] = {}
-    states: dict[str, types.State] = {}
-    for team in settings.learning_teams:
-        learner = settings.learner_of(team)
-        states[team] = learner.start(settings.task(team, begin))
-        states[f"{team}.opponents"] = settings.schedule.sampler(team).start()
-        archive[team] = [learner.genome(states[team])]
-    return archive, states
 
 
 def check_sources(
@@ -231,7 +217,7 @@ class RunInMemory:
     def _begin(self) -> None:
         if not self.settings.is_race:
             raise ValueError("settings: expected those of a race, got those of one team alone")
-        self.archive, self.states = beginning(self.settings)
+        self.archive, self.states = self.settings.beginning()
 
     def train(self) -> None:
         """Run all stages that are left."""
@@ -724,7 +710,7 @@ def finish(
         As for `Run.run`.
     """
     files = storage.RunWriter(directory)
-    if files.exists and files.finished and not files.has_checkpoint:  # as a page saves it
+    if files.exists and files.finished and not [*files.path.glob("checkpoint-*")]:  # of a page
         files.payoff()
         return storage.SavedRun(directory)
     return Run(directory, threads=threads).run(report, on_epoch)

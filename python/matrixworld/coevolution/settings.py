@@ -349,6 +349,17 @@ class RaceSettings(Section):
             game=game,
         )
 
+    def beginning(self, begin: Genome | None = None) -> tuple[dict[Team, Any], dict[str, Any]]:
+        """Return generation 0 of all that learn, and the states of learners and samplers."""
+        archive: dict[Team, Any] = {}
+        states: dict[str, Any] = {}
+        for team in self.learning_teams:
+            learner = self.learner_of(team)
+            states[team] = learner.start(self.task(team, begin))
+            states[f"{team}.opponents"] = self.schedule.sampler(team).start()
+            archive[team] = [learner.genome(states[team])]
+        return archive, states
+
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
         """Return the settings with other values by their paths.
 

@@ -266,7 +266,10 @@ class SavedRun:
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
-        return files.read_json(self.path / SUMMARY)
+        values = files.read_json(self.path / SUMMARY)
+        if not isinstance(values.get("stages"), int):
+            raise files.DamagedFileError(self.path / SUMMARY, "expected the number of its stages")
+        return values
 
     def newest(self) -> int:
         """Return the number of the newest stage, 0 before the first."""

@@ -146,7 +146,8 @@ def explorer_page(
     """
     together: tuple[str, ...] = ()
     if so_far is None:
-        every = groups or grouped({run.path: run.settings for run in runs})
+        settings = {run.path: run.settings for run in runs}
+        every = groups or grouped(settings, finished=settings)
         runs, together = zip(*_in_order(runs, every), strict=True)
     paths = [run.path.absolute() for run in runs]
     common = _common(paths)
@@ -181,7 +182,10 @@ def _in_order(
     """Yield runs, the clearest races first, with what all seeds of a group show together."""
     chosen = {run.path for run in runs}
     for group in by_clarity(groups):
-        told = analysis.sentence(group.judgement) if len(group.runs) > 1 and group.is_race else ""
+        told = ""
+        if len(group.runs) > 1 and group.is_race:
+            name = group.runs[0].settings.schedule.name
+            told = f"{name.capitalize()}: {analysis.sentence(group.judgement)}"
         yield from (
             (each.runs[0], told)
             for each in by_clarity(group.singles)

@@ -15,7 +15,7 @@ from matrixworld._util import checks
 from matrixworld.world.arrays import LARGE, array_specs, check_written, integers, new_arrays
 from matrixworld.world.config import MapLike, WorldConfig, WorldSettings
 from matrixworld.world.masks import check_team
-from matrixworld.world.policy import EnginePolicy, check_agents, team_of
+from matrixworld.world.policy import TEAMS, EnginePolicy, check_agents
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import Turns, World, start_of
 
@@ -172,11 +172,15 @@ class Batch(Turns):
         for `agents` of one team; entries of `actions`, int64 (W, A), of gone agents, other agents
         and ended worlds stay as they are.
         """
-        side = team_of(self.config, agents)
-        teams = [each and check_team("policies", each, self.config, side) for each in policies]
+        first, last = check_agents(agents)
+        side = TEAMS[first >= self.config.n_pursuers]
+        teams = [
+            None if each is None else check_team("policies", each, self.config, side)
+            for each in policies
+        ]
         check_written("actions", actions)
         numbers = np.ascontiguousarray(checks.check_integers("chosen", chosen, np.int32))
-        self._core.decide(teams, numbers, *check_agents(agents), actions)
+        self._core.decide(teams, numbers, first, last, actions)
 
     def __getstate__(self) -> dict[str, Any]:
         """Refuse copies and pickles."""

@@ -47,8 +47,8 @@ def right_of_way_cells(
 ) -> list[list[tuple[int, int, int]]]:
     """Return the cells of a view in which an agent forbids each move, without staying, of a team.
 
-    They are (channel, rows down, columns to the right) from the middle of the view, in the order of
-    networks, or in that of scripts and ratings in a step.
+    They are (channel, rows down, columns to the right) from the middle of the view. Scripts and
+    ratings have another order than networks, by the `step`.
     """
     _, *cells = _core.right_of_way(config.setup, team == "evader", step)
     return cells

@@ -436,11 +436,6 @@ def check_team(name: str, team: Any) -> Any:
     return team
 
 
-def team_of(config: WorldConfig, agents: range) -> Team:
-    """Return the team of agents of one team."""
-    return TEAMS[check_agents(agents)[0] >= config.n_pursuers]
-
-
 def check_agents(agents: range) -> tuple[int, int]:
     """Return the first agent of a range and one past the last; its step must be 1."""
     if not isinstance(agents, range) or agents.step != 1:

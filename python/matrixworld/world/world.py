@@ -14,7 +14,7 @@ from matrixworld.world import arrays
 from matrixworld.world.config import MapLike, WorldConfig, WorldSettings, read_map
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.world.masks import check_team
-from matrixworld.world.policy import EnginePolicy, check_agents, team_of
+from matrixworld.world.policy import TEAMS, EnginePolicy, check_agents
 from matrixworld.world.render import Scene
 from matrixworld.world.rules import Rules
 
@@ -215,11 +215,9 @@ class World(Turns, arrays.WorldArrays):
         agents and of agents that are not in `agents`; in an ended episode all do.
         """
         arrays.check_written("actions", actions)
-        self._core.decide(
-            check_team("policy", policy, self.config, team_of(self.config, agents)),
-            *check_agents(agents),
-            actions,
-        )
+        first, last = check_agents(agents)
+        team = TEAMS[first >= self.config.n_pursuers]
+        self._core.decide(check_team("policy", policy, self.config, team), first, last, actions)
 
     def _require_open(self) -> None:
         if self.terminated or self.truncated:

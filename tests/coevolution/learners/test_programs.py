@@ -44,7 +44,7 @@ def test_trees_and_genomes_are_the_same_programs() -> None:
 
 def test_simplified_programs_are_shorter_and_rate_the_same_bit_by_bit() -> None:
     before = after = 0
-    for genome in genomes(1000):
+    for genome in genomes(300):
         short = POLICY.simplified(genome)
         np.testing.assert_array_equal(rated(short), rated(genome))
         np.testing.assert_array_equal(POLICY.simplified(short), short)
@@ -66,7 +66,7 @@ def test_shorter_programs_lack_one_operation() -> None:
     text = "min(room - 2 * adversary, exits) if pressure < ahead else teammate"
     shorter = {POLICY.expression(each) for each in POLICY.shorter(POLICY.genome(text))}
     assert {"teammate", "min(room, exits) if pressure < ahead else teammate"} <= shorter
-    for genome in genomes(100):
+    for genome in genomes(40):
         lengths = [len(POLICY.tokens(each)) for each in POLICY.shorter(genome)]
         assert lengths == sorted(lengths)
         assert max(lengths, default=0) < len(POLICY.tokens(genome))

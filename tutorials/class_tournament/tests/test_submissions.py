@@ -49,7 +49,7 @@ def load(path: Path) -> tuple[str, Population]:
         Network((7, 5), activation="tanh", fov=5, n_actions=9, sampled=False),
         Network((3,), fov=3, memory="gru"),
         Rating(),
-        Rating(("room", "stay"), (4,), mask="none", fov=5, n_actions=9),
+        Rating(("room", "ahead"), (4,), mask="none", fov=5, n_actions=9),
     ],
 )
 def test_a_genome_is_read_as_it_was(policy: Network | Rating, tmp_path: Path) -> None:

@@ -485,8 +485,9 @@ def _kept(run: SavedRun) -> dict[str, Any] | None:
         return None
     # A race that has gone on has other last generations.
     teams = {team: kept.get(f"{team}s", {}) for team in run.settings.learning_teams}
-    last = all(e.get("generations") == [run.generation(t, -1)] for t, e in teams.items())
-    return kept if last and kept.items() >= SCORED_BY.items() else None
+    last = {team: len(genomes) - 1 for team, genomes in run.archive().items()}
+    same = all(e.get("generations") == [last[run.key_of(t)]] for t, e in teams.items())
+    return kept if same and kept.items() >= SCORED_BY.items() else None
 
 
 # Policies that learned elsewhere:
