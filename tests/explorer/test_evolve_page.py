@@ -241,7 +241,7 @@ def test_a_race_evolves_is_changed_and_plays_its_matches(browser: Browser, page:
     browser.wait(ENDED, 120)
     assert browser.js(NEWEST) == 15
     browser.driver.execute_script("document.querySelector('.lane-more').open = true")
-    assert "forgetting" in browser.js("document.querySelector('.measures').textContent")
+    assert "Collisions" in browser.js("document.querySelector('.measures').textContent")
     # A click on a cell plays its match.
     browser.driver.execute_script(
         "document.documentElement.style.scrollBehavior = 'auto';"

@@ -203,7 +203,7 @@ def test_the_page_tells_why_an_agent_takes_its_move(
         np.testing.assert_allclose(ratings, wanted, atol=0.0051, rtol=1e-3)
         rows.pop("term", rows.pop("input", None))
         weights = dict(zip(policy.inputs, genome, strict=False)) if number == 0 else {}
-        assert len(rows) == 11 or number == 1
+        assert len(rows) == len(INPUTS) or number == 1
         for name, numbers in rows.items():
             value = inputs[name.replace(" ", "_")] * weights.get(name.replace(" ", "_"), 1)
             np.testing.assert_allclose(np.array(numbers, float), value, atol=0.0051)

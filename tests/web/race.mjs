@@ -4,8 +4,6 @@ import { engine, input, output } from "./engine.mjs";
 
 const { Race } = await import(new URL("../../web/src/evolve/race.ts", import.meta.url));
 
-const { generalization, lateForgetting } = await import(new URL("../../web/src/evolve/measures.ts", import.meta.url));
-
 const { settings, changes, masks, draws, format } = input();
 
 /** Return a generator that gives the numbers drawn for a key, method by method, in their order. */
@@ -37,9 +35,4 @@ if (format) {
   const { archiveOf } = await import(new URL("../../web/src/evolve/save.ts", import.meta.url));
   saved = Buffer.from(archiveOf([{ name: "race", race }], format)).toString("base64");
 }
-const rates = race.archive.pursuer.map((_, g) => race.archive.evader.map((_none, h) => {
-  const { capture_rates } = race.cells.get(`${g} ${h}`);
-  return capture_rates.reduce((sum, each) => sum + each, 0) / capture_rates.length;
-}));
-const measures = ["pursuer", "evader"].map((team) => [generalization(rates, team), lateForgetting(rates, team)]);
-output({ archive: race.archive, cells: [...race.cells.values()], rows: race.rows, events, scores, saved, measures });
+output({ archive: race.archive, cells: [...race.cells.values()], rows: race.rows, events, scores, saved });

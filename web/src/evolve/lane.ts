@@ -12,7 +12,7 @@ import { Chase, Chases } from "./chase.ts";
 import type { EvolveData } from "./data.ts";
 import { scheduleName } from "./data.ts";
 import { GrowingRun } from "./growing_run.ts";
-import { generalization, lateForgetting, mean } from "./measures.ts";
+import { mean } from "./measures.ts";
 import { evidenceOf, outcomeOf, percent } from "./outcome.ts";
 import type { Outcome } from "./outcome.ts";
 import { FIXED, Race } from "./race.ts";
@@ -390,13 +390,10 @@ export class Lane extends EventTarget {
     this.#measures.hidden = !outcome;
     this.#measures.ariaLabel = `What came out. ${scheduleName(this.settings)}`;
     if (!outcome) return;
-    const rates = this.#run.payoff.capture_rate.slice(0, this.#run.newest + 1).map((row) => row.slice(0, this.#run.newest + 1));
     const newest = this.#cells.get(`${this.#run.newest} ${this.#run.newest}`)!;
     const rows: readonly (readonly [string, (team: Team, place: number) => string])[] = [
       ["Score against scripts: generation 0", (team) => percent(this.#scores[team][0] ?? 0)],
       ["Score against scripts: newest generation", (team) => percent(this.#scores[team].at(-1) ?? 0)],
-      ["Newest generation against all generations of the other team", (team) => percent(generalization(rates, team))],
-      ["Below its own best so far, in the later half (forgetting)", (team) => percent(lateForgetting(rates, team))],
       ["Collisions at fault in 1000 moves of the newest generation", (_, place) => collisions(newest, place).toFixed(1)],
     ];
     this.#measures.replaceChildren(

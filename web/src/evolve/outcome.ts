@@ -92,7 +92,7 @@ function verdictOf(...estimates: readonly Estimate[]): Verdict {
 export const percent = (rate: number): string => `${Math.round(100 * rate)} %`;
 
 const WORDS: Readonly<Record<Verdict, string>> = {
-  better: "better than in generation 0", "better by a jump": "better than in generation 0, mostly by one jump",
+  better: "better than in generation 0", "better by a jump": "better than in generation 0, most of it in one jump",
   weaker: "weaker than in generation 0", "cannot tell": "",
 };
 
