@@ -45,8 +45,9 @@ def changed(game: Path, old: str, new: str) -> None:
 
 def test_a_game_of_your_own_is_raced_judged_and_shown(game: Path) -> None:
     told = evolved("--out", "out", *TYPED).stdout
-    assert "hosts" in told
-    assert "pursuer" not in told + matrixworld_command("judge", "--explain", "out").stdout
+    judged = matrixworld_command("judge", "--explain", "out").stdout
+    assert "hosts" in judged
+    assert "pursuer" not in told + judged
     archive = open_run("out/hall-of-fame/seed-0").archive()
     first, last = (archive[team] for team in ("hosts", "parasites"))
     shown = matrixworld_command("replay", "out", "--pursuer", "3", "--evader", "-1").stdout
