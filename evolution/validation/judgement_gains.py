@@ -1,6 +1,6 @@
 """How often a team is said to become stronger, and a race to cycle, by kind of race.
 
-    python evolution/validation/judgement_gains.py           60 groups of each kind, 4 minutes
+    python evolution/validation/judgement_gains.py           300 groups of each kind, 12 minutes
     python evolution/validation/judgement_gains.py --quick   a few groups, seconds
 
 The share of teams whose gain over the whole race is above 0. Kinds in which nobody gains have the
@@ -22,7 +22,7 @@ from judgement_races import synthetic_races
 from matrixworld import analysis
 
 FIRST_SEED = 500_000
-GROUPS = 60
+GROUPS = 300
 RUNS = (1, 2, 3, 5, 10)
 GENERATIONS = (15, 31)
 SIZE = dict.fromkeys((
@@ -47,7 +47,7 @@ def share_of_gains(kind: str, effect: float, n: int, runs: int, groups: int) -> 
     return float(np.mean(found))
 
 
-RACES = 30
+RACES = 100
 RETURN = ("cycle", "rock-paper-scissors", "cycle on a climb", "period 2")
 NO_RETURN = ("switch of style", "three styles", "slow turn", "new styles", "forgetting", "drift")
 """Kinds whose strategies return, and kinds whose strategies do not; both with an effect of 1."""

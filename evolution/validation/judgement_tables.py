@@ -286,13 +286,13 @@ def _by_race(rows: Sequence[Row]) -> str:
         for name in ("false progress", "false"):
             by_kind = {
                 kind: (_counted(k, name), _counted(k, "races"))
-                for kind in {row["kind"] for row in of}
+                for kind in sorted({row["kind"] for row in of})
                 if _counted(k := [row for row in of if row["kind"] == kind], "races") >= LEAST
             }
             worst = max(by_kind, key=lambda kind: by_kind[kind][0] / by_kind[kind][1], default="")
             count, races = by_kind.get(worst, (0, 0))
             cells += [_share(_counted(of, name), _counted(of, "races"))]
-            cells += [f"{_share(count, races)} ({worst}, {count} of {races})"]
+            cells += [f"{_share(count, races)} ({worst}, {count} of {races})" if count else "none"]
         found.append([*cells, _share(_counted(true, "hits"), _counted(true, "races"))])
     heads = ("runs", "races", "progress, falsely", "worst kind", "anything, falsely",
              "worst kind", "hits")  # fmt: skip
