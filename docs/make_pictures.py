@@ -33,7 +33,7 @@ SEED, STEPS, CELL = 4, 60, 20
 """Of the match; cells in pixels."""
 ADDRESS = "pursuers=30&evaders=30&episode=7&step=40"
 """The match that the explorer shows."""
-SIZE = (1600, 900)
+SIZE = (1600, 1110)
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 
 

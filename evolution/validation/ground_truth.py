@@ -52,7 +52,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -75,7 +74,7 @@ from common import (
     solved,
     written,
 )
-from judgement_tables import RATE_HEADS, count_verdicts, errors_of, read_counts
+from judgement_tables import RATE_HEADS, count_verdicts, errors_of
 from judgement_truths import WINDOWS
 from matrixworld import Capture, Interaction, Outcome, Rules, analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, score
@@ -599,12 +598,10 @@ def truths_of(truth: FloatArray, window: str) -> dict[str, tuple[bool | None, fl
 
 
 SINGLE, GROUPS = "single races", f"groups of {GROUP}"
-OTHERS = ("held back", "toy game", "real race")
-TOYS = Path(__file__).parents[1] / "results" / "judgement" / "counts.csv"
 
 
 def table_of_errors(numbers: Numbers) -> str:
-    """Return the errors of the judgement here, beside those of synthetic races and toys."""
+    """Return the errors of the judgement here; `judgement_errors.py` has those of other races."""
     judged: list[dict[str, Any]] = []  # in the form of `judgement_errors.judged`
     for source, name in ((SINGLE, "verdicts"), (GROUPS, "of groups")):
         for kind in filter(in_five, kinds_in(numbers)):
@@ -616,11 +613,11 @@ def table_of_errors(numbers: Numbers) -> str:
                 {"source": source, "kind": kind, "found": list(_found(*pair))}
                 for pair in zip(means, said, strict=True)
             ]
-    counts = count_verdicts(judged) + read_counts(TOYS)
+    counts = count_verdicts(judged)
     rows = [
         [name, sample, *errors_of(counts, condition=name, sample=sample)]
         for name in JUDGED
-        for sample in (SINGLE, GROUPS, *OTHERS)
+        for sample in (SINGLE, GROUPS)
     ]
     return markdown(("condition", "sample", *RATE_HEADS), rows)
 
