@@ -5,8 +5,8 @@
 
 Each step draws what it does from the seed and its own number, and has a right answer: the slow
 world of the tests, the same bytes by another way, or one sentence and no change. Steps that fail
-are printed with seed and number; the exit code is then 1. What was found becomes a test by these
-numbers: see ``FOUND`` in ``tests/repository/test_fuzz.py``.
+are printed with seed and number; the exit code is then 1. What was found becomes a test of its
+subject, by ``fuzz.step_of(seed, number)`` where nothing shorter shows it.
 """
 
 from __future__ import annotations

@@ -1,20 +1,22 @@
 """The mutation score of the referee: how many small changes of its source the tests notice.
 
-    python tests/support/mutants.py /tmp/mutants game/resolve.cpp 4
+    python tests/support/mutants.py /tmp/mutants game/resolve.cpp
 
-copies the sources to a new directory, builds them, and then changes one place of a file at a time:
-a comparison, a constant, a condition, an operator, a line left out, two lines in another order;
-here every fourth. It prints each change that no test notices. Run by hand: a change takes some
-seconds, and minutes where the tests have to run that play more than the fingerprint.
+copies the sources to a new directory and builds them with all changes of the file at once, of which
+a number chooses one: a comparison, a constant, a condition, an operator, a line left out, two lines
+in another order. Each then plays the episodes of the fingerprint, dense worlds of all 972 rows, and
+teams with right of way, in a process of its own; the changes that are the same in all of these are
+printed. A person reads them: are they equal, or is a test missing? Run by hand.
 """
 
 from __future__ import annotations
 
+import ctypes
 import hashlib
 import os
 import re
-import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import warnings
@@ -23,170 +25,178 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
-TESTS = {
-    "game/resolve.cpp": "tests/contract",
-    "observe/right_of_way.cpp": "tests/world/test_masks.py",
-    "play/lockstep.cpp": "tests/play tests/world/test_memory.py tests/world/test_network.py",
-}
-"""Files, and the tests that are run where the fingerprint is the same."""
+SECONDS = 120
+"""A change that takes longer does not end."""
+CHOSEN = "matrixworld_mutant"
+HEAD = f'extern "C" {{ __attribute__((visibility("default"))) volatile int {CHOSEN} = -1; }}\n'
 SWAPS = [
-    *((rf" {a} ", f" {b} ") for one in ("== !=", "< <=", "> >=", "&& \\|\\|", "\\+ -", "\\+= -=")
-      for a, b in (one.split(), one.split()[::-1])),
-    ("true", "false"), ("false", "true"), (r"\bcontinue;", "break;"), (r"!(?=\w)", ""),
-    (r"(?<![\w.])(\d+)(?![\w.])", "<next>"),
-    (r"if \((?!constexpr)(.*)\)( |$)", r"if (true)\2"), (r"if \((.*)\)( |$)", r"if (false)\2"),
-    (r"return (?!false|true)([^;]*);", r"return !(\1);"),
-    (r"^( +)(?!return|const|auto|break|continue|using)([\w.\->\[\](){}!&* ,]+[^{]);$", r"\1;"),
+    *((rf" {re.escape(a)} ", f" {b} ") for pair in ("== !=", "< <=", "> >=", "&& ||", "+ -")
+      for a, b in (pair.split(), pair.split()[::-1])),
+    ("true", "false"), ("false", "true"), (r"!(?=[\w(])", ""), (r"(?<![\w.])\d+(?![\w.])", "+1"),
 ]  # fmt: skip
+PARTS = [
+    re.compile(r"(?P<head>^ +(?:if|while) \()(?P<it>.*)(?P<tail>\)(?: \{| \w+( \w+)?;|)$)"),
+    re.compile(r"(?P<head>^ +if \()(?P<it>[^()]*(?:\([^()]*\)[^()]*)*)(?P<tail>\) .*;$)"),
+    re.compile(r"(?P<head>^ +for \([^;]*; )(?P<it>[^;]*)(?P<tail>;.*\{?$)"),
+    re.compile(r"(?P<head>^ +return )(?P<it>[^;{]*)(?P<tail>;$)"),
+    re.compile(
+        r"(?P<head>^ +(?!constexpr|static|using)[^=;{]* [|&+-]?= )(?P<it>[^;{]*)(?P<tail>;$)"
+    ),
+]
+"""Lines with an expression."""
+DOES = re.compile(r" +(?!return|const|auto|break|continue|using)[\w.\->\[\]]+(\(.*\)| \S?= .*);$")
+"""Lines that do something, and may be left out."""
 
 
-def mutants(text: str) -> Iterator[tuple[int, str, str]]:
-    """Yield the number of a changed line, what it became, and the whole text with it."""
-    lines = text.split("\n")
+def part_of(line: str) -> re.Match[str] | None:
+    """Return the expression of a line, with what stands around it."""
+    found = next(filter(None, (each.match(line) for each in PARTS)), None)
+    whole = found and found["it"].count("(") == found["it"].count(")") and " = " not in found["it"]
+    return found if whole else None
 
-    def with_line(number: int, *new: str) -> str:
-        return "\n".join([*lines[:number], *new, *lines[number + len(new) :]])
 
+def changed(part: re.Match[str]) -> Iterator[str]:
+    """Yield the expression with one change each."""
+    it = part["it"]
+    for pattern, new in SWAPS:
+        for found in re.finditer(pattern, it):
+            to = str(int(found[0]) + 1) if new == "+1" else new
+            yield it[: found.start()] + to + it[found.end() :]
+    if part["head"].strip() == "if (":
+        yield from (f"!({it})", "true", "false")
+
+
+def with_mutants(text: str, left_out: set[int]) -> tuple[str, dict[int, str]]:
+    """Return a source with all changes, but those of some lines; and what they are, by number."""
+    lines, what, out, before = text.split("\n"), dict[int, str](), list[str](), ""
     for number, line in enumerate(lines):
-        code = line.partition("//")[0]
-        if not code.strip() or code.startswith(("#", "namespace", "}")):
-            continue
-        for pattern, new in SWAPS:
-            for found in re.finditer(pattern, code):
-                to = (
-                    str(int(found[0]) + 1)
-                    if new == "<next>"
-                    else found.expand(new.replace("\\|", "|"))
-                )
-                changed = code[: found.start()] + to + code[found.end() :]
-                yield number + 1, changed.strip(), with_line(number, changed)
-        below = lines[number + 1] if number + 1 < len(lines) else ""
-        pair = [each.strip() for each in (line, below)]
-        same = len(line) - len(pair[0]) == len(below) - len(pair[1])
-        if same and all(each.endswith(";") and "return" not in each for each in pair):
-            yield number + 1, f"after the next: {pair[0]}", with_line(number, below, line)
+        code, new = line.partition("//")[0].rstrip(), line
+        if number not in left_out and code.startswith("    "):
+            if part := part_of(code):
+                kind = "bool" if part["head"].strip().startswith(("if", "while", "for")) else ""
+                choices = ""
+                for it in dict.fromkeys(changed(part)):
+                    choices += f"{CHOSEN} == {len(what)} ? {kind}({it}) : "
+                    what[len(what)] = f"{number + 1}: {part['it']}  ->  {it}"
+                if choices:
+                    new = f"{part['head']}({choices}{kind}({part['it']})){part['tail']}"
+            if DOES.match(code) and before.endswith((";", "{", "}")):
+                new = f"if ({CHOSEN} != {len(what)}) {{ {new.partition('//')[0].strip()} }}"
+                what[len(what)] = f"{number + 1}: {code.strip()}  left out"
+        out.append(new)
+        before = code or before
+    return HEAD + "\n".join(out), what
 
 
 class Compared:
-    """Takes the bytes of a fingerprint; ends the process at the first other ones."""
+    """Takes what is played; ends the process at the first bytes that are others."""
 
-    def __init__(self, expected: list[str]) -> None:
-        self.expected, self.found = expected, list[str]()
+    def __init__(self) -> None:
+        self.found, self.expected = list[bytes](), list[bytes]()
 
     def update(self, content: bytes) -> None:
-        self.found.append(hashlib.sha256(content).hexdigest()[:8])
+        self.found.append(hashlib.sha256(content).digest()[:8])
         if self.expected and self.expected[len(self.found) - 1] != self.found[-1]:
             os._exit(3)
 
 
-def fast(file: Path) -> None:
-    """Write the parts of the fingerprint, and of play by careful teams, or compare them."""
-    sys.path[:0] = [str(ROOT / "tests" / "contract")]
+def play(parts: Any) -> None:
+    """Play what a change may show in."""
     import numpy as np
     import test_fingerprint
 
     import matrixworld as mw
     import right_of_way
 
-    parts: Any = Compared(file.read_text().split() if file.exists() else [])
-    test_fingerprint.batches(parts)
-    test_fingerprint.rollouts(parts)
-    for config in test_fingerprint.configs():
-        if config.fov >= 5:
-            teams = "careful-random", "careful-chaser"
-            for pair in (teams, teams[::-1]):
-                found = mw.rollout(config, *pair, mw.Matches.of(0, 0, [1, 2]), threads=1)
-                parts.update(found.faults.tobytes() + found.pursuer_return.tobytes())
     for number, row in enumerate(right_of_way.ROWS):
         rng = np.random.default_rng(number)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # rows in which nobody can be captured
-            world = mw.World(
-                row, rows=4, cols=4, n_pursuers=4, n_evaders=3, obstacles=0.2, fov=5,
-                max_steps=8, diagonal=bool(number % 2),
+            config = mw.WorldConfig(
+                row, rows=4, cols=4, n_pursuers=4, n_evaders=3, obstacles=0.2, fov=5, max_steps=8,
+                diagonal=bool(number % 2),
             )  # fmt: skip
+        world = mw.World(config)
         while not (world.terminated or world.truncated):
-            world.step(rng.integers(world.config.n_actions, size=7), explain=True)
-            arrays = world.read("positions", "fault", "captured", "rewards", "views")
-            parts.update(b"".join(each.tobytes() for each in arrays.values()))
-            parts.update(np.sort(world.conflict_table(), axis=0).tobytes())
-    if not parts.expected:
-        file.write_text("\n".join(parts.found))
+            world.step(rng.integers(config.n_actions, size=7), explain=True)
+            arrays = world.read("positions", "fault", "involved", "captured", "captors", "rewards")
+            table = world.conflict_table()
+            parts.update(
+                b"".join(each.tobytes() for each in (*arrays.values(), np.unique(table, axis=0)))
+            )
+        teams = [("careful-random", "careful-chaser"), ("chaser", "random")][number % 2]
+        found = mw.rollout(config, *teams, mw.Matches.of(0, 0, [number]), episodes=3, threads=1)
+        parts.update(b"".join(each.tobytes() for each in vars(found).values()))
+    test_fingerprint.batches(parts)
+    test_fingerprint.rollouts(parts)
 
 
-def main() -> None:
-    place, name = Path(sys.argv[1]), sys.argv[2]
+def built(place: Path, name: str) -> dict[int, str]:
+    """Build the copy with all changes of a file; return what they are."""
     tree, build = place / "tree", place / "build"
     if not tree.exists():
         kept = shutil.ignore_patterns("*.so", "build", "node_modules", ".git", "__pycache__")
         shutil.copytree(ROOT, tree, ignore=kept)
-    cmake = tree / "CMakeLists.txt"
+    for path in (ROOT / "cpp").rglob("*.cpp"):
+        copy = tree / path.relative_to(ROOT)
+        if copy.read_bytes() != path.read_bytes():
+            shutil.copy(path, copy)
     # One object for each file, and no optimization of the link: to build one again is quick.
     slow = (ROOT / "CMakeLists.txt").read_text().replace("UNITY_BUILD ON", "UNITY_BUILD OFF")
-    cmake.write_text(slow.replace("if(NOT has_ipo)", "set(has_ipo OFF)\nif(NOT has_ipo)"))
-    options = ["-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", f"-DPython_EXECUTABLE={sys.executable}"]
+    slow = slow.replace("if(NOT has_ipo)", "set(has_ipo OFF)\nif(NOT has_ipo)")
+    if (cmake := tree / "CMakeLists.txt").read_text() != slow:
+        cmake.write_text(slow)
     pybind11 = subprocess.check_output([sys.executable, "-m", "pybind11", "--cmakedir"], text=True)
     packages = next(path for path in sys.path if path.endswith("site-packages"))  # Eigen's
-    options += [f"-Dpybind11_DIR={pybind11.strip()}", f"-DCMAKE_PREFIX_PATH={packages}"]
+    options = [f"-Dpybind11_DIR={pybind11.strip()}", f"-DCMAKE_PREFIX_PATH={packages}"]
+    options += ["-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", f"-DPython_EXECUTABLE={sys.executable}"]
     subprocess.run(
         ["cmake", "-S", tree, "-B", build, *options], check=True, stdout=subprocess.DEVNULL
     )
-    environment = {**os.environ, "PYTHONPATH": f"{tree}/python:{tree}/tests/support"}
-    expected, source = place / "expected.txt", tree / "cpp" / name
+    source, left_out = tree / "cpp" / name, set[int]()
+    while True:
+        text, what = with_mutants((ROOT / "cpp" / name).read_text(), left_out)
+        source.write_text(text)
+        done = subprocess.run(["make", "-C", build], capture_output=True, text=True, check=False)
+        if done.returncode == 0:
+            break
+        # What is no program: its lines stay as they are.
+        wrong = {int(n) - 2 for n in re.findall(rf"{source.name}:(\d+):\d+: error", done.stderr)}
+        if not wrong - left_out:
+            sys.exit(done.stderr[-3000:])
+        left_out |= wrong
+    [library] = build.glob("_core*.so")
+    shutil.copy(library, tree / "python" / "matrixworld" / library.name)
+    told = f"{name}: {len(what)} changes; no program with changes in lines "
+    sys.stdout.write(f"{told}{sorted(n + 1 for n in left_out)}\n")
+    return what
 
-    def does(*words: object, limit: int = 900) -> int:
-        try:
-            return subprocess.run(
-                [*map(str, words)], env=environment, cwd=tree, capture_output=True, timeout=limit,
-                check=False,
-            ).returncode  # fmt: skip
-        except subprocess.TimeoutExpired:
-            return -1
 
-    def built() -> bool:
-        if does("make", "-j1", "-C", build, limit=7200):
-            return False
-        [library] = build.glob("_core*.so")
-        shutil.copy(library, tree / "python" / "matrixworld" / library.name)
-        return True
+def main() -> None:
+    place, name = Path(sys.argv[1]).absolute(), sys.argv[2]
+    what = built(place, name)
+    sys.path[:0] = [str(place / "tree" / part) for part in ("python", "tests/contract")]
+    from matrixworld import _core
 
-    original = source.read_text()
-    assert built()
-    check = (sys.executable, tree / "tests/support/mutants.py", "--fast", expected)
-    assert does(*check) == 0
-    counts = {"no program": 0, "noticed": 0, "noticed by tests": 0, "survived": 0}
-    try:
-        for number, changed, text in [*mutants(original)][:: int(sys.argv[3])]:
-            source.write_text(text)
-            pytest = (
-                sys.executable,
-                "-m",
-                "pytest",
-                "-x",
-                "-q",
-                "-n",
-                "0",
-                *shlex.split(TESTS[name]),
-            )
-            if not built():
-                end = "no program"
-            elif does(*check, limit=120):
-                end = "noticed"
-            elif does(*pytest):
-                end = "noticed by tests"
-            else:
-                end = "survived"
-            counts[end] += 1
-            if end == "survived":
-                sys.stdout.write(f"{name}:{number}: {changed}\n")
-                sys.stdout.flush()
-    finally:
-        source.write_text(original)
-        sys.stdout.write(f"{name}: {counts}\n")
+    assert str(place) in _core.__file__, _core.__file__
+    chosen = ctypes.c_int.in_dll(ctypes.CDLL(_core.__file__), CHOSEN)
+    parts = Compared()
+    play(parts)
+    survived = 0
+    for number, words in what.items():
+        child = os.fork()
+        if child == 0:
+            signal.alarm(SECONDS)
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+            chosen.value, parts.expected, parts.found = number, parts.found, []
+            play(parts)
+            os._exit(0)
+        if os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0:
+            survived += 1
+            sys.stdout.write(f"{name}:{words}\n")
+            sys.stdout.flush()
+    sys.stdout.write(f"{name}: {len(what) - survived} of {len(what)} changes noticed\n")
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "--fast":
-        fast(Path(sys.argv[2]))
-    else:
-        main()
+    main()
