@@ -436,10 +436,14 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     return text
 
 
-def draw_power(rows: Sequence[Row], file: Path) -> None:
-    """Draw at which gain half of the arms races are found, a bar for each number of episodes."""
+def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
+    """Draw at which gain half of the arms races are found, a bar for each number of episodes.
+
+    A bin of gains needs `least` races; a number of episodes without bins has no bar.
+    """
     races = [row for row in rows if row["condition"] == "arms race"]
-    found = {noise: _half_found(races, noise) for noise in {row["noise"] for row in races}}
+    points = {noise: _points(races, noise, least) for noise in {row["noise"] for row in races}}
+    found = {noise: _half_found(each) for noise, each in points.items() if each}
     noises = sorted(found, key=found.__getitem__, reverse=True)
     figure, axis = plt.subplots(figsize=(7, 2.8), constrained_layout=True)
     bars = axis.barh([_in_words(noise) for noise in noises], [found[n] for n in noises])
@@ -453,9 +457,9 @@ def draw_power(rows: Sequence[Row], file: Path) -> None:
     plt.close(figure)
 
 
-def _half_found(rows: Sequence[Row], noise: str) -> float:
+def _half_found(points: Sequence[tuple[float, float]]) -> float:
     """Return the size of an effect at which half are found, between the bins of the counts."""
-    sizes, shares = np.array(_points(rows, noise, least=5)).T
+    sizes, shares = np.array(points).T
     return float(np.interp(0.5, np.maximum.accumulate(shares), sizes))
 
 
