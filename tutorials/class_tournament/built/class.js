@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a5c3e4bfc2d7d2f1e930ee460abf48719283905fe4ab2cfc2518a1d131fbb765 */
+/* built from web/ by "npm run build"; sources edc95504741875849bc391e0a14bf836169a4e6a01f06604def9a0121b317638 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,wn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

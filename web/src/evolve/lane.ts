@@ -381,7 +381,7 @@ export class Lane extends EventTarget {
       return [`${percent(caught)} of the evaders are caught.`, ...(caught > MANY ? ["By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt."] : [])];
     }
     const [now, first] = [rate(newest) ?? rate(newest - 1), rate(0)];
-    const caught = now === null || first === null ? "" : `: the pursuers catch ${percent(now)} of the evaders, in generation 0 ${percent(first)}`;
+    const caught = now === null || first === null ? "" : `: the pursuers catch ${percent(now)} of the evaders; those of generation 0 caught ${percent(first)}`;
     return [`Generation ${newest} of ${this.settings.schedule.generations}${caught}.`];
   }
 

@@ -258,7 +258,8 @@ class Page {
     }[state];
     const address = addressOf(this.#data, this.#story);
     this.#field.hidden = this.#field.value !== this.#link();
-    if (hasAddress() && address.length <= LONGEST && (location.hash || address)) history.replaceState(null, "", `#${address}`);
+    // Browsers allow few changes of the address in a second.
+    if (hasAddress() && address.length <= LONGEST && location.hash.slice(1) !== address) history.replaceState(null, "", `#${address}`);
     if (state === "ended" || state === "stopped") this.#replays = false;
     if (state === "ended" && this.lanes.every(({ outcome }) => outcome)) void this.#keep(address);
     this.#showShelf();
@@ -277,6 +278,9 @@ class Page {
 
   #showShelf(): void {
     const others = hasAddress() ? kept().filter(({ address }) => address !== location.hash.slice(1)) : [];
+    const shown = others.map(({ address }) => address).join(" ");
+    if (this.#shelf.dataset["shown"] === shown) return; // a link that has the focus keeps it
+    this.#shelf.dataset["shown"] = shown;
     this.#shelf.hidden = !others.length;
     this.#shelf.replaceChildren("Races before: ", ...others.map(({ address, title }) => html("a", { href: `#${address}` }, title)));
   }

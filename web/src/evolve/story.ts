@@ -87,7 +87,7 @@ export function storyOf(data: EvolveData, address: string): { story: Story; dare
   if (!whole) wrong.push(`to=${to}`);
   if (play && !dare) wrong.push(`play=${play}`);
   const problem = address.length > 2 * LONGEST ? "The link is too long, and shows nothing. "
-    : wrong.length ? `Something in the link is wrong, and left out: ${wrong.map((part) => part.slice(0, 60)).join("; ")}. `
+    : wrong.length ? `Something in the link is wrong, and left out: ${wrong.slice(0, 3).map((part) => part.slice(0, 60)).join("; ")}. `
       : watched.length && race !== markOf(data) ? "The link is of another version of this page: the race may be another one. " : "";
   return { story: { choice, changes: whole ? changes : [], watched: whole ? watched : [] }, dare, problem };
 }

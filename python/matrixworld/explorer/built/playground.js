@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a5c3e4bfc2d7d2f1e930ee460abf48719283905fe4ab2cfc2518a1d131fbb765 */
+/* built from web/ by "npm run build"; sources edc95504741875849bc391e0a14bf836169a4e6a01f06604def9a0121b317638 */
 "use strict";(()=>{var dr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},tt={DISAPPEAR:0,REACH:1,BOUNCE:2},mr={OCCUPATION:0,SURROUND:1},pr={FAULT:0,INVOLVED:1};var nt=["obstacle","teammate","adversary"],pn=["vertex","edge","chain"],hr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],hn=["p\
 ursuer_{number}","evader_{number}"],fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},rt={"both held":"both bounce","both doomed":"\
