@@ -376,7 +376,7 @@ HARD: Mapping[str, Kind] = {
     "smooth wander": Kind(smooth_wander, development=True),
     "momentum": Kind(momentum, development=True),
     "sines": Kind(sines),
-    "shared trend": Kind(shared_trend),
+    "shared trend": Kind(shared_trend, development=True),
     "slow disc": Kind(slow_disc, development=True),
     "one lucky run, others still": Kind(partial(one_lucky_run, others="still")),
     "one lucky run, others fall": Kind(partial(one_lucky_run, others="fall")),
