@@ -3,13 +3,11 @@
 import json
 import re
 import runpy
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-import matrixworld as mw
 from course.questions import Exercise, exercises
 from matrixworld.coevolution import Game, Pursuit, evolve
 from matrixworld.coevolution.storage import COLUMNS
