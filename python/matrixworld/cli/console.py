@@ -17,7 +17,7 @@ from matrixworld._util.files import printable
 from matrixworld._util.readable import table_lines
 from matrixworld.coevolution.groups import RunGroup
 
-TERMS = "Terms are explained in docs/glossary.md."
+TERMS = "What to do next: docs/my_result.md. Terms: docs/glossary.md."
 TO_STDOUT = "matrixworld.json"
 """Key in the context of a command whose numbers take standard output, and its text the other."""
 
