@@ -11,7 +11,7 @@ nothing does not mean that both do; so in one kind only three inputs are left, a
 are left out together.
 
 The kept results have two inputs more: `crowd`, the sum over teammates of 1 / (1 + moves)^2, and
-`stay`, 1 if it is no move. They cost nothing, so they are gone.
+`stay`, 1 if it is no move. They cost nothing in the small worlds, so they are gone.
 
 Stated before the runs, of the mean loss over worlds and teams, one number of each seed, with its
 95 % interval over the seeds:
