@@ -304,7 +304,7 @@ class Terminal(io.StringIO):
 
 
 def test_progress_lines_without_a_terminal():
-    seconds = iter([0.0, 1.0, 2.0, 3.0, 4.0])
+    seconds = iter([0.0, 0.0, 1.0, 2.0, 3.0, 4.0])
     out = io.StringIO()
     lines = ProgressBar(stream=out, clock=lambda: next(seconds))
     for done in (100, 150, 300, 350, 600):
@@ -314,7 +314,7 @@ def test_progress_lines_without_a_terminal():
 
 def test_a_bar_in_a_terminal_begins_with_what_is_done():
     out = Terminal()
-    with ProgressBar(stream=out, clock=iter([0.0, 0.1, 1.0]).__next__) as bar:
+    with ProgressBar(stream=out, clock=iter([0.0, 0.0, 0.1, 1.0]).__next__) as bar:
         bar(Progress("0 of 3 runs", 20, 300))
         bar(Progress("too early", 21, 300))
         bar(Progress("1 of 3 runs", 150, 300))

@@ -128,7 +128,7 @@ def test_the_deap_example_scores_each_player_against_each_rival() -> None:
 
 
 def test_the_readable_example_evolves_programs_that_beat_untrained_ones() -> None:
-    random.seed(0)
+    random.seed(2)
     champions = readable.co_evolve(3, 3, 20)
     for team, other in (readable.TEAMS, readable.TEAMS[::-1]):
         first, *_, last = champions[team]
