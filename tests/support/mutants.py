@@ -1,6 +1,6 @@
 """The mutation score of the referee: how many small changes of its source the tests notice.
 
-    python tests/support/mutants.py /tmp/mutants game/resolve.cpp
+    python tests/support/mutants.py ../mutants game/resolve.cpp
 
 copies the sources to a new directory and builds them with all changes of the file at once, of which
 a number chooses one: a comparison, a constant, a condition, an operator, a line left out, two lines

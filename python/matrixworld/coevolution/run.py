@@ -396,8 +396,8 @@ class RunInMemory:
         """Return the genome that enters the archive, from the last epoch of a generation.
 
         It is the learner's. With `retest_episodes` it is the best of that one and the two fittest
-        candidates in new matches against the opponents `met` (c,): the fittest candidate of the
-        epoch may be the luckiest one.
+        candidates in new matches against the opponents `met` (c,), in the world of that epoch: the
+        fittest candidate of the epoch may be the luckiest one.
         """
         genome = self.learners[team].genome(self.states[team])
         episodes = self.settings.retest_episodes
