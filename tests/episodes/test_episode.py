@@ -11,7 +11,7 @@ import pytest
 import matrixworld as mw
 from matrixworld._util.files import DamagedFileError
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
-from rows import NAMES, by_name, config_of, play_turns, random_actions, random_walks
+from rows import NAMES, config_of, play_turns, random_walks
 
 EPISODE = random_walks()
 ARRAYS = [name for name, value in vars(EPISODE).items() if isinstance(value, np.ndarray)]
@@ -119,20 +119,6 @@ def test_an_episode_is_what_a_world_does_with_its_actions(name: str) -> None:
             episode.explain(step)
 
 
-@pytest.mark.parametrize("name", ["D", "SD", "TO"])
-def test_an_environment_records_its_episode(name: str) -> None:
-    config = config_of(name, obstacles=0.1)
-    env = mw.parallel_env(config, record=True)
-    env.reset(seed=12)
-    rows = random_actions(1, config.n_actions, config.max_steps, config.n_agents)
-    for row in rows:
-        if env.agents:
-            env.step(by_name(env, row))
-    assert_same(env.recorded, mw.record_actions(config, rows, seed=12))
-    env.reset()
-    assert env.recorded.length == 0
-
-
 def test_the_aec_environment_records_whole_rounds_and_conflicts() -> None:
     config = config_of("TO", obstacles=0.1)
     env = mw.aec_env(config, record=True)
@@ -144,6 +130,8 @@ def test_the_aec_environment_records_whole_rounds_and_conflicts() -> None:
     assert_same(kept, again)
     np.testing.assert_array_equal(kept.conflict_table, again.conflict_table)
     assert kept.conflict_table[:, 1].max() > 0  # later turns of a round are there
+    env.reset()
+    assert env.unwrapped.recorded.length == 0
 
 
 def test_a_recorder_refuses_missing_rounds() -> None:

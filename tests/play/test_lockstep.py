@@ -1,6 +1,8 @@
-"""Matches in lockstep against the same matches with one world after the other, bit by bit."""
+"""Matches in lockstep against the same matches with one world after the other, bit by bit.
 
-import itertools
+``cpp/tests/random_rollouts.cpp`` does so with any numbers of worlds, agents and units.
+"""
+
 from dataclasses import fields
 from functools import partial
 from typing import Any
@@ -46,39 +48,6 @@ def test_every_game(name: str) -> None:
         config = config_of(name, obstacles=obstacles, diagonal=number % 2 == 1)
         hidden = WIDTHS[number % (7 - shift)]
         assert_same(config, hidden, episodes=1 + number % 8, memory=memory)
-
-
-@pytest.mark.parametrize("episodes", [1, 2, 15, 16, 17, 20, 33])
-def test_every_number_of_worlds(episodes: int) -> None:
-    config = mw.WorldConfig("O", rows=14, cols=14, max_steps=40)
-    for memory in ("none", "gru"):
-        assert_same(config, (32,), episodes=episodes, memory=memory)
-
-
-# On both sides of each vector's end, and of the largest number in lockstep.
-CROWDS = [
-    {"rows": 13, "cols": 13, "n_pursuers": n // 2, "n_evaders": (n + 1) // 2}
-    for n in (2, 31, 32, 33, 63, 64, 65, 127, 128, 129)
-]
-SIGHTS = [
-    {"rows": 20, "cols": 60, "n_pursuers": 20, "fov": fov, "obstacles": obstacles}
-    for fov, obstacles in itertools.product((1, 5, 11, 57), (0.0, 0.2))
-]
-
-
-@pytest.mark.parametrize("changes", [*CROWDS, *SIGHTS], ids=str)
-def test_every_number_of_agents_and_every_view(changes: dict[str, Any]) -> None:
-    assert_same(mw.WorldConfig("R", max_steps=12, **changes), (32,), episodes=2)
-
-
-@pytest.mark.parametrize("diagonal", [False, True])
-def test_the_largest_output_and_different_networks(diagonal: bool) -> None:
-    config = mw.WorldConfig("O", rows=12, cols=12, max_steps=30, diagonal=diagonal)
-    one = random_team(config, 0, 1, hidden=(16,), sampled=False)
-    other = random_team(config, 0, 1, 2, hidden=(40, 8), activation="tanh", memory="gru")
-    matches = mw.Matches.of([0, 1, 1], [2, 0, 1], [1, 2, 3])
-    assert_same_one_by_one(config, one, other, matches, episodes=5)
-    assert_same_one_by_one(config, one, one, mw.Matches.of(0, 1, 7), episodes=5)
 
 
 def test_extreme_weights() -> None:

@@ -1,4 +1,7 @@
-"""One world: starts, seeds, settings, maps, text, penalties, rounds turn by turn, and copies."""
+"""Worlds and batches: starts, seeds, settings, maps, text, penalties, turn by turn, and copies.
+
+That a batch plays as single worlds do, by any number of threads, is shown in ``cpp/tests``.
+"""
 
 import copy
 import dataclasses
@@ -285,3 +288,35 @@ def test_copies_continue_independently_and_identically(name: str) -> None:
             twin.play_turn(actions)
             assert_same_worlds(world, twin)
     assert left_behind.turn == 5 % world.n_turns or left_behind.terminated
+
+
+def test_a_mask_selects_the_worlds_to_reset() -> None:
+    config = config_of("O")
+    batch = mw.Batch(4, config)
+    batch.reset(7)
+    for actions in random_actions(1, 5, 3, 4, config.n_agents):
+        batch.step(actions)
+    before = {name: array.copy() for name, array in batch.buffers.items()}
+    batch.reset(mask=np.array([False, True, False, True]))
+    world = mw.World(config)
+    for w in range(4):
+        for name, array in batch.buffers.items():
+            if w % 2:
+                world.reset(7 + w, episode=1)
+                np.testing.assert_array_equal(array[w], world.read(name)[name])
+            else:
+                np.testing.assert_array_equal(array[w], before[name][w])
+
+
+def test_an_int_seeds_consecutive_worlds() -> None:
+    config = config_of("O")
+    one, other, new = (mw.Batch(4, config) for _ in range(3))
+    for seed, seeds in (
+        (7, np.array([7, 8, 9, 10], np.int32)),
+        (2**64 - 2, [2**64 - 2, 2**64 - 1, 0, 1]),  # wraps
+        (0, range(4)),
+    ):
+        one.reset(seed)
+        other.reset(seeds)
+        np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
+    np.testing.assert_array_equal(new.buffers["positions"], one.buffers["positions"])
