@@ -10,7 +10,7 @@ from matrixworld.analysis import interval_over_runs
 from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution import SCHEDULES, TEAMS, Run, available, open_run
 from matrixworld.coevolution.game import Scores
-from matrixworld.coevolution.race import pairings, table_of_individuals
+from matrixworld.coevolution.race import pairings
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.storage import last_generation
 from matrixworld.coevolution.types import other
@@ -207,39 +207,6 @@ def test_all_individuals_have_the_same_number_of_opponents(groups):
     assert not ((pairs.pursuer >= 6) & (pairs.evader >= 6)).any()
     # Each round of opponents has its own seeds: one for each group of individuals.
     assert np.array_equal(np.unique(pairs.group), np.arange(6 * groups))
-
-
-def test_mirrored_individuals_meet_the_same_opponents_on_the_same_seeds():
-    mirrored = np.tile(np.arange(4), 2)  # 0 and 4 are a pair, 1 and 5, ...
-    pairs = pairings(mirrored, 4, (1, 1), np.random.default_rng(3))
-
-    def met(individual):
-        chosen = pairs.pursuer == individual
-        return sorted(zip(pairs.evader[chosen], pairs.group[chosen], strict=True))
-
-    for one in range(4):
-        first, second = met(one), met(one + 4)
-        assert [evader for evader, _ in first] == [evader for evader, _ in second]
-        assert {group for _, group in first} == {group for _, group in second}
-        living = [evader for evader, _ in first if evader < 8]
-        # Whole pairs of evaders, too.
-        assert sorted((evader + 4) % 8 for evader in living) == living
-
-
-def test_individuals_of_one_group_meet_opponents_of_their_own():
-    pairs = pairings(np.zeros(6, dtype=int), 3, (0, 0), np.random.default_rng(0))
-    rounds = pairs.evader.reshape(3, 6) - pairs.pursuer.reshape(3, 6)
-    # Permutations, not rotations: in each round the distances differ.
-    assert all(len(set(each % 6)) > 1 for each in rounds)
-
-
-def test_matches_as_a_table_of_individuals():
-    own, opponents = np.array([0, 1, 1, 3, 0, 0]), np.array([1, 0, 2, 1, 1, 3])
-    values = np.array([1.0, 2.0, 4.0, 9.0, 5.0, 7.0])
-    table = table_of_individuals(own, opponents, 2, values)
-    assert np.array_equal(
-        table, [[np.nan, 3.0, np.nan, 7.0], [2.0, np.nan, 4.0, np.nan]], equal_nan=True
-    )
 
 
 @pytest.mark.parametrize(("team", "against"), [("pursuer", "fleer"), ("evader", "random")])

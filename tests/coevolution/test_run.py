@@ -119,14 +119,6 @@ def test_another_seed_is_another_race() -> None:
     assert all(ours[name] != theirs[name] for name in ours)
 
 
-def test_log_has_a_row_per_epoch_and_counts_matches(race: Path) -> None:
-    log = open_run(race).log()
-    assert log["stage"].tolist() == [1] * 2 + [2] * 3 + [3] * 2 + [4] * 3
-    assert log["matches"].tolist() == [*range(4, 41, 4)]
-    steps = np.diff(log["steps"], prepend=0)  # the log has sums since the beginning
-    assert np.allclose(steps, 4 * log["length"])
-
-
 def test_log_of_a_hall_of_fame_has_a_row_per_epoch_and_team(tmp_path: Path) -> None:
     run = played(hall_of_fame(), tmp_path / "run")
     assert run.payoff().matrix.shape == (4, 4)

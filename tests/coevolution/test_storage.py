@@ -255,11 +255,3 @@ def test_another_version_s_files(copy, change, message):
         with pytest.raises(OtherVersionError, match=rf"config\.json: .*{message}"):
             read(copy)
     assert all(path.read_bytes() == content for path, content in before.items())
-
-
-@pytest.mark.parametrize("name", [".lock", "notes.txt", "stage-0000.npz"])
-def test_other_files_are_not_replaced(tmp_path, name):
-    (tmp_path / name).write_bytes(b"mine")
-    with pytest.raises(FileExistsError, match=f"found {name}"):
-        create(tiny_race(), tmp_path)
-    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {name: b"mine"}

@@ -15,7 +15,7 @@ def assert_same(one: mw.SafetyMonitor, other: mw.SafetyMonitor) -> None:
 
 @pytest.mark.parametrize("name", ["D", "SB", "SDB", "TO", "swarm-S"])
 def test_recordings_agree_with_rollouts(name: str) -> None:
-    """The statistics of rollouts are counted in tests/play/test_rollout.py."""
+    """The statistics of rollouts are counted in cpp/tests/random_rollouts.cpp."""
     for max_steps in (1, 20):
         config, matches = config_of(name, max_steps=max_steps), mw.Matches.of(0, 0, range(2))
         rolled, recorded = mw.SafetyMonitor(), mw.SafetyMonitor()

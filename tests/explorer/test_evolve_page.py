@@ -22,7 +22,7 @@ MOST = 1_000_000
 """Bytes of the page."""
 SMALL = "#world=meadow&policy=cells&population=8&steps=30&pursuers=2&evaders=2&seed=3&walls=60.61"
 """A race of networks that takes a second."""
-QUICK = "#world=courtyard&population=8&steps=60&seed=3"
+QUICK = "#world=courtyard&population=8&steps=30&seed=3"
 """One of ratings."""
 
 
@@ -83,12 +83,16 @@ def choose(browser: Browser, name: str, value: str) -> None:
     )
 
 
+CHANGES = {"": ("Steps", "10"), "Go on": ("Pursuers", "5"), "15 more": ("Pursuers", "4")}
+"""What is changed after a button is pressed; the first change makes the rest quick."""
+
+
 @pytest.mark.slow
 def test_a_race_is_its_link_goes_on_and_is_not_lost(
     browser: Browser, friend: Browser, firefox: Firefox, page: Path
 ) -> None:
     """Bit for bit in other browsers: with changes on the way, stopped, and with more of it."""
-    opened(browser, page, QUICK)
+    opened(browser, page, QUICK.replace("30", "60"))  # slow enough to be stopped
     assert "of the evaders are caught" in browser.js(FACTS)
     browser.click(".evolve")
     browser.wait(f"{NEWEST} >= 2")
@@ -101,7 +105,7 @@ def test_a_race_is_its_link_goes_on_and_is_not_lost(
         if act:
             press(browser, act)
         changes = browser.js(f"{LANE}.changed.length")
-        choose(browser, "Pursuers", "5" if act == "Go on" else "4")
+        choose(browser, *CHANGES[act])
         browser.wait(f"{STATE} === '{until}' && {LANE}.changed.length > {changes}", 60)
         browser.wait(f"{LANE}.outcome && {NEWEST} >= {30 if act == '15 more' else 0}", 60)
         press(browser, "Link")
@@ -150,7 +154,7 @@ def test_a_friend_plays_the_match_of_a_challenge(
     opened(friend, page, "#" + link.partition("#")[2])
     told = friend.js("document.querySelector('.play-told').textContent")
     steps = int(next(filter(str.isdigit, score.split())))
-    assert f"Your friend survived {steps} of 60 steps" in told
+    assert f"Your friend survived {steps} of 30 steps" in told
     friend.press(*"dsaw" * 20)  # the same moves from the same start
     friend.wait("document.querySelector('.play').dataset.state === 'ended'")
     assert "a draw" in friend.js("document.querySelector('.play-ending').textContent")
@@ -212,7 +216,7 @@ def test_a_page_works_where_it_is_published_or_says_what_it_lacks(
 
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(page.parent)))
     Thread(target=server.serve_forever, daemon=True).start()
-    address = f"http://127.0.0.1:{server.server_port}/{page.name}{QUICK}"
+    address = f"http://127.0.0.1:{server.server_port}/{page.name}{QUICK.replace('30', '10')}"
     browser.resize(*LAPTOP)
     browser.driver.get("about:blank")
     browser.driver.get(address)

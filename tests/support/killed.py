@@ -20,7 +20,6 @@ from unittest import mock
 
 from matrixworld._util import files
 from matrixworld.coevolution.jobs import create_job, job_of
-from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.storage import RunWriter
 from matrixworld.play.rollout import rollout
 from tiny_race import played, tiny_race, tiny_single
@@ -137,12 +136,6 @@ def run_until_killed(kind: str, directory: Path, at: int) -> None:
     """As `play_run`, but killed at an event; exit code 0 if there are fewer events."""
     with killed(at) as events:
         play_run(kind, directory, play=events.before(rollout))
-
-
-def finish_until_killed(directory: Path, at: int) -> None:
-    """Go on with a run, but killed at a file operation; exit code 0 if there are fewer."""
-    with killed(at):
-        finish(directory, threads=1)
 
 
 def create_until_killed(directory: Path, at: int) -> None:

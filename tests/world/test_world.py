@@ -3,7 +3,6 @@
 That a batch plays as single worlds do, by any number of threads, is shown in ``cpp/tests``.
 """
 
-import copy
 import dataclasses
 import itertools
 import json
@@ -266,28 +265,6 @@ def test_a_batch_finishes_its_round() -> None:
     assert batch.turn == 0
     with pytest.raises(ValueError, match="expected DISABLED"):
         mw.Batch(3, autoreset=mw.Autoreset.SAME_STEP).play_turn(np.zeros((3, 38), int))
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_copies_continue_independently_and_identically(name: str) -> None:
-    config = config_of(name, obstacles=0.15, max_steps=40)
-    world = mw.World(config)
-    world.reset(11, episode=4)
-    turns = random_actions(6, config.n_actions, 60, config.n_agents)
-    for actions in turns[:5]:
-        if world.turn or not (world.terminated or world.truncated):
-            world.play_turn(actions)
-    twins = copy.deepcopy(world), pickle.loads(pickle.dumps(world))  # noqa: S301
-    left_behind = copy.deepcopy(world)
-    for actions in turns[5:]:
-        if not world.turn and (world.terminated or world.truncated):
-            for each in (world, *twins):
-                each.reset()
-        world.play_turn(actions)
-        for twin in twins:
-            twin.play_turn(actions)
-            assert_same_worlds(world, twin)
-    assert left_behind.turn == 5 % world.n_turns or left_behind.terminated
 
 
 def test_a_mask_selects_the_worlds_to_reset() -> None:

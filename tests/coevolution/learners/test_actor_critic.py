@@ -17,7 +17,6 @@ from matrixworld.coevolution.learners.actor_critic import (
     advantages,
 )
 from matrixworld.coevolution.learners.learner import Task
-from matrixworld.play import NetworkPolicy
 from matrixworld.play.experience import experience
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
@@ -139,20 +138,6 @@ def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
         return float(-((slow_outputs(weights, 1, seen.views)[:, 0] - target) ** 2).mean())
 
     check_gradient(given[0], value, critic.weights)
-
-
-def test_the_engine_plays_what_was_learned() -> None:
-    torch = pytest.importorskip("torch")
-    one = new(actor_rate=0.01)
-    seen = seen_by(one)
-    one.learn(seen)
-    policy = NetworkPolicy(NETWORK, genome(one))
-    weights = torch.from_numpy(genome(one))
-    with torch.no_grad():
-        logits = one._actor.outputs(weights, one._parts(seen.views)[0][0][0])
-    np.testing.assert_allclose(
-        policy.probabilities(seen.views), logits.softmax(dim=1).numpy(), atol=1e-6
-    )
 
 
 def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
