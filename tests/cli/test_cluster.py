@@ -46,7 +46,7 @@ def test_workers_of_another_version_are_refused(race, dask, monkeypatch):
 
 
 COMMANDS = {
-    "evolve": ("--seeds", "0-3", *OPTIONS),
+    "evolve": ("--seeds", "0-1", *OPTIONS),
     "score": ("{job}", "--episodes", 5, "--generation", "all"),
     "tournament": ("{race}", "--episodes", 4),
 }

@@ -43,8 +43,8 @@ def check_readable(directory):
         open_run(directory).log()
 
 
-@pytest.mark.slow
-@quickly("kind", SHORT_RUNS, lambda kind: kind == "short single")
+@pytest.mark.nightly
+@pytest.mark.parametrize("kind", SHORT_RUNS)
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
     for at in deaths(killed.run_until_killed, kind, lambda at: tmp_path / str(at)):
         directory = tmp_path / str(at)

@@ -17,7 +17,7 @@ import pytest
 from PIL import Image
 
 import matrixworld as mw
-from browser import DESKTOP, PHONE, Browser
+from browser import DESKTOP, PHONE
 from class_submissions import write_genomes
 from class_tournament import results
 from class_tournament.round_robin import play_class
@@ -82,20 +82,44 @@ OPENED: dict[str, list[str]] = {
 """What opens the dialogs of a page."""
 
 
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """The pages, each made once."""
+    return {name: make(tmp_path_factory.mktemp(name)) for name, make in MADE.items()}
+
+
+GROUND = "getComputedStyle(document.body).getPropertyValue('--surface')"
+PRINTED = f"""addEventListener('beforeprint', () => {{
+  const boards = document.querySelectorAll('canvas.board');
+  const board = [...boards].find((each) => each.offsetParent);
+  const pixels = board?.getContext('2d').getImageData(0, 0, board.width, board.height).data;
+  const white = pixels?.filter((value, at) => at % 4 === 0 && value > 250).length;
+  window.printed = [{GROUND}, board ? white / (pixels.length / 4) : 1];
+}})"""
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("page", MADE)
-def test_a_page_opens_and_runs_no_script_but_its_own(
-    browser: Browser, page: str, tmp_path: Path
-) -> None:
-    """On a desktop and on a phone, light and dark; texts stay texts."""
-    html, file = MADE[page](tmp_path), tmp_path / "page.html"
+def test_a_page_opens_is_printed_and_runs_no_script_but_its_own(browser, page, made, tmp_path):
+    """On a phone and a desktop, light and dark; paper is light, and texts stay texts."""
+    html, file = made[page], tmp_path / "page.html"
     write_page(file, html)
-    for size, scheme in ((DESKTOP, "light"), (PHONE, "dark")):
+    for size, scheme in ((PHONE, "light"), (DESKTOP, "dark")):
         browser.prefer(prefers_color_scheme=scheme)
         browser.open(file, size)
         assert browser.js("document.documentElement.scrollWidth") <= size[0]
     assert browser.js("document.images.length") == 0
     assert browser.js("document.title") != "owned"
+    dark = browser.js(GROUND)
+    browser.driver.execute_script(PRINTED)
+    browser.driver.execute_cdp_cmd("Page.printToPDF", {})
+    surface, white = browser.js("window.printed")
+    assert surface == "#ffffff"
+    assert white > 0.3
+    assert browser.js(GROUND) == dark
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    assert browser.js("document.querySelector('.top .tools').offsetParent") is None
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert browser.errors() == []
     assert "default-src 'none'" in unescape(html)  # nothing is loaded, and nothing sent
     added = "<script>document.title = 'owned'</script></body>"
@@ -103,33 +127,6 @@ def test_a_page_opens_and_runs_no_script_but_its_own(
     browser.open(file)
     assert browser.js("document.title") != "owned"
     assert any("Content Security Policy" in error for error in browser.errors())
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("page", MADE)
-def test_paper_is_light_with_nothing_to_press(browser: Browser, page: str, tmp_path: Path) -> None:
-    write_page(tmp_path / "page.html", MADE[page](tmp_path))
-    browser.prefer(prefers_color_scheme="dark")
-    browser.open(tmp_path / "page.html", DESKTOP)
-    ground = "getComputedStyle(document.body).getPropertyValue('--surface')"
-    dark = browser.js(ground)
-    browser.driver.execute_script(
-        f"""addEventListener('beforeprint', () => {{
-          const boards = document.querySelectorAll('canvas.board');
-          const board = [...boards].find((each) => each.offsetParent);
-          const pixels = board?.getContext('2d').getImageData(0, 0, board.width, board.height).data;
-          const white = pixels?.filter((value, at) => at % 4 === 0 && value > 250).length;
-          window.printed = [{ground}, board ? white / (pixels.length / 4) : 1];
-        }})"""
-    )
-    browser.driver.execute_cdp_cmd("Page.printToPDF", {})
-    surface, white = browser.js("window.printed")
-    assert surface == "#ffffff"
-    assert white > 0.3
-    assert browser.js(ground) == dark
-    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
-    assert browser.js("document.querySelector('.top .tools').offsetParent") is None
-    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
 
 SHEETS = sorted((REPOSITORY / "docs" / "class_material").glob("*.html"))
@@ -147,12 +144,11 @@ def words(text: str) -> Counter[str]:
 
 
 @pytest.mark.slow
-def test_paper_has_all_words_of_the_screen(browser: Browser, tmp_path: Path) -> None:
+def test_paper_has_all_words_of_the_screen(browser, made, tmp_path):
     """Of all pages, of the lesson with all predictions made, and of the sheets for a class."""
     pypdf = pytest.importorskip("pypdf")
-    for name, make in MADE.items():
-        (tmp_path / name).mkdir()
-        write_page(tmp_path / f"{name}.html", make(tmp_path / name))
+    for name, html in made.items():
+        write_page(tmp_path / f"{name}.html", html)
     for file in [*(tmp_path / f"{name}.html" for name in MADE), *SHEETS]:
         browser.resize(*DESKTOP)
         browser.driver.get(file.as_uri())
@@ -180,9 +176,9 @@ def test_paper_has_all_words_of_the_screen(browser: Browser, tmp_path: Path) -> 
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("page", MADE)
-def test_disabilities_hinder_no_reader(browser: Browser, page: str, tmp_path: Path) -> None:
+def test_disabilities_hinder_no_reader(browser, page, made, tmp_path):
     """Contrast, labels and landmarks of a page and of its dialogs."""
-    write_page(tmp_path / "page.html", MADE[page](tmp_path))
+    write_page(tmp_path / "page.html", made[page])
     assert browser.hindrances(tmp_path / "page.html", *OPENED.get(page, [])) == {}
 
 
