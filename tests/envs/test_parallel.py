@@ -13,11 +13,27 @@ from matrixworld.envs.single import EnvSettings, MatrixWorldAEC, MatrixWorldBase
 from matrixworld.world.config import WorldSettings
 from rows import NAMES, by_name, config_of, play_turns, random_actions
 
+GIVEN = [
+    *((name, {}) for name in NAMES),
+    *itertools.product(
+        ("O", "TO", "SDB"), ({"flatten": True, "dtype": "float32"}, {"observation": "named"})
+    ),
+]
+"""Rules, and how agents observe."""
 
-@pytest.mark.parametrize("name", NAMES)
-def test_a_step_is_a_round_of_the_world(name: str) -> None:
+
+def check_seen(env, agent, seen, world):
+    """Compare what an agent sees with views or inputs of the world."""
+    number, space = env.possible_agents.index(agent), env.observation_space(agent)
+    whole = world.inputs() if space.dtype == np.float32 and len(space.shape) == 2 else world.views()
+    np.testing.assert_array_equal(seen, whole[number].reshape(space.shape))
+    assert space.contains(seen)
+
+
+@pytest.mark.parametrize(("name", "given"), GIVEN)
+def test_a_step_is_a_round_of_the_world(name, given):
     config = config_of(name, obstacles=0.1)
-    env, world = mw.parallel_env(config), mw.World(config)
+    env, world = mw.make(config, **given), mw.World(config)
     world.reset(8)
     observations, infos = env.reset(seed=8)
     first = infos["pursuer_0"]
@@ -33,7 +49,7 @@ def test_a_step_is_a_round_of_the_world(name: str) -> None:
         for i, agent in enumerate(env.possible_agents):
             if not alive[i]:
                 continue
-            np.testing.assert_array_equal(observations[agent], world.views()[i])
+            check_seen(env, agent, observations[agent], world)
             assert rewards[agent] == world.rewards[i]
             assert terminations[agent] == (world.terminated or not world.alive[i])
             assert truncations[agent] == (world.truncated and not terminations[agent])
@@ -58,52 +74,6 @@ def test_a_step_is_a_round_of_the_world(name: str) -> None:
             assert env.agents == []
             break
     assert over
-
-
-@pytest.mark.parametrize("name", ["O", "TO"])
-def test_observations_are_flat_and_floats_if_asked_for(name: str) -> None:
-    config = config_of(name, obstacles=0.1)
-    env, twin = mw.parallel_env(config), mw.make(config, flatten=True, dtype="float32")
-    masked = {"action_mask": True, "flatten": True, "dtype": "float32"}
-    turns = mw.aec_env(config, **masked)
-    turns.reset(seed=3)
-    for each in (env, twin):
-        seen, _ = each.reset(seed=3)
-    for row in random_actions(3, config.n_actions, 10, config.n_agents):
-        flat = twin.step(by_name(twin, row))[0]
-        seen = env.step(by_name(env, row))[0]
-        for agent, view in seen.items():
-            assert flat[agent].dtype == np.float32
-            np.testing.assert_array_equal(flat[agent], view.ravel())
-            assert twin.observation_space(agent).contains(flat[agent])
-    first = turns.agent_selection
-    assert turns.observation_space(first).contains(turns.observe(first))
-
-
-@pytest.mark.parametrize("name", ["O", "TO", "SDB"])
-def test_named_inputs_are_those_of_the_world(name: str) -> None:
-    config = config_of(name, obstacles=0.1)
-    mask: Any = {"action_mask": "right-of-way"}
-    env, twin = mw.make(config, observation="named", **mask), mw.parallel_env(config, **mask)
-    seen, infos = env.reset(seed=3)
-    told = twin.reset(seed=3)[1]
-    rows = iter(random_actions(3, config.n_actions, config.max_steps, config.n_agents))
-    while env.agents:
-        inputs = twin.world.inputs()  # zeros for agents that are gone
-        for agent, observed in seen.items():
-            np.testing.assert_array_equal(observed, inputs[twin.possible_agents.index(agent)])
-            assert env.observation_space(agent).contains(observed)
-        np.testing.assert_equal(infos, told)
-        row = next(rows)
-        seen, *_, infos = env.step(by_name(env, row))
-        told = twin.step(by_name(twin, row))[-1]
-    turns = mw.aec_env(config, observation="named", flatten=True)
-    turns.reset(seed=3)
-    for agent in turns.agent_iter(40):
-        inputs = turns.unwrapped.world.inputs()[turns.possible_agents.index(agent)]
-        np.testing.assert_array_equal(turns.observe(agent), inputs.ravel())
-        ended = turns.terminations[agent] or turns.truncations[agent]
-        turns.step(None if ended else 1)
 
 
 def test_options() -> None:
@@ -183,11 +153,12 @@ def test_an_unknown_keyword_names_the_nearest_one(door: str, wrong: str, nearest
         DOORS[door]("O", **{wrong: 1})
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_an_episode_agrees_with_the_world_turn_by_turn(name: str) -> None:
+@pytest.mark.parametrize(("name", "given"), GIVEN)
+def test_an_episode_agrees_with_the_world_turn_by_turn(name, given):
     """Agents see what was done before their turn."""
     config = config_of(name, obstacles=0.1, max_steps=30)
-    env, world, expected = MatrixWorldAEC(config), mw.World(config), np.zeros(config.n_agents)
+    env, world = MatrixWorldAEC(config, **given), mw.World(config)
+    expected = np.zeros(config.n_agents)
     rows = random_actions(5, config.n_actions, config.max_steps, config.n_agents)
     env.reset(seed=6)
     world.reset(6)
@@ -201,7 +172,7 @@ def test_an_episode_agrees_with_the_world_turn_by_turn(name: str) -> None:
         number = env.possible_agents.index(agent)
         while world.steps < env.status.steps or number not in world.actors:
             play_turn()
-        np.testing.assert_array_equal(env.observe(agent), world.views()[number])
+        check_seen(env, agent, env.observe(agent), world)
         np.testing.assert_array_equal(env.state(), world.state())
         return int(rows[world.steps, number])
 
