@@ -92,7 +92,7 @@ def error_of(kind, directory, events):
     return None
 
 
-@pytest.mark.parametrize("kind", SHORT_RUNS)
+@quickly("kind", SHORT_RUNS, lambda kind: kind == "short race")
 def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path):
     def refuse():
         raise OSError(errno.ENOSPC, "No space left on device")

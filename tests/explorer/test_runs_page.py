@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 
 from browser import READY, Browser
-from command_line import matrixworld_command
 from matrixworld import INPUTS, World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
+from matrixworld.cli.evolve import evolve_command, job_of
+from matrixworld.cli.options import given
 from matrixworld.coevolution import TEAMS, SavedRun, create, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.storage import open_runs
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import explorer_page, run_data, runs_data
@@ -268,14 +268,14 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> 
     assert not {"learner", "seed"} & shown.keys()
 
 
-def test_the_command_of_the_settings_plays_the_same_race(job: Job, tmp_path: Path) -> None:
+def test_the_command_of_the_settings_plays_the_same_race(job):
     """Also of a team alone, and with values that a shell would split."""
-    for name, run in job.items():
-        program, *options = shlex.split(as_read(run)["command"])
-        assert program == "matrixworld"
-        matrixworld_command(*options, "--out", tmp_path / name, "--threads", "1")
-        [again] = open_runs(tmp_path / name)
-        assert again.settings == run.settings
+    for run in job.values():
+        program, command, *options = shlex.split(as_read(run)["command"])
+        assert (program, command) == ("matrixworld", "evolve")
+        with evolve_command.make_context("evolve", options) as context:
+            [settings] = job_of(given(context.params)).values()
+        assert settings == run.settings
 
 
 def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:

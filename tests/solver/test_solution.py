@@ -82,7 +82,7 @@ def test_no_champion_is_better_than_perfect_play(variant: str) -> None:
 def assert_comes_to(config: mw.WorldConfig, pursuers: Any, evaders: Any, expected: float) -> None:
     """Compare a payoff with that of many matches."""
     matches = mw.Matches.of(0, 0, 1)
-    found = mw.rollout(config, pursuers, evaders, matches, episodes=5000).capture_rate
+    found = mw.rollout(config, pursuers, evaders, matches, episodes=3000).capture_rate
     error = 4.5 * found.std() / np.sqrt(found.size) + 1e-3
     assert found.mean() == pytest.approx(expected, abs=error)
 
