@@ -23,7 +23,6 @@ def no_processes() -> Iterator[None]:
 def start_engine(
     config: mw.WorldConfig, pursuers: Cells, evaders: Cells, obstacles: np.ndarray
 ) -> mw.World:
-    """A compiled world at the given start."""
     world = mw.World(config)
     world.reset(seed=0, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
     return world
@@ -32,7 +31,6 @@ def start_engine(
 def start_reference(
     config: mw.WorldConfig, pursuers: Cells, evaders: Cells, obstacles: np.ndarray
 ) -> ReferenceWorld:
-    """The slow world at the given start."""
     world = ReferenceWorld(config)
     world.place(pursuers, evaders, obstacles)
     return world

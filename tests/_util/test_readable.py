@@ -29,7 +29,6 @@ def test_a_result_has_a_text_of_one_line(name):
 
 
 def cells_in(page: str) -> list[list[str]]:
-    """Return the texts of the cells of all rows."""
     rows = re.findall(r"<tr.*?>(.*?)</tr>", page, re.DOTALL)
     return [re.findall(r"<t[dh].*?>\s*(.*?)\s*</t[dh]>", row, re.DOTALL) for row in rows]
 

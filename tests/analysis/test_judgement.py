@@ -38,7 +38,6 @@ def verdicts(judgement: Judgement, window: str | None = None) -> dict[str, str]:
 
 
 def gain(judgement: Judgement, team: str, window: str | None = None) -> Estimate:
-    """Return the gain of a team in a window."""
     return judgement.windows[window or "last half"]["arms race"].estimates[f"{team}_gain"]
 
 

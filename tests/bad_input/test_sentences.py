@@ -28,7 +28,6 @@ def value(call: Any, says: str) -> Any:
 
 
 def kind(call: Any, says: str) -> Any:
-    """Return a case of a value of a wrong type."""
     return pytest.param(call, TypeError, says, id=says)
 
 
@@ -49,7 +48,6 @@ def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -
 
 
 def config(**field: Any) -> Any:
-    """Make a configuration with a wrong value."""
     return lambda: mw.WorldConfig(**SMALL | field)
 
 

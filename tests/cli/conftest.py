@@ -17,7 +17,6 @@ from matrixworld.cli import evolve
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory."""
     monkeypatch.chdir(tmp_path)
 
 
@@ -50,7 +49,6 @@ def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def run(race: Path) -> Path:
-    """A copy of the race in the working directory."""
     return Path(shutil.copytree(race, "run"))
 
 

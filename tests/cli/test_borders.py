@@ -59,7 +59,6 @@ PATHS = ["", ".", "..", "-", "file.txt", "RUN", "/dev/null", "link", "empty", "R
 
 
 def borders(param: click.Parameter) -> list[list[str]]:
-    """Return the words to try for a parameter."""
     flag = isinstance(param, click.Option) and param.is_flag
     if flag:
         return [[option] for option in (*param.opts, *param.secondary_opts)]

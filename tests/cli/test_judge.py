@@ -24,7 +24,6 @@ EVOLVED = {**RACE, "generations": 13, "evaluation_episodes": 5, "schedule": "spe
 
 
 def means_of(kind: str, episodes: int = 30) -> np.ndarray:
-    """Mean capture rates of a race whose truth is known."""
     # So clear that 30 episodes suffice.
     chance = circular(31) if kind == "circle" else logistic(31, 0.3)
     return np.random.default_rng(0).binomial(episodes, chance) / episodes
@@ -120,7 +119,6 @@ SEEDS = (0, 1, 2)
 
 @pytest.fixture
 def job(seeds: Path) -> Path:
-    """A copy of the job in the working directory."""
     return Path(shutil.copytree(seeds, "job"))
 
 

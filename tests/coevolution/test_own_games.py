@@ -53,7 +53,6 @@ def race(name="ga", game=coins, **changes):
 
 
 def stopped(settings, directory, generation):
-    """Make a run, and stop it in a generation."""
 
     def stop(row):
         if row["generation"] == generation:

@@ -53,7 +53,6 @@ def numbers_of_races(said: Callable[[np.ndarray], np.ndarray]) -> dict[str, np.n
 
 
 def cells_of(table: str, row: str) -> list[str]:
-    """Return the cells of the row of a table that begins so."""
     line = next(line for line in table.splitlines() if line.startswith(f"| {row}"))
     return [cell.strip() for cell in line.strip("|").split("|")][1:]
 

@@ -19,7 +19,6 @@ SEED = tiny_race().seed
 
 @pytest.fixture(scope="module")
 def real(tmp_path_factory: pytest.TempPathFactory) -> SavedRun:
-    """A finished race."""
     return played(alternating("uniform"), tmp_path_factory.mktemp("races") / "real")
 
 

@@ -71,7 +71,6 @@ def press(browser: Browser, text: str) -> None:
 
 
 def choose(browser: Browser, name: str, value: str) -> None:
-    """Change a control by its name."""
     browser.driver.execute_script(
         """const field = [...document.querySelectorAll(".field")].find((each) =>
           each.firstChild.textContent === arguments[0]).querySelector("select, input");

@@ -56,7 +56,6 @@ CELL = """(() => {
 
 @pytest.fixture
 def page(browser: Browser, job: Job, tmp_path: Path) -> Browser:
-    """The page of the runs, with its first match."""
     shown = explore(*(run.path for run in job.values()), file=tmp_path / "page.html")
     browser.open(shown.path)
     browser.wait(PLAYED)

@@ -27,7 +27,6 @@ TOGETHER = ["seeds", "verdicts", "held_out"]
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory."""
     monkeypatch.chdir(tmp_path)
 
 

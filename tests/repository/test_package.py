@@ -167,7 +167,6 @@ SECTION = re.compile(
 
 
 def public_objects() -> Iterator[Any]:
-    """Yield each public function and class."""
     for module_name in PUBLIC:
         module = importlib.import_module(module_name)
         names = getattr(module, "__all__", [n for n in vars(module) if not n.startswith("_")])

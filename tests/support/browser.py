@@ -26,7 +26,6 @@ READY = "document.body.dataset.ready === 'true'"
 
 
 def data_of(page: Path) -> dict[str, Any]:
-    """Return the data that a page holds."""
     found = re.search(r'id="data">(.*?)</script>', page.read_text(encoding="utf-8"))
     assert found
     data: dict[str, Any] = json.loads(found[1])
@@ -46,7 +45,6 @@ class Browser:
         self.wait(READY)
 
     def reload(self) -> None:
-        """Load the page again, with its address."""
         self.driver.refresh()
         self.wait(READY)
 
@@ -61,11 +59,9 @@ class Browser:
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": named})
 
     def js(self, expression: str, *args: Any) -> Any:
-        """Return the value of a JavaScript expression; ``arguments`` holds the others."""
         return self.driver.execute_script(f"return {expression}", *args)
 
     def wait(self, expression: str, seconds: float = 20.0) -> Any:
-        """Wait until a JavaScript expression is true; returns its value."""
         from selenium.webdriver.support.wait import WebDriverWait
 
         condition = f"{expression} in {seconds} s; console: "
@@ -75,7 +71,6 @@ class Browser:
             raise AssertionError(condition + str(self.errors())) from error
 
     def press(self, *keys: str) -> None:
-        """Type keys, wherever the focus is."""
         from selenium.webdriver import ActionChains
 
         for key in keys:
@@ -94,7 +89,6 @@ class Browser:
         mouse.perform()
 
     def click(self, selector: str) -> None:
-        """Click the first element that a CSS selector finds."""
         from selenium.webdriver.common.by import By
 
         self.driver.find_element(By.CSS_SELECTOR, selector).click()

@@ -44,12 +44,10 @@ def words(options: dict[str, object]) -> list[str]:
 
 
 def matrixworld_command(*args: object, code: int = 0) -> Result:
-    """Run ``matrixworld`` and check its exit code."""
     return run_command(main, *args, code=code)
 
 
 def run_command(command: click.Command, *args: object, code: int = 0) -> Result:
-    """Run a command and check its exit code."""
     result = CliRunner().invoke(command, [str(arg) for arg in args])
     # What click does with an error that it knows.
     unexpected = None if isinstance(result.exception, SystemExit) else result.exception
@@ -59,12 +57,10 @@ def run_command(command: click.Command, *args: object, code: int = 0) -> Result:
 
 
 def evolved(*args: object, code: int = 0) -> Result:
-    """Run ``matrixworld evolve``."""
     return matrixworld_command("evolve", *args, code=code)
 
 
 def run_together(output: str) -> str:
-    """Return an output without line breaks and indentation."""
     return " ".join(output.split())
 
 

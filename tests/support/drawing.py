@@ -110,8 +110,6 @@ class Play:
 
 @dataclass(frozen=True)
 class Case:
-    """A named start and the steps from it."""
-
     name: str
     rules: mw.Rules | str
     before: str
@@ -120,12 +118,10 @@ class Case:
 
 
 def case(name: str, rules: mw.Rules | str, before: str, *plays: Play, **changes: Any) -> Case:
-    """Return a case; ``changes`` are fields of ``mw.WorldConfig``."""
     return Case(name, rules, before, plays, changes)
 
 
 def table(*cases: Case) -> pytest.MarkDecorator:
-    """Parametrise a test with cases."""
     return pytest.mark.parametrize("case", [pytest.param(c, id=c.name) for c in cases])
 
 
@@ -153,7 +149,6 @@ class Drawing:
 
 
 def draw(cells: dict[str, Cell], obstacles: np.ndarray) -> str:
-    """Return the drawing of letters and obstacles, always in the same form."""
     rows = []
     for r, row in enumerate(obstacles):
         here = ["".join(sorted(a for a in cells if cells[a] == (r, c))) for c in range(len(row))]
@@ -170,7 +165,6 @@ def actions_of(moves: str, letters: str) -> list[int]:
 
 
 def begin(start: Start, case: Case) -> tuple[World, str]:
-    """Return the world of a case, and the letters of its agents."""
     drawing = Drawing(case.before)
     config = quiet_config(
         rules=case.rules,
@@ -202,7 +196,6 @@ def check(start: Start, case: Case) -> None:
 
 
 def expectation(play: Play, letters: str, ever: str) -> dict[str, Any]:
-    """Return what a play states, in the form of ``look``."""
     pictured = Drawing(play.after)
     wanted = {
         "after": str(pictured),
@@ -220,7 +213,6 @@ def expectation(play: Play, letters: str, ever: str) -> dict[str, Any]:
 
 
 def look(world: World, letters: str) -> dict[str, Any]:
-    """Return all that a play can state, as the world reports it."""
     evaders = [letter for letter in letters if letter.islower()]
     cells = dict(zip(letters, map(tuple, np.asarray(world.positions).tolist()), strict=True))
     captors = zip(evaders, np.asarray(world.captors).tolist(), strict=True)

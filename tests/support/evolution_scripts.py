@@ -15,7 +15,6 @@ def run_script(name: str, place: Path, *options: str) -> subprocess.CompletedPro
 
 
 def run_quickly(name: str, place: Path, *options: str) -> str:
-    """Return what a script prints with --quick."""
     done = run_script(name, place, "--quick", *options)
     assert done.returncode == 0, done.stderr
     return done.stdout

@@ -55,7 +55,6 @@ class Firefox:
         self._ask("browsingContext.navigate", context=self._tab, url=address, wait="complete")
 
     def js(self, expression: str) -> Any:
-        """Return the value of a JavaScript expression, which JSON can hold."""
         told = self._ask(
             "script.evaluate",
             expression=f"JSON.stringify({expression})",
@@ -66,14 +65,12 @@ class Firefox:
         return json.loads(told["result"].get("value", "null"))
 
     def wait(self, expression: str, seconds: float = 60.0) -> None:
-        """Wait until a JavaScript expression is true."""
         until = time.monotonic() + seconds
         while not self.js(f"Boolean({expression})"):
             assert time.monotonic() < until, f"{expression} in {seconds} s"
             time.sleep(0.05)
 
     def close(self) -> None:
-        """End the browser."""
         self._socket.close()
         self._process.terminate()
         self._process.communicate()

@@ -71,7 +71,6 @@ class Events:
         self.count, self.at, self.then = 0, at, then
 
     def happen(self) -> None:
-        """Count one event, and call `then` if it is the chosen one."""
         if self.count == self.at:
             self.then()
         self.count += 1

@@ -48,7 +48,6 @@ class Commands:
         return json.loads(self.node.stdout.readline())
 
     def close(self) -> None:
-        """End the process."""
         self.node.communicate()
 
 

@@ -14,5 +14,4 @@ def cells(path: Path, kind: str = "") -> list[dict]:
 
 
 def source(cell: dict) -> str:
-    """Return what stands in a cell."""
     return "".join(cell["source"])

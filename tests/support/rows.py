@@ -118,7 +118,6 @@ def assert_same_worlds(one: mw.World, other: mw.World) -> None:
 
 
 def archive(parts: dict[str, bytes], *, method: int = zipfile.ZIP_DEFLATED) -> bytes:
-    """Return a zip archive of some parts."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", method) as made:
         for name, content in parts.items():

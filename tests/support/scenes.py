@@ -36,13 +36,11 @@ class Scene:
     actions: list[list[int]]
 
     def reference(self) -> ReferenceWorld:
-        """Return the reference world at the start of the scene."""
         world = ReferenceWorld(self.config)
         world.place(self.pursuers, self.evaders, self.obstacles)
         return world
 
     def engine(self) -> mw.World:
-        """Return the engine's world at the start of the scene."""
         world = mw.World(self.config)
         world.reset(seed=0, pursuers=self.pursuers, evaders=self.evaders, obstacles=self.obstacles)
         return world

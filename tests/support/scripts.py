@@ -50,7 +50,6 @@ def run(script: str, *options: str) -> str:
 
 
 def wait_until(happened: Callable[[], object], what: str, seconds: float = 120.0) -> None:
-    """Wait for something, or fail."""
     end = time.monotonic() + seconds
     while not happened():
         assert time.monotonic() < end, f"{what}: did not happen within {seconds} s"
@@ -58,7 +57,6 @@ def wait_until(happened: Callable[[], object], what: str, seconds: float = 120.0
 
 
 def group_lives(leader: int) -> bool:
-    """Return whether a process group has members."""
     try:
         os.killpg(leader, 0)
     except ProcessLookupError:

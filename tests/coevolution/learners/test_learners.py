@@ -25,7 +25,6 @@ TARGET = np.linspace(-1.0, 1.0, SIZE)
 
 
 def closeness(genomes):
-    """Minus the squared distance from the target."""
     return sphere(np.asarray(genomes, dtype=np.float64) - TARGET)
 
 

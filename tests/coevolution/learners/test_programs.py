@@ -18,7 +18,6 @@ def genomes(count: int, depth: int = 5) -> list[np.ndarray]:
 
 
 def rated(genome: np.ndarray) -> np.ndarray:
-    """Return the ratings of random moves."""
     inputs = np.random.default_rng(1).random((40, 5, len(mw.INPUTS)), np.float32)
     return POLICY.rate(genome, 2 * inputs)
 
