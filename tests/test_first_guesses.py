@@ -59,7 +59,7 @@ def test_an_error_names_the_right_call(guess, call, run, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_race_has_a_payoff_matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_race_has_a_payoff_matrix(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     run = mw.evolve(variant="O", generations=3, **RACE)
     assert np.asarray(run.payoff()).shape == (4, 4)
@@ -70,7 +70,7 @@ def test_a_race_has_a_payoff_matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     np.testing.assert_array_equal(twin.payoff(), run.payoff())
 
 
-def test_a_matrix_and_a_run_are_judged_and_drawn(run: coevolution.SavedRun) -> None:
+def test_a_matrix_and_a_run_are_judged_and_drawn(run):
     matrix = np.linspace(0, 1, 144).reshape(12, 12)
     assert mw.judge(matrix) == mw.analysis.judge(matrix)
     # A payoff keeps the episodes, without which less can be told.
@@ -82,7 +82,7 @@ def test_a_matrix_and_a_run_are_judged_and_drawn(run: coevolution.SavedRun) -> N
     assert plots.ciao_triangles(run.payoff()).axes
 
 
-def looks_at_one(observation: np.ndarray) -> int:
+def looks_at_one(observation):
     """Go to where the first evader in view is; of several observations it makes nothing."""
     rows, cols = np.nonzero(observation[0])
     if not len(rows):
@@ -90,7 +90,7 @@ def looks_at_one(observation: np.ndarray) -> int:
     return mw.Action.EAST if cols[0] > 5 else mw.Action.WEST
 
 
-def test_a_function_of_one_agent_is_scored() -> None:
+def test_a_function_of_one_agent_is_scored():
     config = mw.WorldConfig("O", **SMALL)
     asked = {"team": "pursuer", "config": config, "episodes": 100}
     of_one = mw.score_policy(looks_at_one, opponents={"fleer": "fleer"}, **asked)
@@ -101,21 +101,21 @@ def test_a_function_of_one_agent_is_scored() -> None:
     assert of_one.rates.shape == (1, 1, 100)
 
 
-def test_environments_play_the_best_of_a_run(run: coevolution.SavedRun) -> None:
+def test_environments_play_the_best_of_a_run(run):
     world, best = run.settings.world, run.best("evader")
     env = mw.make(world, team="pursuer", opponent=best)
     assert env.possible_agents == [f"pursuer_{i}" for i in range(world.n_pursuers)]
     assert mw.make_vec(world, 2, team="pursuer", opponent=best).agents == range(world.n_pursuers)
 
 
-def test_rules_are_given_by_name() -> None:
+def test_rules_are_given_by_name():
     rules = mw.Rules(obstacle="bounce", evader="Bounce", capture="surround")
     outcome = mw.Outcome.BOUNCE
     assert rules == mw.Rules(obstacle=outcome, evader=outcome, capture=mw.Capture.SURROUND)
 
 
 @pytest.mark.usefixtures("no_processes")
-def test_two_groups_are_compared(tmp_path: Path) -> None:
+def test_two_groups_are_compared(tmp_path):
     runs = [tiny_race(seed=seed) for seed in range(3)]
     one = mw.evolve(runs, tmp_path / "one")
     other = mw.evolve([each.changed({"learner": "ga"}) for each in runs], tmp_path / "other")
@@ -143,7 +143,7 @@ def test_two_groups_are_compared(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["env", "vec_env", "train", "Env", "load_run", "load_runs"])
-def test_names_of_the_field_say_the_right_call(name: str) -> None:
+def test_names_of_the_field_say_the_right_call(name):
     with pytest.raises(AttributeError, match=r"did you mean mw\.") as caught:
         getattr(mw, name)
     call = re.findall(r"mw\.(\w+)\(", str(caught.value))[0]

@@ -11,7 +11,7 @@ from matrixworld.analysis.runs import expanded_tail, race_bands
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK
 
 
-def test_intervals_are_those_of_scipy() -> None:
+def test_intervals_are_those_of_scipy():
     rng = np.random.default_rng(2)
     one, other = rng.random(7), rng.random(7)
     expected = stats.ttest_1samp(one, 0).confidence_interval(0.9)
@@ -32,13 +32,13 @@ NO_INTERVAL = [
 
 
 @pytest.mark.parametrize(("function", "arguments", "note"), NO_INTERVAL)
-def test_few_or_equal_runs_have_no_interval_and_say_so(function, arguments, note) -> None:
+def test_few_or_equal_runs_have_no_interval_and_say_so(function, arguments, note):
     found = function(*arguments)
     assert (found.low, found.high, found.note) == (None, None, note)
 
 
 @pytest.mark.parametrize(("wins", "episodes"), [(0, 4), (1, 10), (30, 200)])
-def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes: int) -> None:
+def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins, episodes):
     scores = np.arange(episodes) < wins
     expected = stats.binomtest(wins, episodes).proportion_ci(method="exact")
     found = analysis.mean_over_episodes(scores)
@@ -46,7 +46,7 @@ def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes
     assert (found.value, found.across, found.samples) == (wins / episodes, "episodes", episodes)
 
 
-def test_generalization_has_the_interval_of_each_mean() -> None:
+def test_generalization_has_the_interval_of_each_mean():
     scores = np.random.default_rng(3).random((4, 3, 5))
     pursuers, evaders = generalization_over_episodes(scores, level=0.9)
     expected = analysis.generalization(scores.mean(axis=2))
@@ -62,7 +62,7 @@ def test_generalization_has_the_interval_of_each_mean() -> None:
     assert sure.high.max() < 1
 
 
-def test_values_are_those_of_rliable() -> None:
+def test_values_are_those_of_rliable():
     found = [analysis.interquartile_mean(each).value for each in (ONE, OTHER, TASK)]
     np.testing.assert_allclose(found, NUMBERS["iqm"])
     better = analysis.probability_of_improvement(ONE, OTHER).value
@@ -70,7 +70,7 @@ def test_values_are_those_of_rliable() -> None:
     assert analysis.probability_of_improvement(OTHER, ONE).value == pytest.approx(1.0 - better)
 
 
-def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
+def test_the_bootstrap_of_one_task_is_that_of_rliable():
     # With a single task, whole runs and stratified resampling are the same.
     assert 1.0 - 2.0 * expanded_tail(len(TASK), 0.95) == pytest.approx(LEVEL)
     found = analysis.interquartile_mean(TASK, resamples=10_000)
@@ -78,7 +78,7 @@ def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
     np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)
 
 
-def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel() -> None:
+def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel():
     one, other = ONE[:, :1], OTHER[:, :1]
     found = analysis.probability_of_improvement(one, other)
     test = stats.brunnermunzel(other.ravel(), one.ravel())
@@ -91,7 +91,7 @@ def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel()
 PAYOFFS = np.random.default_rng(0).random((4, 7, 5))
 
 
-def test_bands_are_those_of_the_curves() -> None:
+def test_bands_are_those_of_the_curves():
     bands = race_bands(PAYOFFS)
     curves = [analysis.generalization(payoff) for payoff in PAYOFFS]
     profiles = [analysis.lag_profile(payoff) for payoff in PAYOFFS]

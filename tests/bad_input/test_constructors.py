@@ -5,9 +5,7 @@ Those of settings are in test_declared.py.
 
 import inspect
 import re
-from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any
 
 import numpy as np
 import pytest
@@ -52,7 +50,7 @@ TEAMS = {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
 PICTURE = {"episode": EPISODE, "cell": 4, "trail": 2, "fov": 3}
 
 
-def with_all(call: Callable[..., object]) -> partial[object]:
+def with_all(call):
     """Return a call in which every parameter is tried; None stands for its default."""
     return partial(call, **dict.fromkeys(inspect.signature(call).parameters))
 
@@ -68,7 +66,7 @@ TURNS.reset(seed=0)
 STATES = solver.States(mw.WorldConfig(rows=2, cols=2, n_pursuers=1, n_evaders=1))
 
 
-def from_json(part: str | None, /, **changes: object) -> mw.WorldConfig:
+def from_json(part, /, **changes):
     plain = {part: PLAIN[part] | changes} if part else changes
     return mw.WorldConfig.from_json(PLAIN | plain)
 
@@ -160,7 +158,7 @@ ACCEPTED = {
 """Values of the table that are legal, each with what they mean."""
 
 
-def parameters() -> Iterator[Any]:
+def parameters():
     for call in CALLS:
         for parameter in sorted(call.keywords):
             name = call.func.__qualname__
@@ -185,6 +183,6 @@ def test_a_malformed_value_is_a_value_or_type_error(call, parameter, tmp_path, m
 
 
 @pytest.mark.parametrize("steps", [2**70, float("inf"), "x", None])
-def test_a_moment_of_other_values_is_refused(steps: object) -> None:
+def test_a_moment_of_other_values_is_refused(steps):
     with pytest.raises(TypeError, match="^moment: expected that of a copied world"):
         mw.World.at(CONFIG, {**MOMENT, "steps": steps})

@@ -1,9 +1,5 @@
 """Mistakes that users make first: the exception, what was expected; and nothing has changed."""
 
-from collections.abc import Callable
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -22,20 +18,20 @@ SPOILT[1, 17] = np.nan
 DIAGONAL = mw.WorldConfig(**SMALL, fov=5, diagonal=True)
 
 
-def value(call: Any, says: str) -> Any:
+def value(call, says):
     """Return a case of a wrong value; `says` is ``"expected part | got part"`` of the message."""
     return pytest.param(call, ValueError, says, id=says)
 
 
-def kind(call: Any, says: str) -> Any:
+def kind(call, says):
     return pytest.param(call, TypeError, says, id=says)
 
 
-def table(cases: list[Any]) -> pytest.MarkDecorator:
+def table(cases):
     return pytest.mark.parametrize(("call", "error", "says"), cases)
 
 
-def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -> None:
+def assert_refuses(call, error, says):
     """Check the type of the exception, and both parts of its message."""
     expected, received = says.split(" | ")
     with pytest.raises(error) as caught:
@@ -47,15 +43,15 @@ def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -
     assert received in message, message
 
 
-def config(**field: Any) -> Any:
+def config(**field):
     return lambda: mw.WorldConfig(**SMALL | field)
 
 
-def with_buffer(name: str, array: Any) -> Any:
+def with_buffer(name, array):
     return lambda: mw.Batch(2, CONFIG, buffers={name: array})
 
 
-def score(**arguments: Any) -> Any:
+def score(**arguments):
     usual = {"policy": lambda seen: [0] * len(seen), "team": "pursuer", "episodes": 2}
     return lambda: mw.score_policy(config=CONFIG, **{**usual, **arguments})
 
@@ -114,7 +110,7 @@ VALUES = [
 
 
 @table(VALUES)
-def test_values_are_refused(call: Any, error: type[Exception], says: str) -> None:
+def test_values_are_refused(call, error, says):
     assert_refuses(call, error, says)
 
 
@@ -130,7 +126,7 @@ FILES = [
 
 
 @table(FILES)
-def test_map_files(tmp_path: Path, call: str, error: type[Exception], says: str) -> None:
+def test_map_files(tmp_path, call, error, says):
     path = tmp_path / "broken.map"
     path.write_text(call, encoding="utf-8")
     assert_refuses(lambda: mw.read_map(path), error, says)
@@ -138,7 +134,7 @@ def test_map_files(tmp_path: Path, call: str, error: type[Exception], says: str)
         mw.WorldConfig(obstacles=str(path))
 
 
-def test_maps_are_read_in_all_forms(tmp_path: Path) -> None:
+def test_maps_are_read_in_all_forms(tmp_path):
     expected = np.array([[False, False, True], [True, False, False]])
     for same in (
         "..#\n#..",
@@ -165,9 +161,7 @@ HOLE = ["....", ".#..", "...."]
 WORLD_CALLS = [
     value(lambda w: w.step([0, 0]), "shape (3,) | got (2,)"),
     kind(lambda w: w.step([0.0, 1, 2]), "an integer | got 0.0"),
-    value(
-        lambda w: w.step([0, 2**63, np.uint64(1)]), "-9223372036854775808 to | 9223372036854775808"
-    ),
+    value(lambda w: w.step([0, 2**63, np.uint64(1)]), "-9223372036854775808 to | 92233720368547"),
     value(lambda w: w.step([mw.Action.NORTHEAST, 0, 0]), "0 to 4 | got 5 (world 0, agent 0)"),
     value(lambda w: w.reset(-1), "0 to 18446744073709551615 | got -1"),
     value(lambda w: w.reset(episode=3), "a seed with it | got episode 3"),
@@ -181,7 +175,7 @@ WORLD_CALLS = [
 
 
 @table(WORLD_CALLS)
-def test_a_world_refuses_and_stays_as_it_was(call: Any, error: type[Exception], says: str) -> None:
+def test_a_world_refuses_and_stays_as_it_was(call, error, says):
     world, twin = mw.World(CONFIG), mw.World(CONFIG)
     for each in (world, twin):
         each.reset(pursuers=[[0, 0], [0, 1]], evaders=[[2, 3]])
@@ -208,7 +202,7 @@ BATCH_CALLS = [
 
 
 @table(BATCH_CALLS)
-def test_a_batch_refuses_and_stays_as_it_was(call: Any, error: type[Exception], says: str) -> None:
+def test_a_batch_refuses_and_stays_as_it_was(call, error, says):
     batch, twin = mw.Batch(2, CONFIG), mw.Batch(2, CONFIG)
     assert_refuses(lambda: call(batch), error, says)
     for action in (mw.Action.WEST, mw.Action.NORTH):

@@ -31,7 +31,7 @@ def test_a_job_that_is_too_large_is_refused_with_an_estimate(settings, tmp_path,
     checks.check_memory("all", bytes=10**30)  # where memory is unknown nothing is refused
 
 
-def test_what_else_is_too_large_fails_as_in_numpy() -> None:
+def test_what_else_is_too_large_fails_as_in_numpy():
     giant = mw.Network((2**20, 2**20))
     with pytest.raises(MemoryError, match="Unable to allocate"):
         giant.initial(np.random.default_rng(0))

@@ -14,8 +14,8 @@ from matrixworld._util.files import read_json
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs, sentence
 from matrixworld.cli.evolve import report
-from matrixworld.coevolution import SavedRun, evolve, open_run, score
-from matrixworld.coevolution.groups import RunGroup, open_groups
+from matrixworld.coevolution import evolve, open_run, score
+from matrixworld.coevolution.groups import open_groups
 from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import LONG, SCHEDULES, tiny_race
@@ -23,13 +23,13 @@ from tiny_race import LONG, SCHEDULES, tiny_race
 EVOLVED = {**RACE, "generations": 13, "evaluation_episodes": 5, "schedule": "specialist-specialist"}
 
 
-def means_of(kind: str, episodes: int = 30) -> np.ndarray:
+def means_of(kind, episodes=30):
     # So clear that 30 episodes suffice.
     chance = circular(31) if kind == "circle" else logistic(31, 0.3)
     return np.random.default_rng(0).binomial(episodes, chance) / episodes
 
 
-def judged(*words: object) -> tuple[str, dict]:
+def judged(*words):
     """Return what the command prints, and what it writes of each group."""
     told = matrixworld_command("judge", *words, "--json", "found.json", "--force").stdout
     return told, read_json(Path("found.json"))["groups"]
@@ -118,11 +118,11 @@ SEEDS = (0, 1, 2)
 
 
 @pytest.fixture
-def job(seeds: Path) -> Path:
+def job(seeds):
     return Path(shutil.copytree(seeds, "job"))
 
 
-def results(root: Path) -> list[SavedRun]:
+def results(root):
     return [run for group in open_groups(root) for run in group.runs]
 
 
@@ -133,7 +133,7 @@ def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, u
     assert len(said.splitlines()) <= 24  # seen at once
     strangers = run_together(said.partition("Best against strangers: ")[2])
     written = read_json(job / "summary.json")
-    groups: dict[str, RunGroup] = {each.inside(job).name: each for each in open_groups(job)}
+    groups = {each.inside(job).name: each for each in open_groups(job)}
     assert [*groups] == [*SCHEDULES]
     for name, group in groups.items():
         told = run_together(said[said.index(f"\n{name}") :])

@@ -23,7 +23,7 @@ each run; `--out` has another file by default; `score` takes all generations, to
 
 
 def test_options_of_one_name_are_equal_in_all_commands():
-    found: dict[str, set[tuple[object, ...]]] = defaultdict(set)
+    found = defaultdict(set)
     for command in main.commands.values():
         for option in command.params:
             if isinstance(option, click.Option):

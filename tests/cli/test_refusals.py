@@ -124,7 +124,7 @@ TABLE = [
 
 
 @pytest.fixture(scope="module")
-def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def place(race, tmp_path_factory):
     """A directory with runs and files of all kinds."""
     root = tmp_path_factory.mktemp("refusals") / "here"
     for name in ("race", "copy", "damaged"):

@@ -19,11 +19,11 @@ from tiny_race import tiny_race
 STILL = ["O", "--pursuer", "still", "--evader", "still"]
 
 
-def replayed(*words: object) -> str:
+def replayed(*words):
     return matrixworld_command("replay", *words).stdout
 
 
-def played(*words: object) -> str:
+def played(*words):
     return matrixworld_command("tournament", *words).stdout
 
 

@@ -1,7 +1,6 @@
 """``matrixworld solve``: the numbers that it prints and writes."""
 
 import json
-from pathlib import Path
 
 import pytest
 
@@ -31,7 +30,7 @@ def test_the_numbers_of_a_small_world(game, value, time):
     assert ("never: the evaders can escape" in said) == (time is None)
 
 
-def test_the_best_opponents_of_runs(tmp_path: Path) -> None:
+def test_the_best_opponents_of_runs(tmp_path):
     quick = {"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1, "population": 2}
     small = {"rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 3, "fov": 7}
     settings = [settings_of(rules="TO", **small, **quick, seed=seed) for seed in (0, 1)]

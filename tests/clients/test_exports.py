@@ -1,14 +1,13 @@
 """Exported networks: in PyTorch and in ONNX, with their own layers, recurrent ones among them."""
 
 import importlib
-from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
 
-SHAPES: list[dict[str, Any]] = [
+SHAPES = [
     {"hidden": ()},
     {"hidden": (16, 8), "activation": "tanh"},
     {"hidden": (16,), "memory": "gru"},
@@ -21,8 +20,8 @@ STATES = RNG.uniform(-1, 1, (200, 16)).astype(np.float32)
 
 @pytest.mark.parametrize("shape", SHAPES, ids=str)
 @pytest.mark.parametrize("library", ["torch", "onnx"])
-def test_an_exported_network_computes_the_same(shape: dict[str, Any], library: str) -> None:
-    package: Any = pytest.importorskip(library, exc_type=ImportError)
+def test_an_exported_network_computes_the_same(shape, library):
+    package = pytest.importorskip(library, exc_type=ImportError)
     network = mw.Network(fov=5, **shape)
     genome = network.initial(np.random.default_rng(1), 0.5, 2.0)
     # A new genome has no biases.

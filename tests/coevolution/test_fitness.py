@@ -58,14 +58,14 @@ def test_opponents_that_were_not_met_do_not_count():
     assert mean_over_opponents(np.array([[1.0, 3.0]])).tolist() == [2.0]
 
 
-def test_candidates_within_the_limit_come_first() -> None:
+def test_candidates_within_the_limit_come_first():
     found = feasible_first([0.2, 0.9, 0.5, 0.7], [-1.0, 3.0, 0.0, 0.5])
     np.testing.assert_allclose(found, [0.2, 0.2 - 3.0, 0.5, 0.2 - 0.5])
     # Beyond the limit only the violation counts.
     np.testing.assert_allclose(feasible_first([0.9, 0.1], [3.0, 2.0]), [-3.0, -2.0])
 
 
-def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
+def test_collisions_are_counted_as_by_the_safety_monitor():
     config = mw.WorldConfig("S", rows=6, cols=6, n_pursuers=4, n_evaders=3, max_steps=20)
     scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
     for t, team in enumerate(TEAMS):
@@ -77,7 +77,7 @@ def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
             assert found == pytest.approx(monitor.summary().fault_rate[t].sum())
 
 
-def test_a_limit_decides_the_fitness_of_a_run(tmp_path) -> None:
+def test_a_limit_decides_the_fitness_of_a_run(tmp_path):
     settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
     genomes = np.stack(
         [

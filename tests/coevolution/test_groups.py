@@ -19,7 +19,7 @@ SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)  # one has not begun
 
 
 @pytest.fixture
-def job(seeds: Path, tmp_path: Path) -> Path:
+def job(seeds, tmp_path):
     return Path(shutil.copytree(seeds, tmp_path / "job"))
 
 

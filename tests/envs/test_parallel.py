@@ -2,7 +2,6 @@
 
 import inspect
 import itertools
-from typing import Any
 
 import numpy as np
 import pytest
@@ -76,7 +75,7 @@ def test_a_step_is_a_round_of_the_world(name, given):
     assert over
 
 
-def test_options() -> None:
+def test_options():
     env = mw.parallel_env("R", rows=3, cols=3, n_pursuers=1, n_evaders=1)
     ground = np.eye(3, dtype=bool)
     env.reset(options={"pursuers": [[0, 1]], "evaders": [[2, 0]], "obstacles": ground})
@@ -88,7 +87,7 @@ def test_options() -> None:
     assert (env.world.seed, env.world.episode) == (9, 5)
 
 
-def test_what_is_refused_changes_nothing() -> None:
+def test_what_is_refused_changes_nothing():
     env = mw.parallel_env(config_of("O", max_steps=1))
     with pytest.raises(RuntimeError, match="call reset"):
         env.step({})
@@ -125,16 +124,16 @@ DOORS = {
 }
 
 
-def annotations_of(typed_dict: Any) -> dict[str, str]:
+def annotations_of(typed_dict):
     return {name: each.__forward_arg__ for name, each in typed_dict.__annotations__.items()}
 
 
-def keywords_of(made: Any) -> dict[str, str]:
+def keywords_of(made):
     parameters = inspect.signature(made).parameters.values()
     return {each.name: each.annotation for each in parameters if each.kind is each.KEYWORD_ONLY}
 
 
-def test_settings_of_keywords_are_those_of_worlds_and_environments() -> None:
+def test_settings_of_keywords_are_those_of_worlds_and_environments():
     world, env = annotations_of(WorldSettings), annotations_of(EnvSettings)
     assert world == keywords_of(mw.WorldConfig)
     assert dict(env.items() - world.items()) == keywords_of(MatrixWorldBase)
@@ -148,7 +147,7 @@ def test_settings_of_keywords_are_those_of_worlds_and_environments() -> None:
         ("aec_env", "max_cycle", "max_cycles"),
     ],
 )
-def test_an_unknown_keyword_names_the_nearest_one(door: str, wrong: str, nearest: str) -> None:
+def test_an_unknown_keyword_names_the_nearest_one(door, wrong, nearest):
     with pytest.raises(TypeError, match=f"'{wrong}'; did you mean {nearest}\\?"):
         DOORS[door]("O", **{wrong: 1})
 
@@ -163,12 +162,12 @@ def test_an_episode_agrees_with_the_world_turn_by_turn(name, given):
     env.reset(seed=6)
     world.reset(6)
 
-    def play_turn() -> None:
+    def play_turn():
         world.play_turn(rows[world.steps])
         if world.turn == 0:
             expected[:] += world.rewards
 
-    def choose(agent: str, _: Any) -> int:
+    def choose(agent, _):
         number = env.possible_agents.index(agent)
         while world.steps < env.status.steps or number not in world.actors:
             play_turn()
@@ -186,7 +185,7 @@ def test_an_episode_agrees_with_the_world_turn_by_turn(name, given):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_only_simultaneous_rules_are_parallelizable(name: str) -> None:
+def test_only_simultaneous_rules_are_parallelizable(name):
     env = mw.aec_env(config_of(name))
     at_once = env.unwrapped.config.rules.interaction is mw.Interaction.SIMULTANEOUS
     assert env.metadata["is_parallelizable"] == at_once
@@ -196,7 +195,7 @@ def test_only_simultaneous_rules_are_parallelizable(name: str) -> None:
             aec_to_parallel(env)
 
 
-def test_refused() -> None:
+def test_refused():
     env = MatrixWorldAEC(config_of("O"))
     with pytest.raises(RuntimeError, match="call reset"):
         env.step(0)

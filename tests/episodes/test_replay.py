@@ -6,9 +6,7 @@ import os
 import re
 import subprocess
 import sys
-from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 from unittest.mock import Mock, call
 
 import imageio_ffmpeg
@@ -29,15 +27,15 @@ Terminal = pytest.CaptureFixture[str]
 
 
 @pytest.fixture
-def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    taken: list[float] = []
+def naps(monkeypatch):
+    taken = []
     monkeypatch.setattr("time.sleep", taken.append)
     monkeypatch.setattr("time.monotonic", lambda: 5.0)
     return taken
 
 
 @pytest.fixture
-def terminal(naps: list[float], monkeypatch: pytest.MonkeyPatch, capsys: Terminal) -> Terminal:
+def terminal(naps, monkeypatch, capsys):
     """What is printed goes to a terminal of 100 columns, 50 lines and 256 colours."""
     variables = {"COLUMNS": "100", "LINES": "50", "COLORTERM": "", "TERM": "xterm"}
     for name, value in variables.items():
@@ -47,7 +45,7 @@ def terminal(naps: list[float], monkeypatch: pytest.MonkeyPatch, capsys: Termina
     return capsys
 
 
-def test_scenes_follow_the_episode() -> None:
+def test_scenes_follow_the_episode():
     first, last = scene(EPISODE, 0), scene(EPISODE)
     assert first.title == "step 0 of 30    captured 0 of 7 (0%)"
     assert first.fault is None
@@ -62,7 +60,7 @@ def test_scenes_follow_the_episode() -> None:
         scene(EPISODE, 3, trail=-1)
 
 
-def test_a_gif_shows_every_step(tmp_path: Path) -> None:
+def test_a_gif_shows_every_step(tmp_path):
     path, small = tmp_path / "episode.gif", np.uint8  # which would overflow in sums of pixels
     save(EPISODE, path, fps=small(8), hold=1.5, cell=small(14))
     with Image.open(path) as image:
@@ -91,9 +89,7 @@ def test_a_gif_shows_every_step(tmp_path: Path) -> None:
         ("path", {"path": "episode.avi"}),
     ],
 )
-def test_what_is_refused_leaves_no_file(
-    tmp_path: Path, name: str, options: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_refused_leaves_no_file(tmp_path, name, options, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(ValueError, match=f"^{name}: expected"):
         save(EPISODE, **{"path": "no.gif", **options})
@@ -102,7 +98,7 @@ def test_what_is_refused_leaves_no_file(
     assert os.listdir(tmp_path) == []
 
 
-def test_a_film_shows_every_step(tmp_path: Path) -> None:
+def test_a_film_shows_every_step(tmp_path):
     path = tmp_path / "episode.mp4"
     save(EPISODE, path, fps=8, hold=1.5, cell=14)
     height, width, _ = render.rgb(scene(EPISODE, 0), cell=14).shape
@@ -125,13 +121,11 @@ def test_a_film_shows_every_step(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("suffix", ["gif", "mp4"])
-def test_an_error_while_drawing_keeps_the_old_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str
-) -> None:
+def test_an_error_while_drawing_keeps_the_old_file(tmp_path, monkeypatch, suffix):
     path = tmp_path / f"old.{suffix}"
     path.write_bytes(b"kept")
 
-    def draw(drawn: render.Scene, **look: object) -> np.ndarray:
+    def draw(drawn, **look):
         if drawn.title.startswith("step 9 "):
             raise MemoryError("step 9")
         return render.rgb(drawn, cell=9)
@@ -142,7 +136,7 @@ def test_an_error_while_drawing_keeps_the_old_file(
     assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [(path.name, b"kept")]
 
 
-def test_a_picture_of_one_moment_with_the_views_of_its_world(tmp_path: Path) -> None:
+def test_a_picture_of_one_moment_with_the_views_of_its_world(tmp_path):
     save(EPISODE, tmp_path / "7.PNG", step=7, cell=9, fov=5, viewers=["evader_0", 1])
     with Image.open(tmp_path / "7.PNG") as image:
         wanted = render.rgb(scene(EPISODE, 7), cell=9, fov=5, viewers=["evader_0", 1])
@@ -156,7 +150,7 @@ def test_a_picture_of_one_moment_with_the_views_of_its_world(tmp_path: Path) -> 
     assert own == five != seven
 
 
-def test_a_notebook_shows_an_animation() -> None:
+def test_a_notebook_shows_an_animation():
     shown = animation(random_walks(40, 40, 8, 30, steps=500))
     with Image.open(io.BytesIO(shown.data)) as image:
         assert (image.n_frames, image.size) == (101, (504, 530))
@@ -166,7 +160,7 @@ def test_a_notebook_shows_an_animation() -> None:
     assert base64.b64decode(encoded[1]) == shown.data
 
 
-def test_animation_in_a_terminal(naps: list[float], terminal: Terminal) -> None:
+def test_animation_in_a_terminal(naps, terminal):
     animate_terminal(EPISODE, fps=20)
     start, *pictures = terminal.readouterr().out.split(term.HOME)
     assert start == term.HIDE_CURSOR + term.WRAP_OFF + term.CLEAR
@@ -178,10 +172,8 @@ def test_animation_in_a_terminal(naps: list[float], terminal: Terminal) -> None:
     assert picture.endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
 
 
-def test_the_cursor_comes_back_after_ctrl_c(
-    naps: list[float], terminal: Terminal, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def stop(seconds: float) -> None:
+def test_the_cursor_comes_back_after_ctrl_c(naps, terminal, monkeypatch):
+    def stop(seconds):
         naps.append(seconds)
         if len(naps) == 3:
             raise KeyboardInterrupt
@@ -193,7 +185,7 @@ def test_the_cursor_comes_back_after_ctrl_c(
     assert printed.endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
 
 
-def test_without_display_or_terminal_it_is_plain_text(naps: list[float], capsys: Terminal) -> None:
+def test_without_display_or_terminal_it_is_plain_text(naps, capsys):
     env = mw.parallel_env(config_of("O"), render_mode="human")
     env.reset(seed=0)
     env.step(dict.fromkeys(env.agents, 0))
@@ -206,7 +198,7 @@ def test_without_display_or_terminal_it_is_plain_text(naps: list[float], capsys:
         assert f"step {step}    captured 0 of 4 (0%)   P 3  E 4\n" in printed
 
 
-def test_a_terminal_is_drawn_in_place(naps: list[float], terminal: Terminal) -> None:
+def test_a_terminal_is_drawn_in_place(naps, terminal):
     shown = Drawing(mw.World(config_of("O")), "human")
     for _ in range(3):
         shown.show()
@@ -219,7 +211,7 @@ def test_a_terminal_is_drawn_in_place(naps: list[float], terminal: Terminal) -> 
     assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
 
 
-def test_a_notebook_s_output_is_drawn_anew() -> None:
+def test_a_notebook_s_output_is_drawn_anew():
     shell, display = SimpleNamespace(execution_count=4), Mock()
     drawn = scene(EPISODE)
     place = Notebook(shell, display)

@@ -1,7 +1,6 @@
 """Games that come with the package: races of them are resumed, and judged as their answers say."""
 
 from itertools import chain
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,21 +17,21 @@ from tiny_race import directory_in_memory
 pytestmark = pytest.mark.filterwarnings("ignore::matrixworld.coevolution.DisengagementWarning")
 
 GAMES = (rock_paper_scissors, numbers, focusing, relativism, nim, tic_tac_toe)
-IN_TURNS: dict[str, Any] = {
+IN_TURNS = {
     "schedule": "specialist-specialist", "schedule.pursuer_epochs": 5, "schedule.evader_epochs": 5,
     "schedule.generations": 20,
 }  # fmt: skip
-HALL: dict[str, Any] = {
+HALL = {
     "schedule": "hall-of-fame", "schedule.joint_epochs": 5, "schedule.generations": 20,
 }  # fmt: skip
-LEARNERS: dict[str, Any] = {
+LEARNERS = {
     "ga": {"learner": "ga", "learner.mutation": 0.5, "learner.population": 12},
     "es": {"learner": "es", "learner.learning_rate": 0.5, "learner.population": 12},
 }
 CLAIMS = {"arms race", "one-sided progress"}
 
 
-def race(game: Any, learner: str, schedule: dict[str, Any], seed: int) -> RaceSettings:
+def race(game, learner, schedule, seed):
     return RaceSettings.of({"game": game, "seed": seed, **LEARNERS[learner], **schedule})
 
 
@@ -41,7 +40,7 @@ def test_games_keep_their_promises(game):
     check_game(game)
 
 
-def raced(*parts: Any) -> tuple[Any, list[Any], Any]:
+def raced(*parts):
     """Return the payoff matrix, both archives and the judgement of a race."""
     with directory_in_memory() as place:
         create(race(*parts), place / "run")

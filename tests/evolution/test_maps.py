@@ -15,7 +15,7 @@ from matrixworld.solver import States, best_response, solve
 WORLD = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=8, fov=7)
 
 
-def reachable(walls: np.ndarray) -> bool:
+def reachable(walls):
     """Return whether steps to the four sides lead from one free cell to all others."""
     free = {(int(row), int(col)) for row, col in np.argwhere(~walls)}
     found, left = set(), [min(free)]

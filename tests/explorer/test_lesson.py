@@ -3,15 +3,12 @@
 import hashlib
 import json
 import sys
-from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
-from browser import Browser
 from course.questions import Prediction, exercises
 from course.toys import GAMES, beats, race_of_hands
 from course.votes import count_votes, read_predictions
@@ -23,7 +20,7 @@ PAGE = DOCS / "lesson.html"
 
 
 @pytest.fixture(scope="module")
-def lesson() -> Iterator[ModuleType]:
+def lesson():
     sys.path.insert(0, str(DOCS))
     import lesson_page
 
@@ -31,7 +28,7 @@ def lesson() -> Iterator[ModuleType]:
     sys.path.remove(str(DOCS))
 
 
-def test_the_page_in_docs_is_the_present_one(lesson: ModuleType) -> None:
+def test_the_page_in_docs_is_the_present_one(lesson):
     kept = PAGE.read_text(encoding="utf-8")
     races = lesson.races_of_page(kept)
     assert kept == lesson.lesson_page(races), "run python docs/make_pages.py"
@@ -39,7 +36,7 @@ def test_the_page_in_docs_is_the_present_one(lesson: ModuleType) -> None:
     assert [run["schedule"] for run in races.runs] == lesson.LESSON["races"]
 
 
-def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson: ModuleType) -> None:
+def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson):
     races = lesson.races_of_page(PAGE.read_text(encoding="utf-8"))
     parts = list(chain.from_iterable(each["parts"] for each in lesson.LESSON["sections"]))
     asked = [lesson._filled(part, races) for part in parts if "question" in part]
@@ -57,7 +54,7 @@ def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson: Mod
     assert lesson.LESSON["races"]["abc".index(guess["outcome"])] == "specialist-specialist"
 
 
-def test_letters_of_an_edition_stay_and_any_may_be_right(lesson: ModuleType) -> None:
+def test_letters_of_an_edition_stay_and_any_may_be_right(lesson):
     """If this fails, raise the edition in ``exercises.toml``, and write down its digest here."""
     races = lesson.races_of_page(PAGE.read_text(encoding="utf-8"))
     parts = chain.from_iterable(each["parts"] for each in lesson.LESSON["sections"])
@@ -70,13 +67,13 @@ def test_letters_of_an_edition_stay_and_any_may_be_right(lesson: ModuleType) -> 
     assert (again["again"], again["options"]) == ("0.a", first["options"])
 
 
-def saved(choices: dict[str, str], pupil: str, edition: int = 2) -> str:
+def saved(choices, pupil, edition=2):
     common = {"edition": edition, "pupil": pupil}
     lines = [{"prediction": name, "choice": choice, **common} for name, choice in choices.items()]
     return "".join(json.dumps(line) + "\n" for line in lines)
 
 
-def test_the_page_counts_votes_as_the_class_does() -> None:
+def test_the_page_counts_votes_as_the_class_does():
     """A pupil counts once, whatever the names of the files; the page knows its options, too."""
     options = {name: dict.fromkeys("abc", "") for name in ("0.a", "0.b")}
     whole = saved({"0.a": "a", "0.b": "c"}, "0000000a")
@@ -106,7 +103,7 @@ def test_the_page_counts_votes_as_the_class_does() -> None:
     assert reasons["predictions.jsonl"] == "double: the pupil of predictions (1).jsonl"
 
 
-def test_the_games_are_as_they_were_and_as_in_the_package() -> None:
+def test_the_games_are_as_they_were_and_as_in_the_package():
     """A slow Python version, which stood here at commit 8e1a8000, has drawn the same."""
     memories, generations, seed = [1, 2, 5, 1000], 400, 3
     settings = {"population": 6, "mutation": 0.02, "opponents": 4, "hall": 3}
@@ -151,7 +148,7 @@ CHOICES = {
 
 
 @pytest.mark.nightly
-def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
+def test_a_walk_through_the_page(browser, tmp_path):
     """Nothing is told before the prediction; answers are checked; all comes back and is saved."""
     folder = {"behavior": "allow", "downloadPath": str(tmp_path)}
     browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", folder)

@@ -7,7 +7,6 @@ import json
 import re
 import unicodedata
 from collections import Counter
-from collections.abc import Callable
 from html import unescape
 from os.path import relpath
 from pathlib import Path
@@ -39,19 +38,19 @@ NAME = "<img src=x> &amp; \"'"
 HOSTILE = "</script><script>document.title='owned'</script><img src=x onerror=alert(1)> & \u2028"
 
 
-def page_of_a_class(folder: Path) -> str:
+def page_of_a_class(folder):
     write_genomes(folder, 2)
     (folder / "genome 00.npz").rename(folder / f"{NAME}.npz")
     config = mw.WorldConfig("O", rows=9, cols=9, n_pursuers=3, n_evaders=2, max_steps=12)
     return results.class_page(play_class(folder, config, episodes=3, seed=1), title=NAME)
 
 
-def page_of_a_run(folder: Path) -> str:
+def page_of_a_run(folder):
     evolve(tiny_race(obstacles=0.15, max_steps=30), folder / NAME, threads=1)
     return explorer_page([open_run(folder / NAME)], note=f"Some runs are left out. {HOSTILE}")
 
 
-MADE: dict[str, Callable[[Path], str]] = {
+MADE = {
     "class": page_of_a_class,
     "evolve": lambda folder: evolve_page(NAME),
     "explorer": page_of_a_run,
@@ -69,7 +68,7 @@ TAB = "[...document.querySelectorAll('.tabs button')].find((b) => b.textContent 
 SCENE = TAB.format("Rules and conflicts") + "; "
 BUTTON = "[...document.querySelectorAll('.top button')].find((b) => b.textContent === '{}').click()"
 PRESS = "document.querySelector('{}').click()"
-OPENED: dict[str, list[str]] = {
+OPENED = {
     "evolve": [PRESS.format(".evolve"), "matrixworldEvolve.lanes[0].after.choose(0)"],
     "lesson": ["location.hash = '#votes'"],
     "explorer": [*(PRESS.format(name) for name in (".keys-button", ".to-play"))],
@@ -100,7 +99,7 @@ PRINTED = f"""addEventListener('beforeprint', () => {{
 
 @pytest.mark.slow
 @pytest.mark.parametrize("page", MADE)
-def test_a_page_opens_is_printed_and_runs_no_script_but_its_own(browser, page, made, tmp_path):
+def test_a_page_opens_and_runs_no_script_but_its_own(browser, page, made, tmp_path):
     """On a phone and a desktop, light and dark; paper is light, and texts stay texts."""
     html, file = made[page], tmp_path / "page.html"
     write_page(file, html)
@@ -139,7 +138,7 @@ TEXT = """[...document.querySelectorAll("h1, h2, h3, p, li, td, th, figcaption, 
 """What a page tells: texts that are no buttons or choices, nor how they are used."""
 
 
-def words(text: str) -> Counter[str]:
+def words(text):
     return Counter(re.findall(r"[A-Za-z]{3,}", text.lower()))
 
 
@@ -182,7 +181,7 @@ def test_disabilities_hinder_no_reader(browser, page, made, tmp_path):
     assert browser.hindrances(tmp_path / "page.html", *OPENED.get(page, [])) == {}
 
 
-def test_built_files_are_of_the_present_sources() -> None:
+def test_built_files_are_of_the_present_sources():
     """If this fails, run ``npm ci && npm run build`` in web/."""
     assert tuple(sorted(main.parent.name for main in WEB.glob("src/*/main.ts"))) == PAGES
     paths = [file for source in SOURCES for file in [WEB / source, *(WEB / source).rglob("*")]]
@@ -197,14 +196,14 @@ def test_built_files_are_of_the_present_sources() -> None:
 
 
 @pytest.mark.parametrize("file", [*BUILT.iterdir(), *results.BUILT.iterdir()], ids=lambda p: p.name)
-def test_no_built_file_ends_its_element_or_evaluates_text(file: Path) -> None:
+def test_no_built_file_ends_its_element_or_evaluates_text(file):
     text = file.read_text(encoding="utf-8").lower()
     for ends in ("</script", "<script", "<!--", "</style", "eval(", "new function", "import.meta"):
         assert ends not in text
 
 
 @pytest.mark.parametrize("page", MADE)
-def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
+def test_data_are_read_as_they_were_and_become_no_markup(page):
     folder = FOLDERS[page]
     hostile = render_page(page, HOSTILE, {"name": HOSTILE}, folder=folder)
     found = re.search(r'<script type="application/json" id="data">(.*)</script>', hostile)
@@ -216,13 +215,13 @@ def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
         render_page(page, "title", {"rate": float("nan")}, folder=folder)
 
 
-def picture(bundle: dict[str, str]) -> np.ndarray:
+def picture(bundle):
     with Image.open(io.BytesIO(base64.b64decode(bundle["image/png"]))) as image:
         assert image.format == "PNG"
         return np.asarray(image.convert("RGB"))
 
 
-def test_a_notebook_shows_the_page_in_a_frame_and_as_a_picture_of_its_scene() -> None:
+def test_a_notebook_shows_the_page_in_a_frame_and_as_a_picture_of_its_scene():
     world = mw.World("SB", rows=3, cols=5, n_pursuers=2, n_evaders=1)
     world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[2, 4]])
     before = world.scene()

@@ -5,7 +5,7 @@ import hashlib
 import numpy as np
 import pytest
 
-from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.play.experience import experience
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
@@ -21,7 +21,7 @@ CHOSEN = np.array([0, 2, 1, 2])
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("opponents", [OTHERS, "random"], ids=["genomes", "script"])
 @pytest.mark.parametrize("worlds", [1, 3])
-def test_the_matches_are_those_of_a_rollout(team: Team, opponents, worlds: int) -> None:
+def test_the_matches_are_those_of_a_rollout(team, opponents, worlds):
     found = experience(CONFIG, team, OWN, opponents, CHOSEN, SEEDS, worlds=worlds, threads=1)
     others = 0 if isinstance(opponents, str) else CHOSEN
     sides = (OWN, opponents) if team == "pursuer" else (opponents, OWN)
@@ -41,7 +41,7 @@ def test_the_matches_are_those_of_a_rollout(team: Team, opponents, worlds: int) 
     np.testing.assert_array_equal(faults, scores.faults[:, :, side].sum(axis=2).ravel())
 
 
-def test_states_are_kept_if_asked_for() -> None:
+def test_states_are_kept_if_asked_for():
     found = experience(CONFIG, "evader", OWN, "random", CHOSEN, SEEDS, states=True, threads=1)
     world = World(CONFIG)
     world.reset(seed=int(SEEDS[2]))

@@ -5,7 +5,6 @@
 
 from dataclasses import fields
 from functools import partial
-from typing import Any
 from unittest import mock
 
 import numpy as np
@@ -19,7 +18,7 @@ WIDTHS = [(20,), (32,), (33,), (48, 24), (64, 64), (400, 300), ()]
 MAP = ["......", ".#..#.", "......", "..##..", "......", ".#....", "......"]
 
 
-def assert_same_one_by_one(*args: Any, **kwargs: Any) -> None:
+def assert_same_one_by_one(*args, **kwargs):
     """Play a rollout in both ways, and compare every bit."""
     fast = mw.rollout(*args, **kwargs)
     with mock.patch.object(_core, "rollout", partial(_core.rollout, one_by_one=True)):
@@ -30,9 +29,7 @@ def assert_same_one_by_one(*args: Any, **kwargs: Any) -> None:
         assert found.tobytes() == expected.tobytes(), (item.name, np.nonzero(found != expected))
 
 
-def assert_same(
-    config: mw.WorldConfig, hidden: tuple[int, ...], *, episodes: int, memory: str = "none"
-) -> None:
+def assert_same(config, hidden, *, episodes, memory="none"):
     activation = "tanh" if len(hidden) > 1 else "relu"
     team = random_team(config, 0, 1, hidden=hidden, activation=activation, memory=memory)
     matches = mw.Matches.of([0, 1, 1], [0, 0, 1], [3, 4, 5])
@@ -40,17 +37,17 @@ def assert_same(
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_game(name: str) -> None:
+def test_every_game(name):
     """All interactions, outcomes and captures, without obstacles or with one kind of them."""
     number = NAMES.index(name)
     for memory, shift in (("none", 0), ("gru", 1)):
-        obstacles: Any = (0.0, 0.15, MAP)[(number + shift) % 3]
+        obstacles = (0.0, 0.15, MAP)[(number + shift) % 3]
         config = config_of(name, obstacles=obstacles, diagonal=number % 2 == 1)
         hidden = WIDTHS[number % (7 - shift)]
         assert_same(config, hidden, episodes=1 + number % 8, memory=memory)
 
 
-def test_extreme_weights() -> None:
+def test_extreme_weights():
     """Outputs that are infinite or not numbers."""
     config = mw.WorldConfig("O", rows=9, cols=9, n_pursuers=9, max_steps=10)
     for memory in ("none", "gru"):
@@ -59,7 +56,7 @@ def test_extreme_weights() -> None:
         assert_same_one_by_one(config, huge, team, mw.Matches.of(0, 1, [1, 2]), episodes=3)
 
 
-def test_rewards_of_many_magnitudes() -> None:
+def test_rewards_of_many_magnitudes():
     """Sums of rewards are those of all agents one by one, whatever a step pays."""
     rewards = mw.Rewards(
         pursuer_step=1e-7, evader_step=3e8, pursuer_capture=1e5, evader_neighbor=-7e-4

@@ -25,7 +25,7 @@ with ProgressBar() as bar:
 """
 
 
-def test_races_run_as_elsewhere(tmp_path: Path) -> None:
+def test_races_run_as_elsewhere(tmp_path):
     code = EVOLVES.format(directory=str(tmp_path / "browser"))
     python = [sys.executable, "-W", "error", "-c", code]
     paths = os.pathsep.join([str(SUPPORT), *sys.path])

@@ -1,9 +1,7 @@
 """The pages of the variants: their tables are true, and the files on disk are up to date."""
 
 import importlib
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 from PIL import Image
@@ -19,13 +17,13 @@ MOVES = {
 
 
 @pytest.fixture(scope="module")
-def make_pages() -> Iterator[Any]:
+def make_pages():
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(DOCS)
         yield importlib.import_module("make_pages")
 
 
-def test_the_readme_has_the_rules_of_each_variant() -> None:
+def test_the_readme_has_the_rules_of_each_variant():
     readme = (DOCS.parent / "README.md").read_text(encoding="utf-8")
     for name, rules in mw.VARIANTS.items():
         outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
@@ -38,7 +36,7 @@ def test_the_readme_has_the_rules_of_each_variant() -> None:
 
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_pages_are_up_to_date(make_pages: Any, variant: str) -> None:
+def test_pages_are_up_to_date(make_pages, variant):
     file = DOCS / "variants" / f"{variant.lower()}.md"
     assert file.exists(), f"{file.name} is missing: run python docs/make_pages.py"
     assert file.read_text(encoding="utf-8") == make_pages.page(variant), (

@@ -3,17 +3,15 @@
 import signal
 import time
 import warnings
-from collections.abc import Callable
 from dataclasses import replace
 from itertools import product
-from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS
-from matrixworld.solver import Solution, States, best_response, expected_payoff, solve
+from matrixworld.solver import States, best_response, expected_payoff, solve
 from rows import CUSTOM, OCCUPATION, SURROUND, TOGETHER, B, D, R, random_team
 
 ROWS = {**mw.VARIANTS, **CUSTOM}
@@ -21,14 +19,14 @@ HOLE = [[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]]
 CHAMPIONS = ("random", "still", "chaser", "fleer", "clumsy-chaser", "clumsy-fleer", "dodger")
 
 
-def world(variant: mw.Rules | str = "O", **changes: object) -> mw.WorldConfig:
+def world(variant="O", **changes):
     sizes = {"rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 5}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # rules that capture nobody are rules, too
         return mw.WorldConfig(variant, **{**sizes, **changes})
 
 
-def test_two_pursuers_on_4_x_4_reach_what_regret_matching_found() -> None:
+def test_two_pursuers_on_4_x_4_reach_what_regret_matching_found():
     solution = solve(world(), steps=10)
     after = [float(row[solution.states.starts].mean()) for row in solution.values[0]]
     assert after[5] == pytest.approx(0.838, abs=0.005)
@@ -39,7 +37,7 @@ def test_two_pursuers_on_4_x_4_reach_what_regret_matching_found() -> None:
 @pytest.mark.parametrize(
     "changes", [{"diagonal": True}, {"n_evaders": 2, "rows": 3}, {"rows": 5, "cols": 6}]
 )
-def test_strategies_of_large_games_guarantee_the_same(changes: dict[str, Any]) -> None:
+def test_strategies_of_large_games_guarantee_the_same(changes):
     """Games of 81 x 9, 25 x 25 and 25 x 5 joint actions, most of them degenerate."""
     assert solve(world(**changes), steps=2).gap < 1e-10
 
@@ -49,13 +47,13 @@ GRIDS = [(2, 6), (3, 3), (3, 7), (4, 5), (5, 5)]
 
 
 @pytest.mark.parametrize(("rows", "cols"), GRIDS)
-def test_two_cops_need_half_the_perimeter(rows: int, cols: int) -> None:
+def test_two_cops_need_half_the_perimeter(rows, cols):
     solution = solve(world("TO", rows=rows, cols=cols), steps=1)
     assert solution.capture_time == (rows + cols) // 2 - 1
 
 
 # Aigner and Fromme 1984, "A game of cops and robbers": three are enough on every planar graph.
-def test_three_cops_win_among_obstacles() -> None:
+def test_three_cops_win_among_obstacles():
     ground = mw.read_map([".....", ".#.#.", ".....", ".#.#.", "....."])
     times = [
         solve(mw.WorldConfig("TO", obstacles=ground, n_pursuers=n, n_evaders=1)).capture_time
@@ -66,7 +64,7 @@ def test_three_cops_win_among_obstacles() -> None:
 
 
 @pytest.mark.parametrize("variant", ["O", "TO"])
-def test_no_champion_is_better_than_perfect_play(variant: str) -> None:
+def test_no_champion_is_better_than_perfect_play(variant):
     states = States(world(variant))
     solution = solve(states)
     value = solution.value
@@ -79,7 +77,7 @@ def test_no_champion_is_better_than_perfect_play(variant: str) -> None:
         assert best_response(states, solution, team).value == pytest.approx(value, abs=1e-9)
 
 
-def assert_comes_to(config: mw.WorldConfig, pursuers: Any, evaders: Any, expected: float) -> None:
+def assert_comes_to(config, pursuers, evaders, expected):
     """Compare a payoff with that of many matches."""
     matches = mw.Matches.of(0, 0, 1)
     found = mw.rollout(config, pursuers, evaders, matches, episodes=3000).capture_rate
@@ -88,7 +86,7 @@ def assert_comes_to(config: mw.WorldConfig, pursuers: Any, evaders: Any, expecte
 
 
 @pytest.mark.parametrize("name", ROWS)
-def test_a_pair_gets_exactly_what_its_matches_come_to(name: str) -> None:
+def test_a_pair_gets_exactly_what_its_matches_come_to(name):
     config = world(ROWS[name], rows=3, obstacles=np.array(HOLE, bool), max_steps=6)
     states = States(config)
     solution, pursuers = solve(states), random_team(config, 0)
@@ -103,7 +101,7 @@ def test_a_pair_gets_exactly_what_its_matches_come_to(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["O", "TO"])
-def test_best_responses_to_networks_that_see_less_are_exact(name: str) -> None:
+def test_best_responses_to_networks_that_see_less_are_exact(name):
     config = world(name, obstacles=np.array(HOLE, bool), rows=3, max_steps=6, fov=3)
     champion = random_team(config, 0)
     to_pursuers, to_evaders = (best_response(config, champion, team) for team in TEAMS)
@@ -111,7 +109,7 @@ def test_best_responses_to_networks_that_see_less_are_exact(name: str) -> None:
     assert_comes_to(config, to_evaders.policy("pursuer"), champion, to_evaders.value)
 
 
-def test_a_mixture_is_the_mean_of_its_members_in_every_state() -> None:
+def test_a_mixture_is_the_mean_of_its_members_in_every_state():
     states = States(world())
     parts = [(0.25, "random"), (0.75, [(0.5, "still"), (0.5, "chaser")])]
     mixed = best_response(states, parts, "pursuer")
@@ -123,7 +121,7 @@ def test_a_mixture_is_the_mean_of_its_members_in_every_state() -> None:
     )
 
 
-def test_the_time_to_capture_is_the_sum_over_rounds_of_what_is_free() -> None:
+def test_the_time_to_capture_is_the_sum_over_rounds_of_what_is_free():
     # With one evader that stays captured, E[min(time, T)] is a sum of escape rates under any play.
     states = States(world())
     pair = {"pursuers": "clumsy-chaser", "evaders": "random"}
@@ -133,7 +131,7 @@ def test_the_time_to_capture_is_the_sum_over_rounds_of_what_is_free() -> None:
     assert solve(states, steps=6, payoff="capture-time").value <= 6
 
 
-def test_a_solved_team_plays_in_all_places() -> None:
+def test_a_solved_team_plays_in_all_places():
     config = world(max_steps=6)
     solution = solve(config)
     pursuers, evaders = solution.policy("pursuer"), solution.policy("evader")
@@ -156,10 +154,7 @@ def test_a_solved_team_plays_in_all_places() -> None:
         (lambda: solve(world(obstacles=0.1)), "expected none or a map"),
         (lambda: solve(world(rows=60, cols=60)), "cells would fit"),
         (lambda: solve(world(), steps=0), "steps"),
-        (
-            lambda: best_response(world(), random_team(world(), 0, memory="gru"), "pursuer"),
-            "without mem",
-        ),
+        (lambda: best_response(world(), random_team(world(), 0, memory="gru"), "pursuer"), "mem"),
         (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter"),
         (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
         (lambda: longer_reply(solve(world())), "steps: expected 1 to 5, got 9"),
@@ -168,22 +163,22 @@ def test_a_solved_team_plays_in_all_places() -> None:
         (lambda: play(world(), swapped=True), "expected to play for its own team"),
     ],
 )
-def test_what_is_refused(refused: Callable[[], object], said: str) -> None:
+def test_what_is_refused(refused, said):
     with pytest.raises((TypeError, ValueError), match=said):
         refused()
 
 
-def longer_reply(champion: Solution) -> Solution:
+def longer_reply(champion):
     return best_response(champion.states, [(1.0, champion)], "pursuer", steps=9)
 
 
-def play(config: mw.WorldConfig, swapped: bool = False) -> object:
+def play(config, swapped=False):
     policy = solve(world()).policy("pursuer")
     teams = ("still", policy) if swapped else (policy, "still")
     return mw.record(config, *teams, seed=0)
 
 
-def on_ring(rules: mw.Rules, rows: int = 3, **changes: int) -> mw.WorldConfig:
+def on_ring(rules, rows=3, **changes):
     ground = np.array([[0, 0, 0], [0, 1, 0], [0, 0, 0]][:rows], bool)
     if not rules.captures:
         rules = replace(rules, capture=SURROUND)
@@ -219,25 +214,25 @@ VALUES = [
 programme of SciPy for each state, which stood here at commit 8e1a8000, has found them."""
 
 
-def test_values_are_those_of_a_slow_solver() -> None:
+def test_values_are_those_of_a_slow_solver():
     for config, expected in zip(GAMES, VALUES, strict=True):
         solution = solve(config, steps=len(expected))
         means = [*solution.means, *[solution.value] * len(expected)]  # fewer where play has ended
         np.testing.assert_allclose(means[1 : 1 + len(expected)], expected, atol=1e-7)
 
 
-def test_a_long_call_stops_at_a_signal_and_tells_its_share() -> None:
+def test_a_long_call_stops_at_a_signal_and_tells_its_share():
     """In the middle of one call of the engine, on one thread, after half a second of its time."""
 
-    def stop(*_: Any) -> None:
+    def stop(*_):
         raise TimeoutError
 
-    told: dict[str, list[float]] = {}
+    told = {}
 
-    def tell(what: str, share: float) -> None:
+    def tell(what, share):
         told.setdefault(what, []).append(share)
 
-    def states(size: int) -> States:
+    def states(size):
         config = mw.WorldConfig("O", rows=size, cols=size, n_pursuers=2, n_evaders=1)
         return States(config, threads=1, report=tell)
 

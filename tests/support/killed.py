@@ -10,12 +10,9 @@ import multiprocessing
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from multiprocessing import forkserver
-from pathlib import Path
-from typing import Any
 from unittest import mock
 
 from matrixworld._util import files
@@ -30,12 +27,8 @@ CONTEXT.set_forkserver_preload(["killed"])
 HALL = {"schedule": "hall-of-fame", "contemporaries": 1, "hall_sample": 1}
 # As many stages as epochs, so as many writes.
 SINGLE = {"team": "evader", "learner": "ga", "archive_every": 1}
-RUNS: dict[str, Any] = {
-    "race": tiny_race(),
-    "hall-of-fame": tiny_race(**HALL),
-    "single": tiny_single(**SINGLE),
-}
-SHORT_RUNS: dict[str, Any] = {
+RUNS = {"race": tiny_race(), "hall-of-fame": tiny_race(**HALL), "single": tiny_single(**SINGLE)}
+SHORT_RUNS = {
     "short race": tiny_race(generations=1, pursuer_epochs=1, evader_epochs=1),
     "short hall-of-fame": tiny_race(**HALL, generations=1, joint_epochs=1),
     "short single": tiny_single(**SINGLE, epochs=2),
@@ -44,20 +37,20 @@ SETTINGS = {**RUNS, **SHORT_RUNS}
 JOB = job_of([RUNS["single"], RUNS["race"]])
 
 
-def play_run(kind: str, directory: Path, play: Any = rollout) -> None:
+def play_run(kind, directory, play=rollout):
     """Make the run, unless it is there, and play it to its end."""
     played(SETTINGS[kind], directory, play=play)
 
 
 @cache
-def start_server() -> None:
+def start_server():
     """Start the server that forks. It needs the path of all modules, to import them only once."""
     found = {"PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"}
     with mock.patch.dict(os.environ, found):
         forkserver.ensure_running()
 
 
-def process(target: Callable[..., None], *args: Any) -> Any:
+def process(target, *args):
     start_server()
     child = CONTEXT.Process(target=target, args=args, daemon=True)
     child.start()
@@ -67,22 +60,22 @@ def process(target: Callable[..., None], *args: Any) -> Any:
 class Events:
     """Counts file operations and calls of `rollout` in a process; calls `then` at one of them."""
 
-    def __init__(self, at: int, then: Callable[[], None]) -> None:
+    def __init__(self, at, then):
         self.count, self.at, self.then = 0, at, then
 
-    def happen(self) -> None:
+    def happen(self):
         if self.count == self.at:
             self.then()
         self.count += 1
 
-    def before(self, function: Callable[..., Any]) -> Callable[..., Any]:
-        def counted(*args: Any, **options: Any) -> Any:
+    def before(self, function):
+        def counted(*args, **options):
             self.happen()
             return function(*args, **options)
 
         return counted
 
-    def open(self, path: Any, mode: str, **options: Any) -> Any:
+    def open(self, path, mode, **options):
         """Open a file; writing is an event that happens when half of the content is written."""
         self.happen()
         file = open(path, mode, **options)  # noqa: SIM115, the caller closes it
@@ -92,14 +85,14 @@ class Events:
 class HalfWritten(io.BytesIO):
     """Content that goes to a file in two halves when it is flushed, with an event between them."""
 
-    def __init__(self, file: Any, events: Events) -> None:
+    def __init__(self, file, events):
         super().__init__()
         self.file, self.events, self.fileno = file, events, file.fileno
 
-    def __exit__(self, *error: Any) -> None:
+    def __exit__(self, *error):
         self.file.close()
 
-    def flush(self) -> None:
+    def flush(self):
         content = self.getvalue()[self.file.tell() :]
         if content:
             half = len(content) // 2  # a kill between the halves leaves a cut file
@@ -111,33 +104,33 @@ class HalfWritten(io.BytesIO):
 
 
 @contextmanager
-def watched(events: Events) -> Iterator[None]:
+def watched(events):
     """Make every operation of this process on files of runs an event, but for removals."""
     plain = os.replace, os.fsync
-    os.replace, os.fsync = map(events.before, plain)  # type: ignore[assignment]
-    files.open = events.open  # type: ignore[attr-defined]
+    os.replace, os.fsync = map(events.before, plain)
+    files.open = events.open
     try:
         yield
     finally:
         os.replace, os.fsync = plain
-        del files.open  # type: ignore[attr-defined]
+        del files.open
 
 
 @contextmanager
-def killed(at: int) -> Iterator[Events]:
+def killed(at):
     """Kill this process at one of the file operations in the block, removals among them."""
     events = Events(at, lambda: os.kill(os.getpid(), signal.SIGKILL))
     with watched(events), mock.patch.object(os, "unlink", events.before(os.unlink)):
         yield events
 
 
-def run_until_killed(kind: str, directory: Path, at: int) -> None:
+def run_until_killed(kind, directory, at):
     """As `play_run`, but killed at an event; exit code 0 if there are fewer events."""
     with killed(at) as events:
         play_run(kind, directory, play=events.before(rollout))
 
 
-def create_until_killed(directory: Path, at: int) -> None:
+def create_until_killed(directory, at):
     """Make a job, but killed at an event."""
     with killed(at) as events:
         plain = {"rename": os.rename, "rmdir": os.rmdir}
@@ -145,7 +138,7 @@ def create_until_killed(directory: Path, at: int) -> None:
             create_job(JOB, directory)
 
 
-def hold(directory: Path, held: Path) -> None:
+def hold(directory, held):
     """Hold the lock of a run until killed; make the file `held` when the lock is held."""
     with RunWriter(directory).lock():
         held.touch()

@@ -9,7 +9,7 @@ beside pandas 3. ``iqm`` is `metrics.aggregate_iqm` of ONE, OTHER and TASK, ``im
 import numpy as np
 
 
-def scores(runs: int, tasks: int, seed: int) -> np.ndarray:
+def scores(runs, tasks, seed):
     """Scores (runs, tasks) in [0, 1] with two decimals, so that some are equal."""
     rng = np.random.default_rng(seed)
     values = np.linspace(0.2, 0.8, tasks) + rng.normal(0, 0.15, (runs, 1))

@@ -2,13 +2,12 @@
 
 import inspect
 import re
-from collections.abc import Callable
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.world.arrays import BATCH_FIELDS, WORLD_FIELDS, OutputField, Specs
+from matrixworld.world.arrays import BATCH_FIELDS, WORLD_FIELDS
 from rows import config_of, random_actions
 
 SIZES = {"agents": "A", "evaders": "E", "kinds": "3", "teams": "2", "row_col": "2", "channels": "3"}
@@ -19,7 +18,7 @@ N_WORLDS = 3
 @pytest.mark.parametrize(
     ("specs", "table"), [(mw.array_specs, WORLD_FIELDS), (mw.episode_specs, BATCH_FIELDS)]
 )
-def test_fields_are_described(specs: Callable[..., Specs], table: dict[str, OutputField]) -> None:
+def test_fields_are_described(specs, table):
     described = {name: rest for name, *rest in ROW.findall(inspect.getdoc(specs) or "")}
     assert list(described) == list(table)
     for name, (shape, dtype) in described.items():
@@ -29,7 +28,7 @@ def test_fields_are_described(specs: Callable[..., Specs], table: dict[str, Outp
 
 
 @pytest.mark.parametrize("views", [np.uint8, np.float32])
-def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
+def test_arrays_are_written_in_full_and_nothing_else_is(views):
     config = config_of("SB", obstacles=0.1, max_steps=3)
     specs = mw.array_specs(config) | mw.episode_specs(config)
     written = []
@@ -54,7 +53,7 @@ def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
         np.testing.assert_array_equal(array, written[1][name], name)
 
 
-def test_every_output_is_in_infos() -> None:
+def test_every_output_is_in_infos():
     """In infos under its own name, or one of the arrays that environments return otherwise."""
     env = mw.VectorEnv(config_of("O"), 2, state=True)
     returned = {"rewards", "terminations", "truncations", "views", "last_positions"}

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from deap import base, cma
+from deap import cma
 from scipy.stats import rankdata
 from threadpoolctl import threadpool_limits
 
@@ -246,7 +246,7 @@ class Zeros(GeneticAlgorithm):
     """All offspring become 0, so that what is left is elite."""
 
     @property
-    def toolbox(self) -> base.Toolbox:
+    def toolbox(self):
         toolbox = super().toolbox
         toolbox.register("mutate", lambda genomes, rng, state: genomes * np.float32(0))
         return toolbox
