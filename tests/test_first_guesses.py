@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import coevolution, plots
+from matrixworld import plots
+from matrixworld.coevolution import score
 from tiny_race import TINY, tiny_race
 
 SMALL = {"size": 8, "n_pursuers": 2, "n_evaders": 2, "max_steps": 20}
@@ -121,10 +122,7 @@ def test_two_groups_are_compared(tmp_path):
     other = mw.evolve([each.changed({"learner": "ga"}) for each in runs], tmp_path / "other")
     found = mw.compare(one, other)
     name = "pursuers against held-out opponents, capture rate"
-    scores = [
-        [coevolution.score(run)["pursuer"].rates[-1].mean() for run in group]
-        for group in (one, other)
-    ]
+    scores = [[score(run)["pursuer"].rates[-1].mean() for run in group] for group in (one, other)]
     expected = mw.analysis.difference_of_runs(*scores, paired=True)
     assert found.differences[name].ends == pytest.approx(expected.ends)
     assert found.means[name] == pytest.approx(tuple(map(np.mean, scores)))

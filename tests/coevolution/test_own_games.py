@@ -318,10 +318,7 @@ def test_a_script_that_runs_is_named_as_others_import_it(file, arguments, name, 
 def test_matches_are_seen_by_nobody_else(tmp_path):
     """A match of a game with chance depends on its seed and players alone."""
     run = co.finish(co.create(race(), tmp_path / "run").path)
-    teams = [
-        coins.population(t, g)
-        for t, g in zip(("pursuer", "evader"), run.archive().values(), strict=True)
-    ]
+    teams = [*map(coins.population, ("pursuer", "evader"), run.archive().values())]
     seeds = np.arange(5, dtype=np.uint64)
     a, b = np.arange(5), np.arange(5)[::-1]
     scores = coins.scores(*teams, (a, b, seeds), episodes=40, threads=1).scores

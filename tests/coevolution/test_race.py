@@ -122,9 +122,8 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
     )
     played(settings, tmp_path / "run")
     run = Run(tmp_path / "run")
-    pursuers, evaders = (
-        Population(run.genomes(team), settings.evaluation_game.policy) for team in TEAMS
-    )
+    policy = settings.evaluation_game.policy
+    pursuers, evaders = (Population(run.genomes(team), policy) for team in TEAMS)
     for team, shape in (("pursuer", (3, 3)), ("evader", (3, 4))):
         state = run.states[f"{team}.opponents"]
         expected = np.zeros(shape)
@@ -196,10 +195,8 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
 def test_all_individuals_have_the_same_number_of_opponents(groups):
     pairs = pairings(np.tile(np.arange(groups), 6 // groups), 3, (1, 2), np.random.default_rng(0))
     assert len(pairs.pursuer) == len(pairs.evader) == len(pairs.group) == 6 * (3 + 1 + 2)
-    for own, rivals, older in (
-        (pairs.pursuer, pairs.evader, [6, 7]),
-        (pairs.evader, pairs.pursuer, [6]),
-    ):
+    both = pairs.pursuer, pairs.evader
+    for own, rivals, older in ((*both, [6, 7]), (*both[::-1], [6])):
         for individual in range(6):
             opponents = rivals[own == individual]
             assert sorted(opponents[opponents >= 6]) == older

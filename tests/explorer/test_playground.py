@@ -271,9 +271,7 @@ def test_a_match_played_by_keys_is_that_of_the_world(browser, races, job, number
     before = run.record(g, h).actions[:step, played["seat"]]
     assert played["moves"][:step] == before.tolist()
     assert len(played["actions"]) == len(played["moves"]) > step
-    policies = {
-        team: generation(run, team, of_team) for team, of_team in zip(TEAMS, (g, h), strict=True)
-    }
+    policies = {"pursuer": generation(run, "pursuer", g), "evader": generation(run, "evader", h)}
     for moment, move in enumerate(played["moves"]):
         alive = world.alive.copy()
         actions = decided(world, policies, played["seat"], move)

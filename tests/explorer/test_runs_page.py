@@ -305,11 +305,8 @@ def test_programs_are_there_as_expressions(rated):
         team.policy.expression(genome) for genome in team.genomes
     ]
     shape = weights["teams"]["pursuer"]["policy"]
-    assert (shape["kind"], shape["inputs"], shape["genome_size"]) == (
-        "rating",
-        [*INPUTS],
-        len(INPUTS),
-    )
+    found = [shape[name] for name in ("kind", "inputs", "genome_size")]
+    assert found == ["rating", [*INPUTS], len(INPUTS)]
 
 
 def test_a_single_team_has_one_cell_at_its_last_generation(job):

@@ -28,9 +28,7 @@ def test_the_matches_are_those_of_a_rollout(team, opponents, worlds):
     indices = (0, others) if team == "pursuer" else (others, 0)
     scores = rollout(CONFIG, *sides, Matches.of(*indices, SEEDS), episodes=worlds)
     side = TEAMS.index(team)
-    np.testing.assert_array_equal(
-        found.acted.sum(axis=(0, 2)), scores.agent_steps[..., side].ravel()
-    )
+    np.testing.assert_array_equal(found.acted.sum((0, 2)), scores.agent_steps[..., side].ravel())
     lengths = found.acted.any(axis=2).sum(axis=0)
     assert (lengths <= scores.length.ravel()).all()
     returns = (scores.pursuer_return, scores.evader_return)[side]

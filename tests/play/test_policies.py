@@ -41,11 +41,7 @@ def test_observations_come_single_or_in_batches_flat_or_not_in_any_dtype():
     assert type(one) is int
     assert one == actions[0]
     assert policy.probabilities(VIEWS[0]).shape == (5,)
-    for same in (
-        VIEWS.astype(np.float32),
-        VIEWS.astype(bool),
-        VIEWS.reshape(200, 75).astype(float),
-    ):
+    for same in (VIEWS.astype("f4"), VIEWS.astype(bool), VIEWS.reshape(200, 75).astype(float)):
         assert np.array_equal(policy(same), actions)
     assert np.array_equal(policy(VIEWS.reshape(10, 20, 3, 5, 5)), actions.reshape(10, 20))
     assert policy.logits(VIEWS.reshape(10, 20, 75)).shape == (10, 20, 5)

@@ -167,10 +167,8 @@ def test_bands_show_means_and_intervals_over_seeds():
         for drawn, band, filled in zip(thick(axes), expected, axes.collections, strict=False):
             np.testing.assert_allclose(drawn, band.mean)
             check_band(filled, band)
-    assert (
-        scores.get_title().replace("\nruns", " runs")
-        == f"one\n4 seeds\n{analysis.sentence(judged_seeds(4))}"
-    )
+    title = scores.get_title().replace("\nruns", " runs")
+    assert title == f"one\n4 seeds\n{analysis.sentence(judged_seeds(4))}"
     assert (single.get_title(), len(single.collections)) == ("two\n1 seed: no band", 0)
 
 

@@ -213,12 +213,7 @@ NAMED = re.compile(r"`((?:policy|learner|schedule|fitness)\.[a-z_]+(?:\.[a-z_]+)
 def paths():
     told = CliRunner().invoke(main, ["evolve", "--help-all"], catch_exceptions=False).output
     told = told.partition("\nsettings:\n")[2]
-    return {
-        "policy",
-        "learner",
-        "schedule",
-        *re.findall(r"^  ([a-z_]+(?:\.[a-z_]+)*)(?: |$)", told, re.M),
-    }
+    return {"policy", "learner", "schedule", *re.findall(r"^  ([a-z_.]+)(?: |$)", told, re.M)}
 
 
 def exists(path):

@@ -9,11 +9,8 @@ from PIL import Image
 import matrixworld as mw
 
 DOCS = Path(__file__).parents[2] / "docs"
-MOVES = {
-    "SIMULTANEOUS": "all at once",
-    "SWARM_TURNS": "team by team",
-    "AGENT_TURNS": "one at a time",
-}
+TURNS = ("all at once", "team by team", "one at a time")
+MOVES = dict(zip(mw.Interaction, TURNS, strict=True))
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +27,7 @@ def test_the_readme_has_the_rules_of_each_variant():
         obstacle, teammate, evader, pursuer = (outcome.name[0] for outcome in outcomes)
         capture = "occupation" if rules.capture is mw.Capture.OCCUPATION else "surrounding"
         captured = "disappear" if rules.removes_captured else "stay"
-        cells = (name, MOVES[rules.interaction.name], obstacle, teammate, f"{evader}, {pursuer}")
+        cells = (name, MOVES[rules.interaction], obstacle, teammate, f"{evader}, {pursuer}")
         row = f"| {' | '.join((*cells, capture, captured))} |\n"
         assert row in readme, f"README.md, The games: add the row {row}"
 

@@ -178,11 +178,8 @@ def check(start, case):
         ever = "".join(sorted(set(ever + play.captured))) if play.ever is None else play.ever
         seen = look(world, letters)
         wanted = expectation(play, letters, ever)
-        wrong = [
-            f"{what}: expected {value}, got {seen[what]}"
-            for what, value in wanted.items()
-            if seen[what] != value
-        ]
+        other = {what: seen[what] for what, value in wanted.items() if seen[what] != value}
+        wrong = [f"{what}: expected {wanted[what]}, got {got}" for what, got in other.items()]
         assert not wrong, "\n".join([f"{case.name}, {play.moves!r}:", *wrong])
 
 
