@@ -4,7 +4,6 @@ from operator import itemgetter
 
 import numpy as np
 import pytest
-from scipy.stats import binom
 
 import judgement_tables as tables
 from course import toys
@@ -197,10 +196,3 @@ def test_a_race_counts_once():
     rows = tables.count_races([judgement("pure race", race), judgement("drift", wrong, runs="3")])
     counted = {(r["kind"], r["runs"]): [*map(int, list(r.values())[3:])] for r in rows}
     assert counted == {("drift", "2 or 3"): [1, 0, 0, 1], ("pure race", "1"): [1, 1, 1, 1]}
-
-
-@pytest.mark.parametrize(("count", "of"), [(0, 100), (3, 20), (19, 20)])
-def test_upper_bounds_of_rates(count, of):
-    # By definition: at the bound, so few happen with a probability of 5 %.
-    assert binom.cdf(count, of, tables.upper_bound(count, of)) == pytest.approx(0.05)
-    assert tables.upper_bound(of, of) == 1.0
