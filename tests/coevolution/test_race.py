@@ -1,14 +1,12 @@
 """Kinds of races: whom teams meet and on which seeds, champions, and one team alone."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from matrixworld import Matches, Population, rollout
 from matrixworld.analysis import interval_over_runs
 from matrixworld.analysis.games import nash_averaging
-from matrixworld.coevolution import SCHEDULES, TEAMS, Run, available, open_run
+from matrixworld.coevolution import TEAMS, Run, available, open_run
 from matrixworld.coevolution.game import Scores
 from matrixworld.coevolution.race import pairings
 from matrixworld.coevolution.seeding import Phase, training_seeds
@@ -26,27 +24,6 @@ from tiny_race import (
     tiny_race,
     tiny_single,
 )
-
-
-@pytest.mark.parametrize(
-    ("name", "pursuers_meet", "evaders_meet"),
-    [
-        ("specialist-specialist", lambda k, epoch: k - 1, lambda k, epoch: k),
-        ("generalist-specialist", lambda k, epoch: epoch % k, lambda k, epoch: k),
-        ("generalist-generalist", lambda k, epoch: epoch % k, lambda k, epoch: epoch % (k + 1)),
-    ],
-)
-def test_the_paper_s_schedules(name, pursuers_meet, evaders_meet, tmp_path):
-    epochs = {"pursuer_epochs": 4, "evader_epochs": 4}
-    run = played(tiny_race(schedule=name, generations=3, **epochs), tmp_path / "run")
-    assert run.settings.schedule == replace(SCHEDULES[name], generations=3, **epochs)
-    log = run.log()
-    places = [(k, team, epoch) for k in (1, 2, 3) for team in TEAMS for epoch in range(4)]
-    assert list(zip(log["generation"], log["team"], log["epoch"], strict=True)) == places
-    assert log["opponent"].tolist() == [
-        (pursuers_meet if team == "pursuer" else evaders_meet)(k, epoch)
-        for k, team, epoch in places
-    ]
 
 
 def test_training_matches_are_those_of_the_log(tmp_path):

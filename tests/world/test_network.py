@@ -79,19 +79,6 @@ def test_a_genome_is_read_layer_by_layer():
     assert np.shares_memory(last, genome)
 
 
-def test_initial_genomes():
-    network = mw.Network((50, 40), fov=11)
-    genome = network.initial(np.random.default_rng(0), weight=0.05, head=0.1)
-    assert genome.dtype == np.float32
-    *hidden, head = network.layers(genome)
-    for weights, _ in hidden:
-        assert weights.std() == pytest.approx(0.05, rel=0.1)
-    assert head[0].std() == pytest.approx(0.1, rel=0.2)
-    assert not np.concatenate([bias for _, bias in network.layers(genome)]).any()
-    again = network.initial(np.random.default_rng(0), weight=0.05, head=0.1)
-    np.testing.assert_array_equal(genome, again)
-
-
 def sealed(steps, *, diagonal=False):
     cells = ["##########", "#.##.#.###", "##########", "#.###.####", "##########"]
     return mw.WorldConfig(
