@@ -114,18 +114,6 @@ def test_best_responses_to_networks_that_see_less_are_exact(name: str) -> None:
     assert_comes_to(config, to_evaders.policy("pursuer"), champion, to_evaders.value)
 
 
-def test_a_mixture_is_the_mean_of_its_members_in_every_state() -> None:
-    states = States(world())
-    parts = [(0.25, "random"), (0.75, [(0.5, "still"), (0.5, "chaser")])]
-    mixed = best_response(states, parts, "pursuer")
-    decisions = [states.decisions(name, "pursuer")[0] for name in ("random", "still", "chaser")]
-    expected = sum(w * d for w, d in zip((0.25, 0.375, 0.375), decisions, strict=True))
-    np.testing.assert_allclose(mixed.probabilities("pursuer"), expected, atol=1e-15)
-    assert best_response(states, [(1.0, "still")], "pursuer").value == pytest.approx(
-        best_response(states, "still", "pursuer").value
-    )
-
-
 def test_the_time_to_capture_is_the_sum_over_rounds_of_what_is_free() -> None:
     # With one evader that stays captured, E[min(time, T)] is a sum of escape rates under any play.
     states = States(world())
@@ -177,7 +165,7 @@ def test_what_is_refused(refused: Callable[[], object], said: str) -> None:
 
 
 def longer_reply(champion: Solution) -> Solution:
-    return best_response(champion.states, [(1.0, champion)], "pursuer", steps=9)
+    return best_response(champion.states, champion, "pursuer", steps=9)
 
 
 def play(config: mw.WorldConfig, swapped: bool = False) -> object:

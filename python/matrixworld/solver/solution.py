@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal, TypeAlias
@@ -15,45 +15,17 @@ from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.solver.states import States, config_of
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import TEAMS, Population, Script, TablePolicy, Team, check_team
+from matrixworld.world.policy import SCRIPTS, TEAMS, Population, Script, TablePolicy, Team
 
 PayoffName: TypeAlias = Literal["capture-rate", "capture-time"]
 PAYOFFS: tuple[PayoffName, PayoffName] = ("capture-rate", "capture-time")
 
-Champion: TypeAlias = "Population | Script | Solution | Sequence[tuple[float, Champion]]"
-"""What a team plays whose play is known: a population of one genome, the name of a script, its part
-of a solution, or weights (their sum is 1) with champions: the team draws one of them in every turn
-anew, for all its members."""
+Champion: TypeAlias = "Population | Script | Solution"
+"""What a team plays whose play is known: a population of one genome, the name of a script, or its
+part of a solution."""
 
-
-Members: TypeAlias = "list[tuple[float, Population | Script | Solution]]"
-"""What a mixture comes to: weights with champions that are none."""
-
-
-@dataclass(frozen=True, eq=False)
-class Fixed:
-    """The play of a team that is known: probabilities (S, joint actions) by turn."""
-
-    team: Team
-    parts: tuple[tuple[float, tuple[NDArray[np.float64], ...] | Solution], ...]
-
-    @property
-    def depends_on_rounds(self) -> bool:
-        """Whether the play depends on how many rounds are left."""
-        return any(isinstance(part, Solution) for _, part in self.parts)
-
-    def at(self, turn: int, rounds: int) -> NDArray[np.float64]:
-        """Return the probabilities with so many rounds left, this one included."""
-        total: Any = 0.0
-        for weight, part in self.parts:
-            if isinstance(part, Solution):
-                row = part.probabilities(self.team, rounds, turn)
-            else:
-                row = part[turn]
-            if weight == 1.0:  # the others weigh 0
-                return row
-            total = total + weight * row
-        return np.asarray(total)
+Fixed: TypeAlias = "tuple[NDArray[np.float64], ...] | Solution"
+"""The play of a champion: its probabilities (S, joint actions) of each turn, or its solution."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -126,7 +98,7 @@ class Solution(Readable):
         )
         turn = checks.check_integer("turn", turn, 0, self.states.n_turns - 1)
         if team in self.fixed:
-            return self.fixed[team].at(turn, left)
+            return _play_of(self.fixed[team], team, turn, left)
         found = _backup(
             self.states, values_after(self, turn, left), turn, left, self.fixed, None, chosen=True
         )
@@ -209,10 +181,17 @@ def _backup(
     chosen: bool = False,
 ) -> tuple[NDArray[np.float64], float, NDArray[np.float64] | None, NDArray[np.float64] | None]:
     """Return values, gap, and if wanted the play of both teams in one turn."""
-    given = [fixed[team].at(turn, rounds) if team in fixed else None for team in TEAMS]
+    given = [_play_of(fixed[t], t, turn, rounds) if t in fixed else None for t in TEAMS]
     if told:
         told(0.0)
     return states.core.backup(turn, after, given[0], given[1], chosen, states.threads, told)
+
+
+def _play_of(fixed: Fixed, team: Team, turn: int, rounds: int) -> NDArray[np.float64]:
+    """Return the probabilities of a champion's team with so many rounds left, this one included."""
+    if isinstance(fixed, Solution):
+        return fixed.probabilities(team, rounds, turn)
+    return fixed[turn]
 
 
 def induct(
@@ -222,23 +201,37 @@ def induct(
     champions: Mapping[Team, Champion],
 ) -> Solution:
     """Check all arguments, list the states, and go back through the rounds."""
-    config = config_of(world)
+    config, most = config_of(world), checks.INT_MAX
     checks.check_choice("payoff", payoff, PAYOFFS)
-    parts = {team: parts_of(config, champion, team) for team, champion in champions.items()}
-    rounds = rounds_of(config, steps, *parts.values())
+    for champion in champions.values():
+        _check_champion(champion, world)
+        if isinstance(champion, Solution):
+            most = min(most, champion.steps)  # it plays no more rounds than its own
+    rounds = checks.check_integer("steps", config.max_steps if steps is None else steps, 1, most)
     states = States.of(world)
-    fixed = {team: fixed_play(states, each, team) for team, each in parts.items()}
-    return go_back(states, rounds, payoff, fixed)
+    fixed: dict[Team, Fixed] = {
+        team: each if isinstance(each, Solution) else states.decisions(each, team)
+        for team, each in champions.items()
+    }
+    return _go_back(states, rounds, payoff, fixed)
 
 
-def rounds_of(config: WorldConfig, steps: int | None, *champions: Members) -> int:
-    """Return the rounds of an episode; solutions among champions play no more than their own."""
-    known = [part.steps for parts in champions for _, part in parts if isinstance(part, Solution)]
-    most = min(known, default=checks.INT_MAX)
-    return checks.check_integer("steps", config.max_steps if steps is None else steps, 1, most)
+def _check_champion(champion: Champion, world: WorldConfig | States) -> None:
+    if not isinstance(champion, Solution | Population | str):
+        expected = "a Population, the name of a script or a Solution"
+        raise TypeError(f"champion: expected {expected}, got {checks.shown(champion)}")
+    if isinstance(champion, Solution) and champion.states is not world:
+        raise ValueError("champion: expected a solution of the same States, got one of others")
+    if isinstance(champion, str):
+        checks.check_choice("champion", champion, SCRIPTS)
+    if isinstance(champion, Population) and champion.policy.memory != "none":
+        raise ValueError(
+            "champion: expected a network without memory, whose choices depend on the present "
+            f"state alone, got memory {champion.policy.memory!r}"
+        )
 
 
-def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, Fixed]) -> Solution:
+def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, Fixed]) -> Solution:
     """Go back from the last round to the first."""
     captures = payoff == "capture-rate"
     counts = [states.count(turn) for turn in range(states.n_turns)]
@@ -246,7 +239,7 @@ def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, F
     if captures:
         values[0][0] = states.payoffs
     first = values[0][0].copy()  # the row of the first turn
-    changes = any(each.depends_on_rounds for each in fixed.values())
+    changes = any(isinstance(each, Solution) for each in fixed.values())
     what, n_turns = "best responses" if fixed else "perfect play", states.n_turns
     gap, left = 0.0, 0
     while left < rounds:
@@ -353,45 +346,3 @@ def expected_payoff(
     `pursuers` and `evaders` are champions; `world`, `steps` and `payoff` are as in `solve`.
     """
     return induct(world, steps, payoff, {"pursuer": pursuers, "evader": evaders}).value
-
-
-def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
-    """Return what a champion, which may be a nested mixture, comes to: weights with others."""
-    checks.check_choice("team", team, TEAMS)
-    if isinstance(champion, Solution):
-        return [(1.0, champion)]
-    if isinstance(champion, str | Population):
-        check_team("champion", champion)
-        if isinstance(champion, Population) and champion.policy.memory != "none":
-            raise ValueError(
-                f"champion: expected a network without memory, whose choices depend on the present "
-                f"state alone, got memory {champion.policy.memory!r}"
-            )
-        return [(1.0, champion)]
-    if not issubclass(type(champion), Sequence):
-        expected = "a Population, the name of a script, a Solution, or weights with these"
-        raise TypeError(f"champion: expected {expected}, got {checks.shown(champion)}")
-    for part in champion:
-        if not isinstance(part, Sequence) or isinstance(part, str) or len(part) != 2:
-            raise TypeError(f"champion: expected weights with champions, got {checks.shown(part)}")
-    weights = [checks.check_number("weight", weight, least=0.0, most=1.0) for weight, _ in champion]
-    if abs(sum(weights) - 1.0) > 1e-9:
-        raise ValueError(f"champion: expected weights with the sum 1, got {sum(weights):g}")
-    return [
-        (weight * share, part)
-        for weight, (_, member) in zip(weights, champion, strict=True)
-        for share, part in parts_of(config, member, team)
-    ]
-
-
-def fixed_play(states: States, parts: Members, team: Team) -> Fixed:
-    """Return the play of the parts in all states."""
-    if any(isinstance(part, Solution) and part.states is not states for _, part in parts):
-        raise ValueError("champion: expected a solution of the same States, got one of others")
-    return Fixed(
-        team,
-        tuple(
-            (weight, part if isinstance(part, Solution) else states.decisions(part, team))
-            for weight, part in parts
-        ),
-    )
