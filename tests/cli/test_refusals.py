@@ -47,8 +47,6 @@ REPLAY = [
     (["O", "--pursuer", "3"], 2, "--pursuer: expected one of random, still, chaser, fleer, "),
     (["O", "--rows", "1", "--cols", "3"], 2, "rows: expected at least 38 cells"),
     (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
-    (["O", "--steps", "1", "--view", "pursuer_8", "--out", "x.png"], 1, "got 'pursuer_8'"),
-    (["O", "--view", "pursuer_0"], 2, "--out writes no picture: expected no --view with it"),
     (["O", "--numbers", "--out", "x.npz"], 2, "--out writes no picture: expected no --numbers"),
     (["O", "--step", "3", "--out", "x.gif"], 2, "--out writes no .png: expected no --step"),
     (["O", "--steps", "5", "--step", "6"], 2, "--step: expected -6 to 5, got 6"),

@@ -26,7 +26,6 @@ from matrixworld.coevolution.groups import RunGroup, by_clarity, job_directory
 from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import find_runs
 from matrixworld.coevolution.types import Team
-from matrixworld.world.config import WorldConfig
 
 # Judgements:
 
@@ -191,11 +190,9 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
     metavar="NUMBER|all",
     help="which one, negative numbers from the last; all: means of every one  [default: the last]",
 )
-@click.option("--training-worlds", "trained", is_flag=True, help="in each world of training, too")
 @options.shared("episodes", "steps", "seed", "json", "force", "threads", "cluster")
 def score_command(
     runs: list[Path],
-    trained: bool,
     json_file: Path | None,
     force: bool,
     threads: int | None,
@@ -217,41 +214,27 @@ def score_command(
     options.check_outputs(json_file, force=force)
     with usage_errors():
         groups = options.finished_groups(runs, unfinished=True)
-        places = [(group, world) for group in groups for world in _worlds(group, trained)]
-        every = [(run, world) for group, world in places for run in group.runs]
+        every = [(run, None) for group in groups for run in group.runs]
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
             played = held_out.score_runs(
                 every, threads=threads, executor=executor, report=bar, **chosen
             )
     matches = sum(each.matches for of_run in played for each in of_run.values())
     found: dict[str, Any] = {}
-    for group, world in places:
-        of_runs = [played.pop(0) for _ in group.runs]
-        if world is None:
-            finished = f": {console.seeds_finished(group)}" if group.several else ""
-            console.print_head(f"{group.name}{finished}")
-            found[group.name] = {
-                "seeds": list(group.seeds),
-                "missing": list(group.missing),
-                "held_out": held_out.HELD_OUT_VERSION,
-                **_print_scores(group, of_runs),
-            }
-            console.print_missing(group)
-        else:
-            size = f"{world.rows} x {world.cols}, {world.n_pursuers} v {world.n_evaders}"
-            walls = ", with obstacles" if world.density or world.map is not None else ""
-            console.print_head(f"{group.name} in a world of training: {size}{walls}")
-            in_world = {"world": world.to_json(), **_print_scores(group, of_runs)}
-            found[group.name].setdefault("training_worlds", []).append(in_world)
+    for group in groups:
+        finished = f": {console.seeds_finished(group)}" if group.several else ""
+        console.print_head(f"{group.name}{finished}")
+        found[group.name] = {
+            "seeds": list(group.seeds),
+            "missing": list(group.missing),
+            "held_out": held_out.HELD_OUT_VERSION,
+            **_print_scores(group, [played.pop(0) for _ in group.runs]),
+        }
+        console.print_missing(group)
     console.say()
     console.print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
     console.say(f"{matches:,} matches were played.")
     options.write_json(json_file, {"seed": chosen["seed"], "groups": found})
-
-
-def _worlds(group: RunGroup, trained: bool) -> list[WorldConfig | None]:
-    """Return the worlds in which the runs of a group are scored; None is their own."""
-    return [None, *(group.runs[0].settings.training_worlds if trained else ())]
 
 
 def _print_scores(

@@ -28,11 +28,9 @@ from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, EnginePolicy, Script
 from matrixworld.world.rules import VARIANTS, Rules, rules_of
 
-SLOWEST, FASTEST = 0.1, 50.0
-"""Frames a second that a GIF can show: it holds delays in hundredths of a second."""
 SUFFIXES = (".gif", ".mp4", ".png", ".npz")
-SHOWN_SECONDS = 10
-"""About how long a GIF or film takes for which nothing else is asked."""
+FRAMES = 100
+"""About how many frames a GIF or film has: as many as are shown in 10 seconds."""
 CHASER, FLEER = "chaser", "fleer"
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -88,23 +86,10 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     multiple=True,
     callback=_out,
     metavar="FILE",
-    help="write the episode to a file instead of showing it: .gif, .mp4, .png (one moment: --step) "
-    "or .npz (its data); may be given several times",
+    help="write the episode to a file instead of showing it: .gif, .mp4 (of a long episode some "
+    "steps), .png (one moment: --step) or .npz (its data); may be given several times",
 )
 @options.shared("force")
-@click.option(
-    "--fps",
-    type=click.FloatRange(SLOWEST, FASTEST),
-    default=10.0,
-    show_default=True,
-    metavar="NUMBER",
-    help="frames a second",
-)
-@options.integer(
-    "--every",
-    "steps from one frame to the next  [default: 1; of a .gif or .mp4 as many as make about "
-    f"{SHOWN_SECONDS} seconds]",
-)
 @click.option(
     "--step",
     type=int,
@@ -119,23 +104,14 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     "--step",
 )
 @click.option("--numbers", is_flag=True, help="agents carry their numbers in pictures")
-@click.option(
-    "--view",
-    multiple=True,
-    metavar="AGENT",
-    help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
-)
 @options.shared("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
     out: tuple[Path, ...],
     force: bool,
-    fps: float,
-    every: int | None,
     step: int | None,
     explain: bool,
     numbers: bool,
-    view: tuple[str, ...],
     **game: Any,
 ) -> None:
     """Watch an episode in the terminal, or write it to files.
@@ -155,8 +131,8 @@ def replay_command(
             show_match(run, given, out, force=force)
             return
     suffixes = {path.suffix.lower() for path in out}
-    if not suffixes - {".npz"}:  # the terminal shows neither fields of view nor numbers
-        _refuse(given.keys() & {"view", "numbers"}, "--out writes no picture")
+    if not suffixes - {".npz"}:  # the terminal shows no numbers
+        _refuse(given.keys() & {"numbers"}, "--out writes no picture")
     if out and ".png" not in suffixes:
         _refuse(given.keys() & {"step"}, "--out writes no .png")
     options.check_outputs(*out, force=force)
@@ -167,24 +143,20 @@ def replay_command(
         lines = [f"step {now}  {why}" for now in steps if explain for why in played.explain(now)]
     if explain and not lines:
         lines = ["no conflicts" if step is None else f"step {step}  no conflicts"]
-    if every is None and suffixes & {".gif", ".mp4"}:
-        every = max(1, round(played.length / (SHOWN_SECONDS * fps)))
-        if every > 1:
-            say(f"Every {every} steps are a frame, so that it takes about {SHOWN_SECONDS} seconds.")
-    moment = -1 if step is None else step
-    look: dict[str, Any] = {"fps": fps, "step": moment, "numbers": numbers, "viewers": view}
+    every = max(1, round(played.length / FRAMES))
     for path in out:
         if path.suffix.lower() == ".npz":
             played.save(path)
-            continue
-        try:
-            replay.save(played, path, every=every or 1, **look)
-        except ValueError as error:
-            raise click.ClickException(str(error)) from error
+        else:
+            replay.save(
+                played, path, every=every, step=-1 if step is None else step, numbers=numbers
+            )
+    if every > 1 and suffixes & {".gif", ".mp4"}:
+        say(f"Every {every} steps are a frame.")
     if not out and step is not None:
         replay.print_moment(played, step=step)
     elif not (out or explain):
-        replay.animate_terminal(played, fps=fps, every=every or 1)
+        replay.animate_terminal(played)
     for line in lines:
         say(line)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
