@@ -74,7 +74,7 @@ def test_every_step_or_one_is_explained():
     episode = record(WorldConfig("SB", rows=7, cols=7, max_steps=20), "chaser", "fleer", seed=3)
     lines = [f"step {t}  {text}" for t in range(1, 21) for text in episode.explain(t)]
     assert replayed(*game).splitlines()[:-1] == lines
-    drawn = render.ansi(replay.scene(episode, 17), color="none").splitlines()
+    drawn = render.ansi(replay.scene(episode, 17), color=False).splitlines()
     of_one = [line for line in lines if line.startswith("step 17 ")]
     assert replayed(*game, "--step", -4).splitlines()[:-1] == drawn + of_one
     assert replayed(*STILL, "--steps", 2, "--explain").startswith("no conflicts\n")

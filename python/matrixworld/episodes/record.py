@@ -240,7 +240,7 @@ class Text:
     def show(self, scene: Scene) -> None:
         """Show a scene."""
         if not self.watched:
-            self._stream.write(ansi(scene, color="none") + "\n\n")
+            self._stream.write(ansi(scene, color=False) + "\n\n")
             return
         drawn = ansi(scene, **text_look(scene.shape, self._stream))
         self._stream.write(self._start)

@@ -24,15 +24,14 @@ from matrixworld._util import checks, colors
 from matrixworld._util.files import replacing
 from matrixworld.episodes.episode import Episode, scene
 from matrixworld.version import imported
-from matrixworld.world.canvas import SMALLEST_NUMBERED, Layout, fitting_cell
+from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.world.render import ansi, rgb
 
 __all__ = ["Animation", "animation", "save", "scene"]
 
 FOV = 11  # side of a field of view if the episode does not state it
-MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
 SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster animations
-LONGEST_HOLD = 600.0  # seconds; a GIF has 16 bits for hundredths
+HOLD = 2.0  # seconds for which the last frame is shown longer
 FRAMES = 120  # the most frames of an animation in a notebook
 PIXELS = 480  # wanted length of the longer side of its field
 
@@ -106,7 +105,6 @@ def save(
     *,
     fps: float = 10.0,
     every: int = 1,
-    hold: float = 2.0,
     step: int = -1,
     **look: Unpack[Look],
 ) -> None:
@@ -124,8 +122,6 @@ def save(
         Frames per second, 0.1 to 50.
     every : int, optional
         Steps from one frame to the next. The last step is always shown.
-    hold : float, optional
-        Seconds for which the last frame is shown longer.
     step : int, optional
         The moment of a PNG, as for `scene`.
     **look
@@ -149,19 +145,16 @@ def save(
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
-    pictures = _Pictures(episode, look)
-    if suffix == ".png":
-        picture, drawn = Image.fromarray(pictures.draw(step)), PngInfo()
-        drawn.add_text("Software", "matrixworld")
-    else:
-        times = _times(episode, every)
-        fps, hold = pictures.check_frames(times, fps=fps, hold=hold)
+    fps = checks.check_number("fps", fps, least=SLOWEST, most=FASTEST)
+    times, draw_step = _times(episode, every), _pictures(episode, look)
     with replacing(path) as file:
         if suffix == ".png":
-            picture.save(file, "PNG", pnginfo=drawn)
+            drawn = PngInfo()
+            drawn.add_text("Software", "matrixworld")
+            Image.fromarray(draw_step(step)).save(file, "PNG", pnginfo=drawn)
         else:
             write = write_gif if suffix == ".gif" else write_mp4
-            write(file, pictures.draw, times, fps=fps, hold=hold)
+            write(file, draw_step, times, fps=fps, hold=HOLD)
 
 
 def animation(
@@ -175,49 +168,28 @@ def animation(
     frames, and about 480 pixels a side.
     """
     checks.check_keywords(look, Look.__annotations__, animation)
+    fps = checks.check_number("fps", fps, least=SLOWEST, most=FASTEST)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
-    pictures = _Pictures(episode, look, PIXELS)
-    times = _times(episode, every)
-    fps, hold = pictures.check_frames(times, fps=fps, hold=2.0)
-    buffer = io.BytesIO()
-    write_gif(buffer, pictures.draw, times, fps=fps, hold=hold)
+    times, buffer = _times(episode, every), io.BytesIO()
+    if look.get("cell") is None:
+        least = SMALLEST_NUMBERED if look.get("numbers") else 1
+        look["cell"] = fitting_cell(episode.map.shape, PIXELS, least)
+    write_gif(buffer, _pictures(episode, look), times, fps=fps, hold=HOLD)
     return Animation(buffer.getvalue())
 
 
-class _Pictures:
-    """Pictures of an episode's moments; `field` is the wanted size of a field, in pixels."""
-
-    def __init__(self, episode: Episode, look: Look, field: int | None = None) -> None:
-        checks.check_instance("episode", episode, Episode)
-        self._episode = episode
-        self._look: dict[str, Any] = {**look}
-        self._trail = checks.check_integer("trail", self._look.pop("trail", 6), 0)
-        if self._look.get("fov") is None:
-            self._look["fov"] = int(episode.config.get("fov", FOV))
-        least = SMALLEST_NUMBERED if look.get("numbers") else 1
-        shape, cell = episode.map.shape, look.get("cell")
-        if cell is None and field is not None:
-            self._look["cell"] = cell = fitting_cell(shape, field, least)
-        layout = Layout.of(shape, cell, least=least)
-        self.pixels: int = layout.width * layout.height
-
-    def draw(self, step: int) -> NDArray[np.uint8]:
-        return rgb(scene(self._episode, step, trail=self._trail), **self._look)
-
-    def check_frames(self, times: list[int], *, fps: float, hold: float) -> tuple[float, float]:
-        """Return fps and hold, or raise ValueError or TypeError before a file is begun."""
-        pixels = len(times) * self.pixels
-        if pixels > MOST_ANIMATED:
-            expected = f"at most {MOST_ANIMATED:,} pixels in all"
-            raise ValueError(f"animation: expected {expected}, got {checks.shown(pixels)}")
-        return (
-            checks.check_number("fps", fps, least=SLOWEST, most=FASTEST),
-            checks.check_number("hold", hold, least=0.0, most=LONGEST_HOLD),
-        )
+def _pictures(episode: Episode, look: Look) -> Draw:
+    """Return what draws moments of an episode."""
+    chosen: dict[str, Any] = {**look}
+    trail = chosen.pop("trail", 6)
+    if chosen.get("fov") is None:
+        chosen["fov"] = int(episode.config.get("fov", FOV))
+    return lambda step: rgb(scene(episode, step, trail=trail), **chosen)
 
 
 def _times(episode: Episode, every: int | None) -> list[int]:
     """Return the times of frames; the end, the most interesting one, whatever the stride."""
+    checks.check_instance("episode", episode, Episode)
     length = episode.length
     default = -(-length // FRAMES) or 1
     stride = default if every is None else checks.check_integer("every", every, 1)
@@ -242,13 +214,11 @@ def draw(frame: str, stream: TextIO) -> None:
     stream.flush()
 
 
-def color_mode(stream: TextIO) -> str:
-    """Return the colors that `ansi` may use on a stream, by NO_COLOR, TERM and COLORTERM."""
+def has_colors(stream: TextIO) -> bool:
+    """Return whether a stream shows colors and Unicode, by NO_COLOR and TERM, too."""
     encoding = (getattr(stream, "encoding", None) or "utf-8").lower()
     plain = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
-    if plain or not stream.isatty() or not encoding.startswith("utf"):
-        return "none"
-    return "true" if os.environ.get("COLORTERM") in ("truecolor", "24bit") else "256"
+    return stream.isatty() and encoding.startswith("utf") and not plain
 
 
 def terminal_size(stream: TextIO) -> os.terminal_size:
@@ -261,9 +231,9 @@ def terminal_size(stream: TextIO) -> os.terminal_size:
 
 def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
     """Return the keyword arguments of `ansi` for a grid, in half blocks where it would not fit."""
-    mode, (columns, lines), (rows, cols) = color_mode(stream), terminal_size(stream), shape
+    color, (columns, lines), (rows, cols) = has_colors(stream), terminal_size(stream), shape
     fits = 2 * cols <= columns and rows + 2 <= lines  # cells of two characters, below a title
-    return {"color": mode, "compact": mode != "none" and not fits}
+    return {"color": color, "compact": color and not fits}
 
 
 # Frames of a GIF, and of an MP4 by ffmpeg:

@@ -41,19 +41,11 @@ _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
 
 WORLDS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
     {
-        name: {
-            "rules": rules,
-            "rows": side,
-            "cols": side,
-            "n_pursuers": pursuers,
-            "n_evaders": evaders,
-            "obstacles": obstacles,
-            "max_steps": 200,
-        }
-        for name, rules, side, pursuers, evaders, obstacles in (
-            ("courtyard", "O", 20, 4, 4, 0.1),
-            ("thicket", "D", 10, 6, 3, 0.2),
-            ("park", "TO", 28, 4, 4, 0.1),
+        name: {**sizes, "rules": rules, "cols": sizes["rows"], "max_steps": 200}
+        for name, rules, sizes in (
+            ("courtyard", "O", {"rows": 20, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1}),
+            ("thicket", "D", {"rows": 10, "n_pursuers": 6, "n_evaders": 3, "obstacles": 0.2}),
+            ("park", "TO", {"rows": 28, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1}),
         )
     }
 )

@@ -384,7 +384,6 @@ def _shortened(title: str, room: int, size: int) -> str:
 
 # Text:
 
-MODES = ("true", "256", "none")
 RESET = "\x1b[0m"
 
 
@@ -401,7 +400,7 @@ UNICODE = {"pursuer": "▲", "evader": "●", "captured": "○", "obstacle": "�
 ASCII = {"pursuer": "P", "evader": "E", "captured": "e", "obstacle": "##", "free": ". "}
 
 
-def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
+def ansi(scene: Scene, *, color: bool = True, compact: bool = False) -> str:
     """Draw a scene as lines of text, without a newline at the end.
 
     A cell is two characters wide. The second one is the number of agents if there are several. If
@@ -412,18 +411,17 @@ def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
     ----------
     scene : Scene
         What to draw.
-    color : {"true", "256", "none"}, optional
-        24-bit escape codes, the 256-color palette, or plain ASCII: P pursuer, E evader,
-        e captured evader, X both teams, x a death, # obstacle.
+    color : bool, optional
+        Escape codes of the palette of 256 colors (the default), or plain ASCII: P pursuer,
+        E evader, e captured evader, X both teams, x a death, # obstacle.
     compact : bool, optional
         Whether to draw half blocks: two rows of cells per line and one character per column. Only
         colors tell the teams apart then, so it needs colors.
     """
     checks.check_instance("scene", scene, Scene)
-    checks.check_choice("color", color, MODES)
-    if checks.check_bool("compact", compact) and color == "none":
-        raise ValueError("compact: expected color 'true' or '256', got 'none'")
-    glyphs = ASCII if color == "none" else UNICODE
+    if checks.check_bool("compact", compact) and not checks.check_bool("color", color):
+        raise ValueError("compact: expected color with it, got color=False")
+    glyphs = UNICODE if color else ASCII
     pursuers, evaders = scene.team_sizes()
     legend = [
         (scene.title + "   " if scene.title else "", Ink()),
@@ -507,30 +505,25 @@ def _half_blocks(scene: Scene) -> list[list[Run]]:
     ]
 
 
-def _painted(line: list[Run], color: str) -> str:
+def _painted(line: list[Run], color: bool) -> str:
     """Return the line with an escape code at each change of colour, reset at its end."""
-    number = _palette_number if color == "256" else _true_number
     parts = []
     for ink, runs in groupby(line, key=lambda run: run[1]):
         text = "".join(run[0] for run in runs)
         codes = [
-            f"{place};{number(colour)}"
+            f"{place};5;{_palette_number(colour)}"
             for place, colour in (("38", ink.text), ("48", ink.ground))
-            if colour and color != "none"
+            if colour and color
         ]
         parts.append(f"\x1b[{';'.join(codes)}m{text}{RESET}" if codes and text else text)
     return "".join(parts)
 
 
-def _true_number(colour: str) -> str:
-    return "2;{};{};{}".format(*ImageColor.getrgb(colour))
-
-
 @lru_cache(maxsize=64)
-def _palette_number(colour: str) -> str:
+def _palette_number(colour: str) -> int:
     """Return the nearest colour of the 6 x 6 x 6 and 24 greys that xterm numbers 16 to 255."""
     # The first 16 colours are left out, because users choose them.
     greys = [(8 + 10 * grey,) * 3 for grey in range(24)]
     palette = np.array([*product((0, 95, 135, 175, 215, 255), repeat=3), *greys])
     distances = ((palette - ImageColor.getrgb(colour)) ** 2).sum(axis=1)
-    return f"5;{16 + distances.argmin()}"
+    return 16 + int(distances.argmin())
