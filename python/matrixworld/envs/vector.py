@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from copy import copy as copy_of
 from enum import Enum
 from inspect import signature
-from typing import Any, TypeVar, cast
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 from gymnasium import spaces
@@ -71,26 +71,7 @@ _NOT_IN_INFOS = {
 _RENAMED = {"steps": "step", "episode": "episode_number"}
 
 
-class SharedArrays:
-    """Base of what has arrays that others share: what is assigned to one is written into it."""
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute, or the values of an array; TypeError or ValueError if these cannot."""
-        array = vars(self).get(name)
-        if not isinstance(array, np.ndarray):
-            super().__setattr__(name, value)
-        elif value is not array:  # as after +=
-            given = checks.unmasked(name, value)
-            if not np.can_cast(given.dtype, array.dtype, "same_kind"):
-                raise TypeError(f"{name}: expected {array.dtype}, got {given.dtype}")
-            if given.ndim:
-                checks.check_shape(name, given, *array.shape)
-            array[...] = given
-
-
-class VectorEnv(
-    SharedArrays, PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]
-):
+class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     """Vector environment of W worlds with A agents each, pursuers first.
 
     Parameters
@@ -124,8 +105,7 @@ class VectorEnv(
     observations, rewards, terminations, truncations, infos : ndarray and dict
         Results of the last step, see Notes. Every step overwrites these arrays.
     actions : ndarray of int64, shape (W, A)
-        Actions for a `step` without arguments. What is assigned to this attribute, to another array
-        here or to one of a `TeamView`, is written into the array: all keep sharing it.
+        Actions for a `step` without arguments, to write into: ``envs.actions[:] = 0``.
     pursuers, evaders : TeamView
         The teams' parts of these arrays; of a built-in team without agents.
     agents : range
@@ -222,10 +202,10 @@ class VectorEnv(
         self.observation_space = _widened(self._space, shape)
         self.single_action_space = spaces.MultiDiscrete([n_actions] * len(self.agents))
         self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
-        self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, len(self.agents)), np.int64)
+        self._actions: NDArray[np.int64] = np.zeros(shape[:2], np.int64)
         first_evader = max(0, self.config.n_pursuers - self.agents.start)
-        self.pursuers: TeamView = TeamView(self, slice(0, first_evader))
-        self.evaders: TeamView = TeamView(self, slice(first_evader, None))
+        self.pursuers: TeamView = TeamView.of(self, slice(0, first_evader))
+        self.evaders: TeamView = TeamView.of(self, slice(first_evader, None))
         self._seeded = False
         # A batch starts with fixed seeds, which would make every unseeded run the same.
         self._batch.reset(np.random.SeedSequence().generate_state(self.num_envs, np.uint64))
@@ -234,6 +214,11 @@ class VectorEnv(
     def n_worlds(self) -> int:
         """The number of worlds, W; Gymnasium's name is ``num_envs``."""
         return self.num_envs
+
+    @property
+    def actions(self) -> NDArray[np.int64]:
+        """Actions for a `step` without arguments, int64 (W, A)."""
+        return self._actions
 
     @property
     def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
@@ -246,8 +231,7 @@ class VectorEnv(
         """Start an episode in every world, or in some, and return observations and infos.
 
         `seed` and `options` (any of `OPTIONS`) are as for `Batch.reset`, whose ``mask`` is
-        ``reset_mask`` here. With None in a list of seeds, too, a world starts its seed's next
-        episode; worlds that never had a seed draw one from the operating system.
+        ``reset_mask`` here. Worlds that never had a seed draw one from the operating system.
         """
         self._start(seed, options)
         return self._returned((self.observations, self.infos))
@@ -261,16 +245,7 @@ class VectorEnv(
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
         mask = given.pop("reset_mask", None)
-        if isinstance(seed, list | tuple) and len(seed) == self.num_envs and None in seed:
-            # Such worlds start their seed's next episode, as in Gymnasium.
-            anew = np.array([each is None for each in seed])
-            chosen = np.ones_like(anew) if mask is None else checks.unmasked("mask", mask)
-            known = [0 if each is None else each for each in seed]
-            self._batch.reset(known, mask=chosen & ~anew, **given)
-            given.pop("episode", None)
-            self._batch.reset(mask=chosen & anew, **given)
-        else:
-            self._batch.reset(seed, mask=mask, **given)
+        self._batch.reset(seed, mask=mask, **given)
         if self._team is not None:
             everywhere = np.ones(self.num_envs, np.bool_)
             self._team.begin(everywhere if mask is None else np.asarray(mask))
@@ -353,12 +328,13 @@ def make_vec(
     return VectorEnv(config, num_envs, **with_opponent(team, opponent, limited))
 
 
-class TeamView(SharedArrays):
+class TeamView(NamedTuple):
     """One team's part of the arrays and infos of a `VectorEnv`; shapes begin with (W, n).
 
     Every step overwrites these arrays, also with ``copy=True``: copy what you keep.
     """
 
+    agents: slice
     observations: NDArray[Any]
     actions: NDArray[np.int64]
     rewards: NDArray[np.float32]
@@ -371,10 +347,11 @@ class TeamView(SharedArrays):
     involved: NDArray[np.bool_]
     fault: NDArray[np.bool_]
 
-    def __init__(self, env: VectorEnv, agents: slice) -> None:
-        whole = vars(env) | env.infos
-        vars(self).update({name: whole[name][:, agents] for name in TeamView.__annotations__})
-        self.agents: slice = agents
+    @classmethod
+    def of(cls, env: VectorEnv, agents: slice) -> TeamView:
+        """Return the part of these agents."""
+        whole = {**vars(env), **env.infos, "actions": env.actions}
+        return cls(agents, *(whole[name][:, agents] for name in cls._fields[1:]))
 
 
 class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
