@@ -138,15 +138,3 @@ def test_a_rating_plays_the_same_wherever_it_plays() -> None:
             env.step(dict.fromkeys(env.agents, 0))
         states.append(env.unwrapped.state())
     assert np.array_equal(*states)
-
-
-@pytest.mark.parametrize("hidden", [(), (6, 4)], ids=str)
-def test_a_module_of_pytorch_rates_the_same(hidden: tuple[int, ...]) -> None:
-    torch: Any = pytest.importorskip("torch", exc_type=ImportError)
-    policy = rating_of(inputs=("room", "adversary", "pressure"), hidden=hidden)
-    policy.genome[:] = np.random.default_rng(4).normal(size=policy.genome.shape)  # biases, too
-    inputs = np.random.default_rng(2).uniform(0, 2, (50, 5, len(mw.INPUTS))).astype(np.float32)
-    module = policy.to_torch()
-    with torch.no_grad():
-        rated = module(torch.from_numpy(inputs)).numpy()
-    np.testing.assert_allclose(rated, policy.rate(inputs), rtol=1e-4, atol=1e-5)

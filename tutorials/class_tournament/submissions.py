@@ -27,7 +27,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from matrixworld._util.files import UNREADABLE, DamagedFileError, check_regular, one_line
-from matrixworld.play.policies import parse_genome
+from matrixworld.play import policies
 from matrixworld.world.policy import Population, Team, TeamPolicy
 
 FileKind: TypeAlias = Literal["program", "genome", "predictions"]
@@ -256,7 +256,7 @@ def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
         _check_archive(content)
     except UNREADABLE as error:
         raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
-    return parse_genome(path, content)
+    return policies.read_genome(path, content)
 
 
 def _check_archive(content: bytes) -> None:
