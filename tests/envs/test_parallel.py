@@ -9,7 +9,7 @@ import pytest
 from pettingzoo.utils.conversions import aec_to_parallel
 
 import matrixworld as mw
-from matrixworld.envs.single import EnvSettings, MatrixWorldAEC, MatrixWorldBase
+from matrixworld.envs.single import MatrixWorldAEC
 from matrixworld.world.config import WorldSettings
 from rows import NAMES, by_name, config_of, play_turns, random_actions
 
@@ -164,10 +164,8 @@ def keywords_of(made: Any) -> dict[str, str]:
     return {each.name: each.annotation for each in parameters if each.kind is each.KEYWORD_ONLY}
 
 
-def test_settings_of_keywords_are_those_of_worlds_and_environments() -> None:
-    world, env = annotations_of(WorldSettings), annotations_of(EnvSettings)
-    assert world == keywords_of(mw.WorldConfig)
-    assert dict(env.items() - world.items()) == keywords_of(MatrixWorldBase)
+def test_settings_of_keywords_are_those_of_worlds() -> None:
+    assert annotations_of(WorldSettings) == keywords_of(mw.WorldConfig)
 
 
 @pytest.mark.parametrize(

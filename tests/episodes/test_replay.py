@@ -96,7 +96,7 @@ def test_what_is_refused_leaves_no_file(
     monkeypatch.chdir(tmp_path)
     with pytest.raises(ValueError, match=f"^{name}: expected"):
         save(EPISODE, **{"path": "no.gif", **options})
-    with pytest.raises(TypeError, match=f"unexpected keyword argument .{name}s.; did you mean"):
+    with pytest.raises(TypeError, match=f"unexpected keyword argument .{name}s"):
         save(EPISODE, "no.gif", **{f"{name}s": 1})
     assert os.listdir(tmp_path) == []
 

@@ -13,7 +13,7 @@ from functools import cache
 from math import ceil
 from numbers import Real
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -87,30 +87,20 @@ def check_number(
 def check_floats(
     name: str, given: ArrayLike, dtype: type[np.floating[Any]] = np.float64
 ) -> NDArray[Any]:
-    """Return real numbers as a new array of a float dtype.
-
-    Refused are text, complex numbers, rows of different lengths, masked cells, sets and mappings.
-    """
+    """Return real numbers as a new array of a float dtype; no text and no masked cells."""
     expected = f"{name}: expected an array of numbers, got"
-    if isinstance(given, Set | Mapping):
-        raise TypeError(f"{expected} {shown(given)}")
-    if callable(cast(object, given)):
-        call = f"{getattr(given, '__name__', 'it')}()"
-        raise TypeError(f"{expected} a function; did you mean {call}?")
     try:
-        array = np.asarray(given)
-        # What a mask hides is no number, and `asarray` returns it.
-        mask = False if array is given else np.ma.getmask(np.ma.asarray(given))
-        kept = np.array(array, dtype) if array.dtype.kind in "biufO" else None
+        array = np.ma.asarray(given)
+        kept = np.array(array.data, dtype) if array.dtype.kind in "biufO" else None
     except OverflowError:
         raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None
     except (TypeError, ValueError) as error:
         raise type(error)(f"{expected} {_no_number(given)}") from None
-    if np.any(mask):
-        where = ", ".join(map(str, np.argwhere(mask)[0]))
-        raise ValueError(f"{expected} a masked cell at ({where})")
     if kept is None:
         raise TypeError(f"{expected} {shown(given)}")
+    if np.any(array.mask):
+        where = ", ".join(map(str, np.argwhere(array.mask)[0]))
+        raise ValueError(f"{expected} a masked cell at ({where})")
     return kept
 
 

@@ -34,21 +34,6 @@ from matrixworld.world.policy import Team
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
 
-
-class EnvSettings(WorldSettings, total=False):
-    """Keyword arguments of an environment, for type checkers."""
-
-    render_mode: str | None
-    record: bool
-    action_mask: bool | str
-    max_cycles: int | None
-    observation: Observation
-    dtype: DTypeLike | None
-    flatten: bool
-    pursuers: Opponents | None
-    evaders: Opponents | None
-
-
 Seen = NDArray[Any]
 Info = dict[str, Any]
 
@@ -375,9 +360,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, Seen, int]):  # type: ignore[m
     agent_selection: str
     _to_commit: list[str]  # agents of this turn that have not chosen yet
 
-    def __init__(
-        self, config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
-    ) -> None:
+    def __init__(self, config: WorldConfig | Rules | str = "O", **settings: Any) -> None:
         super().__init__(config, **settings)
         # Where teams or agents take turns, they see what earlier ones did: that game is not the one
         # in which all choose at once.
@@ -467,9 +450,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, Seen, int]):  # type: ignore[m
 parallel_env = MatrixWorldParallel
 
 
-def aec_env(
-    config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
-) -> MatrixWorldAEC:
+def aec_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> MatrixWorldAEC:
     """Make an environment of PettingZoo's AEC API: one agent acts after the other.
 
     Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
@@ -594,7 +575,7 @@ def make(
     *,
     team: Team | None = None,
     opponent: Opponents | None = None,
-    **settings: Unpack[EnvSettings],
+    **settings: Any,
 ) -> MatrixWorldParallel:
     """Make a `parallel_env` of which the caller plays both teams, or one against an opponent.
 

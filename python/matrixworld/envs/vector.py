@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from copy import copy as copy_of
-from enum import Enum
 from inspect import signature
 from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 from gymnasium import spaces
 from gymnasium.error import ClosedEnvironmentError
+from gymnasium.vector import AutoresetMode
 from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 from typing_extensions import Unpack
@@ -32,16 +32,6 @@ from matrixworld.world.policy import Team
 from matrixworld.world.render import rgb
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
-
-try:
-    from gymnasium.vector import AutoresetMode
-except ImportError:  # Gymnasium 1.0
-
-    class AutoresetMode(Enum):  # type: ignore[no-redef]
-        """When worlds whose episode has ended begin the next one."""
-
-        NEXT_STEP, SAME_STEP, DISABLED = "NextStep", "SameStep", "Disabled"
-
 
 OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
 """Keys that ``options`` of a reset may have."""

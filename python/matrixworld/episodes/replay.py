@@ -12,13 +12,12 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO, TextIO, TypedDict
+from typing import Any, BinaryIO, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageColor
 from PIL.PngImagePlugin import PngInfo
-from typing_extensions import Unpack
 
 from matrixworld._util import checks, colors
 from matrixworld._util.files import replacing
@@ -60,16 +59,6 @@ class Animation:
         return f'<img src="data:image/gif;base64,{encoded}" alt="{html.escape(self.alt)}">'
 
 
-class Look(TypedDict, total=False):
-    """Keyword arguments of pictures of an episode, for type checkers; see `save`."""
-
-    cell: int | None
-    trail: int
-    fov: int | None
-    viewers: Sequence[int | str]
-    numbers: bool
-
-
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
     """Show an episode in the terminal, in place; without one, print the last moment."""
     fps = checks.check_number("fps", fps, least=0.0, positive=True)
@@ -106,7 +95,7 @@ def save(
     fps: float = 10.0,
     every: int = 1,
     step: int = -1,
-    **look: Unpack[Look],
+    **look: Any,
 ) -> None:
     """Write an episode as an animation, a film, or a picture of one moment.
 
@@ -140,7 +129,6 @@ def save(
     >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
     >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
-    checks.check_keywords(look, Look.__annotations__, save)
     step = checks.check_integer("step", step)
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
@@ -158,7 +146,7 @@ def save(
 
 
 def animation(
-    episode: Episode, *, fps: float = 10.0, every: int | None = None, **look: Unpack[Look]
+    episode: Episode, *, fps: float = 10.0, every: int | None = None, **look: Any
 ) -> Animation:
     """Return an animation that a notebook shows, and stores in itself.
 
@@ -167,7 +155,6 @@ def animation(
     Takes `episode`, `fps`, `every` and `look` as `save` does. By default it has at most about 120
     frames, and about 480 pixels a side.
     """
-    checks.check_keywords(look, Look.__annotations__, animation)
     fps = checks.check_number("fps", fps, least=SLOWEST, most=FASTEST)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
     times, buffer = _times(episode, every), io.BytesIO()
@@ -178,12 +165,10 @@ def animation(
     return Animation(buffer.getvalue())
 
 
-def _pictures(episode: Episode, look: Look) -> Draw:
+def _pictures(episode: Episode, look: dict[str, Any]) -> Draw:
     """Return what draws moments of an episode."""
-    chosen: dict[str, Any] = {**look}
+    chosen = {"fov": int(episode.config.get("fov", FOV)), **look}
     trail = chosen.pop("trail", 6)
-    if chosen.get("fov") is None:
-        chosen["fov"] = int(episode.config.get("fov", FOV))
     return lambda step: rgb(scene(episode, step, trail=trail), **chosen)
 
 
