@@ -119,7 +119,7 @@ CALLS = [
     partial(replay.scene, episode=EPISODE, step=0, trail=2),
     partial(replay.save, **PICTURE, path="new.gif", fps=10.0, every=1, step=-1),
     partial(replay.animation, **PICTURE, fps=10.0, every=1),
-    partial(render.rgb, scene=WORLD.scene(), cell=4, fov=3, viewers=[0], numbers=False),
+    partial(render.rgb, scene=WORLD.scene(), cell=4, numbers=False),
     partial(render.ansi, scene=WORLD.scene(), color=True, compact=False),
     partial(EPISODE.explain, step=1),
     partial(mw.Recorder, world=WORLD),

@@ -83,12 +83,7 @@ def test_a_gif_shows_every_step(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "options"),
-    [
-        ("fps", {"fps": 0}),
-        ("every", {"every": 0}),
-        ("viewers", {"viewers": ["evader_7"]}),
-        ("path", {"path": "episode.avi"}),
-    ],
+    [("fps", {"fps": 0}), ("every", {"every": 0}), ("path", {"path": "episode.avi"})],
 )
 def test_what_is_refused_leaves_no_file(
     tmp_path: Path, name: str, options: dict[str, Any], monkeypatch: pytest.MonkeyPatch
@@ -141,18 +136,10 @@ def test_an_error_while_drawing_keeps_the_old_file(
     assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [(path.name, b"kept")]
 
 
-def test_a_picture_of_one_moment_with_the_views_of_its_world(tmp_path: Path) -> None:
-    save(EPISODE, tmp_path / "7.PNG", step=7, cell=9, fov=5, viewers=["evader_0", 1])
+def test_a_picture_of_one_moment(tmp_path: Path) -> None:
+    save(EPISODE, tmp_path / "7.PNG", step=7, cell=9)
     with Image.open(tmp_path / "7.PNG") as image:
-        wanted = render.rgb(scene(EPISODE, 7), cell=9, fov=5, viewers=["evader_0", 1])
-        assert (np.array(image) == wanted).all()
-    world = mw.WorldConfig(rows=12, cols=12, fov=5, max_steps=3)
-    episode = mw.record(world, "still", "still", seed=0)
-    own, five, seven = (
-        animation(episode, viewers=[np.uint8(0)], every=np.uint8(1), **look).data
-        for look in ({}, {"fov": np.uint8(5)}, {"fov": 7})
-    )
-    assert own == five != seven
+        assert (np.array(image) == render.rgb(scene(EPISODE, 7), cell=9)).all()
 
 
 def test_a_notebook_shows_an_animation() -> None:

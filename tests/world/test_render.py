@@ -114,12 +114,6 @@ def test_a_trail_leads_to_each_living_agent_and_fades() -> None:
     assert new[2] < old[2] < paper[2]  # the less blue, the stronger the vermilion
 
 
-def test_viewers_are_given_by_number_or_name() -> None:
-    named = rgb(scene(), viewers=["pursuer_1", "evader_0"], fov=3)
-    assert (named == rgb(scene(), viewers=[1, 2], fov=3)).all()
-    assert (rgb(scene(), viewers=[4], fov=3) == rgb(scene())).all()  # gone: sees nothing
-
-
 def test_plain_text_of_several_agents_captures_and_deaths() -> None:
     cells = [[0, 0], [0, 0], [0, 1], [0, 1], [0, 2], [0, 3], [0, 2], [0, 4]]
     captured = np.array([True, False, False, False, False])
@@ -145,8 +139,6 @@ def test_colours_are_codes_around_the_same_cells() -> None:
     [
         (rgb, {"cell": 0}, "cell"),
         (rgb, {"cell": 19, "numbers": True}, "cell"),
-        (rgb, {"fov": 4}, "fov"),
-        *((rgb, {"viewers": [wrong]}, "viewers") for wrong in (5, -1, "pursuer_2", "evader_3")),
         (ansi, {"color": False, "compact": True}, "compact"),
     ],
 )

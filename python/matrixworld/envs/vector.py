@@ -494,15 +494,9 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         raise AttributeError(f"call: expected render, render_mode or spec, got {name!r}")
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
-        """Return a picture of its world for each agent, with its field of view outlined."""
-        self.worlds._require_open("render")
-        if self.render_mode is None:
-            return None
-        scenes = [self.worlds.world(number).scene() for number in range(self.worlds.n_worlds)]
-        fov = self.worlds.config.fov
-        return tuple(
-            rgb(scene, fov=fov, viewers=[agent]) for scene in scenes for agent in self._agents
-        )
+        """Return a picture of its world for each agent; None without a render mode."""
+        pictures = self.worlds.render()
+        return pictures and tuple(picture for picture in pictures for _ in self._agents)
 
     def close_extras(self, **kwargs: Any) -> None:
         """Close the worlds."""

@@ -28,7 +28,6 @@ from matrixworld.world.render import ansi, rgb
 
 __all__ = ["Animation", "animation", "save", "scene"]
 
-FOV = 11  # side of a field of view if the episode does not state it
 SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster animations
 HOLD = 2.0  # seconds for which the last frame is shown longer
 FRAMES = 120  # the most frames of an animation in a notebook
@@ -114,9 +113,8 @@ def save(
     step : int, optional
         The moment of a PNG, as for `scene`.
     **look
-        ``cell``, ``viewers`` and ``numbers`` as for `render.rgb`; ``fov``, too, but by default that
-        of the episode's world. ``trail``: steps back that the trails of the agents go, 6 by
-        default.
+        ``cell`` and ``numbers`` as for `render.rgb`. ``trail``: steps back that the trails of the
+        agents go, 6 by default.
 
     Raises
     ------
@@ -167,9 +165,8 @@ def animation(
 
 def _pictures(episode: Episode, look: dict[str, Any]) -> Draw:
     """Return what draws moments of an episode."""
-    chosen = {"fov": int(episode.config.get("fov", FOV)), **look}
-    trail = chosen.pop("trail", 6)
-    return lambda step: rgb(scene(episode, step, trail=trail), **chosen)
+    trail = look.pop("trail", 6)
+    return lambda step: rgb(scene(episode, step, trail=trail), **look)
 
 
 def _times(episode: Episode, every: int | None) -> list[int]:

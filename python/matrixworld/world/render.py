@@ -7,7 +7,6 @@ terminal.
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import groupby, pairwise, product
@@ -19,7 +18,6 @@ from PIL import Image, ImageColor, ImageDraw
 
 from matrixworld._util import checks, colors
 from matrixworld.world.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
-from matrixworld.world.conflicts import agent_name
 
 __all__ = ["Scene", "ansi", "png", "rgb"]
 
@@ -37,7 +35,6 @@ NUMBERS_IN_BADGE = 3  # more numbers of agents would cover the next cell
 TRAIL_LEVEL = 220  # of 255: how strong the newest piece of a trail is
 OLDEST_LEVEL = 0.25  # of the newest piece: a trail that faded to nothing would end nowhere
 TRAIL_WIDTH, TRAIL_SHIFT = 0.2, 0.1  # in cells; trails of the teams are beside each other
-VIEW_LEVEL = 28  # of 255: tint of a field of view
 
 
 @dataclass
@@ -91,14 +88,6 @@ class Scene:
     def _repr_png_(self) -> bytes:
         return png(self)
 
-    def agent(self, who: int | str) -> int:
-        """Return the number of an agent given by number or name."""
-        names = [agent_name(agent, self.n_pursuers) for agent in range(len(self.alive))]
-        if not isinstance(who, str):
-            return checks.check_integer("viewers", who, 0, len(names) - 1)
-        checks.check_choice("viewers", who, names)
-        return names.index(who)
-
     def occupied_cells(self) -> dict[Cell, CellContents]:
         """Return what is on each cell that has living agents."""
         cells: dict[Cell, CellContents] = {}
@@ -131,14 +120,7 @@ class Scene:
         return at_fault, involved - at_fault
 
 
-def rgb(
-    scene: Scene,
-    *,
-    cell: int | None = None,
-    fov: int = 11,
-    viewers: Sequence[int | str] = (),
-    numbers: bool = False,
-) -> NDArray[np.uint8]:
+def rgb(scene: Scene, *, cell: int | None = None, numbers: bool = False) -> NDArray[np.uint8]:
     """Draw a scene as an array of pixels, uint8 (height, width, 3).
 
     Scenes of the same grid and cell size give pictures of the same size, as animations need.
@@ -149,23 +131,13 @@ def rgb(
         What to draw.
     cell : int, optional
         Pixels per cell. By default the size of the grid decides.
-    fov : int, optional
-        Side of the fields of view, odd. The default is 11.
-    viewers : sequence of int or str, optional
-        The agents whose fields of view are outlined while they are alive, by number or by name.
     numbers : bool, optional
         Whether agents carry their numbers in their teams: 3 for ``pursuer_3`` and ``evader_3``.
         Cells then have at least 20 pixels. The default is False.
     """
     checks.check_instance("scene", scene, Scene)
-    fov = checks.check_integer("fov", fov, 1)
-    if fov % 2 == 0:
-        raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
-    agents = [scene.agent(each) for each in checks.check_sequence("viewers", viewers, "agents")]
     least = SMALLEST_NUMBERED if checks.check_bool("numbers", numbers) else 1
     picture = _Picture(scene, Layout.of(scene.shape, cell, least=least), numbers)
-    for agent in agents:
-        picture.draw_view(agent, fov // 2)
     # Each layer is drawn over the ones before it: agents must not be hidden.
     picture.draw_trails()
     picture.draw_marks()
@@ -212,22 +184,6 @@ class _Picture:
         self.halo = 1 if layout.cell >= 8 else 0  # width of the light border around an agent
         self.badges: list[tuple[list[int], Point]] = []  # agents on one cell, and where to say so
         self.canvas = _ground(scene.map.astype(bool).tobytes(), layout).copy()
-
-    def draw_view(self, viewer: int, reach: int) -> None:
-        """Draw the square that an agent sees."""
-        if not self.scene.alive[viewer]:
-            return
-        row, col = self.scene.positions[viewer].tolist()
-        colour = colors.TEAMS[viewer >= self.scene.n_pursuers]
-        cell, (x, y, right, bottom) = self.layout.cell, self.layout.field
-        left, top = max(x, x + (col - reach) * cell), max(y, y + (row - reach) * cell)
-        right = min(right, x + (col + reach + 1) * cell)
-        bottom = min(bottom, y + (row + reach + 1) * cell)
-        tint = Image.new("L", (right - left, bottom - top), VIEW_LEVEL)
-        self.canvas.paste(colour, (left, top), tint)
-        ImageDraw.Draw(self.canvas).rectangle(
-            (left, top, right - 1, bottom - 1), outline=colour, width=2 if cell >= 12 else 1
-        )
 
     def draw_trails(self) -> None:
         """Draw where each living agent came from: a line that fades with age."""
@@ -419,7 +375,8 @@ def ansi(scene: Scene, *, color: bool = True, compact: bool = False) -> str:
         colors tell the teams apart then, so it needs colors.
     """
     checks.check_instance("scene", scene, Scene)
-    if checks.check_bool("compact", compact) and not checks.check_bool("color", color):
+    colored = checks.check_bool("color", color)
+    if checks.check_bool("compact", compact) and not colored:
         raise ValueError("compact: expected color with it, got color=False")
     glyphs = UNICODE if color else ASCII
     pursuers, evaders = scene.team_sizes()
