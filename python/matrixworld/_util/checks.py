@@ -90,7 +90,7 @@ def check_floats(
     """Return real numbers as a new array of a float dtype; no text and no masked cells."""
     expected = f"{name}: expected an array of numbers, got"
     try:
-        array = np.ma.asarray(given)
+        array: Any = np.ma.asarray(given)
         kept = np.array(array.data, dtype) if array.dtype.kind in "biufO" else None
     except OverflowError:
         raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None

@@ -19,7 +19,7 @@ __all__ = ["main"]
 
 COMMANDS = {
     "evolve": ("evolve", "Start races, or continue them."),
-    "explain": ("explain", "Say what teams do, input by input."),
+    "explain": ("evaluate", "Say what teams do, input by input."),
     "explore": ("pages", "Show runs as a page or as figures."),
     "judge": ("evaluate", "Say what happened in races."),
     "playground": ("pages", "Play an agent or conflicts on a page."),

@@ -1,4 +1,4 @@
-"""``matrixworld judge``, ``score`` and ``tournament``: what finished runs are worth."""
+"""``matrixworld judge``, ``score``, ``tournament`` and ``explain``: what has evolved."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli import console, options
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament
+from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament, types
 from matrixworld.coevolution.evaluation import scores as held_out
+from matrixworld.coevolution.evaluation.explanation import DEPTH, DEPTHS, EPISODES
 from matrixworld.coevolution.evaluation.tournament import team_size
 from matrixworld.coevolution.groups import RunGroup, by_clarity, job_directory
 from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import find_runs
-from matrixworld.coevolution.types import Team
 
 # Judgements:
 
@@ -238,7 +238,7 @@ def score_command(
 
 
 def _print_scores(
-    group: RunGroup, of_runs: Sequence[Mapping[Team, held_out.HeldOutScores]]
+    group: RunGroup, of_runs: Sequence[Mapping[types.Team, held_out.HeldOutScores]]
 ) -> dict[str, Any]:
     """Print the scores of the runs of a group, and return them as values of JSON by team."""
     plain = {}
@@ -361,3 +361,53 @@ def _dashed_name(run: Path) -> str:
     """Return a name of a run for files: that of its job, and its own in the job."""
     path, job = run.absolute(), job_directory(run).absolute()
     return "-".join([job.name, *path.relative_to(job).parts])
+
+
+# Explanations:
+
+
+@click.command("explain")
+@click.argument("run", type=click.Path(path_type=Path))
+@options.shared("race")
+@click.option(
+    "--team",
+    type=click.Choice(types.TEAMS),
+    metavar="TEAM",
+    help="pursuer or evader  [default: each that learned]",
+)
+@click.option("--generation", default=-1, metavar="NUMBER", help="which one  [default: the last]")
+@options.integer(
+    "--depth", "most levels of a tree", least=DEPTHS[0], most=DEPTHS[-1], default=DEPTH
+)
+@options.integer("--episodes", "episodes against each opponent", least=2, default=EPISODES)
+@options.shared("seed", "json", "force", "threads")
+def explain_command(
+    run: Path,
+    race: str | None,
+    team: types.Team | None,
+    json_file: Path | None,
+    force: bool,
+    **chosen: Any,
+) -> None:
+    """Say what teams do.
+
+    Policies that rate moves by named inputs: a sentence, how far each input moves the rating, and
+    what leaving it out costs in matches. Networks over cells: a decision tree that imitates them,
+    with its own score beside theirs, since trees that mostly agree may still play badly. Trees need
+    the extra `explain`.
+
+    RUN is the directory of a run, or of a job of one, which need not be finished. Scores are
+    against held-out opponents, in episodes that no other command plays.
+    """
+    options.check_outputs(json_file, force=force)
+    found: dict[str, Any] = {}
+    with usage_errors():
+        saved = open_run(options.run_in(run, race))
+        _ = saved.pursuit  # games of your own have other policies
+        for each in [team] if team else saved.settings.learning_teams:
+            with ProgressBar() as bar:
+                explanation = saved.explain(each, **chosen, report=bar)
+            console.print_head(f"{saved.path}: {each}s of generation {explanation.generation}")
+            console.say(explanation)
+            found[f"{each}s"] = explanation.to_json()
+    options.write_json(json_file, {"run": str(saved.path), "seed": chosen["seed"], **found})

@@ -326,18 +326,11 @@ def play(
 
     The page shows the runs while they go on. The error of a single run is raised.
     """
-    page, told = GrowingPage(root, shown(job)), len(job) == 1
-    own = any(each.game for each in job.values())
+    page = GrowingPage(root, shown(job))
 
     def tell(progress: Progress) -> None:
-        nonlocal told
         bar(progress)
         page.write()
-        if not (told or own or progress.what.startswith("0 of ")):
-            told, runs = True, (root / name for name in job)
-            first = next(path for path in runs if SavedRun(path).finished)
-            typed = console.command("replay", first)
-            console.note(f"The first run has ended. A match of it: {typed}")
 
     with ProgressBar() as bar:
         errors = jobs.play_job(job, root, executor=executor, threads=threads, report=tell)

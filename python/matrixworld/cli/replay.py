@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import click
 
@@ -25,7 +25,7 @@ from matrixworld.episodes.record import record
 from matrixworld.play import read_genome
 from matrixworld.solver import States, solve
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, EnginePolicy, Script
+from matrixworld.world.policy import SCRIPTS, EnginePolicy
 from matrixworld.world.rules import VARIANTS, Rules, rules_of
 
 SUFFIXES = (".gif", ".mp4", ".png", ".npz")
@@ -245,7 +245,7 @@ def _player(
         return population, 0
     if run is None:
         check_choice(team, who, (*SCRIPTS, SOLVED))
-        return cast(Script, who), 0
+        return who, 0
     try:
         generation = int(who)
     except ValueError:

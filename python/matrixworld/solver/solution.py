@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -216,7 +216,7 @@ def induct(
     return _go_back(states, rounds, payoff, fixed)
 
 
-def _check_champion(champion: Champion, world: WorldConfig | States) -> None:
+def _check_champion(champion: Any, world: WorldConfig | States) -> None:
     if not isinstance(champion, Solution | Population | str):
         expected = "a Population, the name of a script or a Solution"
         raise TypeError(f"champion: expected {expected}, got {checks.shown(champion)}")
