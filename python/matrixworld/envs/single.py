@@ -490,16 +490,6 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     -----
     An episode terminates when the agent disappears or its world terminates, and is truncated with
     its world. All agents choose before a round is played.
-
-    Examples
-    --------
-    >>> import gymnasium, matrixworld
-    >>> settings = {"rows": 10, "cols": 10, "n_pursuers": 2, "n_evaders": 1}
-    >>> env = gymnasium.make("matrixworld/pursuit_evasion_o_v0", **settings)
-    >>> observation, info = env.reset(seed=0)
-    >>> observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
-    >>> observation.shape
-    (3, 11, 11)
     """
 
     _spec: EnvSpec | None = None

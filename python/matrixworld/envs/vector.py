@@ -375,16 +375,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
 
     ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``, and
     ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
-
-    Examples
-    --------
-    >>> from gymnasium.wrappers.vector import RecordEpisodeStatistics
-    >>> from matrixworld import AgentVectorEnv, VectorEnv
-    >>> worlds = VectorEnv("O", 16, dtype="float32", flatten=True)
-    >>> envs = RecordEpisodeStatistics(AgentVectorEnv(worlds, team="pursuer"))
-    >>> observations, infos = envs.reset(seed=0)
-    >>> observations.shape, envs.single_action_space
-    ((128, 363), Discrete(5))
     """
 
     single_observation_space: spaces.Box

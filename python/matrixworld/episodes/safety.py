@@ -104,19 +104,6 @@ class SafetyMonitor:
     Episodes come from a rollout (`add_statistics`), a `VectorEnv` (`add_infos` after each step), a
     recording such as ``env.recorded`` (`add_episode`), or as arrays (`add`). ``monitor + other``
     has the episodes of both.
-
-    Examples
-    --------
-    >>> import matrixworld as mw
-    >>> monitor = mw.SafetyMonitor()
-    >>> matches = mw.Matches.of(0, 0, range(20))
-    >>> config = mw.WorldConfig("SB", rows=12, cols=12, n_pursuers=6, n_evaders=2, max_steps=50)
-    >>> monitor.add_statistics(mw.rollout(config, "chaser", "fleer", matches))
-    >>> monitor.episodes
-    20
-    >>> summary = monitor.summary()
-    >>> summary.fault_rate.shape
-    (2, 3)
     """
 
     def __init__(self) -> None:

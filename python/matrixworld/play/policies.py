@@ -90,14 +90,6 @@ class NetworkPolicy(GenomePolicy):
     >>> actions = {agent: policy(seen) for agent, seen in observations.items()}
     >>> policy.probabilities(np.stack(list(observations.values()))).shape
     (4, 5)
-
-    With memory, each agent has a state:
-
-    >>> network = Network(hidden=(16,), fov=5, memory="gru")
-    >>> policy = NetworkPolicy(network, network.initial(np.random.default_rng(0)), seed=1)
-    >>> states = dict.fromkeys(observations)
-    >>> for agent, seen in observations.items():
-    ...     actions[agent], states[agent] = policy(seen, states[agent])
     """
 
     policy: Network

@@ -284,14 +284,6 @@ def solve(
         Rounds of an episode. The default is the world's `max_steps`.
     payoff : {"capture-rate", "capture-time"}, optional
         What the teams play for, see `Solution`.
-
-    Examples
-    --------
-    >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solver import solve
-    >>> config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1)
-    >>> round(solve(config, steps=5).value, 3)
-    0.839
     """
     return induct(world, steps, payoff, {})
 
@@ -318,16 +310,6 @@ def best_response(
         The champion's team.
     world, steps, payoff
         As in `solve`.
-
-    Examples
-    --------
-    How often evaders at best escape from two chasers:
-
-    >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solver import best_response
-    >>> config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=20)
-    >>> round(1 - best_response(config, "chaser", "pursuer").value, 3)
-    0.674
     """
     checks.check_choice("team", team, TEAMS)
     return induct(world, steps, payoff, {team: champion})

@@ -61,14 +61,6 @@ class States:
     ------
     ValueError
         If obstacles are drawn at each reset, and if the states would take more than 2 GB.
-
-    Examples
-    --------
-    >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solver import States
-    >>> states = States(WorldConfig("O", rows=3, cols=3, n_pursuers=1, n_evaders=1))
-    >>> states.count(), states.starts.size, states.successors().shape
-    (74, 72, (74, 5, 5))
     """
 
     def __init__(
