@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from copy import copy as copy_of
+from copy import deepcopy
 from inspect import signature
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from gymnasium import spaces
@@ -272,7 +273,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
             self.infos["action_mask"][:] = self._masks.of(self._views, self.agents.start)
 
     def _returned(self, results: Results) -> Results:
-        return cast("Results", _copied(results, {})) if self.copy else results
+        return deepcopy(results) if self.copy else results
 
     def _require_open(self, call: str) -> None:
         if self.closed:
@@ -543,14 +544,3 @@ def _make_infos(
     infos["final_obs"] = observations if final is None else final.reshape(observations.shape)
     infos["episode"] = {key: buffers[name] for key, name in EPISODE_KEYS.items()}
     return infos | dict.fromkeys(("_final_obs", "_episode"), buffers["ended"])
-
-
-def _copied(value: Any, copies: dict[int, NDArray[Any]]) -> Any:
-    """Return copies of arrays, in tuples and dicts, too; `copies` has those that were made."""
-    if isinstance(value, dict):
-        return {key: _copied(each, copies) for key, each in value.items()}
-    if isinstance(value, tuple):
-        return tuple(_copied(each, copies) for each in value)
-    if id(value) not in copies:
-        copies[id(value)] = value.copy()
-    return copies[id(value)]

@@ -10,7 +10,7 @@ import io
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import groupby, pairwise, product
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -343,14 +343,8 @@ def _shortened(title: str, room: int, size: int) -> str:
 RESET = "\x1b[0m"
 
 
-class Ink(NamedTuple):
-    """Colours of a piece of text, ``#rrggbb``; empty means the terminal's own."""
-
-    text: str = ""
-    ground: str = ""
-
-
-Run = tuple[str, Ink]  # a piece of text of one colour
+Run = tuple[str, str, str]
+"""A piece of text, its colour and that of its ground, ``#rrggbb``; empty: the terminal's own."""
 
 UNICODE = {"pursuer": "▲", "evader": "●", "captured": "○", "obstacle": "██", "free": "· "}
 ASCII = {"pursuer": "P", "evader": "E", "captured": "e", "obstacle": "##", "free": ". "}
@@ -381,11 +375,11 @@ def ansi(scene: Scene, *, color: bool = True, compact: bool = False) -> str:
     glyphs = UNICODE if color else ASCII
     pursuers, evaders = scene.team_sizes()
     legend = [
-        (scene.title + "   " if scene.title else "", Ink()),
-        (glyphs["pursuer"], Ink(colors.PURSUER)),
-        (f" {pursuers}  ", Ink()),
-        (glyphs["evader"], Ink(colors.EVADER)),
-        (f" {evaders}", Ink()),
+        (scene.title + "   " if scene.title else "", "", ""),
+        (glyphs["pursuer"], colors.PURSUER, ""),
+        (f" {pursuers}  ", "", ""),
+        (glyphs["evader"], colors.EVADER, ""),
+        (f" {evaders}", "", ""),
     ]
     field = _half_blocks(scene) if compact else _cells(scene, glyphs)
     return "\n".join(_painted(line, color) for line in (legend, *field))
@@ -402,28 +396,28 @@ def _cells(scene: Scene, glyphs: dict[str, str]) -> list[list[Run]]:
             if cell in occupied:
                 line += _agents(occupied[cell], glyphs, ground)
             elif cell in deaths:
-                line.append(("x " if glyphs is ASCII else "× ", Ink(colors.INK, ground)))
+                line.append(("x " if glyphs is ASCII else "× ", colors.INK, ground))
             elif obstacle:
-                line.append((glyphs["obstacle"], Ink(colors.OBSTACLE, ground)))
+                line.append((glyphs["obstacle"], colors.OBSTACLE, ground))
             else:
-                line.append((glyphs["free"], Ink(colors.FREE, ground)))
+                line.append((glyphs["free"], colors.FREE, ground))
         lines.append(line)
     return lines
 
 
 def _agents(contents: CellContents, glyphs: dict[str, str], ground: str) -> list[Run]:
     """Return two characters: the signs or the numbers of the teams on a cell."""
-    pursuer, evader = Ink(colors.PURSUER, ground), Ink(colors.EVADER, ground)
+    pursuer, evader = (colors.PURSUER, ground), (colors.EVADER, ground)
     pursuers, evaders = len(contents.pursuers), len(contents.evaders)
     sign = glyphs["captured" if contents.all_captured else "evader"]
     if pursuers and evaders and glyphs is ASCII:
-        return [("X" + _number(pursuers + evaders, least=3), pursuer)]
+        return [("X" + _number(pursuers + evaders, least=3), *pursuer)]
     if pursuers and evaders:
-        first = (_number(pursuers, alone=glyphs["pursuer"]), pursuer)
-        return [first, (_number(evaders, alone=sign), evader)]
+        first = (_number(pursuers, alone=glyphs["pursuer"]), *pursuer)
+        return [first, (_number(evaders, alone=sign), *evader)]
     if pursuers:
-        return [(glyphs["pursuer"] + _number(pursuers), pursuer)]
-    return [(sign + _number(evaders), evader)]
+        return [(glyphs["pursuer"] + _number(pursuers), *pursuer)]
+    return [(sign + _number(evaders), *evader)]
 
 
 def _number(count: int, alone: str = " ", least: int = 2) -> str:
@@ -457,7 +451,7 @@ def _half_blocks(scene: Scene) -> list[list[Run]]:
         return fill.get((row, col), colors.PAPER) if row < rows else ""
 
     return [
-        [("▀", Ink(color(row, col), color(row + 1, col))) for col in range(cols)]
+        [("▀", color(row, col), color(row + 1, col)) for col in range(cols)]
         for row in range(0, rows, 2)
     ]
 
@@ -465,11 +459,11 @@ def _half_blocks(scene: Scene) -> list[list[Run]]:
 def _painted(line: list[Run], color: bool) -> str:
     """Return the line with an escape code at each change of colour, reset at its end."""
     parts = []
-    for ink, runs in groupby(line, key=lambda run: run[1]):
+    for colours, runs in groupby(line, key=lambda run: run[1:]):
         text = "".join(run[0] for run in runs)
         codes = [
             f"{place};5;{_palette_number(colour)}"
-            for place, colour in (("38", ink.text), ("48", ink.ground))
+            for place, colour in zip(("38", "48"), colours, strict=True)
             if colour and color
         ]
         parts.append(f"\x1b[{';'.join(codes)}m{text}{RESET}" if codes and text else text)
