@@ -99,7 +99,6 @@ OTHERS = [
     (["score", "race", "--generation", "x"], 2, "expected a generation or all, got 'x'"),
     (["score", "race", "--json", "no/a.json"], 2, "no/a.json: expected a directory in which files"),
     (["score", "race", "--json", "empty", "--force"], 2, "empty: expected a file, got a directory"),
-    (["tournament", "race", "small"], 2, "expected two runs in the same world, got rows 6 and 7"),
     (["tournament", "several", "--out", "x.npz"], 2, "--out: expected one race in RUN, got 2; --r"),
     (["tournament", "race", "--out", "payoff.png"], 2, "--out: expected a name that ends in .npz"),
     (["solve", "--rows", 30, "--cols", 30], 2, "cells would fit"),
@@ -161,7 +160,7 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 MISSING = [
     *("judge no.csv", "explore no", "replay no.npz", "score no", "tournament no"),
     *("evolve --resume no", "evolve --config no", "evolve --cluster no", "solve --run no"),
-    *("replay O --pursuer no.npz", "solve --obstacles no.map", "tournament race no"),
+    *("replay O --pursuer no.npz", "solve --obstacles no.map",),
     "evolve --set world.obstacles=no.map",
 ]
 

@@ -148,11 +148,7 @@ SHARED: dict[str, Option] = {
     "episodes": integer(
         "--episodes", "fresh episodes of each pair of opponents", least=2, default=100
     ),
-    "steps": integer(
-        "--steps",
-        "most steps of an episode  [default: as in the evaluation of RUN; without RUN 500, in "
-        "solve 20]",
-    ),
+    "steps": integer("--steps", "most steps of an episode  [default: 500, in solve 20]"),
     "threads": integer(
         "--threads",
         "threads that play matches  [default: one per usable core]",
