@@ -56,11 +56,8 @@ REPLAY = [
 ]
 EXPLORE = [
     ([], 2, "Missing argument 'RUN...'"),
-    (["race", "--each"], 2, "--each: expected --figures or --figure beside it"),
-    (["race", "--figures", "--out", "x.svg"], 2, "--out: expected one --figure of one run, got no"),
-    (["race", "--figure", "payoff", "-o", "x.bmp"], 2, "a name that ends in .png, .pdf, .svg, got"),
-    (["race", "--figures", "-o", "x.svg", "--format", "png"], 2, "that ends in .png, got x.svg"),
-    (["alone", "--figure", "payoff"], 2, "expected a race, got a run of one team"),
+    (["race", "--each"], 2, "--each: expected --figures beside it"),
+    (["race", "--figures", "--out", "x.svg"], 2, "--out: expected no --figures beside it"),
     (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, each name once, got 'x'"),
     (["race", "--figures", "--baseline", "x=race"], 2, "expected finished runs of one team"),
     (["race", "--figures", "--baseline", "x=no"], 2, "no: expected a directory that holds runs"),
@@ -132,7 +129,6 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name, settings in (
         ("several/1", tiny_race(seed=1)),
         ("several/2", tiny_race(seed=2)),
-        ("small", tiny_race(rows=7)),
         ("stopped", tiny_race()),
     ):
         create(settings, root / name)
@@ -160,7 +156,7 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 MISSING = [
     *("judge no.csv", "explore no", "replay no.npz", "score no", "tournament no"),
     *("evolve --resume no", "evolve --config no", "evolve --cluster no", "solve --run no"),
-    *("replay O --pursuer no.npz", "solve --obstacles no.map",),
+    *("replay O --pursuer no.npz", "solve --obstacles no.map"),
     "evolve --set world.obstacles=no.map",
 ]
 

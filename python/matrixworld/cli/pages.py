@@ -25,13 +25,6 @@ from matrixworld.world.rules import Rules
 Run = TypeVar("Run")
 
 FORMATS = ("png", "pdf", "svg")
-# Matplotlib takes half a second to import: the names of figures stand here, and a test compares.
-FIGURES = (
-    "training", "payoff", "generalization", "lag_profile", "collisions", "comparison", "seeds",
-    "verdicts", "held_out",
-)  # fmt: skip
-"""Figures of runs: the functions of `matrixworld.plots.saved` that draw them."""
-
 # \b keeps click from wrapping the lines.
 PLAYGROUND_EXAMPLES = """\b
 Examples:
@@ -69,18 +62,15 @@ def _baselines(
 @click.command("explore")
 @options.runs()
 @options.out(
-    f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all of the "
-    "runs]; with --figure, the file of the figure"
+    f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all runs]"
 )
 @options.shared("open")
 @click.option("--figures", is_flag=True, help="draw figures, and write no page")
-@click.option("--figure", type=click.Choice(FIGURES), help="only this figure")
 @click.option(
     "--format",
     "suffix",
     type=click.Choice(FORMATS),
-    help="format of the figures; pdf and svg are vector graphics  "
-    "[default: that of --out, else png]",
+    help="format of the figures; pdf and svg are vector graphics  [default: png]",
 )
 @click.option(
     "--baseline",
@@ -99,7 +89,6 @@ def explore_command(
     out: Path | None,
     opens: bool,
     figures: bool,
-    figure: str | None,
     suffix: str | None,
     baselines: dict[str, list[SavedRun]],
     each: bool,
@@ -121,11 +110,11 @@ def explore_command(
     if len(runs) > 1:
         root = Path(os.path.commonpath([path.absolute() for path in runs]))
         root = root if runs[0].is_absolute() else Path(os.path.relpath(root))
-    if not (figures or figure):
+    if not figures:
         given = {"--format": suffix, "--baseline": baselines, "--each": each}
         for option, value in given.items():
             if value:
-                raise click.UsageError(f"{option}: expected --figures or --figure beside it")
+                raise click.UsageError(f"{option}: expected --figures beside it")
         page = out or root / PAGE
         options.check_outputs(page, force=force)
         with warnings_as_notes(), usage_errors():
@@ -133,27 +122,14 @@ def explore_command(
         say(page)
         open_page(page, opens)
         return
+    if out is not None:
+        raise click.UsageError("--out: expected no --figures beside it: they have their places")
     from matrixworld import plots
     from matrixworld.plots.saved import figures_of
 
-    if out is not None:
-        forms = [suffix] if suffix else FORMATS
-        suffix = out.suffix.lower().removeprefix(".")
-        if suffix not in forms:
-            names = ", ".join(f".{form}" for form in forms)
-            raise click.UsageError(f"--out: expected a name that ends in {names}, got {out}")
-    for group in groups:
-        if figure not in (None, "training") and not group.is_race:
-            expected = "expected a race, got a run of one team"
-            raise click.UsageError(f"--figure {figure}: {expected}: {group.name}")
-    chosen: Any = {"name": figure, "suffix": suffix or "png", "baselines": baselines, "each": each}
+    chosen: Any = {"suffix": suffix or "png", "baselines": baselines, "each": each}
     with usage_errors():
         files = figures_of([group.inside(root) for group in groups], root, **chosen)
-    if out is not None:
-        if figure is None or len(files) != 1:
-            got = f"{len(files)} figures" if figure else "no --figure"
-            raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
-        files = dict.fromkeys([out], *files.values())
     # All files are checked before the first is drawn.
     options.check_outputs(*files, force=force)
     for file, drawn in files.items():
