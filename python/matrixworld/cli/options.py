@@ -266,12 +266,9 @@ def unpacked(path: Path) -> Path:
         with storage.new_directory(directory) as place:
             for name, content in parts.items():
                 (place / name).write_bytes(content)
-    for name, content in parts.items():
-        file = directory / name
-        if not (file.is_file() and file.read_bytes() == content):
-            raise click.BadParameter(
-                f"{path}: expected its own run in {directory}, got another {name} there, or none"
-            )
+    own = {name: directory / name for name in parts}
+    if any(not (f.is_file() and f.read_bytes() == parts[name]) for name, f in own.items()):
+        raise click.BadParameter(f"{path}: expected its own run in {directory}, got other files")
     return directory
 
 

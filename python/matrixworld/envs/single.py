@@ -131,7 +131,7 @@ class MatrixWorldBase(PlaysTeam):
         whole = (3, self.config.rows, self.config.cols)
         self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
         self._seeded = False
-        self._np_random: np.random.Generator | None = None
+        self.np_random = np.random.default_rng(0)  # for wrappers that draw; the world never does
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view.
@@ -149,13 +149,6 @@ class MatrixWorldBase(PlaysTeam):
     def state(self) -> NDArray[np.uint8]:
         """Return the whole world, uint8 of shape (3, rows, cols): evaders, pursuers, obstacles."""
         return self.world.state()
-
-    @property
-    def np_random(self) -> np.random.Generator:
-        """A generator for wrappers that draw; `reset` seeds it, and the world never uses it."""
-        if self._np_random is None:
-            self._np_random = np.random.default_rng(self.world.seed)
-        return self._np_random
 
     @property
     def status(self) -> Status:
@@ -190,7 +183,7 @@ class MatrixWorldBase(PlaysTeam):
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
         self.world.reset(seed, **given)
         if seed is not None:
-            self._np_random = None
+            self.np_random = np.random.default_rng(self.world.seed)
         for team in filter(None, (self._team, self._mates)):
             team.draw(0, self.world.seed, self.world.episode)
         self._seeded = True
