@@ -24,7 +24,7 @@ from matrixworld._util.files import replacing
 from matrixworld.episodes.episode import Episode, scene
 from matrixworld.version import imported
 from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
-from matrixworld.world.render import ansi, rgb
+from matrixworld.world.render import Scene, ansi, rgb
 
 __all__ = ["Animation", "animation", "save", "scene"]
 
@@ -61,24 +61,23 @@ class Animation:
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
     """Show an episode in the terminal, in place; without one, print the last moment."""
     fps = checks.check_number("fps", fps, least=0.0, positive=True)
-    times, stream = _times(episode, every), sys.stdout
-    if not stream.isatty():
+    times, screen = _times(episode, every), Screen(sys.stdout)
+    if not screen.in_place:
         print_moment(episode)
         return
-    look = text_look(episode.map.shape, stream)
     due = time.monotonic()
     try:
-        stream.write(HIDE_CURSOR + WRAP_OFF + CLEAR)
+        sys.stdout.write(HIDE_CURSOR)
         for moment in times:
-            draw(ansi(scene(episode, moment), **look), stream)
+            screen.show(scene(episode, moment))
             # Waiting for a point in time, not for a period, makes up for the time to draw.
             due += 1 / fps
             time.sleep(max(0.0, due - time.monotonic()))
     except KeyboardInterrupt:
         return  # the viewer has seen enough
     finally:
-        stream.write(WRAP_ON + SHOW_CURSOR + "\n")
-        stream.flush()
+        sys.stdout.write(WRAP_ON + SHOW_CURSOR + "\n")
+        sys.stdout.flush()
 
 
 def print_moment(episode: Episode, *, step: int = -1) -> None:
@@ -187,13 +186,25 @@ HIDE_CURSOR, SHOW_CURSOR = "\x1b[?25l", "\x1b[?25h"
 WRAP_OFF, WRAP_ON = "\x1b[?7l", "\x1b[?7h"  # off: what is too wide is cut, not broken
 
 
-def draw(frame: str, stream: TextIO) -> None:
-    """Replace the drawing in a terminal by another one, cut to the height of the terminal."""
-    height = terminal_size(stream).lines - 1
-    # Each line is cleared behind its text: clearing the whole screen first would flicker.
-    lines = (line + CLEAR_LINE for line in frame.split("\n")[:height])
-    stream.write(HOME + "\n".join(lines) + CLEAR_BELOW)
-    stream.flush()
+class Screen:
+    """What text is written to; in a terminal each drawing replaces the one before."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream, self._start = stream, WRAP_OFF + CLEAR
+        self.in_place = stream.isatty()  # so that a drawing needs time to be seen
+
+    def show(self, scene: Scene) -> None:
+        """Show a scene, cut to the height of the terminal, with the cursor below it."""
+        if not self.in_place:
+            self._stream.write(ansi(scene, color=False) + "\n\n")
+            return
+        drawn = ansi(scene, **text_look(scene.shape, self._stream)).split("\n")
+        # Each line is cleared behind its text: clearing the whole screen first would flicker.
+        lines = (line + CLEAR_LINE for line in drawn[: terminal_size(self._stream).lines - 1])
+        frame = HOME + "\n".join(lines) + CLEAR_BELOW
+        self._stream.write(self._start + frame + WRAP_ON + "\n")
+        self._stream.flush()
+        self._start = WRAP_OFF
 
 
 def has_colors(stream: TextIO) -> bool:
