@@ -31,7 +31,7 @@ def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
 def test_its_arrays_are_those_of_a_batch(
     name: str, mode: AutoresetMode, observation: Any, seen: str
 ) -> None:
-    env = make(name, state=True, autoreset_mode=mode, observation=observation)
+    env = make(name, autoreset_mode=mode, observation=observation)
     specs = mw.array_specs(env.config) | mw.episode_specs(env.config)
     written = {key: np.zeros((4, *shape), dtype) for key, (shape, dtype) in specs.items()}
     batch = mw.Batch(4, env.config, autoreset=mw.Autoreset[mode.name], buffers=written)
@@ -65,7 +65,7 @@ def leaves(value: Any) -> list[np.ndarray]:
 
 @pytest.mark.parametrize("mode", AutoresetMode)
 def test_what_was_returned_stays(mode: AutoresetMode) -> None:
-    env = make(state=True, action_mask=True, autoreset_mode=mode)
+    env = make(action_mask=True, autoreset_mode=mode)
     returned = [env.reset(seed=0)]
     for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
         returned.append(env.step(actions))

@@ -54,7 +54,7 @@ def option_name(field_name: str) -> str:
 
 def refuse_beside(option: str, names: Iterable[str], why: str = "") -> None:
     """Raise click.UsageError if settings of these names are given beside an option."""
-    if named := ", ".join(map(option_name, names)):
+    if named := ", ".join(map(option_name, sorted(names))):
         raise click.UsageError(f"{option}: expected no {named} beside it{why}")
 
 

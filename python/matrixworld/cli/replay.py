@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -132,9 +132,9 @@ def replay_command(
             return
     suffixes = {path.suffix.lower() for path in out}
     if not suffixes - {".npz"}:  # the terminal shows no numbers
-        _refuse(given.keys() & {"numbers"}, "--out writes no picture")
+        options.refuse_beside("--out writes no picture", given.keys() & {"numbers"})
     if out and ".png" not in suffixes:
-        _refuse(given.keys() & {"step"}, "--out writes no .png")
+        options.refuse_beside("--out writes no .png", given.keys() & {"step"})
     options.check_outputs(*out, force=force)
     with usage_errors():
         played = _match(source, options.given(game))(episode=game["episode"])
@@ -172,7 +172,7 @@ def show_match(
 ) -> None:
     """Print or write what the game of a run shows of two genomes."""
     known = {"source", "race", "out", "force", *TEAMS}
-    _refuse(given.keys() - known, f"{run.path} is a run of a game of your own")
+    options.refuse_beside(f"{run.path} is a run of a game of your own", given.keys() - known)
     options.check_outputs(*out, force=force)
     with warnings_as_notes(), usage_errors():
         genomes = []
@@ -183,7 +183,7 @@ def show_match(
             genomes.append(run.teams[key].genomes[run.generation(key, int(who), team)])
         shown = run.settings.evaluation_game.shown(*genomes)
     if isinstance(shown, str):
-        _refuse({"out"} & given.keys(), "the game shows text")
+        options.refuse_beside("the game shows text", {"out"} & given.keys())
         say(shown)
         return
     if not out:
@@ -202,7 +202,7 @@ def show_match(
 def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
     """Return `record` for the episodes of a source; refuse options that say nothing about it."""
     if isinstance(source, Path) and source.is_file():
-        _refuse(given, f"{source} is a single episode")
+        options.refuse_beside(f"{source} is a single episode", given)
         return lambda episode: Episode.load(source)
     given.pop("episode", None)
     race = given.pop("race", None)
@@ -215,7 +215,7 @@ def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
         named = {"pursuer": CHASER, "evader": FLEER, **named}
     else:
         run = open_run(options.run_in(source, race))
-        _refuse(given, f"{run.path} is a run")
+        options.refuse_beside(f"{run.path} is a run", given)
         config = run.settings.world
         named = {"pursuer": "-1", "evader": "-1", **named}
     pursuers, g = _player(config, run, "pursuer", named["pursuer"])
@@ -223,12 +223,6 @@ def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
     if run is not None:
         seed = evaluation_seed(run.settings.seed, g, h)
     return partial(record, config, pursuers, evaders, seed=seed, pursuer=g, evader=h)
-
-
-def _refuse(names: Iterable[str], reason: str) -> None:
-    refused = ", ".join(map(options.option_name, sorted(names)))
-    if refused:
-        raise click.UsageError(f"{reason}: expected no {refused} with it")
 
 
 def _player(

@@ -81,8 +81,6 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     observation, dtype, flatten : optional
         As for `parallel_env`: observations are ``(W, A, 3, fov, fov)``, ``(W, A, moves, inputs)``,
         or flat, ``(W, A, n)``.
-    state : bool, optional
-        Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``.
     action_mask : bool or str, optional
         Whether and how ``infos["action_mask"]`` marks allowed actions, as for `parallel_env`.
     render_mode : {None, "rgb_array"}, optional
@@ -142,7 +140,6 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         observation: Observation = "views",
         dtype: DTypeLike | None = None,
         flatten: bool = False,
-        state: bool = False,
         action_mask: bool | str = False,
         threads: int | None = None,
         render_mode: str | None = None,
@@ -160,7 +157,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         self.metadata["autoreset_mode"] = mode
         self.copy: bool = checks.check_bool("copy", copy)
         built_in = one_team(pursuers, evaders)
-        asked = {self._observed, *["state"] * checks.check_bool("state", state)}
+        asked = {self._observed}
         waits = mode is not AutoresetMode.SAME_STEP
         if not waits:  # else the observations stay those of the episode's end for one step
             asked.add(f"final_{self._observed}")
