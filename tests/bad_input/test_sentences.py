@@ -106,7 +106,6 @@ VALUES = [
     value(lambda: mw.AgentVectorEnv(mw.VectorEnv(), "both"), "one of | both"),
     value(lambda: mw.AgentVectorEnv(mw.VectorEnv(evaders="fleer"), "evader"), "the | evader"),
     value(lambda: mw.AgentEnv("O", agent="prey"), "one of pursuer_0 | got 'prey'"),
-    value(lambda: mw.parallel_env(max_cycles=3, max_steps=5), "one of them | max_cycles"),
     # Maps
     value(lambda: mw.read_map([]), "at least one row | got []"),
     value(lambda: mw.read_map(["...", ".."]), "3 cells as in row 0 | row 1"),

@@ -4,7 +4,6 @@ import io
 import itertools
 import warnings
 from contextlib import redirect_stdout
-from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -59,7 +58,10 @@ def test_api_and_seeds(name: str, given: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("name", mw.VARIANTS)
 def test_max_cycles(name: str) -> None:
-    made = {"env": partial(mw.aec_env, name), "parallel_env": partial(mw.parallel_env, name)}
+    made = {
+        "env": lambda max_cycles: mw.aec_env(name, max_steps=max_cycles),
+        "parallel_env": lambda max_cycles: mw.parallel_env(name, max_steps=max_cycles),
+    }
     with warnings.catch_warnings():
         # It steps a parallel environment until max_cycles, whether or not agents are gone.
         warnings.simplefilter("error")

@@ -173,7 +173,7 @@ def test_settings_of_keywords_are_those_of_worlds() -> None:
     [
         *((door, "n_pursuer", "n_pursuers") for door in DOORS),
         ("VectorEnv", "num_worlds", "n_worlds"),
-        ("aec_env", "max_cycle", "max_cycles"),
+        ("aec_env", "max_cycles", "max_steps"),
     ],
 )
 def test_an_unknown_keyword_names_the_nearest_one(door: str, wrong: str, nearest: str) -> None:

@@ -51,17 +51,26 @@ def test_strategies_of_large_games_guarantee_the_same(changes: dict[str, Any]) -
 GRIDS = [(2, 6), (3, 3), (3, 7), (4, 5), (5, 5)]
 
 
+def rounds_to_capture(config: mw.WorldConfig) -> float:
+    """Return the capture time: pursuers choose the best cells first, then evaders theirs."""
+    solution = solve(config, steps=40)
+    won = solution.values[0][:, solution.states.starts] == 1.0
+    times = np.where(won.any(axis=0), won.argmax(axis=0), np.inf)
+    cells = solution.states.cells()[solution.states.starts, : config.n_pursuers]
+    places = np.unique(cells, axis=0, return_inverse=True)[1].ravel()
+    return min(times[places == place].max() for place in range(places.max() + 1))
+
+
 @pytest.mark.parametrize(("rows", "cols"), GRIDS)
 def test_two_cops_need_half_the_perimeter(rows: int, cols: int) -> None:
-    solution = solve(world("TO", rows=rows, cols=cols), steps=1)
-    assert solution.capture_time == (rows + cols) // 2 - 1
+    assert rounds_to_capture(world("TO", rows=rows, cols=cols)) == (rows + cols) // 2 - 1
 
 
 # Aigner and Fromme 1984, "A game of cops and robbers": three are enough on every planar graph.
 def test_three_cops_win_among_obstacles() -> None:
     ground = mw.read_map([".....", ".#.#.", ".....", ".#.#.", "....."])
     times = [
-        solve(mw.WorldConfig("TO", obstacles=ground, n_pursuers=n, n_evaders=1)).capture_time
+        rounds_to_capture(mw.WorldConfig("TO", obstacles=ground, n_pursuers=n, n_evaders=1))
         for n in (1, 3)
     ]
     assert times[0] == np.inf
@@ -154,7 +163,6 @@ def test_a_solved_team_plays_in_all_places() -> None:
         (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter"),
         (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
         (lambda: longer_reply(solve(world())), "steps: expected 1 to 5, got 9"),
-        (lambda: solve(world()).capture_time, "expected a game in turns"),
         (lambda: play(world("R")), "expected the world that it was solved for"),
         (lambda: play(world(), swapped=True), "expected to play for its own team"),
     ],

@@ -163,6 +163,7 @@ ELSEWHERE = {
     "n_envs": ("num_envs", "n_worlds"),
     "n_worlds": ("num_envs",),
     "max_cycles": ("max_steps",),
+    "max_episode_steps": ("max_steps",),
     "opponent": ("evaders",),
 }
 """What other libraries call keyword arguments, and what they are called here."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from copy import copy
-from dataclasses import replace
 from typing import Any
 
 import gymnasium
 import numpy as np
 from gymnasium import spaces
-from gymnasium.envs.registration import EnvSpec
 from numpy.typing import DTypeLike, NDArray
 from pettingzoo import AECEnv, ParallelEnv
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
@@ -29,7 +27,7 @@ from matrixworld.envs.opponents import (
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Drawing
 from matrixworld.world.arrays import LARGE, WORLD_FIELDS, WorldArrays, python_value
-from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
+from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.policy import Team
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
@@ -96,7 +94,6 @@ class MatrixWorldBase(PlaysTeam):
         render_mode: str | None = None,
         record: bool = False,
         action_mask: bool | str = False,
-        max_cycles: int | None = None,
         observation: Observation = "views",
         dtype: DTypeLike | None = None,
         flatten: bool = False,
@@ -105,8 +102,7 @@ class MatrixWorldBase(PlaysTeam):
         **changes: Unpack[WorldSettings],
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
-        limited = with_limit("max_cycles", max_cycles, changes)
-        self._set_up(config, limited, action_mask, render_mode, *RENDER_MODES)
+        self._set_up(config, changes, action_mask, render_mode, *RENDER_MODES)
         self._choose_observation(observation, dtype, flatten)
         self._read = {self._observed, *["views"] * self._masks.given}
         self.world = World(self.config)
@@ -249,8 +245,6 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         True or "obstacles" allows moves that run into neither an obstacle nor the border (`fov` at
         least 3); "right-of-way" those that cannot put the agent at fault if its teammates keep to
         their masks, too (`fov` at least 5). The default is False.
-    max_cycles : int, optional
-        Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
     observation : {"views", "named"}, optional
         What agents observe: views (the default), or the named inputs of each move, ``(moves,
         inputs)`` in the order of `INPUTS`.
@@ -485,8 +479,6 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     its world. All agents choose before a round is played.
     """
 
-    _spec: EnvSpec | None = None
-
     def __init__(
         self,
         config: WorldConfig | Rules | str = "O",
@@ -509,17 +501,6 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         self.action_space: spaces.Discrete = self.env.action_space(agent)
         self.metadata: dict[str, Any] = self.env.metadata
         self.render_mode: str | None = self.env.render_mode
-
-    @property
-    def spec(self) -> EnvSpec | None:
-        """Gymnasium's specification, in which wrappers look for `max_steps`."""
-        return self._spec
-
-    @spec.setter
-    def spec(self, spec: EnvSpec | None) -> None:
-        if spec is not None and spec.max_episode_steps is None:
-            spec = replace(spec, max_episode_steps=self.env.config.max_steps)
-        self._spec = spec
 
     def reset(
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None

@@ -28,7 +28,7 @@ from matrixworld.envs.opponents import (
 )
 from matrixworld.world import arrays
 from matrixworld.world.batch import Batch
-from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
+from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.policy import Team
 from matrixworld.world.render import rgb
 from matrixworld.world.rules import COLLISION_KINDS, Rules
@@ -291,7 +291,6 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
 def make_vec(
     config: WorldConfig | Rules | str = "O",
     num_envs: int = 1,
-    max_episode_steps: int | None = None,
     *,
     team: Team | None = None,
     opponent: Opponents | None = None,
@@ -305,15 +304,12 @@ def make_vec(
         As for `VectorEnv`, such as ``size=10`` or ``flatten=True``.
     num_envs : int, optional
         The number of worlds.
-    max_episode_steps : int, optional
-        Another name for ``max_steps``.
     team, opponent : optional
         As for `make`.
     """
     known = WorldSettings.__annotations__.keys() | signature(VectorEnv).parameters.keys()
     checks.check_keywords(settings, known - {"n_worlds", "changes"}, make_vec)
-    limited = with_limit("max_episode_steps", max_episode_steps, settings)
-    return VectorEnv(config, num_envs, **with_opponent(team, opponent, limited))
+    return VectorEnv(config, num_envs, **with_opponent(team, opponent, settings))
 
 
 class TeamView(NamedTuple):
@@ -399,11 +395,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         self.observation_space = _widened(one, (self.num_envs, *one.shape))
         self.single_action_space = spaces.Discrete(n_actions)
         self.action_space = _widened(spaces.MultiDiscrete([n_actions]), (self.num_envs,))
-
-    @property
-    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
-        """The seed of each sub-environment: that of its world."""
-        return tuple(seed for seed in self.worlds.np_random_seed for _ in self._agents)
 
     def reset(
         self, *, seed: int | ArrayLike | None = None, options: Mapping[str, Any] | None = None

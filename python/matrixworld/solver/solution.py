@@ -123,45 +123,6 @@ class Solution(Readable):
                 table[left - 1] = self.probabilities(team, left, turn)
         return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
 
-    @cached_property
-    def capture_times(self) -> NDArray[np.float64]:
-        """Rounds (S,) to the capture of all evaders under perfect play without a limit of rounds.
-
-        Infinite where the evaders can prevent it. Only where the teams take turns.
-        """
-        states = self.states
-        if states.n_turns == 1:
-            raise ValueError("capture_times: expected a game in turns, got simultaneous moves")
-        if not self.fixed and self.payoff == "capture-rate" and len(self.values[0]) <= self.steps:
-            won = self.values[0] == 1.0  # more rounds would change nothing
-            return np.where(won.any(axis=0), won.argmax(axis=0), np.inf)
-        # What is won within n rounds only becomes more with n.
-        now = (np.arange(states.count()) == states.n_ends - 1).astype(np.float64)
-        times = np.where(now == 1.0, 0.0, np.inf)
-        for rounds in range(1, states.count() + 1):
-            before, told = now, states.told(f"capture times, round {rounds}")
-            for turn in reversed(range(states.n_turns)):
-                now = _backup(states, now, turn, rounds, {}, told)[0]
-            if (now == before).all():
-                break
-            times[(now == 1.0) & (before < 1.0)] = rounds
-        return times
-
-    @property
-    def capture_time(self) -> float:
-        """Rounds to capture when the pursuers choose the best cells first, then the evaders theirs.
-
-        The classical capture time of cops and robbers, with evaders on other cells than pursuers.
-        """
-        config = self.states.config
-        cells = self.states.cells()[self.states.starts, : config.n_pursuers].astype(np.int64)
-        # One number for the cells of all pursuers: unique rows would take longer than the solution.
-        n_cells = config.rows * config.cols
-        start = cells @ n_cells ** np.arange(config.n_pursuers)
-        worst = np.zeros(n_cells**config.n_pursuers)
-        np.maximum.at(worst, start, self.capture_times[self.states.starts])
-        return float(worst[start].min())
-
 
 def values_after(solution: Solution, turn: int, rounds: int) -> NDArray[np.float64]:
     """Return the values of the states of the next turn."""

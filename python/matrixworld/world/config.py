@@ -70,15 +70,6 @@ class WorldSettings(TypedDict, total=False):
     rewards: Rewards | None
 
 
-def with_limit(name: str, steps: int | None, settings: Any) -> Any:
-    """Return settings whose `max_steps` are those of an argument that other libraries call so."""
-    if steps is None:
-        return settings
-    if "max_steps" in settings:
-        raise ValueError(f"{name}, max_steps: expected one of them, got both")
-    return {**settings, "max_steps": checks.check_integer(name, steps, 1)}
-
-
 def _sides(rows: int | None, cols: int | None, size: int | None) -> tuple[int | None, int | None]:
     """Return rows and columns, those of a square grid where its size is given instead."""
     if size is None:
