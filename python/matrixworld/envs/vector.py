@@ -208,11 +208,6 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         """Actions for a `step` without arguments, int64 (W, A)."""
         return self._actions
 
-    @property
-    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
-        """The seed of each world; before the first reset the one that a reset without seed uses."""
-        return tuple(self.infos["seed"].tolist())
-
     def reset(
         self, *, seed: int | ArrayLike | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[NDArray[Any], dict[str, Any]]:
