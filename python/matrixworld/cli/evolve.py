@@ -186,14 +186,9 @@ def evolve_command(
     script, or the last generation of a run. With --seeds there is a run of each seed.
 
     The directory of --out receives one run directory for each run: SCHEDULE/seed-NUMBER. A run that
-    exists is never replaced.
-
-    Several runs play side by side, as many as --threads; threads that are left over are shared
-    among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
-    Results do not depend on --threads.
-
-    explorer.html in the directory shows matrices, curves and matches of the first runs while they
-    go on: it is written anew with the generations, and loads itself again in a browser.
+    exists is never replaced. Several runs play side by side, as many as --threads, on which results
+    do not depend. Ctrl-C stops; --resume continues from the last checkpoint, with the same results.
+    explorer.html in the directory shows the first runs while they go on.
 
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.

@@ -96,10 +96,9 @@ def explore_command(
 ) -> None:
     """Write one page that shows runs and plays their matches, and open it; or draw figures.
 
-    RUN is the directory of a job or of a run. The page is a single file that needs no network and
-    no installation. It holds the genomes and the engine: a click on a cell of the payoff matrix
-    plays that very match. Of a game of your own it holds what the game shows of some matches. Of
-    many runs, the page shows the first seeds of each group.
+    RUN is the directory of a job or of a run. The page is a single file that needs no network. It
+    holds the genomes and the engine: a click on a cell of the payoff matrix plays that very match.
+    Of many runs, the page shows the first seeds of each group.
 
     With --figures the figures of each run go into its directory. Races of one seed are also drawn
     side by side; of several seeds all are drawn together, and single runs only with --each.
@@ -169,16 +168,13 @@ def playground_command(
 ) -> None:
     """Write a page on which you play, and open it.
 
-    "Can you escape it?" is a game of three rounds: you are the only evader, and each round has
-    stronger pursuers. In one match you play any agent: with RUN against its generations, in its
-    world; with VARIANT (default O) against scripts and the evolved opponents that come with the
-    package, in a small world. The page keeps a played match as a file; matrixworld replay FILE
-    shows it, and --out of that command makes a GIF of it.
+    You are the only evader in three rounds against ever stronger pursuers, or any agent in one
+    match: with RUN against its generations, in its world; with VARIANT (default O) against scripts
+    and the evolved opponents that come with the package, in a small world. Or choose rules, place
+    agents and obstacles, and read every conflict of a step in words.
 
-    Rules and conflicts: choose a variant or rules of your own, place agents and obstacles, give
-    each agent a move or a script, and read every conflict of a step in words.
-
-    The page is a single file that needs no network and no installation; it holds the engine.
+    The page is a single file that needs no network. It keeps a played match as a file, which
+    matrixworld replay FILE shows.
     """
     title = "matrixworld playground"
     if isinstance(source, Rules):
