@@ -186,16 +186,24 @@ class _Picture:
         self.canvas = _ground(scene.map.astype(bool).tobytes(), layout).copy()
 
     def draw_trails(self) -> None:
-        """Draw where each living agent came from: a line that fades with age."""
-        if self.scene.trail is None or len(self.scene.trail) == 0:
+        """Draw where each living agent came from: a line for each step, fainter with age."""
+        trail, layout = self.scene.trail, self.layout
+        if trail is None or len(trail) == 0:
             return
-        cells = np.concatenate([self.scene.trail, self.scene.positions[None]])
+        cells = np.concatenate([trail, self.scene.positions[None]])
         teams = slice(0, self.scene.n_pursuers), slice(self.scene.n_pursuers, None)
+        width = max(1, round(layout.cell * TRAIL_WIDTH))
         for team, colour, side in zip(teams, colors.TEAMS, (-1, 1), strict=True):
             mask = Image.new("L", self.canvas.size, 0)
-            shift = side * TRAIL_SHIFT * self.layout.cell
-            alive = self.scene.alive[team]
-            _draw_lines(ImageDraw.Draw(mask), self.layout, cells[:, team], alive, shift)
+            draw, shift = ImageDraw.Draw(mask), side * TRAIL_SHIFT * layout.cell
+            for step, (start, end) in enumerate(pairwise(cells[:, team]), 1):
+                # An agent that is gone has negative coordinates: no line leads from there.
+                moved = (start != end).any(axis=1) & (start >= 0).all(axis=1)
+                strength = OLDEST_LEVEL + (1 - OLDEST_LEVEL) * step / len(trail)
+                for agent in np.flatnonzero(moved & self.scene.alive[team]):
+                    ends = layout.centre(*start[agent]), layout.centre(*end[agent])
+                    line = [(float(x) + shift, float(y) + shift) for x, y in ends]
+                    draw.line(line, fill=round(TRAIL_LEVEL * strength), width=width)
             self.canvas.paste(colour, (0, 0), mask)
 
     def draw_marks(self) -> None:
@@ -295,31 +303,6 @@ class _Picture:
             right -= round(layout.text * 1.1)
         title = _shortened(self.scene.title, right - layout.margin, layout.text)
         draw.text((layout.margin, middle), title, fill=colors.INK, font=text, anchor="lm")
-
-
-def _draw_lines(
-    draw: ImageDraw.ImageDraw,
-    layout: Layout,
-    cells: NDArray[np.integer],
-    alive: NDArray[np.bool_],
-    shift: float,
-) -> None:
-    """Draw one line per step, in pieces so that it fades evenly, newer lines over older ones."""
-    width = max(1, round(layout.cell * TRAIL_WIDTH))
-    pieces = max(2, layout.cell // 6)
-    steps = len(cells) - 1
-    for step, (start, end) in enumerate(pairwise(cells)):
-        # An agent that is gone has negative coordinates: no line leads from there.
-        moved = alive & (start != end).any(axis=1) & (start >= 0).all(axis=1)
-        freshness = (step + (np.arange(pieces) + 1) / pieces) / steps
-        strength = OLDEST_LEVEL + (1 - OLDEST_LEVEL) * freshness
-        levels = (TRAIL_LEVEL * strength).round().astype(int).tolist()
-        for a, b in zip(start[moved].tolist(), end[moved].tolist(), strict=True):
-            (x0, y0), (x1, y1) = layout.centre(*a), layout.centre(*b)
-            dx, dy = (x1 - x0) / pieces, (y1 - y0) / pieces
-            for piece, level in enumerate(levels):
-                x, y = x0 + piece * dx + shift, y0 + piece * dy + shift
-                draw.line((x, y, x + dx, y + dy), fill=level, width=width)
 
 
 def _badge_text(agents: list[int], numbers: bool) -> str:
