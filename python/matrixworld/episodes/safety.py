@@ -102,8 +102,7 @@ class SafetyMonitor:
     """Collects collisions of episodes and summarizes them.
 
     Episodes come from a rollout (`add_statistics`), a `VectorEnv` (`add_infos` after each step), a
-    recording such as ``env.recorded`` (`add_episode`), or as arrays (`add`). ``monitor + other``
-    has the episodes of both.
+    recording such as ``env.recorded`` (`add_episode`), or as arrays (`add`).
     """
 
     def __init__(self) -> None:
@@ -161,13 +160,6 @@ class SafetyMonitor:
             for each in (episode.involved, episode.fault, episode.alive[:-1])
         )
         self.add(collisions, faults, agent_steps, episode.capture_rate)
-
-    def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
-        if not isinstance(other, SafetyMonitor):
-            return NotImplemented
-        both = SafetyMonitor()
-        both._parts = self._parts + other._parts
-        return both
 
     def summary(self, *, seed: int = 0) -> SafetySummary:
         """Summarize all episodes so far; `seed` is that of the bootstrap of intervals."""

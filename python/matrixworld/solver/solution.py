@@ -198,7 +198,7 @@ def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, 
     counts = [states.count(turn) for turn in range(states.n_turns)]
     values = [np.zeros((1, count)) for count in counts]
     if captures:
-        values[0][0] = states.payoffs
+        values[0][0] = states.captured().mean(axis=1)
     first = values[0][0].copy()  # the row of the first turn
     changes = any(isinstance(each, Solution) for each in fixed.values())
     what, n_turns = "best responses" if fixed else "perfect play", states.n_turns
@@ -217,7 +217,7 @@ def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, 
             gap = max(gap, wrong)
             if turn == 0 and not captures:
                 after -= 1.0
-                after[states.n_ends - 1] = 0.0
+                after[states.config.n_evaders] = 0.0  # the end with all captured
             values[turn][left] = after
         first = after
         # Rounds of which no more change the values add no rows.

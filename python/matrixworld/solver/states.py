@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cached_property
 from math import comb, inf, isqrt
 
 import numpy as np
@@ -91,11 +90,6 @@ class States:
         return f"States({self.count():,} states)"
 
     @property
-    def n_ends(self) -> int:
-        """How many of the states of each turn are ends: E + 1."""
-        return self.config.n_evaders + 1
-
-    @property
     def total(self) -> int:
         """The number of states of all turns together."""
         return sum(map(self.count, range(self.n_turns)))
@@ -124,11 +118,6 @@ class States:
     def captured(self, turn: int = 0) -> NDArray[np.bool_]:
         """Return which evaders count as captured, bool (S, E), sorted as the cells are."""
         return self.core.describe(checks.check_integer("turn", turn, 0, self.n_turns - 1))[1]
-
-    @cached_property
-    def payoffs(self) -> NDArray[np.float64]:
-        """Capture rate (S,) of an episode that is over in a state of the first turn."""
-        return np.asarray(self.captured().mean(axis=1), np.float64)
 
     def decisions(self, policy: TeamPolicy, team: Team) -> tuple[NDArray[np.float64], ...]:
         """Return the probabilities with which a policy plays, for each turn (S, its joint actions).
