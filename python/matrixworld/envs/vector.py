@@ -10,7 +10,6 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from gymnasium import spaces
-from gymnasium.error import ClosedEnvironmentError
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -220,7 +219,6 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         return self._returned((self.observations, self.infos))
 
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
-        self._require_open("reset")
         given = dict(options or {})
         unknown = set(given) - set(OPTIONS)
         if unknown:
@@ -249,7 +247,6 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         return self._returned((self.observations, self.rewards, *ends, self.infos))
 
     def _play(self, actions: ArrayLike | None) -> None:
-        self._require_open("step")
         if not self._seeded:
             raise RuntimeError("call reset() before the first step")
         given = self.actions if actions is None else actions
@@ -267,17 +264,12 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     def _returned(self, results: Results) -> Results:
         return deepcopy(results) if self.copy else results
 
-    def _require_open(self, call: str) -> None:
-        if self.closed:
-            raise ClosedEnvironmentError(f"{call}: the environment was closed by close()")
-
     def world(self, number: int) -> World:
         """Return an independent copy of one world, to draw it or to plan in it."""
         return self._batch.world(number)
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
         """Return a picture of each world, (height, width, 3) uint8; None without a render mode."""
-        self._require_open("render")
         if self.render_mode is None:
             return None
         return tuple(rgb(self.world(number).scene()) for number in range(self.n_worlds))
@@ -471,12 +463,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         """Return a picture of its world for each agent; None without a render mode."""
         pictures = self.worlds.render()
         return pictures and tuple(picture for picture in pictures for _ in self._agents)
-
-    def close_extras(self, **kwargs: Any) -> None:
-        """Close the worlds."""
-        # Some versions of Gymnasium also close an environment whose constructor raised.
-        if hasattr(self, "worlds"):
-            self.worlds.close(**kwargs)
 
 
 def _widened(space: spaces.Space[Any], shape: tuple[int, ...]) -> Any:
