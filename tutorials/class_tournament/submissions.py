@@ -26,7 +26,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from matrixworld._util.files import UNREADABLE, DamagedFileError, check_regular, one_line
+from matrixworld._util.files import DamagedFileError, check_regular, one_line
 from matrixworld.play import policies
 from matrixworld.world.policy import Population, Team, TeamPolicy
 
@@ -254,7 +254,7 @@ def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
     """
     try:
         _check_archive(content)
-    except UNREADABLE as error:
+    except Exception as error:
         raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
     return policies.read_genome(path, content)
 
