@@ -266,15 +266,6 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         Names of the caller's agents: ``pursuer_0`` and so on, then ``evader_0`` and so on.
     agents : list of str
         Names of the agents that still play; empty before the first reset and after the end.
-
-    Examples
-    --------
-    >>> from matrixworld import parallel_env
-    >>> env = parallel_env("SB", rows=8, cols=8, n_pursuers=4, n_evaders=1)
-    >>> observations, infos = env.reset(seed=0)
-    >>> while env.agents:
-    ...     actions = {agent: env.action_space(agent).sample() for agent in env.agents}
-    ...     observations, rewards, terminations, truncations, infos = env.step(actions)
     """
 
     def reset(
@@ -552,12 +543,5 @@ def make(
     opponent : Opponents, optional
         What plays the other team, see `matrixworld.envs.opponents`. The default is
         ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
-
-    Examples
-    --------
-    >>> import matrixworld as mw
-    >>> env = mw.make("SB", n_evaders=2, size=10, team="evader", opponent="surrounder")
-    >>> env.possible_agents
-    ['evader_0', 'evader_1']
     """
     return MatrixWorldParallel(config, **with_opponent(team, opponent, settings))

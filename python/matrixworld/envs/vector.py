@@ -345,14 +345,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     -----
     **The episode of a sub-environment is the episode of its world.** All agents of a world end and
     start again in the same step, as Gymnasium's autoreset modes prescribe. An agent that disappears
-    earlier does not terminate then: until its world ends it observes zeros, its rewards are 0 and
-    its actions are ignored. In the last step it terminates; an agent that is alive terminates or is
-    truncated as its world does.
+    earlier observes zeros until then, its rewards are 0 and its actions are ignored.
 
-    A learner that knows nothing of this trains on the steps of gone agents, too. They pay nothing,
-    but agents that see nobody observe the same zeros. A learner that can mask transitions does
-    better with those where ``infos["acted"]`` is True (not the step in which `NextStep` only starts
-    an episode), and with ``terminations | ~infos["alive"]`` as the ends of agents.
+    A learner that can mask transitions does better with those where ``infos["acted"]`` is True, and
+    with ``terminations | ~infos["alive"]`` as the ends of agents.
 
     ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``, and
     ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.

@@ -119,12 +119,6 @@ def save(
     ------
     ImportError
         If the extra ``video`` is not installed, which MP4 needs.
-
-    Examples
-    --------
-    >>> from matrixworld import WorldConfig, record, replay
-    >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
-    >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
     step = checks.check_integer("step", step)
     suffix = Path(path).suffix.lower()
