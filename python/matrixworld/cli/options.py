@@ -361,18 +361,10 @@ def check_outputs(*outputs: Path | None, force: bool, redraws: bool = True) -> N
         except OSError as error:
             expected = f"a directory in which files can be made, got {str(file.parent)!r}"
             raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
-        if file.exists() and not (force or (redraws and _is_drawn(file))):
-            raise click.UsageError(f"{file}: exists; give --force to replace it")
-
-
-def _is_drawn(file: Path) -> bool:
-    # A film has its comment behind a table of its frames.
-    size, part = file.stat().st_size, 1 << 16
-    with file.open("rb") as stream:
-        ends = stream.read(part)
-        stream.seek(max(0, size - part))
-        ends += stream.read()
-    return any(mark in ends for mark in DRAWN)
+        if file.exists() and not force:
+            content = file.read_bytes() if redraws else b""
+            if not any(mark in content for mark in DRAWN):
+                raise click.UsageError(f"{file}: exists; give --force to replace it")
 
 
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
