@@ -45,7 +45,7 @@ OUTPUTS = {
     "tournament": (["tournament", "run", "--episodes", 2], "run/tournament-2-seed0.png"),
     "a page": (["explore", "run", "--no-open"], "run/explorer.html"),
     "figures": (["explore", "run", "--figures"], "run/training.png"),
-    "replay": (["replay", "O", "--steps", 5, "--out", "new.png", "--out", "old.npz"], "old.npz"),
+    "replay": (["replay", "O", "--steps", 5, "--out", "old.npz"], "old.npz"),
 }
 """Commands that write files, and one of these files."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -42,11 +42,10 @@ Examples:
 """
 
 
-def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) -> tuple[Path, ...]:
-    for path in value:
-        if path.suffix.lower() not in SUFFIXES:
-            raise click.BadParameter(f"expected a name that ends in {', '.join(SUFFIXES)}: {path}")
-    return value
+def _out(ctx: click.Context, param: click.Parameter, path: Path | None) -> Path | None:
+    if path is not None and path.suffix.lower() not in SUFFIXES:
+        raise click.BadParameter(f"expected a name that ends in {', '.join(SUFFIXES)}: {path}")
+    return path
 
 
 def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
@@ -79,15 +78,10 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     "--episode", "which episode of the match, or of the seed", least=0, most=SEED_MAX, default=0
 )
 @options.shared("seed", "steps")
-@click.option(
-    "--out",
-    "-o",
-    type=click.Path(path_type=Path),
-    multiple=True,
+@options.out(
+    "write the episode to a file instead of showing it: .gif, .mp4 (of a long episode some steps), "
+    ".png (one moment: --step) or .npz (its data)",
     callback=_out,
-    metavar="FILE",
-    help="write the episode to a file instead of showing it: .gif, .mp4 (of a long episode some "
-    "steps), .png (one moment: --step) or .npz (its data); may be given several times",
 )
 @options.shared("force")
 @click.option(
@@ -107,7 +101,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
 @options.shared("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
-    out: tuple[Path, ...],
+    out: Path | None,
     force: bool,
     step: int | None,
     explain: bool,
@@ -130,12 +124,12 @@ def replay_command(
         if run.settings.game:
             show_match(run, given, out, force=force)
             return
-    suffixes = {path.suffix.lower() for path in out}
-    if not suffixes - {".npz"}:  # the terminal shows no numbers
+    suffix = out.suffix.lower() if out else ""
+    if suffix in ("", ".npz"):  # the terminal shows no numbers
         options.refuse_beside("--out writes no picture", given.keys() & {"numbers"})
-    if out and ".png" not in suffixes:
+    if suffix not in ("", ".png"):
         options.refuse_beside("--out writes no .png", given.keys() & {"step"})
-    options.check_outputs(*out, force=force)
+    options.check_outputs(out, force=force)
     with usage_errors():
         played = _match(source, options.given(game))(episode=game["episode"])
         step = None if step is None else step_number(step, played.length)
@@ -144,14 +138,12 @@ def replay_command(
     if explain and not lines:
         lines = ["no conflicts" if step is None else f"step {step}  no conflicts"]
     every = max(1, round(played.length / FRAMES))
-    for path in out:
-        if path.suffix.lower() == ".npz":
-            played.save(path)
-        else:
-            replay.save(
-                played, path, every=every, step=-1 if step is None else step, numbers=numbers
-            )
-    if every > 1 and suffixes & {".gif", ".mp4"}:
+    if out and suffix == ".npz":
+        played.save(out)
+    elif out:
+        moment = -1 if step is None else step
+        replay.save(played, out, every=every, step=moment, numbers=numbers)
+    if every > 1 and suffix in (".gif", ".mp4"):
         say(f"Every {every} steps are a frame.")
     if not out and step is not None:
         replay.print_moment(played, step=step)
@@ -160,20 +152,17 @@ def replay_command(
     for line in lines:
         say(line)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
-    written = ", ".join(map(str, out))
-    say(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
+    say(f"{caught} of {of} evaders captured, {played.length} steps  {out or ''}".rstrip())
 
 
 # The match of a game of your own:
 
 
-def show_match(
-    run: SavedRun, given: Mapping[str, Any], out: Sequence[Path], *, force: bool
-) -> None:
+def show_match(run: SavedRun, given: Mapping[str, Any], out: Path | None, *, force: bool) -> None:
     """Print or write what the game of a run shows of two genomes."""
     known = {"source", "race", "out", "force", *TEAMS}
     options.refuse_beside(f"{run.path} is a run of a game of your own", given.keys() - known)
-    options.check_outputs(*out, force=force)
+    options.check_outputs(out, force=force)
     with warnings_as_notes(), usage_errors():
         genomes = []
         for team, key in zip(TEAMS, run.settings.keys, strict=True):
@@ -188,12 +177,11 @@ def show_match(
         return
     if not out:
         raise click.UsageError("--out: expected a .png, because the game shows an image")
-    for path in out:
-        if path.suffix.lower() != ".png":
-            raise click.UsageError(f"--out: expected a name that ends in .png, got {path}")
-        with replacing(path) as file:
-            file.write(shown)
-        say(path)
+    if out.suffix.lower() != ".png":
+        raise click.UsageError(f"--out: expected a name that ends in .png, got {out}")
+    with replacing(out) as file:
+        file.write(shown)
+    say(out)
 
 
 # The match of a source:
