@@ -35,13 +35,11 @@ NOTED = "note;Evader;Capture rate;Pursuer\n;2;0;0\né;5;,25;0\n;9;50%;0\n" + (
         '0,"0,25","0,5"\n"0,75",1,"0,125"\n',
         "0\t0,25\t0.5\n0,75\t1\t.125\n",
         "-1e-12,.25,.5\n.75,1.000000000001,.125\n",
-        "0,.25,.5\r.75,1,.125".encode("utf-16"),
+        "0,.25,.5\r.75,1,.125".encode("utf-8-sig"),
         # One line for each pair; with an index, as pandas writes it.
         "pursuer,evader,capture_rate\n1,2,.125\n0,0,0\n0,1,.25\n0,2,.5\n1,0,.75\n1,1,1\n",
         ",pursuer,evader,capture_rate\n0,3,5,0\n1,3,6,.25\n2,3,7,.5\n3,4,5,.75\n4,4,6,1\n5,4,7,.125",
         NOTED,
-        NOTED.encode("utf-16"),
-        NOTED.encode("cp1252"),
     ],
 )  # fmt: skip
 def test_csv_files(tmp_path, text):

@@ -97,7 +97,7 @@ def test_all_commands_come_to_the_same_judgement():
     path = Path("run/specialist-specialist/seed-5")
     [group] = open_groups(path)
     expected = judge(group.payoffs.scores, per_episode=True)
-    same = ["--seed", 5, "--episodes", 5, "--steps", 12]
+    same = ["--seed", 5, "--episodes", 5]
     told = {
         "judge": judged(path)[0],
         "tournament": matrixworld_command("tournament", path, *same).stdout,

@@ -46,3 +46,16 @@ def test_an_exported_network_computes_the_same(shape, library):
         found = reference.ReferenceEvaluator(model).run(names, given)
     for one, other in zip(found, expected, strict=False):
         assert np.abs(one - other).max() < 1e-5
+
+
+@pytest.mark.parametrize("hidden", [(), (6, 4)], ids=str)
+def test_a_module_of_pytorch_rates_the_same(hidden):
+    torch = pytest.importorskip("torch", exc_type=ImportError)
+    rating = mw.Rating(inputs=("room", "adversary", "pressure"), hidden=hidden)
+    genome = np.random.default_rng(4).normal(size=rating.genome_size)  # biases, too
+    policy = mw.RatingPolicy(rating, genome.astype(np.float32))
+    inputs = np.random.default_rng(2).uniform(0, 2, (50, 5, len(mw.INPUTS))).astype(np.float32)
+    module = importlib.import_module("torch_export").rating_to_torch(policy)
+    with torch.no_grad():
+        rated = module(torch.from_numpy(inputs)).numpy()
+    np.testing.assert_allclose(rated, policy.rate(inputs), rtol=1e-4, atol=1e-5)

@@ -6,7 +6,6 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
-from gymnasium.wrappers import TimeAwareObservation
 
 import matrixworld as mw
 from matrixworld.envs.vector import AutoresetMode
@@ -132,17 +131,6 @@ def test_gymnasium_makes_and_checks_it(variant, agent):
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", message=".*maximum value is infinity")  # as it is
         check_env(env.unwrapped, skip_render_check=True)
-
-
-@pytest.mark.parametrize("limit", [{"max_steps": 7}, {"max_episode_steps": 7}])
-def test_the_specification_tells_the_time_limit(limit):
-    name = "matrixworld/pursuit-evasion-o"  # as everywhere; with _ and _v0 it is the same
-    env = TimeAwareObservation(gymnasium.make(name, **{**SMALL, "max_steps": 30, **limit}))
-    assert env.max_timesteps == env.spec.max_episode_steps == 7
-    worlds = gymnasium.make_vec(name, num_envs=2, max_episode_steps=7)
-    assert worlds.unwrapped.config.max_steps == 7
-    with pytest.raises(ValueError, match="^max_episode_steps, max_steps: expected one of them"):
-        gymnasium.make_vec(name, max_steps=3, max_episode_steps=7)
 
 
 def test_it_tells_the_allowed_actions():

@@ -4,7 +4,6 @@ import io
 import itertools
 import warnings
 from contextlib import redirect_stdout
-from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -58,7 +57,10 @@ def test_api_and_seeds(name, given):
 
 @pytest.mark.parametrize("name", mw.VARIANTS)
 def test_max_cycles(name):
-    made = {"env": partial(mw.aec_env, name), "parallel_env": partial(mw.parallel_env, name)}
+    made = {
+        "env": lambda max_cycles: mw.aec_env(name, max_steps=max_cycles),
+        "parallel_env": lambda max_cycles: mw.parallel_env(name, max_steps=max_cycles),
+    }
     with warnings.catch_warnings():
         # It steps a parallel environment until max_cycles, whether or not agents are gone.
         warnings.simplefilter("error")

@@ -122,15 +122,13 @@ def test_a_rating_policy_plays_as_its_population():
     assert np.array_equal(rates, mw.rollout(config, team, "fleer", matches).capture_rate)
     played = mw.score_policy(policy, "pursuer", config, episodes=4).rates
     assert np.array_equal(played, mw.score_policy(team, "pursuer", config, episodes=4).rates)
-
-
-@pytest.mark.parametrize("hidden", [(), (6, 4)], ids=str)
-def test_a_module_of_pytorch_rates_the_same(hidden):
-    torch = pytest.importorskip("torch", exc_type=ImportError)
-    policy = rating_of(inputs=("room", "adversary", "pressure"), hidden=hidden)
-    policy.genome[:] = np.random.default_rng(4).normal(size=policy.genome.shape)  # biases, too
-    inputs = np.random.default_rng(2).uniform(0, 2, (50, 5, len(mw.INPUTS))).astype(np.float32)
-    module = policy.to_torch()
-    with torch.no_grad():
-        rated = module(torch.from_numpy(inputs)).numpy()
-    np.testing.assert_allclose(rated, policy.rate(inputs), rtol=1e-4, atol=1e-5)
+    one, same = (mw.record(config, "chaser", each, seed=3).actions for each in (policy, team))
+    assert np.array_equal(one, same)
+    states = []
+    for opponent in (policy, team):
+        env = mw.make(config, team="evader", opponent=opponent)
+        env.reset(seed=1)
+        for _ in range(5):
+            env.step(dict.fromkeys(env.agents, 0))
+        states.append(env.unwrapped.state())
+    assert np.array_equal(*states)

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld._util import checks
 from scripts import run
 
 ONE_CALL = "Batch or VectorEnv: expected one call at a time, got a second one"
@@ -111,22 +110,3 @@ if len(cores) > 1:
     print(threads_of(*cores[:2]))
 """)
     assert output.splitlines() in ([str((0, 1))], [str((0, 1)), str((1, 2))])
-
-
-@pytest.mark.parametrize(
-    ("own", "limits", "cores"),
-    [
-        (None, {}, 1024),
-        ("0::/\n", {".": "150000 100000\n"}, 1.5),
-        ("1:cpu:/x\n0::/a/b\n", {"a": "400000 100000\n", "a/b": "max 100000\n"}, 4),
-    ],
-)
-def test_control_groups_limit_cores(own, limits, cores, tmp_path, monkeypatch):
-    monkeypatch.setattr(checks, "_OWN_GROUP", tmp_path / "own")
-    monkeypatch.setattr(checks, "_GROUPS", tmp_path / "groups")
-    if own is not None:
-        (tmp_path / "own").write_text(own)
-    for folder, limit in limits.items():
-        (tmp_path / "groups" / folder).mkdir(parents=True, exist_ok=True)
-        (tmp_path / "groups" / folder / "cpu.max").write_text(limit)
-    assert checks.control_group_cores.__wrapped__() == cores

@@ -9,7 +9,6 @@ from matplotlib.text import Text
 
 from command_line import matrixworld_command
 from matrixworld import analysis
-from matrixworld.cli.pages import FIGURES
 from matrixworld.coevolution import evolve, open_groups, open_run, open_runs
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.plots import saved
@@ -41,10 +40,6 @@ def files_of(root, *places, **chosen):
     groups = open_groups(*(root / place for place in places))
     figures = saved.figures_of([group.inside(root) for group in groups], root, **chosen)
     return [file.relative_to(root).as_posix() for file in figures]
-
-
-def test_the_command_knows_the_names_of_all_figures():
-    assert [*FIGURES] == [*dict.fromkeys([*saved.OF_RUN, *saved.OF_GROUPS])]
 
 
 def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
@@ -139,8 +134,9 @@ def test_baselines_are_level_lines_with_intervals_over_seeds(runs):
         levels(runs, "hall", x=str(Path("others").absolute()))
 
 
-def test_one_figure_in_a_format(runs):
-    race, file = runs / "job" / "seed-5", "here.pdf"
-    words = ["explore", race, "--figure", "collisions", "--out", file]
-    assert matrixworld_command(*words).output == f"{file}\n"
-    assert Path(file).read_bytes().startswith(b"%PDF-")
+def test_figures_in_a_format(runs):
+    race = runs / "job" / "seed-5"
+    told = matrixworld_command("explore", race, "--figures", "--format", "pdf").output
+    drawn = race / "collisions.pdf"
+    assert f"{drawn}\n" in told
+    assert drawn.read_bytes().startswith(b"%PDF-")

@@ -105,9 +105,9 @@ def test_links_on_the_page_of_the_index_are_absolute(installed):
 
 
 @pytest.mark.parametrize(
-    "order", ["matrixworld, gymnasium, pettingzoo", "pettingzoo, gymnasium, matrixworld"]
+    "order", ["matrixworld.envs, gymnasium, pettingzoo", "pettingzoo, gymnasium, matrixworld"]
 )
-def test_environments_are_registered_in_any_order_of_imports(order):
+def test_environments_are_registered_with_the_package_or_its_environments(order):
     name, in_parallel = "'matrixworld/pursuit_evasion_o_v0'", hasattr(pettingzoo, "make")
     code = f"import {order}; gymnasium.make({name})"
     code += f"; pettingzoo.make('parallel', {name})" * in_parallel  # from PettingZoo 1.27 on

@@ -338,12 +338,3 @@ def _group_of(name: str, source: Any) -> RunGroup | None:
             f"{name}: expected finished runs that differ in their seed only, got {got}"
         )
     return groups[0]
-
-
-# Directories of jobs:
-
-
-def job_directory(path: Path) -> Path:
-    """Return the directory of the job that a run belongs to: its own, if it is no run of a seed."""
-    folder = path.absolute()
-    return path / ".." / ".." if SEED.fullmatch(folder.name) else path
