@@ -18,7 +18,7 @@ from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
-from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, check_rates, require
+from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, require
 from matrixworld.plots import style
 
 Baselines = Mapping[str, Mapping[str, ArrayLike]]
@@ -57,21 +57,9 @@ def payoff_heatmap(
 
 
 def lag_profile_curve(
-    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str = "Lag profile"
+    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str = ""
 ) -> Figure:
-    """Draw the lag profile: the mean over k of ``payoff[k + d, k]`` for each lag d.
-
-    A flat curve with a notch at 0 means specialists, which win against their own opponents only. A
-    rising curve means that later generations win against earlier and later opponents as well.
-    Lags with fewer than 5 cells are faint.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
-    """
+    """Draw the lag profile of a payoff (n, m); lags with fewer than 5 cells are faint."""
     figure, axes = style.single(6.4, 4.2, title)
     _draw_lag_profile(axes, payoff, style.words_of(teams))
     style.legend_below(figure, style.labelled(axes))
@@ -124,42 +112,24 @@ def ciao_triangles(
 
 
 def generalization_curves(
-    payoffs: Mapping[str, Source],
+    payoffs: Mapping[str, Payoffs],
+    pursuer_baselines: Baselines,
+    evader_baselines: Baselines,
     *,
-    pursuer_baselines: Baselines | None = None,
-    evader_baselines: Baselines | None = None,
     teams: Sequence[str] = style.TEAMS,
     title: str | None = None,
 ) -> Figure:
     """Draw the mean score of each generation against all opponents, a panel for each race.
 
-    The score of pursuers is the capture rate, that of evaders is 1 minus it. Several runs of a race
-    have a 95% interval over seeds, a single one over its episodes, if they are known.
-
-    Parameters
-    ----------
-    payoffs : mapping of str to array_like or Payoffs
-        The runs of each race by its name, as :func:`matrixworld.analysis.read_payoffs` takes them.
-    pursuer_baselines, evader_baselines : mapping of str to mapping of str to array_like, optional
-        Mean scores in [0, 1] of teams that were trained in another way, against the opponents of
-        each seed, by race and by their name. Each is a level line at its mean, and a band for its
-        interval.
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    Baselines are levels with bands for their intervals.
     """
-    style.check_some(payoffs, "race")
-    given = {"pursuer_baselines": pursuer_baselines, "evader_baselines": evader_baselines}
-    baselines = [style.by_name(*each) for each in given.items()]
-    for name in [name for team in baselines for name in team if name not in payoffs]:
-        raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
     words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
     )
     for number, ([axes], (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        _draw_generalization(axes, analysis.read_payoffs(source), words)
-        _draw_baselines(axes, *(style.by_name(name, team.get(name)) for team in baselines))
+        _draw_generalization(axes, source, words)
+        _draw_baselines(axes, pursuer_baselines[name], evader_baselines[name])
         head = style.wrapped(name, style.room(figure, columns, 1.2))
         axes.set_title(head, size="medium", fontweight="bold")
         style.label_first([axes], ["mean score"], is_first=number % columns == 0)
@@ -316,8 +286,7 @@ def _draw_baselines(axes: Axes, *teams: Mapping[str, ArrayLike]) -> None:
     of_teams = zip(teams, colors.TEAMS, strict=True)
     each = [(name, scores, color) for team, color in of_teams for name, scores in team.items()]
     for index, (name, scores, color) in enumerate(each):
-        values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
-        level = analysis.interval_over_runs(values, bounds=UNIT)
+        level = analysis.interval_over_runs(scores, bounds=UNIT)
         dashes = style.LEVELS[index % len(style.LEVELS)]
         axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
         if level.low is not None and level.high is not None:

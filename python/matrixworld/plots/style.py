@@ -120,9 +120,8 @@ def single(width: float, height: float, title: str | None = None) -> tuple[Figur
 
 def entitle(figure: Figure, title: str | None) -> None:
     """Write a title above all panels of a figure, if there is one."""
-    text = "" if title is None else fitting(figure, title)
-    if text:
-        figure.suptitle(text)
+    if title:
+        figure.suptitle(fitting(figure, title))
 
 
 def check_some(groups: Mapping[str, object], what: str = "group of runs") -> None:
@@ -150,7 +149,7 @@ def columns_of_groups(
 ) -> tuple[Figure, list[list[Axes]], int]:
     """Return a figure, a column of panels for each group, and how many are beside each other.
 
-    Lines are equally long: 5 of 4 are 3 and 2. Width and height have a part for each column, line.
+    Lines are equally long. Width and height have a part for each column, line.
     """
     lines = -(-count // most)
     columns = -(-count // lines)
