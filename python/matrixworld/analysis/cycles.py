@@ -87,10 +87,8 @@ def transitive_share(payoff: ArrayLike) -> float:
 
 
 def transitive_share_over_episodes(scores: Rates) -> Estimate:
-    """Return the transitive share of what is behind episodes (n, m, episodes), without interval.
-
-    Products of different episodes of a cell hold no noise (U statistics, Hoeffding 1948).
-    """
+    """Return the transitive share of what is behind episodes (n, m, episodes), without interval."""
+    # Products of different episodes of a cell hold no noise (U statistics, Hoeffding 1948).
     measured, episodes = transitive_share(scores.mean(axis=2)), scores.shape[2]
     if episodes < EPISODES_TO_SUBTRACT_NOISE:
         note = f"{BIASED} below {EPISODES_TO_SUBTRACT_NOISE} episodes"
@@ -204,8 +202,7 @@ def transitive_fit(matrix: Rates) -> Rates:
 def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the mean squared residual of `transitive_fit` minus the mean noise (n, m).
 
-    A test of lack of fit with an order of strength as the null hypothesis (Robertson, Wright and
-    Dykstra 1988); `biased_high` and `high` allow for what the fit hides.
+    `biased_high` and `high` allow for what the fit hides (Robertson, Wright and Dykstra 1988).
     """
     matrix, noise = thinned(matrix), thinned(noise)
     fit, share = transitive_fit(matrix), 1.0 / matrix.size
@@ -260,12 +257,10 @@ def _isotonic_rows(values: Rates) -> Rates:
 
 
 def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
-    """Return how similar the row team becomes to its own past again, with an interval.
-
-    c(d) is the mean product of the cyclic parts of generations that are d apart, divided by c(0).
-    Where c falls below 0, the team has left its old strategies; the largest c(d) after that is the
-    recurrence. One half of the episodes (n, m, episodes) chooses d, the other one measures c(d).
-    """
+    """Return how similar the row team becomes to its past again, of scores (n, m, episodes)."""
+    # c(d) is the mean product of the cyclic parts of generations that are d apart, divided by c(0).
+    # Where c falls below 0, the team has left its old strategies; the largest c(d) after that is
+    # the recurrence. One half of the episodes chooses d, the other one measures c(d).
     # The interval inverts a t test, as Fieller's theorem (1954) does for a ratio, with the standard
     # errors of the jackknife over episodes (Efron and Stein 1981).
     if scores.shape[2] < EPISODES_TO_RECUR:

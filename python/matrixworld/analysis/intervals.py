@@ -267,8 +267,7 @@ def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
 def difference_over_episodes(one: ArrayLike, other: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the difference of two means of scores in [0, 1] with an interval over episodes.
 
-    The squared distances of both means from the ends of their own intervals are added, which keeps
-    the asymmetry of the two intervals (Newcombe 1998, Zou and Donner 2008).
+    Squared distances from the ends of both own intervals are added (Newcombe 1998).
     """
     first, second = _check_scores(one, level), _check_scores(other, level)
     means = float(first.mean()), float(second.mean())
@@ -287,11 +286,9 @@ def linear_over_episodes(
     level: float = LEVEL,
     bounds: Bounds = UNBOUNDED,
 ) -> Estimate:
-    """Return a sum of cells of the payoff matrix with a t interval over episodes.
+    """Return a sum of cells of the payoff matrix with a t interval over episodes (n, m, episodes).
 
-    Episode e of all cells of the scores (n, m, episodes) is one measurement of the whole matrix, so
-    the interval is that of a mean; there is none if all episodes are equal. Cells may share the
-    seeds of their episodes.
+    Episode e of all cells, which may share its seed, is one measurement of the whole matrix.
     """
     array = check_cells(scores, level)
     episodes = array.shape[2]
@@ -304,12 +301,11 @@ def linear_over_episodes(
     return Estimate(value, *t_ends(each, level, bounds), "episodes", episodes)
 
 
-def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> tuple[Band, Band]:
+def generalization_over_episodes(scores: ArrayLike) -> tuple[Band, Band]:
     """Return `generalization` of both teams with t intervals over episodes (n, m, episodes)."""
-    array = check_cells(scores, level)
+    array = check_cells(scores, LEVEL)
     captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T
-    pursuers = band_over_runs(captured, level=level, bounds=UNIT)
-    return pursuers, band_over_runs(escaped, level=level, bounds=UNIT)
+    return band_over_runs(captured, bounds=UNIT), band_over_runs(escaped, bounds=UNIT)
 
 
 def _ends_of_mean(scores: Rates, level: float) -> tuple[float, float]:
@@ -346,16 +342,13 @@ def check_cells(scores: ArrayLike, level: float) -> Rates:
 def rate_intervals(
     counts: NDArray[np.int64], agent_steps: NDArray[np.int64], seed: int = 0
 ) -> NDArray[np.float64]:
-    """Return bootstrap-t intervals (..., 2, 3, 2) of rates per 1000 agent-steps.
+    """Return bootstrap-t intervals (..., 2, 3, 2) of rates per 1000 agent-steps (Hall 1988).
 
-    Counts have the shape (episodes, ..., 2, 3): agent-steps in collision by team and kind;
-    agent-steps have the shape (episodes, 2). NaN with too few episodes, or too few with a
-    collision.
-
-    Episodes are resampled. Each resample gives the distance of its rate from the rate of all
-    episodes in standard errors of a ratio; quantiles of this distance replace those of Student's
-    t, which covers skewed counts better (Hall 1988).
+    Counts are (episodes, ..., 2, 3), agent-steps in collision by team and kind; agent-steps are
+    (episodes, 2). NaN with too few episodes, or too few with a collision.
     """
+    # Each resample of episodes gives the distance of its rate from the rate of all in standard
+    # errors of a ratio; its quantiles replace those of Student's t: counts are skewed.
     n, rng = len(counts), np.random.default_rng(seed)
     c = counts.reshape(n, -1).astype(float)
     # Agent-steps lack the other axes and the kinds: a length of 1 there.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +10,7 @@ from numpy.typing import ArrayLike
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis import intervals
 from matrixworld.analysis.intervals import LEVEL, UNIT, Band, Estimate
-from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
+from matrixworld.analysis.payoffs import Rates, check_finite, check_rates
 from matrixworld.analysis.progress import generalization, lag_profile
 from matrixworld.analysis.ratings import ELO_POINTS, elo
 
@@ -19,7 +18,6 @@ RESAMPLES = 2000
 """Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of
 its width."""
 TRIMMED = 0.25  # share of the scores that an interquartile mean leaves out at each end
-SEPARATE = "no interval: the scores of the two groups do not overlap"
 
 
 def fewest_runs(level: float = LEVEL) -> int:
@@ -30,9 +28,7 @@ def fewest_runs(level: float = LEVEL) -> int:
     return max(2, math.ceil(1.0 - math.log2(1.0 - level)))
 
 
-def interquartile_mean(
-    scores: ArrayLike, *, level: float = LEVEL, resamples: int = RESAMPLES, seed: int = 0
-) -> Estimate:
+def interquartile_mean(scores: ArrayLike, *, level: float = LEVEL, seed: int = 0) -> Estimate:
     """Return the mean of the middle half of all scores, with a bootstrap interval over runs.
 
     Single runs that fail and single opponents that are easy count less than in the mean. There is
@@ -44,8 +40,8 @@ def interquartile_mean(
         One finite score of each run against each opponent, such as the held-out ones.
     level : float, optional
         Confidence level, in (0, 1).
-    resamples, seed : int, optional
-        Number of bootstrap samples, at least 100, and their seed.
+    seed : int, optional
+        Seed of the bootstrap samples.
 
     Notes
     -----
@@ -59,57 +55,17 @@ def interquartile_mean(
     NeurIPS. Hesterberg (2015), "What teachers should know about the bootstrap", The American
     Statistician 69(4).
     """
-    array = _check_scores(scores)
-    resamples, seed = check_integer("resamples", resamples, 100), check_integer("seed", seed, 0)
-    value, runs = _middle_mean(array), len(array)
-    missing = _too_few(runs, level)
-    if not missing and np.ptp(array, axis=0).max() == 0.0:
-        missing = f"no interval: all {runs} runs are equal"
-    if missing:
-        return Estimate(value, samples=runs, note=missing)
-    rng = np.random.default_rng(seed)
-    drawn = [_middle_mean(array[rng.integers(runs, size=runs)]) for _ in range(resamples)]
+    array = check_finite(scores, "scores (runs, opponents)", ndim=2)
+    value, runs, fewest = _middle_mean(array), len(array), fewest_runs(level)
+    if runs < fewest:
+        return Estimate(value, samples=runs, note=f"no interval below {fewest} runs")
+    if np.ptp(array, axis=0).max() == 0.0:
+        return Estimate(value, samples=runs, note=f"no interval: all {runs} runs are equal")
+    rng = np.random.default_rng(check_integer("seed", seed, 0))
+    drawn = [_middle_mean(array[rng.integers(runs, size=runs)]) for _ in range(RESAMPLES)]
     tail = expanded_tail(runs, level)
     low, high = np.quantile(drawn, [tail, 1.0 - tail])
     return Estimate(value, float(low), float(high), "runs", runs)
-
-
-def probability_of_improvement(
-    one: ArrayLike, other: ArrayLike, *, level: float = LEVEL
-) -> Estimate:
-    """Return how probably a run of one group scores higher than a run of another group.
-
-    Mean over opponents; equal scores count one half. There is no interval below 6 runs in a group
-    (at 95 %), or if the groups do not overlap.
-
-    Parameters
-    ----------
-    one, other : array_like of float, shapes (runs, opponents) and (other_runs, opponents)
-        One finite score of each run against each of the same opponents.
-    level : float, optional
-        Confidence level, in (0, 1).
-
-    References
-    ----------
-    Mann and Whitney (1947): the statistic, divided by the number of pairs. Brunner and Munzel
-    (2000), "The nonparametric Behrens-Fisher problem": Welch's t interval of the placements, the
-    share of the other group that each run beats.
-    """
-    first, second = _check_scores(one), _check_scores(other)
-    opponents = first.shape[1]
-    expected = f"scores against the same {opponents} opponents"
-    require(second.shape[1] == opponents, expected, second.shape[1])
-    # Signs of the differences, shape (runs, other runs, opponents): wins 1, ties 1/2, losses 0.
-    wins = (np.sign(first[:, np.newaxis] - second[np.newaxis]) + 1.0) / 2.0
-    beaten, beating = wins.mean(axis=(1, 2)), wins.mean(axis=(0, 2))
-    value, fewest = float(wins.mean()), min(len(first), len(second))
-    missing = _too_few(fewest, level)
-    if not missing and intervals.does_not_vary(beaten) and intervals.does_not_vary(beating):
-        missing = SEPARATE
-    if missing:
-        return Estimate(value, samples=fewest, note=missing)
-    # The difference of the means is `value`, because the second mean is 0.
-    return intervals.difference_of_runs(beaten, beating - value, level=level, bounds=UNIT)
 
 
 def expanded_tail(runs: int, level: float) -> float:
@@ -125,30 +81,19 @@ def _middle_mean(scores: Rates) -> float:
     return float(ordered[cut : len(ordered) - cut].mean())
 
 
-def _check_scores(scores: ArrayLike) -> Rates:
-    return check_finite(scores, "scores (runs, opponents)", ndim=2)
-
-
-def _too_few(runs: int, level: float) -> str:
-    """Return why so few runs have no interval; empty if there are enough."""
-    fewest = fewest_runs(level)
-    return f"no interval below {fewest} runs" if runs < fewest else ""
-
-
-def race_bands(payoffs: ArrayLike, *, level: float = LEVEL) -> dict[str, Band]:
+def race_bands(payoffs: ArrayLike) -> dict[str, Band]:
     """Return mean generalization, Elo points and lag profile of runs (runs, n, m), with intervals.
 
     By name: ``pursuer_generalization``, ``evader_ratings`` and so on, and ``lag_profile``.
     """
     matrices = check_rates(payoffs, ndim=3, what="payoff matrices (runs, n, m)")
-    over_runs = partial(intervals.band_over_runs, level=level)
     found: dict[str, Band] = {}
     for team in ("pursuers", "evaders"):
         scores = [getattr(generalization(matrix), team) for matrix in matrices]
         ratings = [ELO_POINTS * getattr(elo(matrix), team) for matrix in matrices]
-        found[f"{team[:-1]}_generalization"] = over_runs(scores, bounds=UNIT)
-        found[f"{team[:-1]}_ratings"] = over_runs(ratings)
+        found[f"{team[:-1]}_generalization"] = intervals.band_over_runs(scores, bounds=UNIT)
+        found[f"{team[:-1]}_ratings"] = intervals.band_over_runs(ratings)
     profiles = [lag_profile(matrix) for matrix in matrices]
     lags, means = profiles[0].lags, [profile.means for profile in profiles]
-    found["lag_profile"] = over_runs(means, places=lags, bounds=UNIT)
+    found["lag_profile"] = intervals.band_over_runs(means, places=lags, bounds=UNIT)
     return found
