@@ -21,11 +21,10 @@ from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament
 from matrixworld.coevolution.evaluation import scores as held_out
-from matrixworld.coevolution.evaluation.tournament import team_size
 from matrixworld.coevolution.groups import RunGroup, by_clarity, job_directory
 from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.storage import find_runs
-from matrixworld.coevolution.types import Team
+from matrixworld.coevolution.types import Team, team_size
 from matrixworld.world.config import WorldConfig
 
 # Judgements:

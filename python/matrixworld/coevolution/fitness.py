@@ -61,14 +61,9 @@ class FitnessSettings(Section):
 
 
 def feasible_first(fitness: ArrayLike, violation: ArrayLike) -> FloatArray:
-    """Return a fitness (n,) that ranks candidates within a limit before all others.
+    """Return a fitness (n,) that ranks candidates with no `violation` (n,) of a limit first.
 
-    `violation` (n,) is by how much each exceeds the limit; within it 0 or less. Of two candidates
-    within the limit, the fitter one is better; of two beyond it, the one with the smaller
-    violation.
-
-    Deb 2000, "An efficient constraint handling method for genetic algorithms", Computer Methods in
-    Applied Mechanics and Engineering 186, equation 5.
+    Others rank by their violation alone (Deb 2000, "An efficient constraint handling method").
     """
     values, beyond = check_floats("fitness", fitness), check_floats("violation", violation)
     within = beyond <= 0.0
@@ -84,10 +79,9 @@ def mean_over_opponents(values: FloatArray) -> FloatArray:
 
 
 def shared_fitness(payoff: FloatArray) -> FloatArray:
-    """Return `competitive_sharing` of payoffs (n, m); NaN marks opponents that were not met.
+    """Return `competitive_sharing` of payoffs (n, m), NaN where opponents were not met.
 
-    It is scaled by n / m: a population that beats every opponent then has a mean fitness of 1,
-    whatever its size.
+    By n / m times: a population that beats every opponent has a mean of 1, whatever its size.
     """
     n, m = len(payoff), np.count_nonzero(~np.isnan(payoff).all(axis=0))
     return competitive_sharing(np.nan_to_num(payoff)) * (n / m)

@@ -374,7 +374,8 @@ def play_job(
     watch = _Watch(job, root, report, on_epoch)
     # If the job is stopped, its groups have about equally many seeds.
     left = sorted((n for n in job if n not in watch.ended), key=lambda n: job[n].seed)
-    here = any(each.game and each.game.is_here_alone for each in job.values())
+    # No other process can import what is in a notebook.
+    here = any(each.game and each.game.code.startswith("__main__:") for each in job.values())
     if executor is None and (len(left) == 1 or here or not HAS_PROCESSES):
         for name in left:
             _play_here(watch, name, threads)

@@ -251,18 +251,10 @@ class Prioritized(Opponents):
 def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
     """Return a greedy sample of opponents, each of which beats what few others in it beat.
 
-    ::
-
-        covered[k] = 0 for every individual k
-        repeat count times:
-            choose the j not yet chosen with the most  sum_k beats[j, k] / (1 + covered[k]);
-            decide ties at random
-            covered[k] += beats[j, k]
-
     `beats` (m, n) says how surely opponent j beats individual k of the last epoch, in [0, 1].
-
-    Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
+    # Chosen is the j with the most ``sum_k beats[j, k] / (1 + covered[k])``, where covered[k] sums
+    # beats[., k] of those chosen before (Rosin & Belew 1997); ties are decided at random.
     matrix = check_floats("beats", beats)
     # argmax takes the first of equals, so a random order of the rows decides ties at random.
     order = rng.permutation(len(matrix))

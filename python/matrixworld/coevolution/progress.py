@@ -82,14 +82,6 @@ class ProgressBar:
     after : float, optional
         Seconds in which nothing is shown: what takes no longer needs no bar.
 
-    Examples
-    --------
-    ::
-
-        with ProgressBar() as bar:
-            race.run(bar)
-        with ProgressBar() as bar:
-            evolve(settings, "my-races", report=bar)
     """
 
     def __init__(

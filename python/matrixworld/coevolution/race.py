@@ -46,7 +46,7 @@ from matrixworld.coevolution.opponents import (
 )
 from matrixworld.coevolution.pursuit import SCRIPTS
 from matrixworld.coevolution.sections import Section, by_race, documented, kinds_in, setting
-from matrixworld.coevolution.seeding import Phase, Purpose, learning_phase, training_seeds
+from matrixworld.coevolution.seeding import Phase, Purpose, training_seeds
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Payoff, Team, other
 
 if TYPE_CHECKING:
@@ -166,11 +166,7 @@ class OfGenerations(Race):
         return self.generations * self.epochs(team)
 
     def sampler(self, team: Team) -> Opponents:
-        """Return how a team chooses opponents.
-
-        Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
-        fails.
-        """
+        """Return how a team chooses opponents; imports code of your own."""
         met = self.pursuers_meet if team == "pursuer" else self.evaders_meet
         sampler: Opponents = met.load() if isinstance(met, OwnOpponents) else met
         return sampler
@@ -291,18 +287,7 @@ def available(team: Team, k: int) -> int:
 def improve(
     run: RunInMemory, team: Team, generation: int, count: int, epochs: Iterable[int], activity: str
 ) -> types.Genome:
-    """Let a team learn for some epochs against `count` opponents each; return its genome.
-
-    ::
-
-        in each epoch:
-            candidates = asked of the learner
-            opponents = chosen by the sampler of the team
-            each candidate plays against each opponent
-            sampler and learner are told the results
-
-    After each epoch the `activity` is reported.
-    """
+    """Let a team learn for some epochs against `count` opponents each; return its genome."""
     opponents = run.opponents(team)
     groups = run.learners[team].seed_groups
     n = len(groups)
@@ -314,7 +299,7 @@ def improve(
         run.begin_epoch(team, generation, epoch)
         candidates = run.ask(team, generation, epoch)
         rng = run.generator(Purpose.OPPONENTS, team, generation, epoch)
-        met = run.sample(team, run.size(opponents), count, epoch, rng)
+        met = run.sample(team, types.team_size(opponents), count, epoch, rng)
         seeds = match_seeds(run, team, generation, epoch, met)
         scores = run.play_candidates(team, candidates, opponents, met, seeds)
         # Win rates, not fitness: samplers expect numbers in [0, 1].
@@ -334,7 +319,8 @@ def match_seeds(run: RunInMemory, team: Team, generation: int, epoch: int, met: 
     for opponent in map(int, met):
         # They depend on both generations, so that no two phases play the same episodes.
         pair = (generation, opponent) if team == "pursuer" else (opponent, generation)
-        count, phase = int(groups.max()) + 1, learning_phase(team)
+        phase = Phase.PURSUERS_LEARN if team == "pursuer" else Phase.EVADERS_LEARN
+        count = int(groups.max()) + 1
         seeds.append(training_seeds(run.settings.seed, *pair, phase, epoch, count)[groups])
     return np.stack(seeds, axis=1)
 
@@ -428,8 +414,7 @@ class AtOnce(OfGenerations):
     ) -> dict[Team, tuple[FloatArray, Any, Indices]]:
         """Play the matches of an epoch, and let both teams learn from them.
 
-        Returns for each team the fitness (n,), all possible opponents, and those that its fittest
-        individual has met.
+        Returns the fitness (n,), all possible opponents, and those of the fittest, of each team.
         """
         # One for both teams: their matches are drawn together.
         rng = run.generator(Purpose.OPPONENTS, "pursuer", generation, epoch)
@@ -471,10 +456,9 @@ class AtOnce(OfGenerations):
 
 
 class Pairings(NamedTuple):
-    """The M matches of one epoch between two populations of n individuals.
+    """The M matches of one epoch: numbers below n are individuals, others of the hall of fame.
 
-    Players with numbers below n are individuals, the others members of the hall of fame. Matches of
-    the same group have the same seed.
+    Matches of the same group have the same seed.
     """
 
     pursuer: Indices
@@ -485,15 +469,13 @@ class Pairings(NamedTuple):
 def pairings(
     seed_groups: Indices, contemporaries: int, hall: tuple[int, int], rng: types.Rng
 ) -> Pairings:
-    """Return the matches of two populations of n individuals.
+    """Return the matches of individuals with `contemporaries` living opponents and the `hall`.
 
-    Every individual plays against `contemporaries` living opponents (such a match counts for both),
-    and against every sampled member of the other team's hall of fame; `hall` has their numbers.
-
-    Groups meet groups in random order, and their members meet in turn: between mirrored samples
-    the strength of the opponents then cancels out, like the luck of the match seed. Where all
-    individuals are one group, each meets single opponents in random order.
+    A match of two living ones counts for both; `hall` has the numbers of members of both teams.
     """
+    # Groups meet groups in random order, and their members meet in turn: between mirrored samples
+    # the strength of the opponents then cancels out, like the luck of the match seed. Where all
+    # individuals are one group, each meets single opponents in random order.
     n, groups = len(seed_groups), int(seed_groups.max()) + 1
     size = n // groups if groups > 1 else 1
     blocks = np.argsort(seed_groups, kind="stable").reshape(-1, size)
@@ -516,10 +498,7 @@ def pairings(
 def table_of_individuals(
     own: Indices, opponents: Indices, n: int, values: FloatArray
 ) -> FloatArray:
-    """Return the values (M,) of matches as a table (n, m) of individuals against opponents.
-
-    It holds the mean over the matches of a pair, and NaN for a pair that did not play.
-    """
+    """Return the values (M,) of matches as a table (n, m): means of pairs, NaN without a match."""
     # Matches of hall members themselves are not needed: they do not evolve any more.
     living, m = own < n, int(opponents.max()) + 1
     pair = own[living] * m + opponents[living]

@@ -17,14 +17,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, check_instance, check_integer, check_threads
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.payoffs import in_words_of
 from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution import storage, types
-from matrixworld.coevolution.evaluation.tournament import team_size, tournament
+from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import Table
 from matrixworld.coevolution.game import Game, Scores
 from matrixworld.coevolution.learners.learner import Learner, Results, check_genomes
@@ -119,10 +119,7 @@ def create(
 def check_sources(
     settings: RaceSettings, opponents: Any = None, start: ArrayLike | None = None
 ) -> tuple[Any, types.Genome | None]:
-    """Return the opponents and the genome to start from, those given or those of the settings.
-
-    FileNotFoundError or ValueError if a run holds none, or if they do not fit the settings.
-    """
+    """Return the opponents and the genome to start from, those given or those of the settings."""
     schedule, game = settings.schedule, settings.evaluation_game
     assert isinstance(schedule, Against)
     policy: Any = opponents
@@ -259,10 +256,6 @@ class RunInMemory:
     def opponents(self, team: Team) -> Any:
         """Return whom a team can meet now: all generations of the other team."""
         return self.population(other(team), self.genomes(other(team)))
-
-    def size(self, opponents: Any) -> int:
-        """Return how many opponents there are."""
-        return team_size(opponents)
 
     def generator(self, purpose: Purpose, team: Team, generation: int, epoch: int) -> types.Rng:
         """Return the random numbers of a team in an epoch."""
@@ -482,8 +475,6 @@ class Run(RunInMemory):
     def __init__(self, directory: str | Path, *, threads: int | None = None) -> None:
         self.files: storage.RunWriter = storage.RunWriter(directory)
         check_source(self.files)
-        self.results: dict[str, NDArray[Any]] = {}
-        """Other arrays of this stage, which a subclass may add to its file."""
         self._report: Report = silent
         self._on_epoch: OnEpoch | None = None
         super().__init__(self.files.settings, threads=threads)
@@ -511,10 +502,8 @@ class Run(RunInMemory):
             # another process may have continued the run.
             self._restore()
             LOG.info("%s: goes on from stage %d of %d", path, self.stage, schedule.n_stages)
-            self._before, self._total = (
-                self.counts["matches"],
-                total_matches(self.settings, self._pairs()),
-            )
+            self._before = self.counts["matches"]
+            self._total = total_matches(self.settings, self._pairs())
             self.train()
             if self.files.finished:
                 self.files.summary()  # only to raise an error if one of them is damaged
@@ -573,12 +562,12 @@ class Run(RunInMemory):
         self.stage_scores.append(float(np.mean(rates)))
         super().end_stage()
         counters = {**self.counts, "score": self.stage_scores[-1]}
-        self.files.save(self.stage, self.archive, self.rows, counters, self.states, self.results)
+        self.files.save(self.stage, self.archive, self.rows, counters, self.states)
         LOG.info(
             "%s: saved stage %d of %d",
             self.files.path, self.stage, self.settings.schedule.n_stages,
         )  # fmt: skip
-        self.rows, self.results = [], {}
+        self.rows = []
         generation, left = divmod(self.stage, self.settings.schedule.stages_per_generation)
         for stretch in self.disengagements() if not left else ():
             # Equal, not at least: a longer stretch has been reported before.
@@ -597,17 +586,12 @@ class Run(RunInMemory):
         return disengagements(np.broadcast_to(rates, (finished, 2)))
 
     def _restore(self) -> None:
-        restored = self.files.restore()
-        _, *stages = restored.stages  # stage 0 is before training
-        self.stage = len(stages)
-        self.stage_scores: list[float] = [float(each["score"]) for each in stages]
-        last = restored.stages[-1]
-        self.counts = {name: int(last[name]) for name in ("matches", *self.game.counters)}
-        self.archive = {
-            team: [*genomes] for team, genomes in zip(TEAMS, restored.archive.values(), strict=True)
-        }
-        self.states = restored.states
-        self.rows, self.results = [], {}
+        stages, archive, self.states = self.files.restore()
+        self.stage = len(stages) - 1  # stage 0 is before training
+        self.stage_scores: list[float] = [float(each["score"]) for each in stages[1:]]
+        self.counts = {name: int(stages[-1][name]) for name in ("matches", *self.game.counters)}
+        self.archive = {team: [*archive[team]] for team in TEAMS}
+        self.rows = []
 
     # Where the loop meets the directory:
 
@@ -632,7 +616,7 @@ class Run(RunInMemory):
         if self.settings.is_race:
             return self.settings.schedule.entries**2
         [team] = self.settings.learning_teams
-        return self.size(self.opponents(team))
+        return types.team_size(self.opponents(team))
 
 
 def check_source(run: storage.SavedRun) -> None:
@@ -653,8 +637,7 @@ def accept_source(directory: str | Path) -> None:
 def lengthen(directory: str | Path, generations: int, *, only_check: bool = False) -> None:
     """Let a race have more generations; it then goes on as if it had had them from the beginning.
 
-    ValueError if that cannot be: for one team alone, fewer generations than there are, a learner
-    that anneals over the whole run, or a race without checkpoints.
+    ValueError if that cannot be; see `SavedRun.extend`.
     """
     files = storage.RunWriter(directory)
     with files.lock():

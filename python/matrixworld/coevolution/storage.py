@@ -36,7 +36,7 @@ from dataclasses import replace
 from functools import cached_property
 from pathlib import Path, PurePath
 from tempfile import TemporaryDirectory
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -214,6 +214,11 @@ class SavedRun:
         # A race that was made longer has results of its first stages.
         return exist and bool(self.summary()["stages"] >= self.settings.schedule.n_stages)
 
+    @property
+    def has_checkpoint(self) -> bool:
+        """Whether there is a checkpoint of the newest stage."""
+        return self.newest() in self._numbers("checkpoint")
+
     # What the files hold:
 
     def archive(self) -> Archive:
@@ -231,7 +236,7 @@ class SavedRun:
 
     def log(self) -> dict[str, NDArray[Any]]:
         """Return the columns of the log (see `columns`) as arrays; errors as `archive`."""
-        rows = self._rows_of(self._stages())
+        rows = self.rows(0)
         return {
             name: np.array([row[name] for row in rows], dtype=kind)
             for name, kind in self.columns.items()
@@ -239,24 +244,20 @@ class SavedRun:
 
     def rows(self, after: int) -> list[Row]:
         """Return the rows of the log of all finished stages after one; errors as `archive`."""
-        return self._rows_of(
-            [self._stage(number) for number in range(after + 1, self.newest() + 1)]
-        )
+        rows = csv.DictReader(io.StringIO(self._log_of(self._stages(after + 1)), newline=""))
+        return [{name: kind(row[name]) for name, kind in self.columns.items()} for row in rows]
 
     def _log_of(self, stages: Sequence[files.Arrays]) -> str:
         lines = "".join(stage["log"].item().decode() for stage in stages)
         return f"{','.join(self.columns)}\n{lines}"
-
-    def _rows_of(self, stages: Sequence[files.Arrays]) -> list[Row]:
-        rows = csv.DictReader(io.StringIO(self._log_of(stages), newline=""))
-        return [{name: kind(row[name]) for name, kind in self.columns.items()} for row in rows]
 
     @called
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         arrays = self._load(PAYOFF)
         kind, settings = self.settings.kind_of_game, self.settings
-        extras = {name: arrays[name] for name in kind.payoff_extras()}
+        names = (*(f"{name}s" for name in kind.single), *kind.means)
+        extras = {name: arrays[name] for name in names}
         exact = settings.game is not None and settings.game.deterministic
         return Payoff(arrays["scores"], extras, settings.teams, exact, kind.score_words[0])
 
@@ -286,11 +287,11 @@ class SavedRun:
     def _load(self, name: str) -> files.Arrays:
         return files.load_arrays(self.path / name)
 
-    def _stages(self) -> list[files.Arrays]:
-        """Return what all finished stages have added; DamagedFileError if one is missing."""
+    def _stages(self, first: int = 0) -> list[files.Arrays]:
+        """Return what finished stages have added; DamagedFileError if one is missing."""
         # The summary first: beside a writer, all stages that it counts are there afterwards.
         least = self.summary()["stages"] if (self.path / SUMMARY).exists() else 0
-        return [self._stage(number) for number in range(max(least, self.newest()) + 1)]
+        return [self._stage(number) for number in range(first, max(least, self.newest()) + 1)]
 
     def _stage(self, number: int) -> files.Arrays:
         try:
@@ -444,13 +445,6 @@ class SavedRun:
         run.lengthen(self.path, generations)
         return run.finish(self.path, threads=threads, report=report)
 
-    @cached_property
-    def _best(self) -> dict[Team, int]:
-        # Scores are of runs, and so above this module.
-        from matrixworld.coevolution.evaluation.scores import best_generations
-
-        return best_generations(self)
-
     def best(self, team: str, *, sampled: bool | None = None, seed: int | None = None) -> Any:
         """Return the generation of a team that is best against held-out opponents, as a policy.
 
@@ -462,11 +456,16 @@ class SavedRun:
         team, sampled, seed
             As for `policy`.
         """
+        # Scores are of runs, and so above this module.
+        from matrixworld.coevolution.evaluation.scores import best_generations
+
         if self.settings.game:
             return self.last(team)
         check_choice("team", team, TEAMS)
-        side = cast(Team, team)
-        return self.policy(side, self._best.get(side, -1), sampled=sampled, seed=seed)
+        side, best = cast(Team, team), vars(self).setdefault("_best", {})
+        if not best:
+            best |= best_generations(self)
+        return self.policy(side, best.get(side, -1), sampled=sampled, seed=seed)
 
     def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
         """Return what a generation of a team does, in words and numbers: an `Explanation`.
@@ -592,14 +591,6 @@ def open_runs(directory: str | Path) -> list[SavedRun]:
 # Writing:
 
 
-class Restored(NamedTuple):
-    """What all stages have added, the genomes in them, and the states from which to go on."""
-
-    stages: list[files.Arrays]
-    archive: Archive
-    states: dict[str, State]
-
-
 class RunWriter(SavedRun):
     """A run that one process writes, under its lock; any number may read it meanwhile."""
 
@@ -625,11 +616,6 @@ class RunWriter(SavedRun):
         counters = ("matches", *self.settings.kind_of_game.counters)
         self.save(0, archive, [], dict.fromkeys(counters, 0), states)
 
-    @property
-    def has_checkpoint(self) -> bool:
-        """Whether there is a checkpoint of the newest stage."""
-        return self.newest() in self._numbers("checkpoint")
-
     def change(self, settings: RaceSettings) -> None:
         """Write config.json with other settings of the same run."""
         config = {**self.config, "settings": settings.to_json()}
@@ -643,29 +629,24 @@ class RunWriter(SavedRun):
         rows: Sequence[Row],
         counters: Counters,
         states: Mapping[str, State],
-        more: Mapping[str, NDArray[Any]] | None = None,
     ) -> None:
         """Save a stage and its checkpoint.
 
-        `archive` holds all genomes of each team, of which those of earlier stages are not written
-        again; `rows` are those of the log of this stage, `counters` what the run has counted until
-        now, `states` what the next stage goes on from, and `more` other results of the stage.
+        `archive` holds all genomes of each team, `rows` the log of this stage alone.
         """
         new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
         genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
         log = self._as_csv(rows).encode()
         flat = {f"{p}.{name}": value for p, each in states.items() for name, value in each.items()}
         self._save(_name("checkpoint", stage), flat)
-        self._save(_name("stage", stage), {**genomes, "log": log, **counters, **(more or {})})
+        self._save(_name("stage", stage), {**genomes, "log": log, **counters})
         self._saved = {team: len(archive[team]) for team in TEAMS}
         (self.path / _name("checkpoint", stage - 2)).unlink(missing_ok=True)
 
-    def restore(self) -> Restored:
-        """Return the newest stage that is intact, with all stages before it.
+    def restore(self) -> tuple[list[files.Arrays], Archive, dict[str, State]]:
+        """Return all stages up to the newest intact one, their genomes, and the states after it.
 
-        To be called under the lock. A damaged file is reported by a warning and renamed to
-        ``*.damaged``; the stage before it is used instead. DamagedFileError if no stage is intact
-        that has a checkpoint.
+        A damaged file is reported by a warning and renamed to ``*.damaged``.
         """
         files.remove_temporary_files(self.path)
         problems: list[files.DamagedFileError] = []
@@ -705,7 +686,7 @@ class RunWriter(SavedRun):
             # "pursuer.opponents.x" belongs to the part "pursuer.opponents", not to "pursuer".
             part, _, name = key.rpartition(".")
             states.setdefault(part, {})[name] = value
-        return Restored(stages, archive, states)
+        return stages, archive, states
 
     def save_results(self, payoff: Mapping[str, NDArray[Any]], summary: Mapping[str, Any]) -> None:
         """Write log and genomes for other programs, payoff.npz, and summary.json as the last."""
@@ -749,11 +730,7 @@ def check_empty(path: Path) -> None:
 
 @contextmanager
 def new_directory(path: Path) -> Iterator[Path]:
-    """Yield an empty directory that becomes `path` at the end of the block, with all that is in it.
-
-    FileExistsError if there is something. A process that is killed before leaves only a hidden
-    directory beside it.
-    """
+    """Yield an empty directory that becomes `path` at the end of the block, whole or not at all."""
     check_empty(path)
     target = path.absolute()
     target.parent.mkdir(parents=True, exist_ok=True)

@@ -25,6 +25,11 @@ def other(team: Team) -> Team:
     return "evader" if team == "pursuer" else "pursuer"
 
 
+def team_size(team: Any) -> int:
+    """Return how many candidates a team has: its genomes, or one."""
+    return len(team.genomes) if hasattr(team, "genomes") else 1
+
+
 Genome = NDArray[np.float32]
 """What a member of a team is, such as the weights of its policy, shape (genes,)."""
 Genomes = NDArray[np.float32]

@@ -22,13 +22,13 @@ from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, load_arrays, read_json, save_json
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import Estimate
-from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks, team_size
+from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.pursuit import Pursuit
 from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.coevolution.types import TEAMS, Team, other, team_size
 from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.policies import GenomePolicy, fits
 from matrixworld.play.rollout import Matches, rollout

@@ -16,7 +16,7 @@ from matrixworld._util.checks import check_instance, check_integer, check_thread
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.pursuit import Pursuit, WorldConfig
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.types import Payoff
+from matrixworld.coevolution.types import Payoff, team_size
 
 Block = TypeVar("Block")
 
@@ -130,11 +130,6 @@ def play_blocks(
         # After an error or Ctrl-C.
         for future in futures:
             future.cancel()
-
-
-def team_size(team: Any) -> int:
-    """Return how many candidates a team has: its genomes, or one."""
-    return len(team.genomes) if hasattr(team, "genomes") else 1
 
 
 def each_genome(team: Any) -> list[Any]:
