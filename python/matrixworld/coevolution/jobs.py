@@ -25,13 +25,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util.checks import (
-    check_instance,
-    check_memory,
-    check_sequence,
-    check_threads,
-    shown,
-)
+from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, sentence_of
 from matrixworld._util.imports import HAS_PROCESSES
 from matrixworld.coevolution import progress, run, storage, types
@@ -68,17 +62,17 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
     given: Any = settings
     if not isinstance(given, Sequence | Mapping):  # a set has no order
         expected = "RaceSettings, or a sequence or mapping of them"
-        raise TypeError(f"settings: expected {expected}, got {shown(given)}")
+        raise TypeError(f"settings: expected {expected}, got {checks.shown(given)}")
     named = given.items() if isinstance(given, Mapping) else ((None, each) for each in given)
     runs: dict[str, RaceSettings] = {}
     names: dict[RaceSettings, str] = {}
     for key, each in named:
         if not isinstance(each, RaceSettings):
-            raise TypeError(f"settings: expected RaceSettings, got {shown(each)}")
+            raise TypeError(f"settings: expected RaceSettings, got {checks.shown(each)}")
         name = f"{each.schedule.name}/seed-{each.seed}" if key is None else key
         if not isinstance(name, str) or not NAME.fullmatch(name):
             expected = "names such as sigma-0.1 or sigma-0.1/seed-3"
-            raise ValueError(f"settings: expected {expected}, got {shown(name)}")
+            raise ValueError(f"settings: expected {expected}, got {checks.shown(name)}")
         if name in runs:
             raise ValueError(
                 f"settings: expected runs of different schedules or seeds, or a name for each, "
@@ -246,7 +240,7 @@ def evolve(
     job = job_of(_asked(settings, seeds, named))
     root = default_directory(job) if out is None else Path(out)
     if executor is not None:
-        check_instance("executor", executor, Executor)
+        checks.check_instance("executor", executor, Executor)
         if threads is not None:
             raise ValueError(f"threads: expected None with an executor, got {threads}")
     check_job(job, root, threads, elsewhere=executor is not None)
@@ -274,8 +268,10 @@ def _asked(settings: Any, seeds: Sequence[int] | None, named: Mapping[str, Any])
         raise TypeError(f"settings: expected {expected}, got both: {', '.join(named)}")
     if seeds is None:
         return settings
-    check_instance("settings", settings, RaceSettings)
-    return [replace(settings, seed=seed) for seed in check_sequence("seeds", seeds, "integers")]
+    checks.check_instance("settings", settings, RaceSettings)
+    return [
+        replace(settings, seed=seed) for seed in checks.check_sequence("seeds", seeds, "integers")
+    ]
 
 
 def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = False) -> None:
@@ -283,7 +279,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
 
     `elsewhere` says whether other machines play it.
     """
-    check_threads(threads)
+    checks.check_threads(threads)
     found = found_job(root)
     if not found:
         storage.check_empty(root)
@@ -302,7 +298,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     if not elsewhere:
         at_once = shares(len(left), threads)[0]
         needed = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
-        check_memory(
+        checks.check_memory(
             f"{at_once} runs at one time" if at_once > 1 else "run",
             **{f"run {i + 1}": size for i, size in enumerate(needed[:at_once])},
         )
@@ -353,7 +349,7 @@ def create_job(job: Job, root: Path) -> None:
 
 def shares(runs: int, threads: int | None) -> tuple[int, int]:
     """Return how many runs play at one time, and the threads of each."""
-    cores = check_threads(threads)
+    cores = checks.check_threads(threads)
     # A few runs more than cores share them from the beginning: the last one would play alone.
     workers = max(1, runs if runs < 2 * cores else cores)
     if runs <= FEW:  # two threads each lose little, and the first run is there in half the time

@@ -13,25 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.coevolution import sections
+from matrixworld.coevolution import pursuit, sections
 from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game, OwnGame
 from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.learner import Learner, Task
-from matrixworld.coevolution.pursuit import (
-    SCRIPTS,
-    AnyPolicy,
-    Cells,
-    Pursuit,
-    Rewards,
-    WorldConfig,
-    check_mask,
-    check_script,
-    overlap_penalty,
-    variant_name,
-    world_of,
-)
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import Section, by_race, setting
 from matrixworld.coevolution.types import TEAMS, Genome, Rng, Team
@@ -58,8 +45,12 @@ class RaceSettings(Section):
     game: OwnGame | None = setting(
         None, "a game of your own, as module:object; default: pursuit and evasion in the world"
     )
-    world: WorldConfig = by_race(WorldConfig(), "the world; its max_steps are those of evaluation")
-    policy: AnyPolicy = by_race(Cells(), f"what decides: {', '.join(sections.kinds_in(AnyPolicy))}")
+    world: pursuit.WorldConfig = by_race(
+        pursuit.WorldConfig(), "the world; its max_steps are those of evaluation"
+    )
+    policy: pursuit.AnyPolicy = by_race(
+        pursuit.Cells(), f"what decides: {', '.join(sections.kinds_in(pursuit.AnyPolicy))}"
+    )
     learner: BuiltInLearner | OwnLearner = setting(
         EvolutionStrategy(),
         f"how teams learn: {', '.join(sections.kinds_in(BuiltInLearner))} or module:object",
@@ -72,7 +63,7 @@ class RaceSettings(Section):
     )
     fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
     train_steps: int = by_race(200, "maximum steps of a training episode", least=1)
-    training_worlds: tuple[WorldConfig, ...] = setting(
+    training_worlds: tuple[pursuit.WorldConfig, ...] = setting(
         (),
         "worlds in which teams learn, each by what it has other than the world; an epoch plays one "
         "of them, drawn at random; none: they learn in the world",
@@ -108,8 +99,8 @@ class RaceSettings(Section):
         if self.game is None:
             masked = "pursuer" in self.learning_teams
             if isinstance(self.schedule, Against):
-                check_script("schedule.opponent", self.schedule.opponent, self.world)
-            check_mask(self.policy.mask, self.world, masked)
+                pursuit.check_script("schedule.opponent", self.schedule.opponent, self.world)
+            pursuit.check_mask(self.policy.mask, self.world, masked)
             self._read_training_worlds()
         self._check_idle()
         if self.evader_learner and not isinstance(self.schedule, InTurns):
@@ -127,7 +118,7 @@ class RaceSettings(Section):
         """Make worlds of what they have other than `world`; ValueError if genomes fit no world."""
         usual = {**self.world.to_json(), "max_steps": self.train_steps}
         with sections.inside("training_worlds"):
-            worlds = tuple(world_of(each, usual) for each in self.training_worlds)
+            worlds = tuple(pursuit.world_of(each, usual) for each in self.training_worlds)
             for world in worlds:
                 for name in ("rules", "fov", "diagonal"):
                     expected, got = getattr(self.world, name), getattr(world, name)
@@ -187,7 +178,7 @@ class RaceSettings(Section):
             given.append("fitness.measure")
         if self.fitness.cost_limit is not None:
             given.append("fitness.cost_limit")
-        if isinstance(self.schedule, Against) and self.schedule.opponent in SCRIPTS:
+        if isinstance(self.schedule, Against) and self.schedule.opponent in pursuit.SCRIPTS:
             expected = f"a run directory of the game {self.game.code}"
             got = self.schedule.opponent
             raise ValueError(f"schedule.opponent: expected {expected}, got the script {got}")
@@ -209,7 +200,7 @@ class RaceSettings(Section):
         ]
         if self.game is None:
             scales = ("initial_weight", "initial_head")
-            flat = isinstance(self.policy, Cells) and not self.policy.hidden
+            flat = isinstance(self.policy, pursuit.Cells) and not self.policy.hidden
             rows += [
                 ("policy", shallow, flat, "without hidden layers"),
                 ("policy", scales, started, "with a genome to start from"),
@@ -235,7 +226,7 @@ class RaceSettings(Section):
                         f"effect {why}"
                     )
         rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
-        if self.game is None and not rewarded and self.world.rewards != Rewards():
+        if self.game is None and not rewarded and self.world.rewards != pursuit.Rewards():
             raise ValueError(
                 f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
                 f"have an effect only with the fitness rewards or the learner actor-critic"
@@ -258,7 +249,7 @@ class RaceSettings(Section):
         """Name of the variant whose rules these are, or "own-rules", or the name of the game."""
         if self.game is not None:
             return self.game.code.partition(":")[2]
-        return variant_name(self.world.rules) or "own-rules"
+        return pursuit.variant_name(self.world.rules) or "own-rules"
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:
@@ -304,7 +295,7 @@ class RaceSettings(Section):
         """The game that is raced, as it is evaluated; imports a game of your own."""
         if self.game is not None:
             return self.game.load()
-        return Pursuit(world=self.world, settings=self.policy)
+        return pursuit.Pursuit(world=self.world, settings=self.policy)
 
     @cached_property
     def training_game(self) -> Game:
@@ -312,11 +303,11 @@ class RaceSettings(Section):
         if self.game is not None:
             return self.evaluation_game
         alone = isinstance(self.schedule, Against) and self.schedule.start is None
-        penalty = overlap_penalty(self.world, self.fitness.measure, alone)
+        penalty = pursuit.overlap_penalty(self.world, self.fitness.measure, alone)
         world = replace(self.world, max_steps=self.train_steps)
-        return Pursuit(world=world, settings=self.policy, penalty=penalty)
+        return pursuit.Pursuit(world=world, settings=self.policy, penalty=penalty)
 
-    def drawn_world(self, rng: Rng) -> WorldConfig:
+    def drawn_world(self, rng: Rng) -> pursuit.WorldConfig:
         """Return the world of an epoch, one of `training_worlds`."""
         shares = self.training_shares or (1,) * len(self.training_worlds)
         return self.training_worlds[rng.choice(len(shares), p=np.divide(shares, sum(shares)))]
@@ -324,7 +315,7 @@ class RaceSettings(Section):
     @property
     def teams(self) -> tuple[str, str]:
         """What the teams are called."""
-        first, second = Pursuit.teams if self.game is None else self.game.teams
+        first, second = pursuit.Pursuit.teams if self.game is None else self.game.teams
         return first, second
 
     @property
@@ -335,7 +326,7 @@ class RaceSettings(Section):
     @property
     def kind_of_game(self) -> type[Game]:
         """What logs and payoffs of the game hold, without an import."""
-        return Pursuit if self.game is None else Game
+        return pursuit.Pursuit if self.game is None else Game
 
     def task(self, team: Team, begin: Genome | None = None) -> Task:
         """Return what the learner of a team starts from: untrained genomes, or `begin`."""
