@@ -62,16 +62,12 @@ class Checkerboard:
 
 
 def transitive_share(payoff: ArrayLike) -> float:
-    """Return the share of the variance that each generation's own strength explains, in [0, 1].
+    """Return the share of the variance of `payoff` (n, m) that generations' own strengths explain.
 
     1: the strengths of both generations add up to the capture rate. 0: only the pairing matters.
     NaN for a constant matrix. Noise alone gives about ``(n + m - 2) / (n m - 1)``, so a low value
     is no proof of cycles: look at `checkerboards`, too; ``MEASURES["transitive_share"]`` subtracts
     the noise of single episodes.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
 
     References
     ----------
@@ -115,12 +111,11 @@ def checkerboards(
 ) -> Checkerboards:
     """Count checkerboards: pursuers p1 beat e1 but not e2, and p2 beat e2 but not e1.
 
-    Counted over unordered pairs of rows and of columns, in time O(n^2 m^2) and memory O(n m^2). A
-    staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
+    Counted over pairs of rows and of columns of `payoff` (n, m), in time O(n^2 m^2) and memory
+    O(n m^2). A staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
 
     Parameters
     ----------
-    payoff : array_like of float, shape (n, m)
     margin : float, optional
         Each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of ``M[p1, e2]`` and ``M[p2, e1]`` by
         more than this, in [0, 1).
@@ -153,10 +148,7 @@ def checkerboards(
 def strongest_checkerboards(
     matrix: Rates, *, count: int = 12, margin: float = 0.0
 ) -> tuple[Checkerboard, ...]:
-    """Return checkerboards with large margins, in descending order, that differ from each other.
-
-    The strongest one of two pursuers counts; no two have more than two generations in common.
-    """
+    """Return the largest checkerboards, of which no two have three generations in common."""
     # Of two rows, no margin exceeds what one gains over the other in some column, and loses in
     # another. In the order of these bounds, some dozens of pairs have to be looked at.
     pairs: list[tuple[float, int, int, Checkerboard | None]] = []
@@ -189,10 +181,7 @@ def _in_common(one: Checkerboard, other: Checkerboard) -> int:
 
 
 def transitive_fit(matrix: Rates) -> Rates:
-    """Return the nearest matrix that never falls along both teams, sorted by mean capture rate.
-
-    Isotonic regression in both directions by alternating projections (Dykstra and Robertson 1982).
-    """
+    """Return the nearest matrix that never falls along both teams, sorted by mean capture rate."""
     order = np.ix_(*(np.argsort(matrix.mean(axis=axis), kind="stable") for axis in (1, 0)))
     fit = np.empty_like(matrix)
     fit[order] = _monotone(matrix[order])
@@ -232,7 +221,8 @@ def _leverages(fit: Rates) -> Rates:
 
 def _monotone(matrix: Rates) -> Rates:
     """Return the least-squares fit that does not fall along rows and columns."""
-    # Dykstra: each projection starts from the last one plus its own correction.
+    # Alternating projections (Dykstra and Robertson 1982): each starts from the last one plus its
+    # own correction.
     fit, along_rows, along_columns = matrix, np.zeros_like(matrix), np.zeros_like(matrix)
     for _ in range(_ITERATIONS):
         start = fit + along_rows
@@ -299,10 +289,8 @@ def _returned(chooses: Rates, measures: Rates, level: float) -> tuple[float, flo
 
 
 def _without_noise(products: Rates) -> tuple[Rates, Rates]:
-    """Return sums from products (k, episodes, episodes), and their jackknife covariance (k, k).
-
-    Products of an episode with itself hold the noise, so only those of two episodes count.
-    """
+    """Return sums from products (k, episodes, episodes), and their jackknife covariance (k, k)."""
+    # Products of an episode with itself hold the noise, so only those of two episodes count.
     episodes = products.shape[1]
     of_episode = products.sum(axis=2) - np.diagonal(products, axis1=1, axis2=2)
     everything = of_episode.sum(axis=1)
@@ -314,10 +302,8 @@ def _without_noise(products: Rates) -> tuple[Rates, Rates]:
 
 
 def _ratio(sums: Rates, covariance: Rates, t: float) -> tuple[float, float, float] | None:
-    """Return the ratio q of two sums, its largest and smallest value; None if the total may be 0.
-
-    The ends solve ``(residual - q total)^2 = t^2 variance(residual - q total)``.
-    """
+    """Return the ratio q of two sums, its largest and smallest value; None if one may be 0."""
+    # The ends solve ``(residual - q total)^2 = t^2 variance(residual - q total)``.
     residual, total = sums.tolist()
     a = total**2 - t**2 * covariance[1, 1]
     b = residual * total - t**2 * covariance[0, 1]

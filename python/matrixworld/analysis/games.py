@@ -28,9 +28,7 @@ _MOST_STEPS = 200
 class Nash(Readable):
     """The maximum-entropy Nash equilibrium of a payoff matrix, and payoffs against it.
 
-    `value`: capture rate when both teams play their mixtures, the weights `pursuers` (n,) and
-    `evaders` (m,). `pursuer_averages` and `evader_averages`, the Nash averages: capture rate, and
-    escape rate, of each generation against the mixture of the other team.
+    The averages are capture rates, and escape rates, against the mixture of the other team.
     """
 
     value: float
@@ -85,11 +83,9 @@ def _optimal(matrix: Rates) -> Rates:
 
 
 def _inner(matrix: Rates, value: float, start: Rates, answer: Rates) -> Rates:
-    """Return an optimal mixture of all rows that have a weight in any optimal mixture.
-
-    It is the mean of ``start`` and of others with the most weight, up to ``1 / rows`` each, on rows
-    unused so far. Rows that get less than the value against the optimal ``answer`` have none.
-    """
+    """Return an optimal mixture of all rows that have a weight in any optimal mixture."""
+    # The mean of `start` and of others with the most weight, up to 1 / rows each, on rows unused so
+    # far. Rows that get less than the value against the optimal `answer` have none.
     rows, columns = matrix.shape
     kept = np.block([[-matrix.T, np.zeros((columns, rows))], [-np.eye(rows), np.eye(rows)]])
     limits = np.append(np.full(columns, -value), np.zeros(rows))
@@ -136,9 +132,9 @@ def _mixture(weights: Rates) -> Rates:
 
 
 def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: NDArray[np.bool_]) -> Rates:
-    """Return the optimal mixture of maximum entropy, of the rows in the support of ``inner``.
+    """Return the optimal mixture of maximum entropy, of the rows in the support of `inner`.
 
-    Columns that the opponent may play are ``tight``: they give exactly ``value``, others more.
+    Columns that the opponent may play are `tight`: they give exactly `value`, others more.
     """
     used = inner > 0.0
     margins = (matrix - value)[used]
@@ -230,14 +226,9 @@ class Exploitability(NamedTuple):
 def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -> Exploitability:
     """Return the gains of the best generations of the matrix against two mixtures.
 
-    They are ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders.
-    Opponents outside the matrix may gain more: see `coevolution.best_responses`.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    pursuers, evaders : array_like of float, shapes (n,) and (m,)
-        Mixtures p and q: weights of at least 0 with sum 1.
+    They are ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders:
+    in `payoff` M (n, m), with the mixtures `pursuers` p (n,) and `evaders` q (m,), weights of at
+    least 0 with sum 1. Opponents outside the matrix may gain more: see `solver.best_response`.
 
     References
     ----------

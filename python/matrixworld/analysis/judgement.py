@@ -20,18 +20,13 @@ Findings = Mapping[str, "Finding"]
 
 @dataclass(frozen=True)
 class Finding:
-    """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``.
-
-    The `reason` is a clause after "because". The `estimates` are the numbers that decide, by their
-    names in `MEASURES`; none if some are not known. `teams`: those of which a condition is present.
-    `by_run`: verdict on each single run.
-    """
+    """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``."""
 
     verdict: str
-    reason: str
-    teams: tuple[str, ...] = ()
-    estimates: Estimates = field(default_factory=dict)
-    by_run: tuple[str, ...] = ()
+    reason: str  # a clause after "because"
+    teams: tuple[str, ...] = ()  # those of which a condition is present
+    estimates: Estimates = field(default_factory=dict)  # the numbers that decide, if all are known
+    by_run: tuple[str, ...] = ()  # verdict on each single run
 
 
 @dataclass(frozen=True, repr=False)
@@ -85,11 +80,7 @@ class Judgement(Readable):
 
 
 class Words(NamedTuple):
-    """What is told of a condition that is present: who `did` what, of its ``{teams}``.
-
-    ``{sizes}`` are those of the teams, ``{doubt}`` says which of them have no trend. A sentence
-    leaves out the condition that this one `implies`.
-    """
+    """What is told of a condition that is present: who `did` what; it `implies` another one."""
 
     who: str
     did: str
@@ -119,15 +110,11 @@ WHOLE, *HALVES = ("whole", "first half", "last half")
 
 
 def sentence(judgement: Judgement) -> str:
-    """Return what happened in plain words: who improved, and what was lost.
+    """Return what happened by a `judgement` in plain words: who improved, and what was lost.
 
     Such as ``"Both teams improved. From generation 15 on, the pursuers lost old skills (0.06)."``.
     It speaks of the whole race, and of a half where that surely differs. Terminal, page, figures
     and reports all print it.
-
-    Parameters
-    ----------
-    judgement : Judgement
     """
     check_instance("judgement", judgement, Judgement)
     if judgement.findings["arms race"].reason == TOO_SHORT:
@@ -242,13 +229,9 @@ def _no_progress(judgement: Judgement) -> str:
 
 
 def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
-    """Return the rows of a table: condition, verdict, numbers with intervals, window.
+    """Return the rows of a table of a `judgement`: condition, verdict, intervals, window.
 
     After the heads all findings on the whole race, then those that are present in a half only.
-
-    Parameters
-    ----------
-    judgement : Judgement
     """
     rows = [_row(judgement, *told) for told in _rows(judgement)]
     return [("condition", "verdict", f"{judgement.level:.0%} interval", "window"), *rows]
@@ -293,12 +276,7 @@ def _row(
 
 
 def explain(judgement: Judgement) -> str:
-    """Return the findings of `judgement_table` as sentences with reasons, a line for each.
-
-    Parameters
-    ----------
-    judgement : Judgement
-    """
+    """Return the rows of `judgement_table` of a `judgement` as sentences, with reasons."""
     lines = "\n".join(
         f"{name.capitalize()}{'' if window == WHOLE else f' ({window})'}: "
         f"{finding.verdict}, because {finding.reason}.{_counts(finding.by_run)}"

@@ -41,20 +41,15 @@ GAIN: Bounds = (-1.0, 1.0)
 
 @dataclass(frozen=True)
 class Measure:
-    """A named number of a race, in a row of `MEASURES`; use `of`.
-
-    `label` names it in tables, and `short` in the table of a judgement. `late`: tables of measures
-    show it in the last half, and not of the whole race. `form`: how it is printed, as in
-    an f-string. `squared`: it is a square, whose root is printed.
-    """
+    """A named number of a race, in a row of `MEASURES`; use `of`."""
 
     name: str
-    label: str
+    label: str  # in tables of measures
     estimate: Callable[[Payoffs, Window, float], Estimate]
-    short: str = ""
-    late: bool = False
-    form: str = ".3f"
-    squared: bool = False
+    short: str = ""  # in the table of a judgement
+    late: bool = False  # whether tables show it in the last half, not of the whole race
+    form: str = ".3f"  # as in an f-string
+    squared: bool = False  # whether its root is shown
 
     def of(self, source: Source, window: str | None = None, *, level: float = LEVEL) -> Estimate:
         """Return the number of one run or several in a window, by default that of tables.

@@ -76,18 +76,13 @@ class Window:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Payoffs(Readable):
-    """Payoff matrices (runs, n, m) of independent runs, and their episodes if known.
-
-    `scores` (runs, n, m, episodes): the capture rate of each of the `episodes` behind each cell.
-    `teams`: what the teams are called in words. `exact`: all episodes are equal, as in a game
-    without chance.
-    """
+    """Payoff matrices (runs, n, m) of independent runs, and their episodes if known."""
 
     matrices: Rates
-    scores: Rates | None = None
+    scores: Rates | None = None  # (runs, n, m, episodes), capture rates of single episodes
     episodes: int | None = None
     teams: tuple[str, str] = TEAMS
-    exact: bool = False
+    exact: bool = False  # whether all episodes are equal, as in a game without chance
 
     def __len__(self) -> int:
         return len(self.matrices)
@@ -410,10 +405,7 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
 
 
 def _lines(path: Path) -> list[Line]:
-    """Return the lines of a CSV file without comments; cells are between tabs, semicolons, commas.
-
-    A comma beside a tab or a semicolon is a decimal comma.
-    """
+    """Return the lines of a CSV file without comments."""
     # A comment becomes an empty line, so that the numbers of lines stay.
     text = read_text(path, "CSV").split("\n")
     raw = ["" if line.lstrip().startswith("#") else line.strip(" ") for line in text]

@@ -37,14 +37,7 @@ class Elo(Readable):
 
 
 def elo(payoff: ArrayLike) -> Elo:
-    """Fit Elo ratings of both teams to a payoff matrix.
-
-    All matches enter at once, so their order does not matter.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Capture rates in [0, 1].
+    """Fit Elo ratings of both teams to `payoff` (n, m): all matches at once, in no order.
 
     Notes
     -----

@@ -23,7 +23,7 @@ from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
+from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game as Game  # `matrixworld.Game`
 from matrixworld.coevolution.game import check_game
 from matrixworld.coevolution.groups import Comparison, RunGroup, compare, judge, open_groups
@@ -87,7 +87,6 @@ __all__ = [
     "check_learner",
     "check_sampler",
     "compare",
-    "competitive_sharing",
     "create",
     "evolve",
     "finish",
