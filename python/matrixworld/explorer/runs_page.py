@@ -42,7 +42,7 @@ from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
-from matrixworld.coevolution.types import TEAMS, Payoff
+from matrixworld.coevolution.types import TEAMS, Payoff, team_size
 from matrixworld.episodes.episode import scene
 from matrixworld.explorer.page import (
     check_new,
@@ -139,10 +139,8 @@ def explorer_page(
 ) -> str:
     """Return the page of runs as HTML: the clearest race first, and what all seeds together show.
 
-    A `note` says what the page does not show, such as further runs of the job. The page of runs
-    that go on has their payoffs `so_far`, by directory, keeps their order, and loads itself again.
-    `groups` are those that the runs belong to, by default of these runs. FileNotFoundError if
-    another run is not finished; ValueError or PluginError if a game cannot be imported.
+    The page of runs that go on has their payoffs `so_far`, by directory, and loads itself again.
+    `groups` are those that the runs belong to, by default of these runs.
     """
     together: tuple[str, ...] = ()
     if so_far is None:
@@ -221,8 +219,7 @@ def runs_data(
 ) -> tuple[list[dict[str, Any]], dict[str, bytes]]:
     """Return what a page shows of runs, given with their names, and genomes by identifier.
 
-    There are genomes of as many generations as fit into `most` bytes. While runs go on, which have
-    a payoff `so_far`, the page does not take the time of what games of your own show.
+    There are genomes of as many generations as fit into `most` bytes.
     """
     step = step_of([run for _, run in runs], most)
     plain, genomes = [], dict[str, bytes]()
@@ -242,15 +239,13 @@ def runs_data(
 
 
 def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str, Any]:
-    """Return what a page shows of a run, without its teams.
-
-    A race is judged, unless it goes on: then its payoff so far is given.
-    """
+    """Return what a page shows of a run, without its teams; a race that goes on is not judged."""
     settings, payoff = run.settings, so_far or run.payoff()
-    shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in run.teams.values())
-    found = None
+    shape = tuple(map(team_size, run.teams.values()))
+    limits, found = "", None
     if settings.is_race:
-        found = so_far_found(payoff) if so_far else findings(payoff)
+        limits = f"{too_few_episodes(payoff)} {settings.schedule.limits}".strip()
+        found = findings(payoff, ended=so_far is None)
     return {
         "name": name,
         "schedule": settings.schedule.name if settings.is_race else "one team",
@@ -267,18 +262,13 @@ def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str
             for g in range(shape[0])
         ],
         "findings": found,
-        "limits": f"{too_few_episodes(payoff)} {settings.schedule.limits}".strip()
-        if settings.is_race
-        else "",
+        "limits": limits,
     }
 
 
 def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
-    """Return the results of all cells, placed in a matrix of all generations of the archives.
-
-    ``first`` are the generations of the first cell that was played: the results of a single team
-    are of its last generation.
-    """
+    """Return the results of all cells, and of which generations the first cell is."""
+    # Results of a single team are of its last generation.
     first = [count - played for count, played in zip(shape, payoff.matrix.shape, strict=True)]
     return {
         "first": first,
@@ -369,8 +359,11 @@ BOARDS = 12
 """The most checkerboards on a page: the strongest ones."""
 
 
-def findings(payoff: Payoff) -> dict[str, Any]:
-    """Return judgement and curves of a race of at least 2 x 2 generations."""
+def findings(payoff: Payoff, *, ended: bool = True) -> dict[str, Any]:
+    """Return curves of a race of at least 2 x 2 generations, and its judgement if it has ended."""
+    if not ended:
+        sentence = f"Generation {min(payoff.matrix.shape) - 1} so far."
+        return {"sentence": sentence, "table": [], **curves(payoff)}
     matrix = payoff.matrix
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
     judgement = analysis.judge(payoff.payoffs())
@@ -382,12 +375,6 @@ def findings(payoff: Payoff) -> dict[str, Any]:
         "margin": MARGIN,
         **curves(payoff),
     }
-
-
-def so_far_found(payoff: Payoff) -> dict[str, Any]:
-    """Return what is shown of a race that goes on: curves, and no judgement."""
-    sentence = f"Generation {min(payoff.matrix.shape) - 1} so far."
-    return {"sentence": sentence, "table": [], **curves(payoff)}
 
 
 def curves(payoff: Payoff) -> dict[str, Any]:
@@ -501,12 +488,5 @@ def extended(run: SavedRun, known: Payoff | None) -> Payoff:
     pursuers, evaders = run.teams.values()
     settings = run.settings
     episodes = min(SO_FAR, settings.evaluation_episodes)
-    return tournament(
-        settings.evaluation_game,
-        pursuers,
-        evaders,
-        seed=settings.seed,
-        episodes=episodes,
-        threads=1,
-        known=known,
-    )
+    play: Any = {"seed": settings.seed, "episodes": episodes, "threads": 1, "known": known}
+    return tournament(settings.evaluation_game, pursuers, evaders, **play)

@@ -28,7 +28,7 @@ WHY_NOT = {
 def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str, Any] | None:
     """Return facts of a game of your own, and what it shows of some cells; None of pursuit.
 
-    The page is one of `share` runs with such games. Cells are keys such as ``"12 7"``.
+    The page is one of `share` runs with such games.
     """
     own = run.settings.game
     if own is None:
@@ -44,10 +44,7 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
 def shows_of(
     game: Game, archives: list[Genomes], cells: int, most: int
 ) -> dict[str, dict[str, str]]:
-    """Return what a game shows of some cells, the newest first, within `most` bytes.
-
-    ``text``, or an ``image`` as a data URI.
-    """
+    """Return ``text`` or ``image`` of cells such as ``"12 7"``, the newest first, within bytes."""
     pairs = zip(TEAMS, archives, strict=True)
     first, second = (game.population(team, genomes).genomes for team, genomes in pairs)
     found: dict[str, dict[str, str]] = {}
@@ -64,10 +61,7 @@ def shows_of(
 
 
 def shown_cells(rows: int, columns: int, most: int) -> list[tuple[int, int]]:
-    """Return at most so many cells: those of the last generations, and an even grid.
-
-    Of a small matrix these are all.
-    """
+    """Return at most so many cells: those of the last generations, and an even grid."""
     side = most if rows * columns <= most else isqrt(most // 2)
     last = [range(n - 1, max(-1, n - 1 - side), -1) for n in (rows, columns)]
     even = [np.linspace(n - 1, 0, min(n, side)).round().astype(int) for n in (rows, columns)]

@@ -18,10 +18,7 @@ MOST_BYTES = 48 * 2**20
 
 
 def step_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> int:
-    """Return the step between generations of which all genomes fit into so many bytes.
-
-    It is the same for all runs, so that linked generations exist everywhere.
-    """
+    """Return the step between generations, one for all runs, whose genomes fit in `most` bytes."""
     learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
     longest = max((len(team.genomes) for team in learned), default=1)
 
@@ -40,10 +37,7 @@ def kept_generations(count: int, step: int) -> list[int]:
 def plain_team(
     team: TeamPolicy, identifier: str, step: int, genomes: dict[str, bytes]
 ) -> dict[str, Any]:
-    """Return a team as plain values, and add its genomes to the others.
-
-    Of a game of your own, which the page does not play, there are none.
-    """
+    """Return a team as plain values, and add its genomes to the others."""
     if not isinstance(team, Population):
         script = team if isinstance(team, str) else None
         return {"script": script, "policy": None, "kept": [0], "genomes": ""}
@@ -66,11 +60,9 @@ def plain_policy(team: Population) -> dict[str, Any]:
 
 
 def packed(genomes: Genomes) -> bytes:
-    """Return genomes (generations, genes) as bytes from which a page makes the very same numbers.
-
-    A generation differs from the one before it in the low bits of its numbers. So each is joined by
-    exclusive or with that one, equal places of the float32 come together, and are compressed.
-    """
+    """Return genomes (generations, genes) as bytes, of which a page makes the same numbers."""
+    # A generation differs from the one before in the low bits of its numbers: each is joined by
+    # exclusive or with that one, equal places of the float32 come together, and are compressed.
     bits = np.ascontiguousarray(genomes, dtype="<f4").view("<u4")
     bits = np.concatenate([bits[:1], bits[1:] ^ bits[:-1]])
     planes = bits.view(np.uint8).reshape(-1, bits.itemsize).T
