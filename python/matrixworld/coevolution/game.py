@@ -31,14 +31,9 @@ Play = Callable[[Genomes, Genomes, Rng], ArrayLike]
 
 @dataclass(frozen=True, eq=False)
 class Scores:
-    """Results of M matches with N episodes each.
+    """Scores (M, N) of the first team, in [0, 1], in M matches of N episodes; the other has 1 - s.
 
-    Parameters
-    ----------
-    scores : ndarray of float, shape (M, N)
-        Scores of the first team, in [0, 1]; the second team has 1 - score.
-    extras : mapping of str to ndarray, each (M, N, ...)
-        What else the game tells, by name. By default nothing.
+    What else the game tells are `extras`, by name, each (M, N, ...).
     """
 
     scores: NDArray[Any]
@@ -211,10 +206,7 @@ class Game:
         return scores
 
     def values(self, scores: Scores, team: Team, measure: str, *, raw: bool = False) -> FloatArray:
-        """Return what a team is selected by, (M, N), of a measure of `FITNESS`.
-
-        With `raw` in [0, 1], without any penalty.
-        """
+        """Return what a team is selected by, (M, N); with `raw` in [0, 1], without any penalty."""
         return scores.of(team)
 
     def costs(self, scores: Scores, team: Team) -> FloatArray:

@@ -52,11 +52,7 @@ Job = Mapping[str, RaceSettings]
 
 
 def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings]) -> Job:
-    """Return the job of these settings, perhaps by name; of several each gets a name.
-
-    Raises TypeError or ValueError if there are no settings, two runs have the same name or the same
-    settings, or a name is not the path of a directory.
-    """
+    """Return the job of these settings, perhaps by name; of several each gets a name."""
     if isinstance(settings, RaceSettings):
         return {ITSELF: _from_anywhere(settings)}
     given: Any = settings
@@ -100,10 +96,7 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
 
 
 def default_directory(job: Job) -> Path:
-    """Return a new directory named after a job's world and seeds, such as ``runs/O-seeds0-9``.
-
-    If there is one already, a number follows: ``runs/O-seeds0-9-2``.
-    """
+    """Return a new directory named after a job, such as ``runs/O-seeds0-9`` or ``...-9-2``."""
     settings = next(iter(job.values()))
     seeds = [*dict.fromkeys(each.seed for each in job.values())]
     named = f"{seeds[0]}-{seeds[-1]}"
@@ -124,10 +117,7 @@ def found_job(root: Path) -> Job:
 
 
 def change(root: Path, *, generations: int | None = None, force: bool = False) -> None:
-    """Let the races of a job become longer, and accept the changed source of their game by force.
-
-    Errors are those of `run.lengthen`; of several races none is changed then.
-    """
+    """Let the races of a job become longer, all or none, and accept a changed game by force."""
     paths = storage.find_runs(root)
     if force:
         for path in paths:
@@ -275,10 +265,7 @@ def _asked(settings: Any, seeds: Sequence[int] | None, named: Mapping[str, Any])
 
 
 def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = False) -> None:
-    """Raise an error if a job cannot be made or played in a directory; nothing is written.
-
-    `elsewhere` says whether other machines play it.
-    """
+    """Raise an error if a job cannot be made, or played here if not `elsewhere`."""
     checks.check_threads(threads)
     found = found_job(root)
     if not found:
@@ -390,10 +377,7 @@ def play_job(
 
 
 def _play_here(watch: _Watch, name: str, threads: int | None) -> None:
-    """Play a run in this process, the only one that is left or where there are no others.
-
-    Another process would take half a second to start, and hide where an error came from.
-    """
+    """Play a run in this process: another one takes half a second to start, and hides errors."""
     on_epoch = watch.on_epoch if len(watch.job) == 1 else None  # the watch tells of several runs
     called = {} if name == ITSELF else {"run": name}
     try:
@@ -542,10 +526,7 @@ def processes(count: int) -> Iterator[Executor]:
 
 @contextmanager
 def without_interrupts() -> Iterator[None]:
-    """Keep Ctrl-C from the processes that are started here.
-
-    A terminal sends it to all processes. Only this one must act: it ends the others.
-    """
+    """Keep Ctrl-C, which a terminal sends to all, from processes that are started here."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return

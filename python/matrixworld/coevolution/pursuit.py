@@ -67,10 +67,7 @@ WORLD_HELP = {
 
 
 def _world(plain: Mapping[str, Any]) -> WorldConfig:
-    """Return the world of some fields; rules and rewards may be names, or both given one by one.
-
-    The other fields are those of the named world that is the ``kind``, if there is one.
-    """
+    """Return the world of some fields; rules and rewards may be names, or both given one by one."""
     fields = dict(plain)
     sections.check_names(plain, WORLD_HELP)
     if "kind" in fields:

@@ -389,8 +389,7 @@ class RunInMemory:
         """Return the genome that enters the archive, from the last epoch of a generation.
 
         It is the learner's. With `retest_episodes` it is the best of that one and the two fittest
-        candidates in new matches against the opponents `met` (c,), in the world of that epoch: the
-        fittest candidate of the epoch may be the luckiest one.
+        candidates in new matches: the fittest candidate of the epoch may be the luckiest one.
         """
         genome = self.learners[team].genome(self.states[team])
         episodes = self.settings.retest_episodes
@@ -460,14 +459,10 @@ class Run(RunInMemory):
 
     Raises
     ------
-    FileNotFoundError
-        If the directory holds no run.
+    FileNotFoundError, OtherVersionError, DamagedFileError
+        If the directory holds no run of this version, or no intact stage with a checkpoint.
     ValueError
         If its game cannot be imported, is another one, or has changed.
-    DamagedFileError
-        If no stage is intact that has a checkpoint.
-    OtherVersionError
-        If the run is of another version of the package.
     LockedError
         If another process runs it.
     """
@@ -483,17 +478,10 @@ class Run(RunInMemory):
         with self.files.lock():
             self._restore()
 
-    def __repr__(self) -> str:
-        schedule, seed = self.settings.schedule, self.settings.seed
-        stages = f"stage {self.stage} of {schedule.n_stages}"
-        return f"<{type(self).__name__}: {self.files.path}, {schedule.name}, seed {seed}, {stages}>"
-
     def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> storage.SavedRun:
-        """Go on to the end: the last stage, the payoff and the summary.
+        """Go on to the end; `report` and `on_epoch` are called as by `evolve`.
 
-        `report` is called often with the progress (see `ProgressBar`), and `on_epoch` with a row
-        for each epoch (see `evolve`). After KeyboardInterrupt or any other error, such as one that
-        `on_epoch` raises, the files hold the last finished stage, from which the run goes on.
+        After any error the files hold the last finished stage, from which the run goes on.
         """
         self._report, self._on_epoch = report, on_epoch
         schedule, path = self.settings.schedule, self.files.path

@@ -437,7 +437,7 @@ class SavedRun:
         Raises
         ------
         ValueError
-            If the race cannot go on: fewer generations than it has, one team alone, a learner that
+            If it cannot go on: fewer generations than it has, one team alone, a learner that
             anneals over the whole run, no checkpoint, or a game that has changed.
         """
         from matrixworld.coevolution import run
@@ -446,15 +446,10 @@ class SavedRun:
         return run.finish(self.path, threads=threads, report=report)
 
     def best(self, team: str, *, sampled: bool | None = None, seed: int | None = None) -> Any:
-        """Return the generation of a team that is best against held-out opponents, as a policy.
+        """Return the `policy` of a team that is best against held-out opponents.
 
         It is chosen by episodes of its own, which no score is from. They are played once. In a game
         of your own, which has no held-out opponents, it is the last one, as `last` returns it.
-
-        Parameters
-        ----------
-        team, sampled, seed
-            As for `policy`.
         """
         # Scores are of runs, and so above this module.
         from matrixworld.coevolution.evaluation.scores import best_generations
@@ -513,21 +508,12 @@ class SavedRun:
 
 
 def open_run(directory: str | Path) -> SavedRun:
-    """Return the run in a directory, whether it is finished or not.
-
-    Parameters
-    ----------
-    directory : str or Path
-        The run directory.
+    """Return the run in a `directory`, whether it is finished or not.
 
     Raises
     ------
-    FileNotFoundError
-        If the directory holds no run.
-    DamagedFileError
-        If a file is cut or altered.
-    OtherVersionError
-        If the run is of another version of the package.
+    FileNotFoundError, DamagedFileError, OtherVersionError
+        If the directory holds no run, a cut or altered one, or one of another version.
     """
     run = SavedRun(directory)
     # Read now: damage and other versions are told here. A game of your own is not imported yet.
@@ -545,10 +531,7 @@ def last_generation(directory: str | Path, team: Team) -> Any:
 
 
 def find_runs(path: Path) -> list[Path]:
-    """Return `path` if it is a run directory, else the run directories one or two levels below.
-
-    They are in the order of their schedules and seeds.
-    """
+    """Return `path` if it is a run, else those up to two levels below, by schedule and seed."""
     # config.json is the last file of a new run: without it the run was not completely created.
     if (path / CONFIG).is_file():
         return [path]
@@ -569,13 +552,7 @@ def _place(name: str) -> tuple[int, int, str]:
 
 
 def open_runs(directory: str | Path) -> list[SavedRun]:
-    """Return the finished runs of a job, or of any directory, by schedule and seed.
-
-    Parameters
-    ----------
-    directory : str or Path
-        A run directory, or one with run directories one or two levels below, such as
-        ``<schedule>/seed-<n>``.
+    """Return the finished runs in a `directory`, or up to two levels below, by schedule and seed.
 
     Raises
     ------

@@ -279,11 +279,9 @@ def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
 
 
 def pruned(matches: _Matches) -> tuple[Genome, Estimate | None]:
-    """Return a program without parts that are worth nothing, and what is lost by it, if anything.
-
-    A shorter program is taken if its loss against the whole one is below `NO_LOSS` by the bound of
-    an interval, and in new matches once more: of many that are tried some are lucky.
-    """
+    """Return a program without parts that are worth nothing, and what is lost by it, if any."""
+    # A shorter program is taken if its loss against the whole one is below `NO_LOSS` by the bound
+    # of an interval, and in new matches once more: of many that are tried some are lucky.
     acts = matches.acts
     whole = code = acts.genome
     lost, numbers = None, count(FIRST_PRUNED)
@@ -316,10 +314,7 @@ def _by_program(matches: _Matches) -> dict[str, Any]:
 
 
 def sentence_of(run: SavedRun, team: Team) -> str:
-    """Return in a sentence what the last generation of a team does, if it rates moves; else "".
-
-    Behind it the rating itself, if it is a program.
-    """
+    """Return in a sentence what the last generation of a team does, if it rates moves; else ""."""
     if run.settings.game or run.settings.policy.kind == "cells":
         return ""
     policy, world = run.policy(team, seed=0), run.pursuit.world
@@ -353,9 +348,7 @@ def _by_inputs(matches: _Matches, *, costs: bool) -> dict[str, Any]:
 def features(views: NDArray[Any], team: Team) -> dict[str, NDArray[np.float32]]:
     """Return what a tree knows of views (n, 3, fov, fov): by name one number of each, (n,).
 
-    How far to the south and to the east the nearest adversary and the nearest teammate are, and in
-    how many moves; how many are in view; and free cells by direction. Without anybody in view the
-    first two are 0, and the moves are as many as the view is wide.
+    Without anybody in view places are 0, and the moves are as many as the view is wide.
     """
     own, foes = (1, 0) if team == "pursuer" else (0, 1)
     n, fov, half = len(views), views.shape[-1], views.shape[-1] // 2
@@ -442,10 +435,8 @@ def _by_tree(matches: _Matches) -> dict[str, Any]:
 
 
 def _rules(tree: Any, names: Sequence[str], node: int = 0) -> tuple[list[str], set[int]]:
-    """Return the likeliest moves of a tree as lines, with their shares, and which moves they are.
-
-    Splits that do not change the likeliest move are left out.
-    """
+    """Return the likeliest moves of a tree as lines, with their shares, and as a set."""
+    # Splits that do not change the likeliest move are left out.
     chances = tree.value[node][0]
     best = int(chances.argmax())
     share = chances[best] / chances.sum()

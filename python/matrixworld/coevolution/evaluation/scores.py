@@ -211,9 +211,8 @@ def _plain(estimate: Estimate) -> dict[str, float | None]:
 
 
 def estimates_of(scores: Sequence[HeldOutScores], row: int = -1) -> dict[str, Estimate]:
-    """Return the means of one generation of a team, over the runs of several seeds.
+    """Return the means of one generation of a team by opponent, over the runs of several seeds.
 
-    By the name of the opponent, then ``"mean"`` and, of several runs, ``"interquartile mean"``.
     Intervals are over the runs, those of a single run over its episodes.
     """
     if len(scores) == 1:
@@ -361,15 +360,8 @@ def score(
     world = world or run.pursuit.world
     world = world if steps is None else replace(world, max_steps=steps)
     sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
-    return _scores(
-        world,
-        sides,
-        episodes=episodes,
-        seed=seed,
-        threads=threads,
-        report=report,
-        executor=executor,
-    )
+    play: Any = {"threads": threads, "report": report, "executor": executor}
+    return _scores(world, sides, episodes=episodes, seed=seed, **play)
 
 
 def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> _Side:
@@ -403,13 +395,10 @@ def best_generations(run: SavedRun) -> dict[Team, int]:
     return {team: int(generation) for team, generation in best.items()}
 
 
-def best_scripts(
-    config: WorldConfig, *, episodes: int = EPISODES, seed: int = SEED, threads: int | None = None
-) -> dict[Team, tuple[Script, float]]:
+def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Script, float]]:
     """Return the script of each team with the highest mean score in a world, and this score.
 
-    The opponents and their episodes are those of `score`. The best of several is partly luck: of
-    equally good scripts, the score tends to be too high.
+    The best of several is partly luck: of equally good scripts, the score tends to be too high.
     """
     best = {}
     for team in TEAMS:
@@ -417,7 +406,7 @@ def best_scripts(
         fitting = [n for n in held_out_scripts(team, config.rules) if _plays_in(n, config)]
         sides = [_Side(team, script, [0], opponents, "") for script in fitting]
         found = [
-            _scores(config, [side], episodes=episodes, seed=seed, threads=threads, report=silent)
+            _scores(config, [side], episodes=episodes, seed=SEED, threads=None, report=silent)
             for side in sides
         ]
         means = [float(each[team].means[0]) for each in found]
@@ -428,10 +417,7 @@ def best_scripts(
 def score_runs(
     runs: Sequence[tuple[SavedRun, WorldConfig | None]], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:
-    """Return the scores of runs, each in a world or its own, with one progress for all.
-
-    Options are those of `score`.
-    """
+    """Return the scores of runs, each in a world or its own, with one progress for all."""
     found = []
     for number, (run, world) in enumerate(runs):
         # Runs of a job play about equally many matches.
@@ -450,9 +436,7 @@ def kept_scores(
 ) -> list[dict[str, Any]]:
     """Return the scores of the last generations as values of JSON, by "pursuers" and "evaders".
 
-    They are those of `score` without options, played once and kept in the directories of the runs.
-    Beside them are the mean scores of the first generation, ``untrained``, and of the ``best
-    script`` of each team, with its name.
+    They are played once and kept beside those of generation 0 and of each team's best script.
     """
     missing = [run for run in runs if _kept(run) is None]
     if missing:

@@ -110,10 +110,7 @@ def tournament(
 def play_blocks(
     blocks: Sequence[Callable[..., Block]], threads: int | None, executor: Executor | None
 ) -> Iterator[tuple[int, Block]]:
-    """Yield the number of each block of matches and what it returned.
-
-    Blocks are functions of their threads, which are called here in order, or by an executor.
-    """
+    """Yield the number of each block, a function of its threads, and what it returned."""
     if executor is None:
         for number, play in enumerate(blocks):
             yield number, play(threads=threads)

@@ -66,15 +66,10 @@ def advantages(
 ) -> Reals:
     """Return generalized advantage estimates (T, W, A), 0 where no agent acted.
 
-    ::
-
-        d_t = r_t + discount * V(s_{t+1}) - V(s_t)
-        A_t = d_t + discount * trace * A_{t+1}
-
-    These are equations 11 and 16 of Schulman et al. 2016. `values` (T + 1, W, A) are those of what
-    agents saw before each step, and after the last one if only their time was over; 0 for agents
-    that are gone. An agent that stops acting does not begin again.
+    `values` (T + 1, W, A) are those before each step, and after the last one; 0 for agents that are
+    gone. Schulman et al. 2016, equations 11 and 16.
     """
+    # d_t = r_t + discount * V(s_{t+1}) - V(s_t);  A_t = d_t + discount * trace * A_{t+1}
     found = np.zeros_like(rewards)
     following = np.zeros_like(rewards[0])
     for t in range(len(rewards) - 1, -1, -1):
@@ -121,12 +116,10 @@ def normalised(values: Reals) -> Reals:
 
 
 class Inputs:
-    """Rows (n, in) of zeros and ones that a network sees; ``inputs(weights)`` multiplies them.
+    """Rows (n, in) of zeros and ones that a network sees; ``inputs(weights)`` multiplies them."""
 
-    A view has few ones. The processor multiplies these alone, and keeps them sorted by row for the
-    products and by column for the gradient; PyTorch's own gradient would sort them each time.
-    """
-
+    # A view has few ones. The processor multiplies these alone, and keeps them sorted by row for
+    # the products and by column for the gradient; PyTorch's own gradient sorts them each time.
     def __init__(self, rows: Views, torch: Any, device: Any) -> None:
         self.rows: int = len(rows)
         if device.type != "cpu":
@@ -168,9 +161,9 @@ def _sparse(rows: Views, torch: Any) -> Tensor:
 
 
 class Perceptron:
-    """A network that learns by Adam; its weights are one vector, in the layout of a genome.
+    """A network that learns by Adam, of the entries of a state whose names begin with `name`.
 
-    It is made from the entries of a state whose names begin with `name`, and `state` has these.
+    Its weights are one vector, in the layout of a genome.
     """
 
     def __init__(
@@ -206,10 +199,9 @@ class Perceptron:
 
 
 def orthogonal(sizes: tuple[int, ...], rng: Rng, *, head: float = 1.0) -> Genome:
-    """Return untrained weights in the layout of a genome: orthogonal matrices, and biases of 0.
+    """Return orthogonal matrices and biases of 0, in the layout of a genome: Saxe et al. 2014.
 
-    The last layer is scaled by `head`, the others by the square root of 2 (Saxe et al. 2014, "Exact
-    solutions to the nonlinear dynamics of learning in deep linear neural networks").
+    The last layer is scaled by `head`, the others by the square root of 2.
     """
     parts = []
     for number, (n_in, n_out) in enumerate(pairwise(sizes)):

@@ -31,10 +31,9 @@ def select_truncation(fitness: FloatArray, k: int, rng: Rng, *, fraction: float)
 def mate_uniform(
     genomes: Genomes, population: Genomes, mates: Indices, rng: Rng, *, probability: float
 ) -> Genomes:
-    """Turn genomes (n, genes) into children by uniform crossover, in place, and return them.
+    """Mix genomes (n, genes) in place with their `mates` in a population; return them.
 
-    A child mixes with that probability: each gene is that of its row, or of its mate in
-    `population`, which `mates` (n,) indexes.
+    With that probability each gene is that of its row, or of its mate.
     """
     mixed = rng.random(len(genomes)) < probability
     # Without crossover, the default, no random number for each gene is drawn.

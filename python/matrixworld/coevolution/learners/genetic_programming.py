@@ -68,17 +68,12 @@ def _typed(part: list[Any], kind: type, named: dict[str, Any]) -> list[Any]:
     return [named["where"], *part, _number(1.0), _number(0.0)]
 
 
-def genome_of(policy: Program, tree: Tree) -> Genome:
-    """Return a tree as a genome."""
-    return policy.genome(str(tree))
-
-
 def _number(value: float) -> gp.Terminal:
     return gp.Terminal(float(np.float32(value)), False, float)
 
 
 def place_in(tree: Tree, rng: Rng, kind: type | None = None) -> int | None:
-    """Return a random node of a tree, of a type if one is given; None if there is none."""
+    """Return a random node of a tree, of a type if one is given; None without any."""
     places = [i for i, node in enumerate(tree) if kind is None or node.ret is kind]
     return places[rng.integers(len(places))] if places else None
 
@@ -96,11 +91,9 @@ def mate(tree: Tree, other: Tree, rng: Rng) -> Tree:
 
 
 def mutate(policy: Program, tree: Tree, rng: Rng) -> Tree:
-    """Return a tree with one change.
-
-    A part is drawn anew or replaced by a part of itself, a node by another one with the same
-    arguments, or a number is moved.
-    """
+    """Return a tree with one change: a part, a node or a number."""
+    # A part is drawn anew or replaced by a part of itself, a node by another one with the same
+    # arguments, or a number is moved.
     primitives, child = primitives_of(policy), Tree(tree)
     place = place_in(tree, rng)
     assert place is not None
@@ -128,14 +121,9 @@ def mutate(policy: Program, tree: Tree, rng: Rng) -> Tree:
 def select_twice(
     fitness: FloatArray, sizes: Indices, k: int, rng: Rng, *, size: int, parsimony: float
 ) -> Indices:
-    """Return k parents by double tournament.
+    """Return k parents by double tournament: Luke & Panait 2002, "Fighting bloat", PPSN VII.
 
-    Of two winners of tournaments by fitness the shorter one is taken with the probability
-    `parsimony`, else the longer one.
-
-    References
-    ----------
-    Luke & Panait 2002, "Fighting bloat with nonparametric parsimony pressure", PPSN VII.
+    Of two winners by fitness the shorter one is taken with the probability `parsimony`.
     """
     pairs = np.stack([select_tournament(fitness, k, rng, size=size) for _ in range(2)])
     pairs = np.take_along_axis(pairs, np.argsort(sizes[pairs], axis=0, kind="stable"), axis=0)
@@ -223,7 +211,7 @@ class GeneticProgramming(learner.Learner):
                 child = mutate(policy, trees[parent], rng)
             # A child that is too long is its parent.
             fits = len(child) <= policy.length
-            children.append(genome_of(policy, child) if fits else population[parent])
+            children.append(policy.genome(str(child)) if fits else population[parent])
         offspring: Genomes = np.stack([*population[fittest(fitness, self.elites)], *children])
         return offspring, {**state, "candidates": offspring}
 

@@ -36,22 +36,10 @@ class DivergedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Task:
-    """What a learner starts from: a team of a run.
+    """What a learner starts from: a team of a run of a `seed`, in the `game` as it is evaluated.
 
-    Parameters
-    ----------
-    seed : int
-        Seed of the run.
-    team : int
-        Number of the team in `TEAMS`.
-    epochs : int
-        Epochs of the whole run in which the team learns.
-    untrained : callable
-        Returns a new untrained genome (genes,), drawn from a generator.
-    begin : ndarray of float32, shape (genes,), or None
-        A genome to start from instead of untrained ones.
-    game : Game
-        The game that is raced, as it is evaluated.
+    `team` is its number in `TEAMS`, `epochs` are those in which it learns. `untrained` draws a
+    genome from a generator; a learner starts from `begin`, a genome (genes,), if there is one.
     """
 
     seed: int
@@ -98,22 +86,16 @@ class Task:
         return {} if bounds is None else {"low": np.array(bounds[0]), "high": np.array(bounds[1])}
 
 
-def _no_experience(*, states: bool = False) -> Any:
+def _no_experience(**options: Any) -> Any:
     raise TypeError("experience: expected matches of a run, got fitness alone")
 
 
 @dataclass(frozen=True)
 class Results:
-    """What came of the candidates of an epoch.
+    """The `fitness` (n,) of the candidates of an epoch; higher is better.
 
-    Parameters
-    ----------
-    fitness : ndarray of float64, shape (n,)
-        Fitness of each candidate; higher is better.
-    experience : callable, optional
-        Plays the matches of the epoch once more and returns what the agents of the team saw, did
-        and earned; where all candidates are equal. With ``states=True`` also the states of the
-        world.
+    Where all candidates are equal, `experience` plays their matches once more and returns what the
+    agents of the team saw, did and earned; with ``states=True`` also the states of the world.
     """
 
     fitness: FloatArray
@@ -187,10 +169,7 @@ class Learner(Section):
         return np.zeros(self.population, dtype=np.intp)
 
     def check_fits(self, path: str, game: Game) -> None:
-        """Raise ValueError if the learner cannot learn in a game.
-
-        `path` is the setting that has the learner.
-        """
+        """Raise ValueError if the learner, of the setting `path`, cannot learn in a game."""
 
     def check_machine(self) -> None:
         """Raise ModuleNotFoundError or ValueError if this machine lacks what the learner needs."""
@@ -289,12 +268,10 @@ def draw_windows(count: int, genes: int, rng: Rng) -> Indices:
 
 
 def noise_of(state: State, windows: Indices, genes: int, sigma: float) -> list[Genome]:
-    """Return noise vectors (genes,) float32 with standard deviation sigma, not to be written to.
-
-    To draw a normal number for each gene of each candidate costs more time than all other work of a
-    learner. A window at a random place of a long shared table serves as well and costs nothing
-    (Salimans et al. 2017, section 2.1; for genetic algorithms Such et al. 2017, arXiv:1712.06567).
-    """
+    """Return noise vectors (genes,) float32 with standard deviation sigma, not to be written to."""
+    # To draw a normal number for each gene of each candidate costs more time than all other work of
+    # a learner. A window at a random place of a long shared table serves as well (Salimans et al.
+    # 2017, section 2.1; for genetic algorithms Such et al. 2017, arXiv:1712.06567).
     table = _table(tuple(map(int, state["noise"])), genes, sigma)
     vectors = [table[start : start + genes] for start in windows]
     if "fixed" not in state:
@@ -320,10 +297,7 @@ def adam_state(genes: int, prefix: str = "") -> State:
 
 
 def adam(state: State, gradient: Genome, rate: float, prefix: str = "") -> tuple[Genome, State]:
-    """Return the change (genes,) float32 for a gradient, in ascent, and the new averages.
-
-    Kingma & Ba 2015, algorithm 1, with the constants given there.
-    """
+    """Return the change (genes,) for a gradient, in ascent, and averages: Kingma & Ba 2015."""
     beta1, beta2, epsilon = 0.9, 0.999, 1e-8
     mean, square = state[f"{prefix}mean"], state[f"{prefix}square"]
     updates = int(state[f"{prefix}updates"]) + 1
