@@ -159,7 +159,8 @@ def random_programs(settings: RaceSettings) -> dict[str, Any]:
     assert isinstance(game, Pursuit)
     teams = {t: np.stack([game.untrained(t, rng) for _ in range(RANDOM)]) for t in TEAMS}
     episodes, matches = settings.match_episodes, 0
-    half = settings.schedule.training_matches(settings) // episodes // 2
+    epochs = {team: settings.schedule.total_epochs(team) for team in TEAMS}
+    half = sum(n * settings.learner_of(team).population for team, n in epochs.items()) // 2
     for count, rounds in ((RANDOM, half // RANDOM), (BEST, half // BEST)):
         own = np.tile(np.arange(count), max(1, rounds))
         rivals = np.concatenate([rng.permutation(count) for _ in range(max(1, rounds))])

@@ -472,8 +472,8 @@ class _Watch:
         """Take what a run has saved since the last look, and tell its epochs."""
         saved, settings = storage.SavedRun(self.root / name), self.job[name]
         stage, stages = saved.newest(), settings.schedule.n_stages
-        total = run.total_matches(settings, settings.schedule.entries**2 if settings.is_race else 1)
-        done = total if saved.finished else min(settings.counted(saved.matches(), 0), total)
+        total = run.total_epochs(settings, settings.schedule.entries**2 if settings.is_race else 1)
+        done = total if saved.finished else settings.schedule.epochs_until(stage)
         before = self._work[name].before if name in self._work else done
         what = f"stage {stage} of {stages}" if stage < stages else "tournament"
         self._work[name] = Progress(what, done, total, before)

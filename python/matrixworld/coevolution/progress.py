@@ -38,10 +38,9 @@ class Progress:
     what : str
         What the run is doing; of a job, how many runs have ended.
     done, total : int
-        Training matches played, and all of them. A match of the evaluation counts as the training
-        matches that take as long.
+        Epochs played, and all of them. The evaluation counts as the epochs that take as long.
     before : int, optional
-        Matches of `done` that were played before this start: they do not count for the rate.
+        Epochs of `done` that were played before this start: they do not count for the rate.
     """
 
     what: str

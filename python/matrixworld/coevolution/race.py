@@ -26,7 +26,6 @@ from abc import abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
@@ -51,7 +50,6 @@ from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, P
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.run import Run, RunInMemory
-    from matrixworld.coevolution.settings import RaceSettings
 
 CONFIDENCE = 0.95
 """Probability with which an interval of the summary covers the true mean."""
@@ -103,8 +101,12 @@ class Race(Section):
         """Return the epochs of the whole run in which `team` learns."""
 
     @abstractmethod
-    def training_matches(self, settings: RaceSettings) -> int:
-        """Return the matches of the training of a whole run."""
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs of a stage."""
+
+    def epochs_until(self, stage: int) -> int:
+        """Return the epochs of all stages before one."""
+        return sum(map(self.epochs_in, range(stage)))
 
     def sampler(self, team: Team) -> Opponents:
         """Return how a team chooses opponents; imports code of your own."""
@@ -143,18 +145,9 @@ class OfGenerations(Race):
         Uniform(), "which pursuers evaders meet; as for the pursuers"
     )
 
-    @property
-    def sampled_opponents(self) -> int:
-        """Most archived opponents of a candidate in an epoch."""
-        return self.opponents_met
-
     @abstractmethod
     def epochs(self, team: Team) -> int:
         """Return the epochs of a generation in which `team` learns."""
-
-    def archived(self, team: Team, k: int) -> int:
-        """Return how many generations of the other team are archived when generation k learns."""
-        return k
 
     @property
     def entries(self) -> int:
@@ -170,23 +163,6 @@ class OfGenerations(Race):
         met = self.pursuers_meet if team == "pursuer" else self.evaders_meet
         sampler: Opponents = met.load() if isinstance(met, OwnOpponents) else met
         return sampler
-
-    def training_matches(self, settings: RaceSettings) -> int:
-        """Return the matches of the training of a whole run."""
-        return settings.match_episodes * sum(
-            self._matches(settings, team, k) for team, k in product(TEAMS, range(1, self.entries))
-        )
-
-    def _matches(self, settings: RaceSettings, team: Team, k: int) -> int:
-        """Return the matches in which a team learns its generation k."""
-        archived = self.archived(team, k)
-        met = min(self.sampled_opponents, archived)
-        learner, sampler = settings.learner_of(team), self.sampler(team)
-        matches = self.epochs(team) * met * learner.population
-        matches += settings.retested_matches * met
-        if isinstance(sampler, NashOpponents):  # a new row and a new column
-            matches += (k + archived) * sampler.episodes
-        return matches
 
 
 # In turns:
@@ -258,9 +234,9 @@ class InTurns(OfGenerations):
         """Return the epochs of a generation in which `team` learns."""
         return self.pursuer_epochs if team == "pursuer" else self.evader_epochs
 
-    def archived(self, team: Team, k: int) -> int:
-        """Return how many generations of the other team are archived when generation k learns."""
-        return available(team, k)
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs of a stage, of the pursuers if it is even."""
+        return self.epochs(TEAMS[stage % 2])
 
     def learn(self, run: RunInMemory, stage: int) -> None:
         """Let one team learn for the epochs of a generation, and archive its genome."""
@@ -375,22 +351,13 @@ class AtOnce(OfGenerations):
         """Most opponents of a candidate in an epoch."""
         return self.contemporaries + self.hall_sample
 
-    @property
-    def sampled_opponents(self) -> int:
-        """Most archived opponents of a candidate in an epoch."""
-        return self.hall_sample
-
     def epochs(self, team: Team) -> int:
         """Return the epochs of a generation, in which both teams learn."""
         return self.joint_epochs
 
-    def _matches(self, settings: RaceSettings, team: Team, k: int) -> int:
-        """Return the matches in which a team learns its generation k."""
-        matches = super()._matches(settings, team, k)
-        matches += settings.retested_matches * self.contemporaries
-        # A match of two living individuals counts for both teams, and here for the pursuers.
-        living = self.contemporaries if team == "pursuer" else 0
-        return matches + self.joint_epochs * living * settings.learner_of(team).population
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs of a stage, in which both teams learn."""
+        return self.joint_epochs
 
     def learn(self, run: RunInMemory, stage: int) -> None:
         """Let both teams evolve for the epochs of a generation, and archive their champions."""
@@ -589,15 +556,14 @@ class Against(Race):
         """Return the epochs of the run."""
         return self.epochs
 
-    def training_matches(self, settings: RaceSettings) -> int:
-        """Return the matches of the training of a whole run, with one opponent an epoch."""
-        matches = self.epochs * settings.learner_of(self.team).population
-        return (matches + self.n_stages * settings.retested_matches) * settings.match_episodes
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs until the next entry of the archive."""
+        return min(self.archive_every, self.epochs - stage * self.archive_every)
 
     def learn(self, run: RunInMemory, stage: int) -> None:
         """Let the team learn until the next entry of the archive."""
         first = stage * self.archive_every
-        epochs = range(first, min(first + self.archive_every, self.epochs))
+        epochs = range(first, first + self.epochs_in(stage))
         activity = f"{run.name_of(self.team)} against {self.opponent}"
         genome = improve(run, self.team, 1 + stage, 1, epochs, activity)
         run.archive_genome(self.team, genome)

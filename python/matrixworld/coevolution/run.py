@@ -490,8 +490,8 @@ class Run(RunInMemory):
             # another process may have continued the run.
             self._restore()
             LOG.info("%s: goes on from stage %d of %d", path, self.stage, schedule.n_stages)
-            self._before = self.counts["matches"]
-            self._total = total_matches(self.settings, self._pairs())
+            self._before = schedule.epochs_until(self.stage)
+            self._total = total_epochs(self.settings, self._pairs())
             self.train()
             if self.files.finished:
                 self.files.summary()  # only to raise an error if one of them is damaged
@@ -596,7 +596,8 @@ class Run(RunInMemory):
 
     def report(self, activity: str, evaluated: int = 0) -> None:
         """Report the progress: the current activity, and evaluation episodes played so far."""
-        done = self.settings.counted(self.counts["matches"], evaluated)
+        done = self.settings.schedule.epochs_until(self.stage)
+        done += len({row["epoch"] for row in self.rows}) + self.settings.in_epochs(evaluated)
         self._report(Progress(activity, done, self._total, self._before))
 
     def _pairs(self) -> int:
@@ -653,10 +654,10 @@ def lengthen(directory: str | Path, generations: int, *, only_check: bool = Fals
             files.change(settings.changed({"schedule.generations": generations}))
 
 
-def total_matches(settings: RaceSettings, pairs: int) -> int:
-    """Return the matches of a whole run as progress counts them, with an evaluation of pairs."""
-    trained = settings.schedule.training_matches(settings)
-    return settings.counted(trained, pairs * settings.evaluation_episodes)
+def total_epochs(settings: RaceSettings, pairs: int) -> int:
+    """Return the epochs of a run, and those that take as long as its evaluation of pairs."""
+    trained = settings.schedule.epochs_until(settings.schedule.n_stages)
+    return trained + settings.in_epochs(pairs * settings.evaluation_episodes)
 
 
 def finish(

@@ -25,9 +25,6 @@ from matrixworld.coevolution.types import TEAMS, Genome, Rng, Team
 
 MOST_SEED = 2**63 - 1
 """Largest seed: the largest integer of 64 bits with a sign."""
-RETESTED = 3
-"""Genomes that are played again at the end of a generation: the learner's own, and the fittest two
-candidates."""
 OF_PURSUIT = ("world", "policy", "train_steps", "training_worlds")
 """Settings that a game of your own has not."""
 
@@ -280,15 +277,12 @@ class RaceSettings(Section):
             learners[path] = learner
         return learners
 
-    @property
-    def retested_matches(self) -> int:
-        """Matches against one opponent by which the champion of a generation is chosen."""
-        return RETESTED * self.retest_episodes
-
-    def counted(self, trained: int, evaluated: int) -> int:
-        """Return how many training matches take about as long as matches of both kinds."""
-        learning = max(self.learner_of(team).learning_time for team in self.learning_teams)
-        return trained + round(evaluated / learning)
+    def in_epochs(self, evaluated: int) -> int:
+        """Return how many epochs take about as long as so many matches of the evaluation."""
+        learners = map(self.learner_of, self.learning_teams)
+        matches = max(each.population * each.learning_time for each in learners)
+        matches *= self.schedule.opponents_met * self.match_episodes
+        return round(evaluated / matches)
 
     @cached_property
     def evaluation_game(self) -> Game:

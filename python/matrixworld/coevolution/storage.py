@@ -276,10 +276,6 @@ class SavedRun:
         """Return the number of the newest stage, 0 before the first."""
         return max(self._numbers("stage"), default=0)
 
-    def matches(self) -> int:
-        """Return the training matches until the newest stage; errors as `archive`."""
-        return int(self._stage(self.newest())["matches"])
-
     def _numbers(self, kind: str) -> list[int]:
         names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
         return [int(name) for name in names if name.isdigit()]
