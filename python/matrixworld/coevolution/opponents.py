@@ -1,8 +1,7 @@
 """Which archived opponents a team meets in an epoch.
 
 Opponents are numbered from the oldest, 0: they are generations of the other team. A team does not
-know which one it is: if the teams are swapped, so is the result. Values out of range, and scores or
-payoffs of another shape, raise a ValueError that names them.
+know which one it is: if the teams are swapped, so is the result.
 """
 
 from __future__ import annotations
@@ -15,7 +14,6 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, check_integers
 from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
@@ -153,17 +151,6 @@ class NewestAndOlder(Opponents):
         return np.append(newest, drawn)
 
 
-def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, FloatArray]:
-    """Return opponents (c,) and scores (n, c); ValueError unless they fit and are in [0, 1]."""
-    index, values = check_integers("opponents", opponents, np.intp), check_floats("scores", scores)
-    if values.ndim != 2 or index.shape != values.shape[1:] or not values.size:
-        expected = f"shape (n, {index.size}), at least one each"
-        raise ValueError(f"scores: expected {expected}, got {values.shape}")
-    if not ((values >= 0.0) & (values <= 1.0)).all():
-        raise ValueError(f"scores: expected numbers in [0, 1], got {values}")
-    return index, values
-
-
 def _padded(values: FloatArray, size: int) -> FloatArray:
     return np.pad(values, (0, max(0, size - len(values))))
 
@@ -239,12 +226,11 @@ class Prioritized(Opponents):
 
     def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
         """Count one game against each opponent, won by the mean of its scores."""
-        index, values = checked_scores(opponents, scores)
         # The archive grows during a run, and so do the counts.
-        size = int(index.max()) + 1
+        size = int(opponents.max()) + 1
         wins, games = (_padded(state[name], size) for name in ("wins", "games"))
-        wins[index] = self.decay * wins[index] + values.mean(axis=0)
-        games[index] = self.decay * games[index] + 1.0
+        wins[opponents] = self.decay * wins[opponents] + scores.mean(axis=0)
+        games[opponents] = self.decay * games[opponents] + 1.0
         return {"wins": wins, "games": games}
 
 
@@ -255,7 +241,7 @@ def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
     """
     # Chosen is the j with the most ``sum_k beats[j, k] / (1 + covered[k])``, where covered[k] sums
     # beats[., k] of those chosen before (Rosin & Belew 1997); ties are decided at random.
-    matrix = check_floats("beats", beats)
+    matrix = np.asarray(beats, np.float64)
     # argmax takes the first of equals, so a random order of the rows decides ties at random.
     order = rng.permutation(len(matrix))
     shuffled, covered = matrix[order], np.zeros(matrix.shape[1])
@@ -290,13 +276,12 @@ class SharedSampling(Opponents):
 
     def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
         """Record one minus the scores for each opponent."""
-        index, values = checked_scores(opponents, scores)
         beats = state["beats"]
         # Columns are candidates; with another number of them old scores fit none.
-        if beats.shape[1] != len(values):
-            beats = np.ones((0, len(values)))
-        beats = _known(beats, int(index.max()) + 1)
-        beats[index] = 1.0 - values.T
+        if beats.shape[1] != len(scores):
+            beats = np.ones((0, len(scores)))
+        beats = _known(beats, int(opponents.max()) + 1)
+        beats[opponents] = 1.0 - scores.T
         return {"beats": beats}
 
 
@@ -338,10 +323,12 @@ class NashOpponents(Opponents):
         known = state["payoffs"]
         rows, columns = np.arange(own), np.arange(available)
         n, m = known.shape
-        payoffs = np.block([
-            [known, _checked(payoff, rows[:n], columns[m:])],
-            [_checked(payoff, rows[n:], columns)],
-        ])  # fmt: skip
+
+        def played(rows: Indices, columns: Indices) -> FloatArray:
+            pairs = len(rows), len(columns)
+            return np.asarray(payoff(rows, columns)) if all(pairs) else np.zeros(pairs)
+
+        payoffs = np.block([[known, played(rows[:n], columns[m:])], [played(rows[n:], columns)]])
         # The opponents' own mixture: the game as they see it has their payoffs.
         rounded = np.round(nash_averaging(payoffs).evaders, WEIGHT_DECIMALS)
         return {"payoffs": payoffs, "weights": rounded / rounded.sum()}
@@ -351,22 +338,9 @@ class NashOpponents(Opponents):
         weights = state["weights"]
         if not len(weights):
             return np.array([available - 1], dtype=np.intp)
-        if len(weights) != available:
-            raise ValueError(f"available: expected {len(weights)} opponents, got {available}")
         support = np.flatnonzero(weights)
         size = min(count, len(support))
         return rng.choice(support, size=size, replace=False, p=weights[support])
-
-
-def _checked(payoff: PayoffFunction, rows: Indices, columns: Indices) -> FloatArray:
-    """Return payoffs (n, m), which are not played for no pairs; ValueError for another shape."""
-    shape = len(rows), len(columns)
-    if 0 in shape:
-        return np.zeros(shape)
-    values = check_floats("payoff", payoff(rows, columns))
-    if values.shape != shape or not np.isfinite(values).all():
-        raise ValueError(f"payoff: expected {shape} finite numbers, got {values}")
-    return values
 
 
 @documented

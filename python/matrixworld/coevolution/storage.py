@@ -487,9 +487,12 @@ class SavedRun:
             If there is no such generation or team, a script plays for it, it has memory, or a tree
             needs scikit-learn.
         """
-        from matrixworld.coevolution.evaluation.explanation import explain_run
+        from matrixworld.coevolution.evaluation import explanation, scores
 
-        return explain_run(self, team, generation, **options)
+        policy = self.policy(team, generation, seed=options.get("seed", 0))
+        world, number = self.pursuit.world, self.generation(team, generation)
+        options |= {"opponents": scores.opponents_in(self, team, world)[0], "generation": number}
+        return explanation.explain(policy, team, world, **options)
 
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.

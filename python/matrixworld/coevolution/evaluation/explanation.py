@@ -480,10 +480,3 @@ def explain(
     play = {"episodes": checks.check_integer("episodes", episodes, 2), "threads": threads}
     matches = _Matches(policy, team, config, against, seed, depth, play, report)
     return Explanation(team, generation, **KINDS[policy.policy.kind](matches))
-
-
-def explain_run(run: SavedRun, team: Team, generation: int = -1, **options: Any) -> Explanation:
-    """Explain a generation of a run: `SavedRun.explain`."""
-    policy, world = run.policy(team, generation, seed=options.get("seed", 0)), run.pursuit.world
-    options |= {"opponents": opponents_in(run, team, world)[0]}
-    return explain(policy, team, world, generation=run.generation(team, generation), **options)
