@@ -5,9 +5,13 @@ import pytest
 from scipy import stats
 
 from matrixworld import analysis
-from matrixworld.analysis.intervals import generalization_over_episodes, linear_over_episodes
+from matrixworld.analysis.intervals import (
+    expanded_tail,
+    generalization_over_episodes,
+    linear_over_episodes,
+)
 from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.analysis.runs import expanded_tail, race_bands
+from matrixworld.plots.runs import race_bands
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK
 
 
@@ -69,7 +73,7 @@ def test_values_are_those_of_rliable() -> None:
 def test_the_bootstrap_of_one_task_is_that_of_rliable(monkeypatch: pytest.MonkeyPatch) -> None:
     # With a single task, whole runs and stratified resampling are the same.
     assert 1.0 - 2.0 * expanded_tail(len(TASK), 0.95) == pytest.approx(LEVEL)
-    monkeypatch.setattr("matrixworld.analysis.runs.RESAMPLES", 10_000)
+    monkeypatch.setattr("matrixworld.analysis.intervals.RESAMPLES", 10_000)
     found = analysis.interquartile_mean(TASK)
     # The scores have two decimals, so the ends move in steps of 1/600.
     np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)

@@ -15,11 +15,14 @@ from matrices import circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
 from matrixworld.analysis.intervals import Band, generalization_over_episodes
-from matrixworld.analysis.runs import race_bands
-from matrixworld.plots.race import generalization_curves, lag_profile_curve
-from matrixworld.plots.runs import seed_bands, seed_scores
+from matrixworld.plots.race import (
+    collision_rates,
+    generalization_curves,
+    lag_profile_curve,
+    training_curve,
+)
+from matrixworld.plots.runs import race_bands, seed_bands, seed_scores
 from matrixworld.plots.style import FORMATS
-from matrixworld.plots.training import collision_rates, training_curve
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
 RNG = np.random.default_rng(0)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_bool, check_floats, check_real, shown
+from matrixworld._util.checks import check_bool, check_floats, check_integer, check_real, shown
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 
@@ -35,6 +35,10 @@ rarely."""
 COLLIDING_FOR_RATES = 5
 """Fewest episodes with a collision of the kind for an interval of its rate."""
 RESAMPLES_OF_RATES = 1000
+RESAMPLES = 2000
+"""Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of
+its width."""
+TRIMMED = 0.25  # share of the scores that an interquartile mean leaves out at each end
 Bounds = tuple[float, float]
 """Smallest and largest possible value."""
 UNBOUNDED: Bounds = (-math.inf, math.inf)
@@ -232,6 +236,70 @@ def around(singles: Sequence[Estimate]) -> Estimate:
     ends = zip(*(each.ends for each in singles), strict=True)
     low, high = (pick(side) for pick, side in zip((min, max), ends, strict=True))
     return Estimate(float(np.mean([each.value for each in singles])), low, high, "runs")
+
+
+# ---- Scores of several runs ---------------------------------------------------------------------
+
+
+def fewest_runs(level: float = LEVEL) -> int:
+    """Return the fewest runs with which intervals of scores are given: 6 at a level of 95 %."""
+    check_level(level)
+    # All n runs lie on the same side of the median with probability ``2 ** (1 - n)``, so a
+    # bootstrap interval of fewer runs cannot reach the level, whatever its method.
+    return max(2, math.ceil(1.0 - math.log2(1.0 - level)))
+
+
+def interquartile_mean(scores: ArrayLike, *, level: float = LEVEL, seed: int = 0) -> Estimate:
+    """Return the mean of the middle half of all scores, with a bootstrap interval over runs.
+
+    Single runs that fail and single opponents that are easy count less than in the mean. There is
+    no interval below 6 runs (at 95 %), and if all runs are equal.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (runs, opponents)
+        One finite score of each run against each opponent, such as the held-out ones.
+    level : float, optional
+        Confidence level, in (0, 1).
+    seed : int, optional
+        Seed of the bootstrap samples.
+
+    Notes
+    -----
+    Whole runs are resampled, because scores of one run against several opponents depend on each
+    other. The interval is an expanded percentile interval (Hesterberg), since plain percentiles are
+    too narrow for few runs.
+
+    References
+    ----------
+    Agarwal et al. (2021), "Deep reinforcement learning at the edge of the statistical precipice",
+    NeurIPS. Hesterberg (2015), "What teachers should know about the bootstrap", The American
+    Statistician 69(4).
+    """
+    array = check_finite(scores, "scores (runs, opponents)", ndim=2)
+    value, runs, fewest = _middle_mean(array), len(array), fewest_runs(level)
+    if runs < fewest:
+        return Estimate(value, samples=runs, note=f"no interval below {fewest} runs")
+    if np.ptp(array, axis=0).max() == 0.0:
+        return Estimate(value, samples=runs, note=f"no interval: all {runs} runs are equal")
+    rng = np.random.default_rng(check_integer("seed", seed, 0))
+    drawn = [_middle_mean(array[rng.integers(runs, size=runs)]) for _ in range(RESAMPLES)]
+    tail = expanded_tail(runs, level)
+    low, high = np.quantile(drawn, [tail, 1.0 - tail])
+    return Estimate(value, float(low), float(high), "runs", runs)
+
+
+def expanded_tail(runs: int, level: float) -> float:
+    """Return the probability below the lower end of an expanded percentile interval."""
+    from scipy.special import ndtr
+
+    return float(ndtr(-math.sqrt(runs / (runs - 1)) * float(t_quantile(level, runs - 1))))
+
+
+def _middle_mean(scores: Rates) -> float:
+    ordered = np.sort(scores, axis=None)
+    cut = int(TRIMMED * len(ordered))
+    return float(ordered[cut : len(ordered) - cut].mean())
 
 
 # ---- Over the episodes of one run ---------------------------------------------------------------

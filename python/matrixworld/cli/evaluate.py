@@ -14,8 +14,8 @@ from matrixworld import analysis
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import judgement as judgements
+from matrixworld.analysis.intervals import fewest_runs
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, TEAMS, Payoffs
-from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli import console, options
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.setting_options import usage_errors

@@ -52,8 +52,7 @@ from matrixworld.explorer.page import (
     write_page,
 )
 from matrixworld.explorer.playground import page_data, playground_page
-from matrixworld.explorer.shows import plain_game
-from matrixworld.explorer.teams import MOST_BYTES, plain_team, step_of
+from matrixworld.explorer.teams import MOST_BYTES, plain_game, plain_team, step_of
 from matrixworld.version import __version__
 from matrixworld.world.render import png
 from matrixworld.world.rules import variant_name

@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import checks, colors
-from matrixworld.analysis.intervals import UNBOUNDED, Band, Bounds
+from matrixworld.analysis.intervals import UNBOUNDED, UNIT, Band, Bounds, fewest_runs
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
 from matrixworld.analysis.payoffs import Payoffs, Rates
-from matrixworld.analysis.runs import fewest_runs, race_bands
+from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.plots import style
 from matrixworld.plots.race import OVER_SEEDS, draw_teams, mark_lag_0
 
@@ -204,6 +204,23 @@ def seed_bands(
         column[1].set_ylim(min(low for low, _ in ends), max(high for _, high in ends))
     entries = style.labelled(*(column[0] for column in panels))
     return style.finished(figure, entries, None, columns=2 if columns < 3 else 4)
+
+
+def race_bands(matrices: Rates) -> dict[str, Band]:
+    """Return mean generalization, Elo points and lag profile of runs (runs, n, m), with intervals.
+
+    By name: ``pursuer_generalization``, ``evader_ratings`` and so on, and ``lag_profile``.
+    """
+    found: dict[str, Band] = {}
+    for team in ("pursuers", "evaders"):
+        scores = [getattr(analysis.generalization(matrix), team) for matrix in matrices]
+        ratings = [ELO_POINTS * getattr(analysis.elo(matrix), team) for matrix in matrices]
+        found[f"{team[:-1]}_generalization"] = analysis.band_over_runs(scores, bounds=UNIT)
+        found[f"{team[:-1]}_ratings"] = analysis.band_over_runs(ratings)
+    profiles = [analysis.lag_profile(matrix) for matrix in matrices]
+    lags, means = profiles[0].lags, [profile.means for profile in profiles]
+    found["lag_profile"] = analysis.band_over_runs(means, places=lags, bounds=UNIT)
+    return found
 
 
 def _draw_group(column: Sequence[Axes], matrices: Rates, words: style.Words) -> None:

@@ -21,15 +21,9 @@ from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.plots import race as of_race
 from matrixworld.plots import style
-from matrixworld.plots.race import (
-    comparison,
-    generalization_curves,
-    lag_profile_curve,
-    payoff_heatmap,
-)
 from matrixworld.plots.runs import seed_bands, seed_scores, verdict_strip
-from matrixworld.plots.training import collision_rates, training_curve
 
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
@@ -97,7 +91,7 @@ def _training(group: RunGroup, baselines: Baselines) -> Figure:
     elif isinstance(schedule, AtOnce):
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
         shown, kept = "both teams learn", ~evaders
-    return training_curve(
+    return of_race.training_curve(
         log[score][kept],
         None if isinstance(schedule, AtOnce) else evaders,
         generations=None if isinstance(schedule, Against) else log["generation"][kept],
@@ -130,7 +124,7 @@ def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
 
 def _collisions(group: RunGroup, baselines: Baselines) -> Figure:
     title = _title(group, "Collisions per 1000 agent-steps")
-    return collision_rates(collisions_per_1000(group), title=title)
+    return of_race.collision_rates(collisions_per_1000(group), title=title)
 
 
 def _drawn(
@@ -143,9 +137,9 @@ def _drawn(
 
 OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
     "training": _training,
-    "payoff": partial(_drawn, payoff_heatmap, ""),
+    "payoff": partial(_drawn, of_race.payoff_heatmap, ""),
     "generalization": _generalization,
-    "lag_profile": partial(_drawn, lag_profile_curve, "Lag profile"),
+    "lag_profile": partial(_drawn, of_race.lag_profile_curve, "Lag profile"),
     "collisions": _collisions,
 }
 """Figures of a race. A run of one team has the first one only."""
@@ -162,7 +156,9 @@ def _comparison(groups: Groups, baselines: Baselines) -> Figure:
         for name, group in groups.items()
         for single in group.singles
     }
-    return comparison(_payoffs(singles), _judgements(singles), teams=_teams(*groups.values()))
+    return of_race.comparison(
+        _payoffs(singles), _judgements(singles), teams=_teams(*groups.values())
+    )
 
 
 def _seeds(groups: Groups, baselines: Baselines) -> Figure:
@@ -185,7 +181,7 @@ def _held_out(groups: Groups, baselines: Baselines) -> Figure:
 
 def _generalizations(groups: Groups, baselines: Baselines) -> Figure:
     scores = {name: baseline_scores(group, baselines) for name, group in groups.items()}
-    return generalization_curves(
+    return of_race.generalization_curves(
         _payoffs(groups),
         pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
         evader_baselines={name: each["evader"] for name, each in scores.items()},
