@@ -28,8 +28,7 @@ MOST_GENERATIONS = 40
 """More generations of a team are thinned out evenly, which keeps a fit below a second."""
 SORTING = 1.5
 """Share of the noise that sorting hides, in units of (n + m) / (n m). Simulated: 1 to 1.3."""
-BLOCKS = 8
-"""Most blocks of episodes in each half from which recurrence is estimated."""
+BLOCKS = 8  # most blocks of episodes in each half from which recurrence is estimated
 TOO_FEW_TO_RECUR = (
     f"it takes the single episodes of each pair, at least {EPISODES_TO_RECUR}, to see whether "
     "strategies return"

@@ -18,12 +18,10 @@ from matrixworld._util.checks import check_bool, check_floats, check_integer, ch
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 
-LEVEL = 0.95
-"""Default confidence level: share of intervals that should contain the true value."""
+LEVEL = 0.95  # default confidence level: share of intervals that should contain the true value
 FEW_RUNS = 5
 """With fewer runs an interval is wide, since the variation between runs is hardly known."""
-RUNS_FOR_T = 4
-"""Fewest runs of which a judgement takes the mean: of fewer, one run decides."""
+RUNS_FOR_T = 4  # fewest runs of which a judgement takes the mean: of fewer, one run decides
 SINGLE_RUN = "a single run has no interval over runs"
 BIASED = "biased by episode noise: no interval"
 """Note of numbers that noise shifts by an unknown amount, such as maxima of cells."""
@@ -32,15 +30,13 @@ DRAWS = 10_000
 EPISODES_FOR_RATES = 20
 """Fewest episodes for the interval of a collision rate; with less, uneven rates are covered too
 rarely."""
-COLLIDING_FOR_RATES = 5
-"""Fewest episodes with a collision of the kind for an interval of its rate."""
+COLLIDING_FOR_RATES = 5  # fewest episodes with a collision of the kind for an interval of its rate
 RESAMPLES_OF_RATES = 1000
 RESAMPLES = 2000
 """Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of
 its width."""
 TRIMMED = 0.25  # share of the scores that an interquartile mean leaves out at each end
-Bounds = tuple[float, float]
-"""Smallest and largest possible value."""
+Bounds = tuple[float, float]  # smallest and largest possible value
 UNBOUNDED: Bounds = (-math.inf, math.inf)
 UNIT: Bounds = (0.0, 1.0)
 

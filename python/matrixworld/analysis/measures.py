@@ -35,8 +35,7 @@ NO_EPISODES = (
 NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
 FALLS_BACK = "loses again, against some opponents, what it had gained"
 
-GAIN: Bounds = (-1.0, 1.0)
-"""Bounds of a difference of two rates."""
+GAIN: Bounds = (-1.0, 1.0)  # bounds of a difference of two rates
 
 
 @dataclass(frozen=True)

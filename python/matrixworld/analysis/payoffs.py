@@ -23,18 +23,13 @@ from matrixworld._util.checks import check_bool, check_floats, check_integer
 from matrixworld._util.files import DamagedFileError, load_arrays, read_text
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
-Rates = NDArray[np.float64]
-"""Capture rates, or other float64 numbers of the analysis."""
+Rates = NDArray[np.float64]  # capture rates, or other float64 numbers of the analysis
 OfTeam = TypeVar("OfTeam")
 
-ROUNDING = 1e-9
-"""Sums of rates may leave [0, 1] by this."""
-GENERATIONS_TO_JUDGE = 6
-"""Fewest generations of each team in a window that is judged."""
-EPISODES_TO_JUDGE = 4
-"""Fewest episodes of each cell that show their noise: two in each half."""
-EPISODES_TO_RECUR = 6
-"""Fewest episodes for recurrence: three in each half, for a jackknife."""
+ROUNDING = 1e-9  # sums of rates may leave [0, 1] by this
+GENERATIONS_TO_JUDGE = 6  # fewest generations of each team in a window that is judged
+EPISODES_TO_JUDGE = 4  # fewest episodes of each cell that show their noise: two in each half
+EPISODES_TO_RECUR = 6  # fewest episodes for recurrence: three in each half, for a jackknife
 
 TEAMS = ("pursuers", "evaders")
 """What the teams are called, unless a game has other names."""
@@ -376,8 +371,7 @@ _PAIR, _RATE = ("pursuer", "evader"), "capture_rate"
 _KEYS = ("run", *_PAIR, "episode")
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
 
-Line: TypeAlias = tuple[str, list[str]]
-"""A line of a table: where it is, and its cells."""
+Line: TypeAlias = tuple[str, list[str]]  # a line of a table: where it is, and its cells
 
 
 def _read_table(path: Path) -> tuple[Rates, bool]:

@@ -172,15 +172,13 @@ class Triangle:
     """One team's half of a CIAO plot: its payoffs (n, m), NaN for opponents newer than itself."""
 
     payoff: payoffs.Rates
-    by_age: payoffs.Rates
-    """Mean payoff (n,) by age ``g - h`` of the opponent."""
+    by_age: payoffs.Rates  # mean payoff (n,) by age ``g - h`` of the opponent
     fading: float
     """Against the newer half of the opponents minus the older: if positive, these are forgotten."""
     stripes: float
     """Regularity, in [0, 1], with which wins and losses come back with the age of the opponent: the
     first peak of the autocorrelation after it has been negative; up to about .2 by noise."""
-    period: int | None
-    """Lag of that peak."""
+    period: int | None  # lag of that peak
 
 
 def ciao(payoff: ArrayLike) -> payoffs.ByTeam[Triangle]:

@@ -14,10 +14,8 @@ from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff
 
 ELO_POINTS = 400.0 / math.log(10.0)
 """Points of the chess scale for one unit of these ratings, a natural logit."""
-SHRINKAGE = 0.01
-"""Shrinkage of rates towards 1/2: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
-RIDGE = 1e-3
-"""Weight of the squared ratings in the fit."""
+SHRINKAGE = 0.01  # shrinkage of rates towards 1/2: 0 and 1 become .01 and .99, logits -4.6 and 4.6
+RIDGE = 1e-3  # weight of the squared ratings in the fit
 
 _MOST_STEPS = 100
 _TOLERANCE = 1e-9  # of the gradient, a sum of differences of rates

@@ -23,13 +23,11 @@ from matrixworld.analysis.intervals import (
 )
 from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, swap_teams
 
-GRID = 40
-"""Values of each standard deviation over which the posterior is summed."""
+GRID = 40  # values of each standard deviation over which the posterior is summed
 WIDEST = (4.0, 3.0)
 """Largest standard deviations of steps and of fluctuation on the grid, in units of that of the
 observed steps."""
-PARTS = 5
-"""Parts of a course, none of which may fall back, and of the opponents."""
+PARTS = 5  # parts of a course, none of which may fall back, and of the opponents
 SETBACK, OF_GAIN = 0.25, 0.05
 """Share of its change by which a sustained course goes back at most, and the course of a gain."""
 _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out

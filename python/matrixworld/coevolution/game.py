@@ -109,8 +109,7 @@ class Game:
     single: ClassVar[tuple[str, ...]] = ()
     means: ClassVar[tuple[str, ...]] = ()
     """Extras that a payoff holds: those of single episodes, and those of which it holds means."""
-    counters: ClassVar[tuple[str, ...]] = ()
-    """What a run counts beside its matches."""
+    counters: ClassVar[tuple[str, ...]] = ()  # what a run counts beside its matches
 
     def __post_init__(self) -> None:
         for name in ("play", "initial", "show"):
@@ -406,8 +405,7 @@ def _names(code: CodeType) -> Iterator[str]:
             yield from _names(constant)
 
 
-CHECKED = 64
-"""Matches of a check."""
+CHECKED = 64  # matches of a check
 
 
 @no_exit("check_game")

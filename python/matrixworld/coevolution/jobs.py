@@ -37,15 +37,12 @@ from matrixworld.coevolution.settings import RaceSettings
 
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
 """Names of runs: relative paths of one or two parts that every system accepts."""
-ITSELF = "."
-"""Name of the only run of a job whose directory is that of the run."""
+ITSELF = "."  # name of the only run of a job whose directory is that of the run
 FEW = 3
 """Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
 
-RUNS = Path("runs")
-"""Parent directory of runs for which no directory is given."""
-MOST_NAMED = 5
-"""Most seeds that such a directory names one by one."""
+RUNS = Path("runs")  # parent directory of runs for which no directory is given
+MOST_NAMED = 5  # most seeds that such a directory names one by one
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""

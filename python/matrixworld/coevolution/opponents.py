@@ -34,8 +34,7 @@ PayoffFunction = Callable[[Indices, Indices], ArrayLike]
 
 One pair always has the same payoff.
 """
-UNKNOWN = 0.5
-"""Assumed win rate against an opponent without games."""
+UNKNOWN = 0.5  # assumed win rate against an opponent without games
 WEIGHT_DECIMALS = 6
 """Decimals of the weights of a mixture: the last bits differ from processor to processor."""
 

@@ -19,8 +19,7 @@ from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.sections import PluginError, no_exit
 from matrixworld.coevolution.types import TEAMS, State
 
-EPOCHS, GENES = 6, 140
-"""Epochs of a check, and length of its genomes."""
+EPOCHS, GENES = 6, 140  # epochs of a check, and length of its genomes
 Step = Callable[[State, int], tuple[list[NDArray[Any]], State]]
 """Plays one epoch from a state; returns what was decided, and the next state."""
 

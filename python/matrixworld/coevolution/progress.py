@@ -13,18 +13,13 @@ from tqdm import tqdm
 
 LOG = logging.getLogger("matrixworld")
 """Told when a run begins or goes on, has saved a stage, and ends; shows nothing by itself."""
-SECONDS = 0.5
-"""Minimum time between two updates, in seconds."""
-TENTH = 0.1
-"""Share of the work from one line to the next, if there is no terminal."""
+SECONDS = 0.5  # minimum time between two updates, in seconds
+TENTH = 0.1  # share of the work from one line to the next, if there is no terminal
 
-SHARES = 1000
-"""Parts into which a share is divided."""
+SHARES = 1000  # parts into which a share is divided
 
-LINE = "{desc}: {percentage:3.0f}%  {remaining} left"
-"""The parts of a line, as tqdm names them."""
-BAR = LINE.replace("%  ", "%|{bar:16}| ")
-"""The same with a bar."""
+LINE = "{desc}: {percentage:3.0f}%  {remaining} left"  # the parts of a line, as tqdm names them
+BAR = LINE.replace("%  ", "%|{bar:16}| ")  # the same with a bar
 STARTING = "{desc}: {percentage:3.0f}%|{bar:16}|"
 """The line of a bar before anything has been played: the time that is left is not known yet."""
 

@@ -212,8 +212,7 @@ class Programs(PolicySettings):
         return Program(fov=world.fov, n_actions=world.n_actions, **shape)
 
 
-AnyPolicy: TypeAlias = Cells | Ratings | Programs
-"""The kinds of policies."""
+AnyPolicy: TypeAlias = Cells | Ratings | Programs  # the kinds of policies
 
 
 def check_mask(mask: str, world: WorldConfig, learns: bool) -> None:

@@ -51,8 +51,7 @@ from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, P
 if TYPE_CHECKING:
     from matrixworld.coevolution.run import Run, RunInMemory
 
-CONFIDENCE = 0.95
-"""Probability with which an interval of the summary covers the true mean."""
+CONFIDENCE = 0.95  # probability with which an interval of the summary covers the true mean
 
 
 @dataclass(frozen=True)
@@ -61,8 +60,7 @@ class Race(Section):
 
     stages_per_generation: ClassVar[int] = 1
     """Stages of a generation; a run is saved after each of them."""
-    is_race: ClassVar[bool] = True
-    """Whether both teams learn."""
+    is_race: ClassVar[bool] = True  # whether both teams learn
 
     # What a kind of race states:
 
@@ -172,8 +170,7 @@ PAPER: dict[str, dict[str, str]] = {
     "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
     "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
 }
-PSRO = "psro"
-"""Name of a schedule in which both teams meet Nash mixtures."""
+PSRO = "psro"  # name of a schedule in which both teams meet Nash mixtures
 ENOUGH_EPOCHS = 60
 HIDES_CYCLING = (
     "Short races of specialists may hide cycling: with 28 and 58 epochs in a generation it was "
@@ -604,8 +601,7 @@ SCHEDULES: dict[str, InTurns] = {
     for name, samplers in PAPER.items()
 }
 """The paper's schedules by name."""
-ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)
-"""Names of all schedules of races."""
+ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)  # names of all schedules of races
 
 
 def curve_window(schedule: Race) -> int:

@@ -38,8 +38,7 @@ class Plain(NamedTuple):
     help: Mapping[str, str]  # by field
 
 
-PLAIN: dict[type, Plain] = {}
-"""Classes of fields that are no sections, such as worlds."""
+PLAIN: dict[type, Plain] = {}  # classes of fields that are no sections, such as worlds
 
 
 def setting(
@@ -86,8 +85,7 @@ def documented(cls: type[AnySection]) -> type[AnySection]:
 class Section:
     """Base of the sections: converts and checks each field when it is made."""
 
-    kind: ClassVar[str] = ""
-    """Name of the section in files, where a field may hold one of several."""
+    kind: ClassVar[str] = ""  # name of the section in files, where a field may hold one of several
     shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {}
     """Other texts that may stand for the section, and the fields that each of them sets."""
 
@@ -136,8 +134,7 @@ class OwnCode(Section):
     """
 
     kind: ClassVar[str] = "own"
-    base: ClassVar[type]
-    """What it has to be derived from."""
+    base: ClassVar[type]  # what it has to be derived from
 
     code: str = setting("", "module:object")
     settings: Mapping[str, Any] = setting({}, "its settings: numbers, text, true or false")

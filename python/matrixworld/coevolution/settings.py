@@ -23,8 +23,7 @@ from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import Section, by_race, setting
 from matrixworld.coevolution.types import TEAMS, Genome, Rng, Team
 
-MOST_SEED = 2**63 - 1
-"""Largest seed: the largest integer of 64 bits with a sign."""
+MOST_SEED = 2**63 - 1  # largest seed: the largest integer of 64 bits with a sign
 OF_PURSUIT = ("world", "policy", "train_steps", "training_worlds")
 """Settings that a game of your own has not."""
 

@@ -56,8 +56,7 @@ from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, State,
 from matrixworld.episodes.episode import Episode
 from matrixworld.version import __version__
 
-FORMAT = 11
-"""Version of the directory's layout; another one is refused."""
+FORMAT = 11  # version of the directory's layout; another one is refused
 
 CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
 PAYOFF, SUMMARY = "payoff.npz", "summary.json"
@@ -65,8 +64,7 @@ PAYOFF, SUMMARY = "payoff.npz", "summary.json"
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], AtOnce.kind, list(SCHEDULES)[-1], PSRO, InTurns.kind]
 """The order in which the runs of one job are played and shown."""
-SEED = re.compile(r"seed-(\d+)")
-"""Names of the directories of a job's runs."""
+SEED = re.compile(r"seed-(\d+)")  # names of the directories of a job's runs
 
 COLUMNS: dict[str, type] = {
     "stage": int,
@@ -89,8 +87,7 @@ epoch of a generation, which choose its champion, count in the row of that epoch
 """
 Row = dict[str, Any]
 Archive = dict[str, Genomes]
-Counters = Mapping[str, float]
-"""What a run has counted until the end of a stage, by name."""
+Counters = Mapping[str, float]  # what a run has counted until the end of a stage, by name
 
 
 OTHER_NAMES = {

@@ -20,11 +20,9 @@ from matrixworld.version import __version__
 from matrixworld.world.config import WORLDS, WorldConfig
 from matrixworld.world.masks import right_of_way_cells
 
-PAGE = "evolve.html"
-"""Name of the page."""
+PAGE = "evolve.html"  # name of the page
 
-FIELD = "meadow"
-"""The world of the page without walls, which is small enough for networks."""
+FIELD = "meadow"  # the world of the page without walls, which is small enough for networks
 STEPS = 120
 """Of a match in the worlds in balance: enough for a chase, and fewer than they have elsewhere."""
 PLACES: dict[str, dict[str, Any]] = {

@@ -22,10 +22,8 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
 BUILT = Path(__file__).parent / "built"
-PAGES = tuple(sorted(path.stem for path in BUILT.glob("*.css")))
-"""All pages by name."""
-ENGINE = "engine"
-"""Name of the script that holds the engine as WebAssembly, which all pages share."""
+PAGES = tuple(sorted(path.stem for path in BUILT.glob("*.css")))  # all pages by name
+ENGINE = "engine"  # name of the script that holds the engine as WebAssembly, which all pages share
 ENGINE_PLACE = "/* the engine */"
 """What stands for the engine in a page without it; the page's script looks for the same."""
 

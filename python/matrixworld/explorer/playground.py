@@ -74,13 +74,10 @@ from matrixworld.world.rules import (
 )
 from matrixworld.world.world import World
 
-PAGE = "playground.html"
-"""Name of the page where no other is given."""
-PIXELS = 400
-"""Wanted length of the longer side of the picture of a scene."""
+PAGE = "playground.html"  # name of the page where no other is given
+PIXELS = 400  # wanted length of the longer side of the picture of a scene
 
-Command = int | str
-"""What an agent does in a step: an `Action`, or what a script decides."""
+Command = int | str  # what an agent does in a step: an `Action`, or what a script decides
 
 
 class Playground:

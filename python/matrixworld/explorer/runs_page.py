@@ -57,10 +57,8 @@ from matrixworld.version import __version__
 from matrixworld.world.render import png
 from matrixworld.world.rules import variant_name
 
-PAGE = "explorer.html"
-"""Name of the page in a run directory, or beside several."""
-MOST_RUNS = 12
-"""The most runs of a page."""
+PAGE = "explorer.html"  # name of the page in a run directory, or beside several
+MOST_RUNS = 12  # the most runs of a page
 CHANGED = "The source of the game {} has changed since it was raced."
 
 
@@ -354,8 +352,7 @@ def command_of(settings: RaceSettings) -> str:
 
 # ---- What the analysis says ----------------------------------------------------------------------
 
-BOARDS = 12
-"""The most checkerboards on a page: the strongest ones."""
+BOARDS = 12  # the most checkerboards on a page: the strongest ones
 
 
 def findings(payoff: Payoff, *, ended: bool = True) -> dict[str, Any]:
@@ -430,12 +427,9 @@ def too_few_episodes(payoff: Payoff) -> str:
 
 # ---- While runs go on ----------------------------------------------------------------------------
 
-SO_FAR = 2
-"""Episodes of each cell while a run goes on, the first ones of the evaluation."""
-SECONDS = 3.0
-"""The least time between two pages."""
-SHARE = 0.1
-"""The most of the time that the page may take from the runs."""
+SO_FAR = 2  # episodes of each cell while a run goes on, the first ones of the evaluation
+SECONDS = 3.0  # the least time between two pages
+SHARE = 0.1  # the most of the time that the page may take from the runs
 NOTE = (
     "The runs go on. This page shows what there was at {time}, and loads itself again when nobody "
     "uses it. A run that has not ended has at most {episodes} episodes a cell, and no judgement."

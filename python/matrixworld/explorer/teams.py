@@ -75,10 +75,8 @@ def packed(genomes: Genomes) -> bytes:
 
 # ---- Games of your own -------------------------------------------------------------------------
 
-MOST_SHOWN = 200
-"""The most cells of a page whose pairs are shown."""
-MOST_SHOWN_BYTES = 5 * 2**20
-"""The most bytes of what a page shows of them."""
+MOST_SHOWN = 200  # the most cells of a page whose pairs are shown
+MOST_SHOWN_BYTES = 5 * 2**20  # the most bytes of what a page shows of them
 WHY_NOT = {
     "none": "The game has no function show(a, b): the page tells its scores.",
     "later": "What the game shows of a pair is here when the run has ended.",

@@ -31,12 +31,9 @@ Baselines = Mapping[str, Mapping[str, ArrayLike]]
 OVER_SEEDS = "95% interval of the mean over seeds"
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
-FEWEST_CELLS = 5
-"""A lag whose mean rests on fewer cells is drawn faintly."""
-COLUMNS = 3
-"""The most races beside each other in `comparison`; further ones are in rows below."""
-SMALL = 0.83
-"""Size of judgements above heat maps, as a multiple of the type."""
+FEWEST_CELLS = 5  # a lag whose mean rests on fewer cells is drawn faintly
+COLUMNS = 3  # the most races beside each other in `comparison`; further ones are in rows below
+SMALL = 0.83  # size of judgements above heat maps, as a multiple of the type
 ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))  # distances of ticks
 _SHADE = "#E4F0F8"  # a pale tone of the evaders, light in grey, too
 _MARKED = 100  # curves with up to this many points have a marker at each

@@ -22,8 +22,7 @@ from matrixworld.plots import style
 from matrixworld.plots.race import OVER_SEEDS, draw_teams, mark_lag_0
 
 TEAMS = ("pursuer", "evader")
-NAMES = 3
-"""Share of the width that the names of groups may take: a third."""
+NAMES = 3  # share of the width that the names of groups may take: a third
 
 
 def run_dots(
@@ -146,8 +145,7 @@ def run_curves(
     return style.finished(figure, entries, title, columns=4 if len(entries) <= 4 else 3)
 
 
-SCORES = {"pursuer": "capture rate", "evader": "escape rate"}
-"""What the score of a team is called."""
+SCORES = {"pursuer": "capture rate", "evader": "escape rate"}  # what the score of a team is called
 
 
 def seed_scores(scores: Mapping[str, Mapping[str, Rates]]) -> Figure:
@@ -172,8 +170,7 @@ def seed_scores(scores: Mapping[str, Mapping[str, Rates]]) -> Figure:
     return style.finished(figure, style.labelled(panels[0]), title, columns=2)
 
 
-GROUPS = 5
-"""The most groups of seeds beside each other; further ones are in rows below."""
+GROUPS = 5  # the most groups of seeds beside each other; further ones are in rows below
 
 
 def seed_bands(

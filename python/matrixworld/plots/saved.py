@@ -143,8 +143,7 @@ OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
     "collisions": _collisions,
 }
 """Figures of a race. A run of one team has the first one only."""
-OF_PURSUIT = ("collisions", "held_out")
-"""Figures that games of your own have not."""
+OF_PURSUIT = ("collisions", "held_out")  # figures that games of your own have not
 
 
 Groups = Mapping[str, RunGroup]

@@ -41,27 +41,20 @@ from matrixworld.world.rating import INPUTS
 from matrixworld.world.rules import Action
 from matrixworld.world.world import World
 
-EPISODES = 40
-"""Episodes against each opponent, if nothing else is asked for."""
-DEPTHS = range(3, 7)
-"""Depths of trees that can be read, and still imitate something."""
+EPISODES = 40  # episodes against each opponent, if nothing else is asked for
+DEPTHS = range(3, 7)  # depths of trees that can be read, and still imitate something
 DEPTH = 4
 NO_LOSS, MOST_PARTS, FIRST_PRUNED = 0.01, 40, 100
 """Loss of score below which a part of a program is worth nothing, the most shorter programs of a
 trial, and the number of the first matches that try them."""
-STATES = 10_000
-"""About the most states of agents that are kept of a rollout."""
-POINTS = 5
-"""Values of an input at which its partial dependence is told."""
-ROUNDS = 2
-"""Rollouts of a tree whose states the next tree learns, too."""
+STATES = 10_000  # about the most states of agents that are kept of a rollout
+POINTS = 5  # values of an input at which its partial dependence is told
+ROUNDS = 2  # rollouts of a tree whose states the next tree learns, too
 IMITATED = "A tree imitates the network; how well, its score tells rather than its agreement."
 CLEAR, SLIGHT = 1 / 3, 1 / 10
 """Effects, in shares of the largest one, that a sentence tells, and that it tells as little."""
-MOST_CLEAR, MOST_SLIGHT = 4, 2
-"""The most of them that it tells."""
-BLOCKS = 10
-"""Length of the bar of the largest effect."""
+MOST_CLEAR, MOST_SLIGHT = 4, 2  # the most of them that it tells
+BLOCKS = 10  # length of the bar of the largest effect
 
 # By input: what an agent does whose rating falls with it, and rises with it; and what it minds.
 PHRASES: dict[str, tuple[str, str, str]] = {
@@ -91,8 +84,7 @@ class Term(NamedTuple):
     """What an input does in a policy that rates moves."""
 
     input: str
-    weight: float | None
-    """Its weight; None unless the rating is a weighted sum."""
+    weight: float | None  # its weight; None unless the rating is a weighted sum
     effect: float
     """How far the input moves a rating: the slope of `dependence`, multiplied by the standard
     deviation of the input among the moves that an agent can choose from."""
@@ -111,8 +103,7 @@ class Tree(NamedTuple):
     agreement: float
     """Share of the states in new matches of the network in which both like the same move best."""
     score: Estimate
-    cost: Estimate
-    """Score of the network minus that of the tree."""
+    cost: Estimate  # score of the network minus that of the tree
 
 
 @dataclass(frozen=True, repr=False)
@@ -121,11 +112,9 @@ class Explanation(Readable):
 
     team: Team
     generation: int
-    score: Estimate
-    """Its mean score against held-out opponents."""
+    score: Estimate  # its mean score against held-out opponents
     sentence: str
-    text: str = ""
-    """A program, or the rules of the tree."""
+    text: str = ""  # a program, or the rules of the tree
     terms: tuple[Term, ...] = ()
     tree: Tree | None = None
 

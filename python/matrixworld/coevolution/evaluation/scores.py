@@ -47,8 +47,7 @@ from matrixworld.world.policy import (
 from matrixworld.world.rules import Capture, Rules, rules_of, variant_name
 
 FILE = "held_out.npz"
-SCORE = dict(zip(TEAMS, Pursuit.score_words, strict=True))
-"""What the score of a team is called."""
+SCORE = dict(zip(TEAMS, Pursuit.score_words, strict=True))  # what the score of a team is called
 NETWORK = Network()
 """Network of the evolved opponents: views of 11 x 11, 5 actions, one hidden layer of 32."""
 
@@ -61,8 +60,7 @@ HELD_OUT_VERSION = 2
 the variants with capture by surrounding had no ``careful-team-surrounder``."""
 SCORES = "scores.json"
 """File in the run directory: scores of the last generations, played once and kept."""
-EPISODES, SEED = 100, 0
-"""Episodes of each pair, and their seed, if nothing else is asked for."""
+EPISODES, SEED = 100, 0  # episodes of each pair, and their seed, if nothing else is asked for
 CHOICE_EPISODES = 20
 """Episodes of each pair by which the best is chosen of many, and of what stands beside scores."""
 SCORED_BY = {
@@ -160,8 +158,7 @@ class HeldOutScores(Readable):
     opponents: tuple[str, ...]
     rates: NDArray[np.float64]
     """Share of evaders captured, or for evaders 1 minus it, shape (G, N, episodes)."""
-    left_out: str = ""
-    """Which opponents of the variant are left out, and why; empty if none is."""
+    left_out: str = ""  # which opponents of the variant are left out, and why; empty if none is
 
     def _parts(self) -> Parts:
         head, rows = _rows([self])

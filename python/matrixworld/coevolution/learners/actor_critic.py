@@ -52,13 +52,10 @@ from matrixworld.version import imported
 CHUNK = 2**20
 """Outputs of the widest layer that are computed at one time: larger ones leave a core's cache.
 Gradients are sums over all chunks."""
-COST_RATE = 0.05
-"""Learning rate of the multiplier, unless another one is given."""
-SMALL = 1e-8
-"""Added to a standard deviation by which is divided."""
+COST_RATE = 0.05  # learning rate of the multiplier, unless another one is given
+SMALL = 1e-8  # added to a standard deviation by which is divided
 
-Tensor: TypeAlias = Any
-"""A ``torch.Tensor``: PyTorch may be missing where types are checked."""
+Tensor: TypeAlias = Any  # a ``torch.Tensor``: PyTorch may be missing where types are checked
 
 
 def advantages(

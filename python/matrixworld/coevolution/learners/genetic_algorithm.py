@@ -18,8 +18,7 @@ from matrixworld.coevolution.learners.learner import fittest, select_tournament
 from matrixworld.coevolution.sections import by_race, documented, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
-TOURNAMENT = 5
-"""Individuals in a tournament, unless another number is given."""
+TOURNAMENT = 5  # individuals in a tournament, unless another number is given
 
 
 def select_truncation(fitness: FloatArray, k: int, rng: Rng, *, fraction: float) -> Indices:

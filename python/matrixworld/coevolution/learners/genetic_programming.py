@@ -23,8 +23,7 @@ from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, 
 
 Tree: TypeAlias = gp.PrimitiveTree
 
-DEPTH = 2
-"""Most operations one inside the other in a part that is drawn."""
+DEPTH = 2  # most operations one inside the other in a part that is drawn
 
 
 class Truth:

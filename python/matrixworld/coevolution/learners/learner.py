@@ -26,8 +26,7 @@ from matrixworld.coevolution.types import (
     Team,
 )
 
-MUTATION = 0.05
-"""Standard deviation of a mutation, unless another one is given."""
+MUTATION = 0.05  # standard deviation of a mutation, unless another one is given
 
 
 class DivergedError(ArithmeticError):
@@ -241,8 +240,7 @@ def inside_bounds(state: State, genomes: Genomes) -> Genomes:
 # Noise vectors as windows of one long row of normal numbers:
 
 VECTORS_PER_TABLE = 256
-MOST_EXTRA_NUMBERS = 2**24
-"""Bound of the table's memory: 64 MiB beyond one noise vector."""
+MOST_EXTRA_NUMBERS = 2**24  # bound of the table's memory: 64 MiB beyond one noise vector
 
 
 def table_length(genes: int) -> int:
@@ -281,8 +279,7 @@ def noise_of(state: State, windows: Indices, genes: int, sigma: float) -> list[G
 
 # Steps of gradient ascent:
 
-ANNEALED = 0.1
-"""Share of a learning rate that is left after annealing."""
+ANNEALED = 0.1  # share of a learning rate that is left after annealing
 
 
 def annealed(updates: int, over: int) -> float:
