@@ -17,14 +17,7 @@ import numpy as np
 from matrixworld._util.checks import check_choice
 from matrixworld.analysis import cycles, games, intervals, progress, ratings, strength
 from matrixworld.analysis import payoffs as payoff_module
-from matrixworld.analysis.intervals import (
-    LEVEL,
-    UNBOUNDED,
-    UNIT,
-    Bounds,
-    Estimate,
-    linear_over_episodes,
-)
+from matrixworld.analysis.intervals import LEVEL, UNIT, Bounds, Estimate
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, Window, require
 
 TOO_SHORT = f"it takes at least {payoff_module.GENERATIONS_TO_JUDGE} generations of each team"
@@ -165,7 +158,9 @@ def _linear(
     payoffs: Payoffs, window: Window, level: float, *, number: Number, bounds: Bounds = UNIT
 ) -> Estimate:
     """Estimate a sum of cells, which episode noise does not shift."""
-    of_episodes = partial(linear_over_episodes, measure=number, level=level, bounds=bounds)
+    of_episodes = partial(
+        intervals.linear_over_episodes, measure=number, level=level, bounds=bounds
+    )
     return _of_matrix(payoffs, window, level, of_episodes, number=number, bounds=bounds)
 
 
@@ -192,7 +187,9 @@ def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Est
         return Estimate(value, low, high, "episodes", scores.shape[2])
 
     number = partial(_last_rating, team=team)
-    return _of_matrix(payoffs, window, level, of_episodes, number=number, bounds=UNBOUNDED)
+    return _of_matrix(
+        payoffs, window, level, of_episodes, number=number, bounds=intervals.UNBOUNDED
+    )
 
 
 def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:

@@ -12,15 +12,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.intervals import (
-    LEVEL,
-    RUNS_FOR_T,
-    Estimate,
-    around,
-    normal_quantile,
-    t_ends,
-    t_quantile,
-)
+from matrixworld.analysis import intervals
+from matrixworld.analysis.intervals import LEVEL, Estimate, t_ends, t_quantile
 from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, swap_teams
 
 GRID = 40  # values of each standard deviation over which the posterior is summed
@@ -70,9 +63,9 @@ def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estima
     # and then falls), and if runs also gain without the tenth in which each would have jumped: of
     # runs that jump once, each at its own time, the mean rises evenly. Otherwise the interval
     # reaches to 0, or to what is left.
-    if 1 < len(scores) < RUNS_FOR_T:
+    if 1 < len(scores) < intervals.RUNS_FOR_T:
         courses = zip(scores[:, np.newaxis], noise[:, np.newaxis], strict=True)
-        return around([gain_of_runs(*each, level=level) for each in courses])
+        return intervals.around([gain_of_runs(*each, level=level) for each in courses])
     found = _gain_of_mean_course(scores, noise, level)
     sign = 1.0 if found.value > 0.0 else -1.0
     least = 1.0 if setback(scores.mean(axis=0)) < OF_GAIN else 0.0
@@ -249,7 +242,7 @@ def late_forgetting_over_episodes(
     value = float(((_drops(first, second) + _drops(second, first)) / 2.0)[late].mean())
     both = (first + second) / 2.0
     naive = late_forgetting(both, generations)
-    reach = normal_quantile(level)
+    reach = intervals.normal_quantile(level)
     # The two directions share episodes; the mean of their errors holds for any correlation.
     errors = [_error(chooses, 2.0 * noise, late) for chooses in (first, second)]
     low = value - reach * float(np.mean(errors))

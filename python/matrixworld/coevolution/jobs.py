@@ -469,7 +469,7 @@ class _Watch:
         """Take what a run has saved since the last look, and tell its epochs."""
         saved, settings = storage.SavedRun(self.root / name), self.job[name]
         stage, stages = saved.newest(), settings.schedule.n_stages
-        total = run.total_epochs(settings, settings.schedule.entries**2 if settings.is_race else 1)
+        total = run.total_epochs(settings)
         done = total if saved.finished else settings.schedule.epochs_until(stage)
         before = self._work[name].before if name in self._work else done
         what = f"stage {stage} of {stages}" if stage < stages else "tournament"

@@ -35,16 +35,7 @@ from matrixworld.coevolution.race import Against, OfGenerations
 from matrixworld.coevolution.sections import different_settings, no_exit
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import (
-    TEAMS,
-    FloatArray,
-    Genomes,
-    Indices,
-    Matches,
-    Seeds,
-    Team,
-    other,
-)
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Matches, Seeds, Team
 
 GIVEN = "given as genomes"
 """Value of the settings `opponent` and `start` if these were given as arrays."""
@@ -104,7 +95,7 @@ def create(
     if isinstance(schedule, Against):
         rivals, begin = check_sources(settings, opponents, start)
         if not isinstance(rivals, str):
-            archive[other(schedule.team)] = rivals.genomes
+            archive[types.other(schedule.team)] = rivals.genomes
             if shape := settings.evaluation_game.shape_of(rivals):
                 config["opponent_policy"] = shape
         # config.json must not name opponents that were not used.
@@ -126,8 +117,8 @@ def check_sources(
     if opponents is None and schedule.opponent in SCRIPTS and isinstance(game, Pursuit):
         policy = schedule.opponent
     elif opponents is None:
-        policy = _last(settings, schedule.opponent, other(schedule.team))
-    game.check_opponents(other(schedule.team), policy)
+        policy = _last(settings, schedule.opponent, types.other(schedule.team))
+    game.check_opponents(types.other(schedule.team), policy)
     if start is None and schedule.start is not None:
         population = _last(settings, schedule.start, schedule.team)
         game.check_start(population)
@@ -255,7 +246,7 @@ class RunInMemory:
 
     def opponents(self, team: Team) -> Any:
         """Return whom a team can meet now: all generations of the other team."""
-        return self.population(other(team), self.genomes(other(team)))
+        return self.population(types.other(team), self.genomes(types.other(team)))
 
     def generator(self, purpose: Purpose, team: Team, generation: int, epoch: int) -> types.Rng:
         """Return the random numbers of a team in an epoch."""
@@ -301,10 +292,9 @@ class RunInMemory:
 
     def update_sampler(self, team: Team, own: int, available: int) -> None:
         """Tell a sampler at the begin of a generation how many generations of both teams exist."""
-        name, sampler = f"{team}.opponents", self.samplers[team]
-        episodes = getattr(sampler, "episodes", 1)
-        payoff = partial(self._payoff, team, episodes=episodes)
-        self.states[name] = sampler.update(self.states[name], own, available, payoff)
+        name, payoff = f"{team}.opponents", partial(self._payoff, team)
+        updated = self.samplers[team].update(self.states[name], own, available, payoff)
+        self.states[name] = updated
 
     def sample(self, team: Team, available: int, count: int, epoch: int, rng: types.Rng) -> Indices:
         """Return the opponents (c,) of a team in an epoch."""
@@ -401,27 +391,25 @@ class RunInMemory:
         key = (self.settings.seed, generation, generation, Phase.RETEST, TEAMS.index(team))
         seeds = np.tile(training_seeds(*key, c * episodes), (n, 1))
         scores = self.play_candidates(team, genomes, opponents, np.repeat(met, episodes), seeds)
-        self._count_in_last_epoch()
+        # They count in the last epoch, which has two rows where both teams learn at once.
+        last = self.rows[-1]["matches"]
+        for row in self.rows:
+            if row["matches"] == last:
+                row |= self._logged_counts()
         again = self.fitness(
             team, scores, lambda values: np.asarray(values.reshape(n, c, episodes).mean(axis=2))
         )
         champion: types.Genome = genomes[np.argmax(again)]
         return champion
 
-    def _count_in_last_epoch(self) -> None:
-        """Count matches after an epoch in its rows: two where both teams learn at once."""
-        last = self.rows[-1]["matches"]
-        for row in self.rows:
-            if row["matches"] == last:
-                row |= self._logged_counts()
-
     def _logged_counts(self) -> dict[str, int]:
         """Return what the log has of the counts."""
         return {name: n for name, n in self.counts.items() if name in self.game.columns}
 
-    def _payoff(self, team: Team, own: Indices, rivals: Indices, *, episodes: int) -> FloatArray:
+    def _payoff(self, team: Team, own: Indices, rivals: Indices) -> FloatArray:
         """Play generations (n,) of a team against opponents (m,), and return the payoffs (n, m)."""
-        met = {team: own, other(team): rivals}
+        met = {team: own, types.other(team): rivals}
+        episodes = getattr(self.samplers[team], "episodes", 1)
         # The order of the seeds: all episodes of a pair, which have seeds of their own, then the
         # next pair.
         pairs = [(int(g), int(h)) for g in met["pursuer"] for h in met["evader"]]
@@ -491,7 +479,7 @@ class Run(RunInMemory):
             self._restore()
             LOG.info("%s: goes on from stage %d of %d", path, self.stage, schedule.n_stages)
             self._before = schedule.epochs_until(self.stage)
-            self._total = total_epochs(self.settings, self._pairs())
+            self._total = total_epochs(self.settings)
             self.train()
             if self.files.finished:
                 self.files.summary()  # only to raise an error if one of them is damaged
@@ -585,7 +573,7 @@ class Run(RunInMemory):
 
     def opponents(self, team: Team) -> Any:
         """Return whom a team can meet now: all generations of the other team, or its script."""
-        return self.files.as_policy(other(team), self.genomes(other(team)))
+        return self.files.as_policy(types.other(team), self.genomes(types.other(team)))
 
     def log(self, row: storage.Row) -> None:
         """Add an epoch to the log, and report it."""
@@ -598,14 +586,8 @@ class Run(RunInMemory):
         """Report the progress: the current activity, and evaluation episodes played so far."""
         done = self.settings.schedule.epochs_until(self.stage)
         done += len({row["epoch"] for row in self.rows}) + self.settings.in_epochs(evaluated)
-        self._report(Progress(activity, done, self._total, self._before))
-
-    def _pairs(self) -> int:
-        """Return how many pairs of genomes the evaluation plays."""
-        if self.settings.is_race:
-            return self.settings.schedule.entries**2
-        [team] = self.settings.learning_teams
-        return types.team_size(self.opponents(team))
+        # A team alone may be evaluated against several opponents.
+        self._report(Progress(activity, min(done, self._total), self._total, self._before))
 
 
 def check_source(run: storage.SavedRun) -> None:
@@ -654,10 +636,12 @@ def lengthen(directory: str | Path, generations: int, *, only_check: bool = Fals
             files.change(settings.changed({"schedule.generations": generations}))
 
 
-def total_epochs(settings: RaceSettings, pairs: int) -> int:
-    """Return the epochs of a run, and those that take as long as its evaluation of pairs."""
-    trained = settings.schedule.epochs_until(settings.schedule.n_stages)
-    return trained + settings.in_epochs(pairs * settings.evaluation_episodes)
+def total_epochs(settings: RaceSettings) -> int:
+    """Return the epochs of a run, and those that take as long as its evaluation."""
+    schedule = settings.schedule
+    pairs = schedule.entries**2 if settings.is_race else 1
+    evaluation = settings.in_epochs(pairs * settings.evaluation_episodes)
+    return schedule.epochs_until(schedule.n_stages) + evaluation
 
 
 def finish(
@@ -667,19 +651,10 @@ def finish(
     report: Report = silent,
     on_epoch: OnEpoch | None = None,
 ) -> storage.SavedRun:
-    """Return the finished run of a directory that `create` has made, which may have begun.
+    """Return the finished run of a `directory` that `create` has made, which may have begun.
 
-    An executor can call it wherever the directory has the same path. Errors are those of `Run` and
-    of `Run.run`.
-
-    Parameters
-    ----------
-    directory : str or Path
-        The directory of the run.
-    threads : int, optional
-        As for `Run`.
-    report, on_epoch : callable, optional
-        As for `Run.run`.
+    An executor can call it wherever the directory has the same path. `threads` and errors are those
+    of `Run`, `report` and `on_epoch` are as for `evolve`.
     """
     files = storage.RunWriter(directory)
     if files.exists and files.finished and not [*files.path.glob("checkpoint-*")]:  # of a page

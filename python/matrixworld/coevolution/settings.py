@@ -188,34 +188,26 @@ class RaceSettings(Section):
         """Raise ValueError for a value without effect where another section is the reason."""
         learners = [getattr(self, self.learner_path(team)) for team in self.learning_teams]
         ignored = set.intersection(*({*getattr(each, "ignores", ())} for each in learners))
-        started = isinstance(self.schedule, Against) and self.schedule.start is not None
-        shallow = ("activation", "memory", "initial_weight")
-        alone = self.schedule.opponents_met < 2
-        rows: list[tuple[str, tuple[str, ...], bool, str]] = [
-            ("fitness", ("sharing",), alone, "with one opponent an epoch")
-        ]
-        if self.game is None:
-            scales = ("initial_weight", "initial_head")
-            flat = isinstance(self.policy, pursuit.Cells) and not self.policy.hidden
-            rows += [
-                ("policy", shallow, flat, "without hidden layers"),
-                ("policy", scales, started, "with a genome to start from"),
-            ]
         kinds = " and ".join(dict.fromkeys(each.kind for each in learners))
-        for path in sorted(ignored):
+        idle = dict.fromkeys(sorted(ignored), f"with {kinds}")
+        if self.schedule.opponents_met < 2:
+            idle["fitness.sharing"] = "with one opponent an epoch"
+        if isinstance(self.policy, pursuit.Cells) and not self.policy.hidden:
+            shallow = ("policy.activation", "policy.memory", "policy.initial_weight")
+            idle |= dict.fromkeys(shallow, "without hidden layers")
+        if isinstance(self.schedule, Against) and self.schedule.start is not None:
+            scales = ("policy.initial_weight", "policy.initial_head")
+            idle |= dict.fromkeys(scales, "with a genome to start from")
+        for path, why in idle.items():
             section, _, name = path.partition(".")
             part = getattr(self, section)
-            if part is None or (section == "policy" and part.kind != "cells"):
+            if part is None or (path in ignored and section == "policy" and part.kind != "cells"):
                 continue
-            names = (name,) if name else tuple(vars(getattr(self, section)))
-            rows.append((section, names, True, f"with {kinds}"))
-        for section, names, idle, why in rows:
-            part = getattr(self, section)
             for item in fields(part):
                 value = getattr(part, item.name)
                 usual = self._defaults().get(f"{section}.{item.name}", item.metadata["default"])
                 # Settings that were made from others may have the default of these.
-                if idle and item.name in names and value not in (usual, item.metadata["default"]):
+                if name in ("", item.name) and value not in (usual, item.metadata["default"]):
                     expected = "no value" if usual is None else f"{usual!r}, the default"
                     raise ValueError(
                         f"{section}.{item.name}: expected {expected}, got {value!r}; it has no "

@@ -104,16 +104,12 @@ def _digests(texts: Sequence[str]) -> str:
     return " ".join(f"'sha256-{digest.decode()}'" for digest in digests)
 
 
-def write_page(path: str | os.PathLike[str], page: str) -> None:
-    """Write a page, complete or not at all."""
-    with replacing(path) as file:
-        file.write(page.encode())
-
-
-def check_new(path: str | os.PathLike[str], force: bool) -> None:
-    """FileExistsError if a file exists, unless it may be replaced."""
+def write_page(path: str | os.PathLike[str], page: str, *, force: bool = True) -> None:
+    """Write a page, complete or not at all; FileExistsError if a file is there, without `force`."""
     if Path(path).exists() and not force:
         raise FileExistsError(f"{os.fspath(path)}: exists; force=True replaces it")
+    with replacing(path) as file:
+        file.write(page.encode())
 
 
 def mime_bundle(page: str, title: str, picture: bytes) -> dict[str, str]:

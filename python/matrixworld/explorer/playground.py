@@ -50,7 +50,7 @@ from matrixworld.coevolution.evaluation.scores import held_out
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.envs import VARIANT_TEXTS
-from matrixworld.explorer.page import check_new, mime_bundle, render_page, write_page
+from matrixworld.explorer.page import mime_bundle, render_page, write_page
 from matrixworld.explorer.teams import kept_generations, packed, plain_policy, step_of
 from matrixworld.version import __version__
 from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
@@ -131,8 +131,7 @@ class Playground:
 
     def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
         """Write the page at `path`; with `force` it may replace a file, else FileExistsError."""
-        check_new(path, force)
-        write_page(path, self.html())
+        write_page(path, self.html(), force=force)
 
     def __repr__(self) -> str:
         return f"<Playground: {self.scene or 'Can you escape it?'}>"

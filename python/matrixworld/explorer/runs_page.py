@@ -44,13 +44,7 @@ from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
 from matrixworld.coevolution.types import TEAMS, Payoff, team_size
 from matrixworld.episodes.episode import scene
-from matrixworld.explorer.page import (
-    check_new,
-    mime_bundle,
-    render_page,
-    without_engine,
-    write_page,
-)
+from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import page_data, playground_page
 from matrixworld.explorer.teams import MOST_BYTES, plain_game, plain_team, step_of
 from matrixworld.version import __version__
@@ -117,8 +111,7 @@ def explore(
     if not 1 <= len(saved) <= MOST_RUNS:
         raise ValueError(f"runs: expected 1 to {MOST_RUNS} finished runs, got {len(saved)}")
     page = _common(paths) / PAGE if file is None else Path(file)
-    check_new(page, force)
-    write_page(page, explorer_page(saved))
+    write_page(page, explorer_page(saved), force=force)
     return Explorer(page, b"" if saved[0].settings.game else png(scene(saved[0].record())))
 
 

@@ -24,7 +24,7 @@ from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import Estimate
 from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks
 from matrixworld.coevolution.progress import Progress, Report, silent
-from matrixworld.coevolution.pursuit import Pursuit
+from matrixworld.coevolution.pursuit import Network, Pursuit
 from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
@@ -35,15 +35,7 @@ from matrixworld.play.rollout import Matches, rollout
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV
-from matrixworld.world.policy import (
-    CAREFUL,
-    SCRIPTS,
-    Network,
-    Population,
-    Script,
-    TablePolicy,
-    TeamPolicy,
-)
+from matrixworld.world.policy import CAREFUL, SCRIPTS, Population, Script, TablePolicy, TeamPolicy
 from matrixworld.world.rules import Capture, Rules, rules_of, variant_name
 
 FILE = "held_out.npz"

@@ -23,30 +23,13 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 
 from matrixworld._util.checks import shown
+from matrixworld.coevolution import pursuit, types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.pursuit import (
-    CHANNELS,
-    Cells,
-    Experience,
-    Interaction,
-    Network,
-    Pursuit,
-    Reals,
-    Views,
-)
+from matrixworld.coevolution.pursuit import Cells, Experience, Network, Pursuit, Reals, Views
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import (
-    BoolArray,
-    Genome,
-    Genomes,
-    Indices,
-    IntArray,
-    Rng,
-    State,
-    Team,
-)
+from matrixworld.coevolution.types import Genome, Genomes, Indices, Rng, State, Team
 from matrixworld.version import imported
 
 CHUNK = 2**20
@@ -59,7 +42,7 @@ Tensor: TypeAlias = Any  # a ``torch.Tensor``: PyTorch may be missing where type
 
 
 def advantages(
-    acted: BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
+    acted: types.BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
 ) -> Reals:
     """Return generalized advantage estimates (T, W, A), 0 where no agent acted.
 
@@ -168,7 +151,7 @@ class Perceptron:
     ) -> None:
         self.sizes, self.activation, self.rate, self._prefix = sizes, activation, rate, f"{name}_"
         self.state: State = {n: each for n, each in state.items() if n.startswith(self._prefix)}
-        self.fixed: BoolArray | None = state.get("fixed") if name == "actor" else None
+        self.fixed: types.BoolArray | None = state.get("fixed") if name == "actor" else None
 
     @property
     def weights(self) -> Genome:
@@ -284,7 +267,7 @@ class ActorCritic(learner.Learner):
         """Raise ValueError for networks with memory, or one critic for agents that take turns."""
         assert isinstance(game, Pursuit)  # as its `any_game` says
         interaction, policy = game.world.rules.interaction, game.policy
-        if self.central_critic and interaction is not Interaction.SIMULTANEOUS:
+        if self.central_critic and interaction is not pursuit.Interaction.SIMULTANEOUS:
             # Each agent learns from the world before its own turn.
             raise ValueError(
                 f"{path}.central_critic: expected false where agents take turns, got true in a "
@@ -320,7 +303,7 @@ class ActorCritic(learner.Learner):
         world, network = task.game.world, task.game.policy
         assert isinstance(network, Network)
         cells = world.rows * world.cols
-        seen = CHANNELS * cells if self.central_critic else network.sizes[0]
+        seen = pursuit.CHANNELS * cells if self.central_critic else network.sizes[0]
         sizes = (seen, *network.hidden, 1)
         rng = keyed_generator(task.seed, Purpose.NOISE, task.team)
         weights = {"actor": np.array(task.genomes(1)[0], np.float32)}
@@ -421,7 +404,7 @@ class Update:
         excess = min((collisions - limit) / max(limit, 1.0), 1.0)
         self.multiplier = max(0.0, self.multiplier + (self.chosen.cost_rate or COST_RATE) * excess)
 
-    def _improve(self, views: list[Part], taken: IntArray, advantage: Reals) -> None:
+    def _improve(self, views: list[Part], taken: types.IntArray, advantage: Reals) -> None:
         torch, clip, entropy = self._torch, self.chosen.clip, self.chosen.entropy
         actions = torch.from_numpy(taken).to(self._device)
         weight = torch.from_numpy(advantage).to(self._device)

@@ -12,19 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, shown
+from matrixworld.coevolution import types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.sections import PluginError, Section, by_race
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import (
-    TEAMS,
-    FloatArray,
-    Genome,
-    Genomes,
-    Indices,
-    Rng,
-    State,
-    Team,
-)
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 MUTATION = 0.05  # standard deviation of a mutation, unless another one is given
 
@@ -56,7 +48,7 @@ class Task:
     @property
     def mask(self) -> Any:
         """Genes that do not change, and their values; None without any."""
-        return self.game.mask(TEAMS[self.team])
+        return self.game.mask(types.TEAMS[self.team])
 
     def genomes(self, count: int, sigma: float = MUTATION) -> Genomes:
         """Return genomes (count, genes) to start from: untrained ones, or `begin` and its mutants.
@@ -173,7 +165,7 @@ class Learner(Section):
     def check_machine(self) -> None:
         """Raise ModuleNotFoundError or ValueError if this machine lacks what the learner needs."""
 
-    def untrained(self, game: Game, team: Team, rng: Rng) -> Genome:
+    def untrained(self, game: Game, team: types.Team, rng: Rng) -> Genome:
         """Return an untrained genome of a team."""
         return game.untrained(team, rng)
 
