@@ -68,8 +68,6 @@ def transitive_share(payoff: ArrayLike) -> float:
     is no proof of cycles: look at `checkerboards`, too; ``MEASURES["transitive_share"]`` subtracts
     the noise of single episodes.
 
-    References
-    ----------
     Fisher (1925), "Statistical methods for research workers": two-way analysis of variance.
     Candogan et al. (2011), "Flows and decompositions of games: harmonic and potential games".
     """

@@ -45,8 +45,6 @@ def nash_averaging(payoff: ArrayLike) -> Nash:
     polytope; the one of maximum entropy is unique. Copies of a generation share its weight and
     change neither the value nor the averages. Payoffs closer than 1e-7 count as equal.
 
-    References
-    ----------
     Balduzzi et al. (2018), "Re-evaluating evaluation": the case of agents against tasks. Dantzig
     (1951), "A proof of the equivalence of the programming problem and the game problem".
     """
@@ -230,8 +228,6 @@ def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -
     in `payoff` M (n, m), with the mixtures `pursuers` p (n,) and `evaders` q (m,), weights of at
     least 0 with sum 1. Opponents outside the matrix may gain more: see `solver.best_response`.
 
-    References
-    ----------
     Lanctot et al. (2017), "A unified game-theoretic approach to multiagent reinforcement learning",
     where the sum is called NashConv.
     """

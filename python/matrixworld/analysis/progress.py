@@ -20,8 +20,6 @@ def generalization(payoff: ArrayLike) -> payoffs.ByTeam[payoffs.Rates]:
 
     Capture rates of the pursuers, row means of `payoff` (n, m), and escape rates of the evaders.
 
-    References
-    ----------
     Floreano and Nolfi (1997), "Adaptive behavior in competing co-evolving species": the master
     tournament. Sun et al. (2023), "MatrixWorld", arXiv:2307.14854: the figure of generalization.
     """
@@ -188,8 +186,6 @@ def ciao(payoff: ArrayLike) -> payoffs.ByTeam[Triangle]:
     team loses to opponents that it once beat. A race in which both teams keep improving shows
     neither. Of team and opponents in `payoff` (n, m).
 
-    References
-    ----------
     Cliff and Miller (1995), "Tracking the Red Queen: measurements of adaptive progress in
     co-evolutionary simulations".
     """

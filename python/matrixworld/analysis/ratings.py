@@ -43,8 +43,6 @@ def elo(payoff: ArrayLike) -> Elo:
     ``r / 2`` times the sum of the squared ratings. The shrinkage s = .01 keeps the ratings of
     generations finite that win or lose all matches, and the ridge r = .001 those of others unique.
 
-    References
-    ----------
     Elo (1978), "The rating of chessplayers, past and present". Balduzzi et al. (2018),
     "Re-evaluating evaluation": the batch form.
     """

@@ -212,8 +212,6 @@ def forgetting(payoff: ArrayLike) -> ByTeam[Rates]:
     for evaders the same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a
     few hundredths mean nothing; ``MEASURES["pursuer_forgetting"]`` allows for it.
 
-    References
-    ----------
     Chaudhry et al. (2018), "Riemannian walk for incremental learning", where forgetting is measured
     at the end of training only.
     """

@@ -113,8 +113,6 @@ class Uniform(Opponents):
 class RoundRobin(Opponents):
     """All opponents in turn: ``epoch mod available``, as the paper's generalists.
 
-    References
-    ----------
     Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
     """
 
@@ -134,8 +132,6 @@ class NewestAndOlder(Opponents):
 
     With one opponent it is drawn from all, as `Uniform` does.
 
-    References
-    ----------
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
 
@@ -175,8 +171,6 @@ class Prioritized(Opponents):
 
     Opponents of weight 0 are drawn, evenly, only if those of positive weight do not suffice.
 
-    References
-    ----------
     Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
     learning", Nature 575, "prioritized fictitious self-play".
     """
@@ -303,8 +297,6 @@ class NashOpponents(Opponents):
     With several opponents an epoch they are drawn without replacement, so that all have a more
     equal share than their weights say. Before the first update the newest opponent is met.
 
-    References
-    ----------
     Lanctot et al. 2017, "A unified game-theoretic approach to multiagent reinforcement learning",
     NeurIPS 30.
     """

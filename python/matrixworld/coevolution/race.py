@@ -319,8 +319,6 @@ class AtOnce(OfGenerations):
     stage is a generation. Any learner can take part: the individuals of an evolution strategy are
     its samples, and its mean is the champion.
 
-    References
-    ----------
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
 

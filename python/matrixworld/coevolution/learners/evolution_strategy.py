@@ -41,8 +41,6 @@ class EvolutionStrategy(learner.Learner):
     or of classical momentum: ``v = momentum * v + rate * gradient`` (Polyak 1964), whose length
     follows that of the gradient. There is no weight decay.
 
-    References
-    ----------
     Salimans et al. 2017, "Evolution strategies as a scalable alternative to reinforcement
     learning", arXiv:1703.03864, algorithm 1 with mirrored sampling.
     """

@@ -68,8 +68,6 @@ class GeneticAlgorithm(learner.Learner):
     scored on the same match seed. The champion is the fittest candidate of one epoch. Its fitness
     is a maximum of noisy values, so it overestimates the champion (winner's curse).
 
-    References
-    ----------
     Such et al. 2017, "Deep neuroevolution", arXiv:1712.06567, for mutation alone and truncation.
     """
 

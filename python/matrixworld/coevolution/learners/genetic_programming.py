@@ -144,8 +144,6 @@ class GeneticProgramming(learner.Learner):
             next = the fittest, kept; then children: a part of a parent is replaced by a part of
                    another one, or changed at random; parents by double tournament
 
-    References
-    ----------
     Koza 1992, "Genetic Programming". Montana 1995, "Strongly typed genetic programming",
     Evolutionary Computation 3(2).
     """
