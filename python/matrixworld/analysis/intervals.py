@@ -190,9 +190,7 @@ def band_over_runs(
     level: float = LEVEL,
     bounds: Bounds = UNBOUNDED,
 ) -> Band:
-    """Return the mean curve over training runs with Student's t interval at each point.
-
-    The interval is NaN at points of a single run, and where all runs are equal.
+    """Return the mean curve over training runs with Student's t interval at each point, or NaN.
 
     Parameters
     ----------
@@ -302,14 +300,9 @@ def _middle_mean(scores: Rates) -> float:
 
 
 def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
-    """Return the mean of scores in [0, 1] with an interval that needs no other assumption.
+    """Return the mean of `scores` in [0, 1] with an interval that needs no other assumption.
 
-    Parameters
-    ----------
-    scores : array_like of float, shape (episodes,)
-        Scores in [0, 1] of independent episodes, at least two.
-    level : float, optional
-        Confidence level, in (0, 1).
+    They are those of at least two independent episodes. The interval has a `level` in (0, 1).
 
     Notes
     -----

@@ -92,15 +92,7 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
 
 
 def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
-    """Return all measures of one run or several as text, by window.
-
-    Notes say why a measure has no interval.
-
-    Parameters
-    ----------
-    source, level, **known
-        As for `measure_all`.
-    """
+    """Return all measures as text, by window; `source`, `level`, `known` as for `measure_all`."""
     payoffs = payoff_module.read_payoffs(source, **known)
     estimates = measure_all(payoffs, level=level)
     notes = _footnotes(payoffs, estimates)

@@ -410,22 +410,12 @@ CHECKED = 64  # matches of a check
 
 @no_exit("check_game")
 def check_game(game: Game) -> None:
-    """Check that a game keeps the promises of `Game`.
+    """Check that a `game` keeps the promises of `Game`.
 
     Untrained genomes have their shape and lie within the bounds; scores are finite numbers in
     [0, 1], one of each match; they do not depend on the order of the matches, nor on which others
     are played; equal generators give equal scores, whatever other random numbers are drawn
-    meanwhile. An error in the game's own code is raised as it is.
-
-    Parameters
-    ----------
-    game : Game
-        The game.
-
-    Raises
-    ------
-    ValueError
-        If a promise is broken; the message says which.
+    meanwhile. ValueError says which is broken; an error in the game's own code is raised as it is.
 
     Examples
     --------

@@ -151,22 +151,14 @@ class RunGroup:
 
 
 def open_groups(*directories: str | Path) -> list[RunGroup]:
-    """Return the runs of jobs, or of any directories, in groups that differ in their seed only.
+    """Return the runs in `directories`, or up to two levels below, in groups of different seeds.
 
-    Runs in such a directory that are not finished are `RunGroup.missing`; a group may have no other
-    ones.
-
-    Parameters
-    ----------
-    *directories : str or Path
-        Directories of runs, or with runs one or two levels below.
+    Those that are not finished are `RunGroup.missing`; a group may have no other ones.
 
     Raises
     ------
-    FileNotFoundError
-        If a directory holds no run; other errors are those of `open_run`.
-    ValueError
-        If the same run is there twice, which is no independent observation.
+    FileNotFoundError, ValueError
+        If a directory holds no run, or the same run is there twice.
     """
     runs: dict[Path, RaceSettings] = {}
     for directory in map(Path, directories):

@@ -180,10 +180,9 @@ def evolve(
     Parameters
     ----------
     settings : RaceSettings, or a sequence or mapping of them; or str, optional
-        Settings of a run, which is then made in `out` itself; or of each run, by the names of the
-        directories that they get in it, such as ``sigma-0.1/seed-3``. Without names these are
-        ``<schedule>/seed-<n>``, and ``<team>-against-<opponent>/seed-<n>`` for one team alone.
-        By default the run has the settings that are `named`; a text is then its variant.
+        Settings of a run, which is then made in `out` itself; or of each run, by the names of their
+        directories in it, such as ``sigma-0.1/seed-3``, without names ``<schedule>/seed-<n>``. By
+        default the run has the settings that are `named`; a text is then its variant.
     out : str or Path, optional
         A new or empty directory, or that of the same runs, which are continued. By default one in
         ``runs/`` that is named after variant and seeds.
@@ -191,18 +190,16 @@ def evolve(
         Seeds, of each of which there is a run of the same settings.
     executor : concurrent.futures.Executor, optional
         Plays the runs, one thread each, wherever the directory has the same path:
-        `concurrent.futures`, MPI (``mpi4py.futures.MPIPoolExecutor``), loky and Dask
-        (``Client.get_executor(pure=False)``) serve. By default the runs have processes of this
-        machine; a single run, and in a browser any run, is played in this process.
+        `concurrent.futures`, MPI, loky and Dask (``Client.get_executor(pure=False)``) serve. By
+        default the runs have processes of this machine; a single run is played in this one.
     threads : int, optional
         Threads in all, without an executor. By default one per usable core.
     report : callable, optional
         Called often with a `Progress`, such as a `ProgressBar`.
     on_epoch : callable, optional
-        Called in this process after each epoch with a dict: the columns of ``log.csv`` (numbers,
-        and the name of the ``team``), ``run`` (its name in the job, or that of the directory) and
-        ``seed``. With several runs the rows of a stage come when it has been saved. The files of a
-        run are the same with and without it. What it raises ends this call.
+        Called in this process after each epoch with a dict: the columns of ``log.csv``, ``run``
+        (its name in the job, or that of the directory) and ``seed``. With several runs the rows of
+        a stage come when it has been saved. What it raises, such as `StopRun`, ends this call.
     **named
         Settings by the last part of their path, such as ``learner="ga"`` or ``population=32``; see
         `RaceSettings.of`.
@@ -217,12 +214,8 @@ def evolve(
     FileExistsError, TypeError, ValueError
         If settings are bad or need too much memory, two runs have the same name, or the directory
         holds something else, such as other runs. Nothing is written then.
-    FailedRunsError
-        If runs failed, after all others have ended. A single run raises its own error.
-    BrokenExecutor
-        If a process or worker has died, for example for lack of memory.
-    StopRun
-        If `on_epoch` raises it. The runs have stopped then; those that an executor has begun end.
+    FailedRunsError, BrokenExecutor
+        If runs failed, after all others have ended, or a process or worker has died.
     """
     job = job_of(_asked(settings, seeds, named))
     root = default_directory(job) if out is None else Path(out)

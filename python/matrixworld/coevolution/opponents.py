@@ -50,10 +50,9 @@ class Opponents(Section):
             opponents = sampler.sample(state, available, count, epoch, rng)
             state = sampler.tell(state, opponents, scores)
 
-    No method changes the arrays that it gets. Random numbers come only from the generator of
-    `sample`, so that a sampler continues from a saved state bit for bit. A sampler of your own is a
-    frozen dataclass with this base, in the settings itself or by its name ``module:object``. Its
-    fields are its settings: numbers, text, true or false. `check_sampler` checks it.
+    No method changes the arrays that it gets; random numbers come only from the generator of
+    `sample`. A sampler of your own is a frozen dataclass with this base, in the settings itself or
+    by its name ``module:object``, with fields of numbers, text, true or false: see `check_sampler`.
     """
 
     def start(self) -> State:

@@ -73,13 +73,9 @@ def create(
 
     Raises
     ------
-    FileExistsError
-        If the directory holds no run, and is not empty.
-    ValueError
-        If the directory holds a run of other settings, opponents do not fit the world, or code of
-        your own refuses its settings.
-    PluginError
-        If code of your own fails.
+    FileExistsError, ValueError, PluginError
+        If the directory holds anything else, opponents do not fit the world, or code of your own
+        fails or refuses its settings.
     """
     check_instance("settings", settings, RaceSettings)
     path, schedule = Path(directory), settings.schedule

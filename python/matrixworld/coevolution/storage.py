@@ -348,11 +348,9 @@ class SavedRun:
         return each if isinstance(each, str) else replace(each, genomes=each.genomes[-1:])
 
     def generation_at(self, team: str, matches: int) -> int:
-        """Return the newest generation of `team` after a number of training matches.
+        """Return the newest generation of `team` after so many training matches of both teams.
 
-        The matches are those of both teams, and those that archives play to compare candidates.
-        Generation 0, the untrained one, is returned if no other was finished. To compare runs at
-        equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
+        To compare runs at equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
         """
         log = self.log()
         own = log["team"] == self.key_of(team)
@@ -385,10 +383,9 @@ class SavedRun:
         sampled: bool | None = None,
         seed: int | None = None,
     ) -> Any:
-        """Return a genome of the run as a policy that acts on observations, or on named inputs.
+        """Return a genome of the run as a `NetworkPolicy`, or as a `RatingPolicy`.
 
-        It is a `NetworkPolicy`, or a `RatingPolicy`. It also plays as a built-in team of an
-        environment, and is what is exported to other libraries.
+        It also plays as a built-in team of an environment.
 
         Parameters
         ----------
@@ -458,10 +455,8 @@ class SavedRun:
     def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
         """Return what a generation of a team does, in words and numbers: an `Explanation`.
 
-        Of a policy that rates moves it has a sentence, and of each input the weight, how far it
-        moves ratings, and what leaving it out costs in matches. Of a network over cells it has a
-        decision tree that imitates it (extra ``explain``), with the tree's own score in matches:
-        high agreement is not an equal score.
+        Of a policy that rates moves it tells what its inputs do and cost; of a network over cells
+        it has a decision tree that imitates it (extra ``explain``).
 
         Parameters
         ----------

@@ -97,14 +97,10 @@ def explore(
 
     Raises
     ------
-    ValueError
-        If the number of runs is another one, or a game of your own cannot be imported.
-    FileNotFoundError
-        If a directory holds no finished run.
+    ValueError, FileNotFoundError, DamagedFileError
+        If there are other numbers of runs, none in a directory, or a damaged one.
     FileExistsError
         If the file exists.
-    DamagedFileError
-        If a file of a run is cut or altered.
     """
     paths = [Path(run) for run in runs]
     saved = [run for path in paths for run in open_runs(path) or [open_run(path)]]

@@ -45,12 +45,7 @@ def payoff_heatmap(
 ) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    Of `payoff` (n, m) with a `title`; `teams` are the names of that of the rows and of the columns.
     """
     rows, columns = check_payoff(payoff).shape
     words = style.words_of(teams)
@@ -81,16 +76,8 @@ def ciao_triangles(
 
     A row is a generation of the team, a column an opponent. Light cells are wins of the team. The
     slanted edge of a triangle is the current opponent; the further left, the older the opponent.
-    See :func:`matrixworld.analysis.ciao`.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    every : int, optional
-        Generations from one row to the next, and from one column to the next.
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    See :func:`matrixworld.analysis.ciao`. Of `payoff` (n, m), whose rows and columns are `every` so
+    many generations, with a `title` and names of the `teams`.
     """
     triangles, names = analysis.ciao(payoff), style.words_of(teams).teams
     check_integer("every", every, 1)

@@ -82,20 +82,9 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
     """Return the held-out opponents of a variant by name.
 
     First the scripts, then genomes, each a population of one and named ``evolved-1`` and so on.
-    Genomes are from ``evolution/evolve_held_out.py``, rounded to float16. There are none for other
-    rules than those of `VARIANTS`, and for a variant without shipped ones.
-
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        Team that the opponents play for.
-    variant : Rules or str
-        The variant.
-
-    Raises
-    ------
-    ValueError
-        If there is no such team or variant.
+    They play for `team` under the rules of `variant`. Genomes are from
+    ``evolution/evolve_held_out.py``, rounded to float16; other rules have none. ValueError if there
+    is no such team or variant.
     """
     opponents: dict[str, TeamPolicy] = {name: name for name in held_out_scripts(team, variant)}
     genomes = _shipped().get(f"{variant_name(rules_of(variant))}.{team}s", ())
@@ -318,8 +307,8 @@ def score(
     run : SavedRun
         The run, finished or not.
     generation : int or None, optional
-        Generation to score; negative numbers count from the end, None means all generations. The
-        default is the last one.
+        Generation to score, by default the last one; negative numbers count from the end, None
+        means all generations.
     episodes : int, optional
         Episodes of each pair, at least 2.
     steps : int, optional
@@ -337,11 +326,6 @@ def score(
     ------
     IndexError
         If there is no such generation.
-
-    Notes
-    -----
-    A script that the run trained against is left out, and so are
-    evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
     """
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)
@@ -502,17 +486,13 @@ def score_policy(
     Raises
     ------
     ValueError, TypeError
-        If there are fewer than 2 episodes, if a network does not fit the world, and if the policy
-        returns something else than a legal action for each observation.
+        If a network does not fit the world, or a function returns no legal actions.
 
     Notes
     -----
     The opponents, the episodes and the random numbers of scripts are those of `score`: with the
-    same world, seed and number of episodes, scores of policies and of runs can be compared. A
-    function that chooses what a genome would choose gets the scores of the genome.
-
-    All episodes against an opponent are played side by side. Where the rules take turns, functions
-    are played turn by turn in Python, which is slower.
+    same world, seed and number of episodes, scores of policies and of runs can be compared. Where
+    the rules take turns, functions are played turn by turn in Python, which is slower.
 
     Examples
     --------

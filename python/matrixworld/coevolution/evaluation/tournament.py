@@ -62,12 +62,8 @@ def tournament(
     Notes
     -----
     The seed of a pair is ``evaluation_seed(seed, pursuer generation, evader generation)``. It does
-    not depend on the other pairs, so that each can be replayed alone.
-
-    References
-    ----------
-    Floreano, D. and Nolfi, S. (1997). God save the red queen! Competition in co-evolutionary
-    robotics. Genetic Programming 1997. (The "master tournament".)
+    not depend on the other pairs, so that each can be replayed alone. It is the "master tournament"
+    of Floreano and Nolfi 1997, "God save the red queen! Competition in co-evolutionary robotics".
     """
     game = game if isinstance(game, Game) else Pursuit(world=game)
     episodes = check_integer("episodes", episodes, 1)

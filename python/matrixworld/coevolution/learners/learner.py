@@ -106,13 +106,10 @@ class Learner(Section):
         learner.genome(state)                               # genome that enters the archive
 
     The state between `tell` and `ask` is what a checkpoint holds. No method changes the arrays that
-    it gets. Random numbers come only from the generator of `ask`, so that a learner continues from
-    a saved state bit for bit.
-
-    A learner of your own is a frozen dataclass with this base, in the settings itself or by its
-    name ``module:object``. Its fields are its settings: numbers, text, true or false. With a field
-    ``anneal`` that is true, a race cannot become longer.
-    `check_learner` checks it.
+    it gets; random numbers come only from the generator of `ask`. A learner of your own is a frozen
+    dataclass with this base, in the settings itself or by its name ``module:object``, with fields
+    of numbers, text, true or false: see `check_learner`. With a field ``anneal`` that is true, a
+    race cannot become longer.
 
     Parameters
     ----------
