@@ -233,8 +233,15 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
 
     After the heads all findings on the whole race, then those that are present in a half only.
     """
-    rows = [_row(judgement, *told) for told in _rows(judgement)]
-    return [("condition", "verdict", f"{judgement.level:.0%} interval", "window"), *rows]
+    rows = [("condition", "verdict", f"{judgement.level:.0%} interval", "window")]
+    for name, finding, window in _rows(judgement):
+        numbers = ", ".join(
+            f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
+            for key, estimate in finding.estimates.items()
+        )
+        numbers = in_words_of(judgement.teams, numbers)
+        rows.append((name, finding.verdict, numbers, "whole race" if window == WHOLE else window))
+    return rows
 
 
 def _rows(judgement: Judgement) -> list[tuple[str, Finding, str]]:
@@ -258,21 +265,6 @@ def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
         cell = f"as for {owner}" if numbers and owner != condition else numbers
         rows.append((condition, verdict, cell.replace(", ", "\n"), window))
     return rows
-
-
-def _row(
-    judgement: Judgement, condition: str, finding: Finding, window: str
-) -> tuple[str, str, str, str]:
-    numbers = ", ".join(
-        f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
-        for key, estimate in finding.estimates.items()
-    )
-    return (
-        condition,
-        finding.verdict,
-        in_words_of(judgement.teams, numbers),
-        "whole race" if window == WHOLE else window,
-    )
 
 
 def explain(judgement: Judgement) -> str:

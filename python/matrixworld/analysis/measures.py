@@ -135,25 +135,21 @@ def _of_matrix(
     payoffs: Payoffs,
     window: Window,
     level: float,
-    of_episodes: Callable[[Rates], Estimate],
     *,
     number: Number,
     bounds: Bounds = UNIT,
+    of_episodes: Callable[[Rates], Estimate] | None = None,
 ) -> Estimate:
-    """Estimate a number by the episodes (n, m, episodes) of a single run, else by the matrices."""
+    """Estimate a number by the episodes (n, m, episodes) of a single run, else by the matrices.
+
+    Without `of_episodes` it is a sum of cells, which episode noise does not shift.
+    """
     if len(payoffs) == 1 and payoffs.scores is not None and payoffs.has_episodes:
-        return of_episodes(payoffs.scores[0][window.cells])
+        scores = payoffs.scores[0][window.cells]
+        if of_episodes is not None:
+            return of_episodes(scores)
+        return intervals.linear_over_episodes(scores, number, level=level, bounds=bounds)
     return _mean_of((number(each[window.cells]) for each in payoffs.matrices), level, bounds)
-
-
-def _linear(
-    payoffs: Payoffs, window: Window, level: float, *, number: Number, bounds: Bounds = UNIT
-) -> Estimate:
-    """Estimate a sum of cells, which episode noise does not shift."""
-    of_episodes = partial(
-        intervals.linear_over_episodes, measure=number, level=level, bounds=bounds
-    )
-    return _of_matrix(payoffs, window, level, of_episodes, number=number, bounds=bounds)
 
 
 def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -> Estimate:
@@ -162,12 +158,7 @@ def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -
     def of_episodes(scores: Rates) -> Estimate:
         return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=intervals.BIASED)
 
-    return _of_matrix(payoffs, window, level, of_episodes, number=number)
-
-
-def _transitive_share(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-    of_episodes = cycles.transitive_share_over_episodes
-    return _of_matrix(payoffs, window, level, of_episodes, number=cycles.transitive_share)
+    return _of_matrix(payoffs, window, level, number=number, of_episodes=of_episodes)
 
 
 def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
@@ -178,10 +169,9 @@ def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Est
             return Estimate(value, note="no interval: all episodes are equal")
         return Estimate(value, low, high, "episodes", scores.shape[2])
 
+    options: Any = {"bounds": intervals.UNBOUNDED, "of_episodes": of_episodes}
     number = partial(_last_rating, team=team)
-    return _of_matrix(
-        payoffs, window, level, of_episodes, number=number, bounds=intervals.UNBOUNDED
-    )
+    return _of_matrix(payoffs, window, level, number=number, **options)
 
 
 def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
@@ -394,23 +384,30 @@ ROWS = (
     ),
     *_of_teams("forgetting", "forgetting of the {team}s", _forgetting, short="{team}s", late=True),
     # Early generations mix untrained and trained teams.
-    Measure("transitive_share", "transitive share", _transitive_share, late=True),
+    Measure(
+        "transitive_share", "transitive share",
+        partial(
+            _of_matrix, number=cycles.transitive_share,
+            of_episodes=cycles.transitive_share_over_episodes,
+        ),
+        late=True,
+    ),
     # Of the whole race.
-    Measure("capture_rate", "mean capture rate", partial(_linear, number=np.mean)),
+    Measure("capture_rate", "mean capture rate", partial(_of_matrix, number=np.mean)),
     Measure(
         "lag_rise", "gain of later over earlier pursuers",
-        partial(_linear, number=progress.lag_rise, bounds=GAIN),
+        partial(_of_matrix, number=progress.lag_rise, bounds=GAIN),
     ),
     Measure(
         "pursuer_generalization", "last pursuers against all evaders, capture",
-        partial(_linear, number=partial(_last_score, team="pursuers")),
+        partial(_of_matrix, number=partial(_last_score, team="pursuers")),
     ),
     Measure(
         "evader_generalization", "last evaders against all pursuers, escape",
-        partial(_linear, number=partial(_last_score, team="evaders")),
+        partial(_of_matrix, number=partial(_last_score, team="evaders")),
     ),
     *_of_teams(
-        "fading", "CIAO, fading of the {team}s", partial(_linear, bounds=GAIN),
+        "fading", "CIAO, fading of the {team}s", partial(_of_matrix, bounds=GAIN),
         number=partial(_of_triangle, number="fading"),
     ),
     *_of_teams(

@@ -606,8 +606,9 @@ class RunWriter(SavedRun):
         genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
         log = self._as_csv(rows).encode()
         flat = {f"{p}.{name}": value for p, each in states.items() for name, value in each.items()}
-        self._save(_name("checkpoint", stage), flat)
-        self._save(_name("stage", stage), {**genomes, "log": log, **counters})
+        files.save_arrays(self.path / _name("checkpoint", stage), flat)
+        added: dict[str, Any] = {**genomes, "log": log, **counters}
+        files.save_arrays(self.path / _name("stage", stage), added)
         self._saved = {team: len(archive[team]) for team in TEAMS}
         (self.path / _name("checkpoint", stage - 2)).unlink(missing_ok=True)
 
@@ -625,18 +626,17 @@ class RunWriter(SavedRun):
                 stages.append(self._stage(len(stages)))
         except files.DamagedFileError as error:
             problems.append(error)
-        state: files.Arrays | None = None
-        numbers = sorted(n for n in self._numbers("checkpoint") if n < len(stages))
-        while numbers and state is None:
-            number = numbers.pop()
+        saved = [number for number in self._numbers("checkpoint") if number < len(stages)]
+        for number in sorted(saved, reverse=True):
             try:
                 state = self._load(_name("checkpoint", number))
-                del stages[number + 1 :]
+                break
             except files.DamagedFileError as error:
                 problems.append(error)
-        if state is None:
+        else:
             reasons = "; ".join(map(str, problems)) or "expected a file checkpoint-*.npz, got none"
             raise files.DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
+        del stages[number + 1 :]
         for problem in problems:
             warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=3)
             if problem.path.exists():
@@ -666,7 +666,7 @@ class RunWriter(SavedRun):
             if len(genomes):  # those of a team that a script plays are none
                 with files.replacing(self.path / f"{name}.npy") as file:
                     np.save(file, genomes)
-        self._save(PAYOFF, payoff)
+        files.save_arrays(self.path / PAYOFF, payoff)
         files.save_json(self.path / SUMMARY, summary)
 
     def _as_csv(self, rows: Sequence[Row]) -> str:
@@ -677,9 +677,6 @@ class RunWriter(SavedRun):
             # Nine digits identify every float32.
             writer.writerow({k: f"{v:.9g}" if isinstance(v, float) else v for k, v in row.items()})
         return text.getvalue()
-
-    def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
-        files.save_arrays(self.path / name, arrays)
 
 
 def _name(kind: str, stage: int) -> str:

@@ -299,11 +299,12 @@ def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
     """Return path, value and meaning of each setting that differs from the default."""
     usual = values_of(_usual(settings))
     variant = variant_name(settings.world.rules) if settings.world else ""
-    different = [
-        {"name": path, "value": _shown(path, plain_values(value), variant), "help": text}
-        for path, value, text in leaves(settings)
-        if value != usual.get(path)
-    ]
+    different = []
+    for path, value, text in leaves(settings):
+        plain = variant if path == "world.rules" and variant else plain_values(value)
+        shown = plain if isinstance(plain, str) else json.dumps(plain)
+        if value != usual.get(path):
+            different.append({"name": path, "value": shown, "help": text})
     if settings.game is None:
         return different
     return [{"name": "game", "value": settings.game.code, "help": "a game of your own"}, *different]
@@ -317,11 +318,6 @@ def _usual(settings: RaceSettings) -> RaceSettings:
         return RaceSettings(game=settings.game, schedule=alone, seed=settings.seed)
     named: Any = schedule.name  # a text stands for a section
     return RaceSettings(game=settings.game, schedule=named, seed=settings.seed)
-
-
-def _shown(path: str, value: Any, variant: str) -> str:
-    plain = variant if path == "world.rules" and variant else value
-    return plain if isinstance(plain, str) else json.dumps(plain)
 
 
 def command_of(settings: RaceSettings) -> str:
