@@ -94,9 +94,9 @@ class Race(Section):
     def entries(self) -> int:
         """Genomes in the archive of a learning team at the end of a run."""
 
-    @abstractmethod
     def total_epochs(self, team: Team) -> int:
         """Return the epochs of the whole run in which `team` learns."""
+        return self.epochs_until(self.n_stages)
 
     @abstractmethod
     def epochs_in(self, stage: int) -> int:
@@ -143,18 +143,10 @@ class OfGenerations(Race):
         Uniform(), "which pursuers evaders meet; as for the pursuers"
     )
 
-    @abstractmethod
-    def epochs(self, team: Team) -> int:
-        """Return the epochs of a generation in which `team` learns."""
-
     @property
     def entries(self) -> int:
         """Genomes in the archive of a team at the end of a race."""
         return 1 + self.generations
-
-    def total_epochs(self, team: Team) -> int:
-        """Return the epochs of the whole run in which `team` learns."""
-        return self.generations * self.epochs(team)
 
     def sampler(self, team: Team) -> Opponents:
         """Return how a team chooses opponents; imports code of your own."""
@@ -230,6 +222,10 @@ class InTurns(OfGenerations):
     def epochs(self, team: Team) -> int:
         """Return the epochs of a generation in which `team` learns."""
         return self.pursuer_epochs if team == "pursuer" else self.evader_epochs
+
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the whole run in which `team` learns."""
+        return self.generations * self.epochs(team)
 
     def epochs_in(self, stage: int) -> int:
         """Return the epochs of a stage, of the pursuers if it is even."""
@@ -345,10 +341,6 @@ class AtOnce(OfGenerations):
     def opponents_met(self) -> int:
         """Most opponents of a candidate in an epoch."""
         return self.contemporaries + self.hall_sample
-
-    def epochs(self, team: Team) -> int:
-        """Return the epochs of a generation, in which both teams learn."""
-        return self.joint_epochs
 
     def epochs_in(self, stage: int) -> int:
         """Return the epochs of a stage, in which both teams learn."""
@@ -547,10 +539,6 @@ class Against(Race):
         """Genomes in the archive at the end of the run."""
         return 1 + -(-self.epochs // self.archive_every)
 
-    def total_epochs(self, team: Team) -> int:
-        """Return the epochs of the run."""
-        return self.epochs
-
     def epochs_in(self, stage: int) -> int:
         """Return the epochs until the next entry of the archive."""
         return min(self.archive_every, self.epochs - stage * self.archive_every)
@@ -605,5 +593,5 @@ ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)  # names of all sc
 def curve_window(schedule: Race) -> int:
     """Return the epochs of the moving average of a training curve, the same for both teams."""
     if isinstance(schedule, OfGenerations):
-        return max(1, min(schedule.epochs(team) for team in TEAMS) // 4)
+        return max(1, min(map(schedule.epochs_in, range(schedule.stages_per_generation))) // 4)
     return max(1, schedule.total_epochs("pursuer") // 100)

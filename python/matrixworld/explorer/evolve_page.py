@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 from matrixworld.coevolution.evaluation.explanation import PHRASES, WORDS
-from matrixworld.coevolution.learners import EvolutionStrategy, GeneticAlgorithm
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
+from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
 from matrixworld.coevolution.pursuit import Cells, Ratings
 from matrixworld.coevolution.race import PAPER, AtOnce
 from matrixworld.coevolution.settings import RaceSettings

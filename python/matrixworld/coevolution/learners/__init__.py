@@ -18,17 +18,6 @@ from matrixworld.coevolution.learners.genetic_programming import GeneticProgramm
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.sections import OwnCode, Section, documented
 
-__all__ = [
-    "ActorCritic",
-    "BuiltInLearner",
-    "CmaEs",
-    "EvolutionStrategy",
-    "GeneticAlgorithm",
-    "GeneticProgramming",
-    "Learner",
-    "OwnLearner",
-]
-
 BuiltInLearner: TypeAlias = (
     EvolutionStrategy | GeneticAlgorithm | CmaEs | GeneticProgramming | ActorCritic
 )

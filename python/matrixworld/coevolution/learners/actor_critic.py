@@ -391,18 +391,15 @@ class Update:
             rows, targets = lessons(seen, before, estimate(1.0) + values[:-1])
             self._fit(critic, known if rows is before else self._parts(rows), targets)
         advantage: Any = estimates[0]
-        if chosen.cost_limit is not None:
-            self._weigh(1000.0 * float(seen.costs.mean()), chosen.cost_limit)
+        if (limit := chosen.cost_limit) is not None:
+            # As a share of the limit, so that the rate means the same for all limits; at most 1: it
+            # would rise in the first epochs by more than it can fall in the rest of a run.
+            excess = min((1000.0 * float(seen.costs.mean()) - limit) / max(limit, 1.0), 1.0)
+            self.multiplier += (chosen.cost_rate or COST_RATE) * excess
+            self.multiplier = max(0.0, self.multiplier)
             advantage = (advantage - self.multiplier * estimates[1]) / (1.0 + self.multiplier)
         views = known if seen.states is None else self._parts(seen.views)
         self._improve(views, seen.actions, advantage.astype(np.float32))
-
-    def _weigh(self, collisions: float, limit: float) -> None:
-        """Move the multiplier by the distance of the collisions from their limit."""
-        # As a share of the limit, so that the rate means the same for all limits; at most 1, or the
-        # multiplier rises in the first epochs by more than it can fall in the rest of a run.
-        excess = min((collisions - limit) / max(limit, 1.0), 1.0)
-        self.multiplier = max(0.0, self.multiplier + (self.chosen.cost_rate or COST_RATE) * excess)
 
     def _improve(self, views: list[Part], taken: types.IntArray, advantage: Reals) -> None:
         torch, clip, entropy = self._torch, self.chosen.clip, self.chosen.entropy
