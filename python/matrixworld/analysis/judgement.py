@@ -31,24 +31,11 @@ class Finding:
 
 @dataclass(frozen=True, repr=False)
 class Judgement(Readable):
-    """What happened in a race, or in several with the same settings.
+    """What happened in a race, or in several `runs` with the same settings.
 
-    Parameters
-    ----------
-    runs : int
-        Number of runs.
-    shape : tuple of int
-        Pursuer and evader generations of each run.
-    episodes : int or None
-        Episodes behind each cell; None if unknown.
-    level : float
-        Level of the intervals.
-    windows : mapping of str to mapping of str to Finding
-        Findings on the whole race, its first half and its last half, by condition.
-    teams : tuple of str, optional
-        What the teams are called.
-    exact : bool, optional
-        Whether the game has no chance: then the episodes are equal.
+    In `windows`, the whole race and its halves, are findings by condition, with intervals of a
+    `level`. A run has generations of both `teams` (`shape`), and so many `episodes` behind each
+    cell, if known; they are equal in an `exact` game, without chance.
     """
 
     runs: int

@@ -250,8 +250,7 @@ def read_payoffs(
     ----------
     source : array_like, path, list of paths or Payoffs
         An array of shape (n, m) or (runs, n, m); a ``.csv`` or ``.npz`` file, or a list of such
-        files, one for each run; the payoff of a saved run, with its episodes; or payoffs, which are
-        returned as they are.
+        files, one for each run; or the payoff of a saved run, with its episodes.
     per_episode : bool, optional
         Whether the last dimension of an array holds the episodes of each cell: shape
         (n, m, episodes) or (runs, n, m, episodes).
@@ -266,14 +265,11 @@ def read_payoffs(
     Notes
     -----
     A CSV file holds a matrix: line g has the capture rates of pursuers g against evaders 0, 1, ...;
-    a first line of names is a header. If it begins with an empty cell or ``pursuer``, the others
-    are names or numbers of evaders, and the first column is left out. Or the file holds one line
-    for each pair: a header with ``pursuer, evader, capture_rate`` in any order, and ``run`` or
-    ``episode`` if there are several; every combination of these numbers has one line. Other
-    columns, empty lines and lines that begin with ``#`` are ignored. Cells are separated by commas,
-    semicolons or tabs; beside the latter two a comma is a decimal comma. Per cent are read, too. Of
-    several arrays in an .npz file ``scores`` is taken, which holds episodes, or else ``mean``,
-    ``capture_rate``, ``payoff`` or ``payoffs``.
+    there may be a header, and a column of names. Or it holds one line for each pair: a header with
+    ``pursuer, evader, capture_rate`` in any order, and ``run`` or ``episode`` if there are several.
+    Empty lines and lines that begin with ``#`` are ignored. Cells are separated by commas,
+    semicolons or tabs. Of several arrays in an .npz file ``scores`` is taken, which holds episodes,
+    or else ``mean``, ``capture_rate``, ``payoff`` or ``payoffs``.
     """
     check_bool("per_episode", per_episode)
     if isinstance(source, Payoffs):

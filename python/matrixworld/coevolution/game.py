@@ -139,11 +139,6 @@ class Game:
                 raise ValueError(f"bounds: expected least < largest value, got {low} and {high}")
             object.__setattr__(self, "bounds", (low, high))
 
-    @property
-    def keys(self) -> tuple[str, str]:
-        """Names of the teams in logs and mappings."""
-        return self.teams
-
     # What a run asks for:
 
     def genome_size(self, team: Team) -> int:

@@ -26,16 +26,10 @@ STARTING = "{desc}: {percentage:3.0f}%|{bar:16}|"
 
 @dataclass(frozen=True)
 class Progress:
-    """Progress of a run, or of a job of several runs.
+    """What a run or a job is doing: `what`, and `done` of `total` epochs.
 
-    Parameters
-    ----------
-    what : str
-        What the run is doing; of a job, how many runs have ended.
-    done, total : int
-        Epochs played, and all of them. The evaluation counts as the epochs that take as long.
-    before : int, optional
-        Epochs of `done` that were played before this start: they do not count for the rate.
+    The evaluation counts as the epochs that take as long. Those played `before` this start do not
+    count for the rate.
     """
 
     what: str
@@ -67,15 +61,8 @@ def silent(progress: Progress) -> None:
 class ProgressBar:
     """What is being done, and the time left: a bar in a terminal, else plain lines.
 
-    Parameters
-    ----------
-    stream : TextIO, optional
-        Where the progress is shown. The default is standard error.
-    clock : callable, optional
-        Returns the time in seconds.
-    after : float, optional
-        Seconds in which nothing is shown: what takes no longer needs no bar.
-
+    It is shown on a `stream`, by default standard error, by a `clock` that returns seconds. In the
+    first seconds, until `after`, nothing is shown: what takes no longer needs no bar.
     """
 
     def __init__(

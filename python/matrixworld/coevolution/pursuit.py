@@ -287,11 +287,6 @@ class Pursuit(Game):
     )
     counters: ClassVar[tuple[str, ...]] = ("steps", "agent_steps")
 
-    @property
-    def keys(self) -> tuple[str, str]:
-        """Names of the teams in logs and mappings."""
-        return TEAMS
-
     def __post_init__(self) -> None:
         """Its fields are checked already."""
 

@@ -372,7 +372,10 @@ class AtOnce(OfGenerations):
         """
         # One for both teams: their matches are drawn together.
         rng = run.generator(Purpose.OPPONENTS, "pursuer", generation, epoch)
-        sampled = self._sample_halls(run, epoch, rng)
+        sampled: dict[Team, Indices] = dict.fromkeys(TEAMS, np.zeros(0, dtype=np.intp))
+        if self.hall_sample:
+            size = len(run.archive["pursuer"])
+            sampled = {t: run.sample(t, size, self.hall_sample, epoch, rng) for t in TEAMS}
         halls = {team: run.genomes(team)[sampled[other(team)]] for team in TEAMS}
         # Both teams have the same learner, and with it the same groups.
         groups = run.learners["pursuer"].seed_groups
@@ -400,13 +403,6 @@ class AtOnce(OfGenerations):
             living = own < n
             run.tell(team, fitness, rivals, opponents[living], seeds[living])
         return found
-
-    def _sample_halls(self, run: RunInMemory, epoch: int, rng: types.Rng) -> dict[Team, Indices]:
-        """Return for each team its opponents from the other team's hall of fame."""
-        if not self.hall_sample:
-            return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
-        size = len(run.archive["pursuer"])
-        return {team: run.sample(team, size, self.hall_sample, epoch, rng) for team in TEAMS}
 
 
 class Pairings(NamedTuple):

@@ -347,7 +347,7 @@ class RunInMemory:
         row: storage.Row = {
             "stage": self.stage + 1,
             "generation": generation,
-            "team": self.game.keys[TEAMS.index(team)],
+            "team": self.settings.keys[TEAMS.index(team)],
             "epoch": epoch,
             "opponent": opponent,
             "fitness_mean": float(fitness.mean()),

@@ -58,16 +58,7 @@ CHANGED = "The source of the game {} has changed since it was raced."
 
 @dataclass(frozen=True, repr=False)
 class Explorer:
-    """A page that was written; notebooks show it in a frame.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    picture : bytes, optional
-        A match of pursuit as a PNG file: what a notebook shows where it shows no frame. The default
-        is none.
-    """
+    """A page at `path`; notebooks show it in a frame, or its `picture`, the bytes of a PNG file."""
 
     path: Path
     picture: bytes = b""

@@ -137,18 +137,9 @@ def comparison(
     """Draw single races side by side, on the same scales, at most 3 in a row.
 
     Each race has its heat map, its lag profile and its generalization curves, in a column below its
-    name and its judgement.
-
-    Parameters
-    ----------
-    payoffs : mapping of str to array_like or Payoffs
-        One run of at least 2 x 2 generations by the name of the race, as for
-        `generalization_curves`.
-    judgements : mapping of str to Judgement, optional
-        Results of :func:`matrixworld.analysis.judge`.
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    name and its judgement: of `payoffs` of one run, as :func:`matrixworld.analysis.read_payoffs`
+    takes them, and `judgements`, both by the name of the race. The figure may have a `title`, and
+    other names of the `teams`.
     """
     style.check_some(payoffs, "race")
     words = style.words_of(teams)

@@ -272,15 +272,8 @@ def verdict_strip(
 ) -> Figure:
     """Draw the verdicts on each seed and on all together: a block for each group of runs.
 
-    Parameters
-    ----------
-    judgements : mapping of str to Judgement
-        Result of :func:`matrixworld.analysis.judge` over the seeds, by the name of the group.
-    seeds : mapping of str to sequence of int
-        Seeds of the runs that were judged, in their order.
-    missing : mapping of str to sequence of int, optional
-        Seeds that are not finished; they have an empty column.
-    title : str, optional
+    By the names of the groups there are `judgements`, the `seeds` of the runs in their order, and
+    those that are `missing`, which have an empty column. The figure has a `title`.
     """
     style.check_some(judgements)
     of_seeds, absent = style.by_name("seeds", seeds), style.by_name("missing", missing)
