@@ -124,12 +124,9 @@ def interval_over_runs(
     Parameters
     ----------
     values : array_like of float, shape (runs,)
-        One finite number for each independent run. Episodes or generations of one run do not
-        replace runs, because a method that is tried again gives another run.
-    level : float, optional
-        Confidence level, in (0, 1).
-    bounds : tuple of float, optional
-        Smallest and largest possible value; the interval is clipped to them.
+        One finite number for each independent run, which episodes or generations do not replace.
+    level, bounds : optional
+        Confidence level, in (0, 1); smallest and largest possible value, to which ends are clipped.
     """
     array = _check_values(values)
     check_level(level)
@@ -198,10 +195,8 @@ def band_over_runs(
         One curve for each run; NaN where a run has no value. Every point needs a run.
     places : array_like of float, shape (k,), optional
         Where the points lie. The default is 0, 1, ...
-    level : float, optional
-        Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
-    bounds : tuple of float, optional
-        Smallest and largest possible value; the band is clipped to them.
+    level, bounds : optional
+        As for `interval_over_runs`, at each point: a whole curve leaves the band more often.
     """
     array = check_finite(curves, "curves (runs, k)", ndim=2, gaps=True)
     known = ~np.isnan(array)

@@ -77,14 +77,8 @@ class Measure:
 def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[str, Estimate]:
     """Return all measures by name, each in the window in which tables show it; see `Measure.of`.
 
-    Parameters
-    ----------
-    source : array_like, path, list of paths or Payoffs
-        Payoffs of at least 2 x 2 generations.
-    level : float, optional
-        Confidence level of the intervals, in (0, 1).
-    **known
-        Other arguments of `read_payoffs`.
+    Of a `source` of at least 2 x 2 generations, with `known` arguments of `read_payoffs`; intervals
+    have a `level` in (0, 1).
     """
     payoffs = payoff_module.read_payoffs(source, **known)
     require(min(payoffs.shape) >= 2, "at least 2 x 2 generations", payoffs.shape)

@@ -406,14 +406,11 @@ class AtOnce(OfGenerations):
 
 
 class Pairings(NamedTuple):
-    """The M matches of one epoch: numbers below n are individuals, others of the hall of fame.
-
-    Matches of the same group have the same seed.
-    """
+    """The M matches of one epoch: numbers below n are individuals, others of the hall of fame."""
 
     pursuer: Indices
     evader: Indices
-    group: Indices
+    group: Indices  # matches of the same group have the same seed
 
 
 def pairings(

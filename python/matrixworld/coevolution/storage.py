@@ -362,13 +362,8 @@ class SavedRun:
     def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Episode:
         """Play one episode of the evaluation again and record every step.
 
-        Parameters
-        ----------
-        pursuer, evader : int, optional
-            Generations; negative numbers count from the end, and a script ignores them.
-            IndexError if there is no such generation.
-        episode : int, optional
-            Number of the episode of this pair.
+        It is that of a `pursuer` and an `evader` generation, of which negative numbers count from
+        the end, and a script ignores them. IndexError if there is no such generation.
         """
         pursuit = self.pursuit
         g, h = self.generation("pursuer", pursuer), self.generation("evader", evader)
@@ -412,17 +407,10 @@ class SavedRun:
     def extend(
         self, generations: int, *, threads: int | None = None, report: Report = silent
     ) -> SavedRun:
-        """Return the run of a race that goes on for more generations.
+        """Return the run of a race that goes on until it has so many `generations`.
 
         It is the same, bit for bit, as if the race had had them from the beginning. A run that is
         stopped goes on by the same call, or as any other.
-
-        Parameters
-        ----------
-        generations : int
-            Generations of the longer race.
-        threads, report
-            As for `Run`.
 
         Raises
         ------
@@ -530,16 +518,14 @@ def find_runs(path: Path) -> list[Path]:
     return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
 
 
-def place_in_job(name: PurePath | str) -> tuple[tuple[int, int, str], ...]:
+def place_in_job(name: PurePath | str) -> list[tuple[int, int, str]]:
     """Return a sort key for the runs of one job, by the names of their directories."""
-    return tuple(map(_place, PurePath(name).parts))
-
-
-def _place(name: str) -> tuple[int, int, str]:
-    # seed-2 comes before seed-10.
-    seed = SEED.fullmatch(name)
-    schedule = ORDER.index(name) if name in ORDER else len(ORDER)
-    return schedule, int(seed[1]) if seed else -1, name
+    places = []
+    for part in PurePath(name).parts:
+        seed = SEED.fullmatch(part)  # seed-2 comes before seed-10
+        schedule = ORDER.index(part) if part in ORDER else len(ORDER)
+        places.append((schedule, int(seed[1]) if seed else -1, part))
+    return places
 
 
 def open_runs(directory: str | Path) -> list[SavedRun]:

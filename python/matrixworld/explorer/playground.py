@@ -93,13 +93,6 @@ class Playground:
     compare : Rules or str, optional
         Rules to compare with, or the name of a variant: a second board plays the same actions.
 
-    Attributes
-    ----------
-    scene : str
-        The scene as it stands in a link; see `matrixworld.explorer.playground`.
-    picture : bytes
-        The scene as a PNG file: what a notebook shows where it shows no frame.
-
     Raises
     ------
     ValueError, TypeError
@@ -115,8 +108,8 @@ class Playground:
     ) -> None:
         if world is None and (actions is not None or compare is not None):
             raise ValueError("world: expected a world together with actions or compare, got None")
+        # As it stands in a link, and as a notebook shows it where it shows no frame.
         self.scene = "" if world is None else scene_link(world, actions, compare=compare)
-        # Drawn now: the world may go on.
         shown = drawn_world(GALLERY[0].rules, GALLERY[0].drawing) if world is None else world
         cell = fitting_cell((shown.config.rows, shown.config.cols), PIXELS, SMALLEST_NUMBERED)
         self.picture = png(shown.scene(), cell=cell, numbers=True)

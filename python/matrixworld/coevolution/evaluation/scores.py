@@ -308,24 +308,14 @@ def score(
         The run, finished or not.
     generation : int or None, optional
         Generation to score, by default the last one; negative numbers count from the end, None
-        means all generations.
-    episodes : int, optional
-        Episodes of each pair, at least 2.
-    steps : int, optional
-        Maximum steps of an episode. By default as in the run's evaluation.
-    seed : int, optional
-        Seed of the episodes, by default the same for all runs.
-    world : WorldConfig, optional
-        The world, by default that of the run: another size or map, other numbers of agents.
-    threads, executor
-        As in `tournament`.
-    report : callable, optional
-        Called with the progress, as in `Run.run`.
-
-    Raises
-    ------
-    IndexError
-        If there is no such generation.
+        means all generations. IndexError if there is none.
+    episodes, seed : int, optional
+        Episodes of each pair, at least 2, and their seed, by default the same for all runs.
+    world, steps : optional
+        A world with another size or map, or other numbers of agents, and the most steps of an
+        episode; by default those of the run.
+    threads, executor, report
+        As for `tournament` and `evolve`.
     """
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)

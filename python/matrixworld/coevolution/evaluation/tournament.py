@@ -41,12 +41,9 @@ def tournament(
     game : Game or WorldConfig
         The game, or the world of pursuit.
     first, second : population, or name of a script
-        What `Game.population` returns of G and H genomes; in pursuit also names of scripts (then G
-        or H is 1).
-    seed : int
-        Seed of the run.
-    episodes : int
-        Episodes of each pair.
+        What `Game.population` returns of G and H genomes; in pursuit also names of scripts.
+    seed, episodes : int
+        Seed of the run, and episodes of each pair.
     threads : int, optional
         Threads that the game may use. By default all cores. Results do not depend on it.
     generations : tuple of int, optional
@@ -56,8 +53,7 @@ def tournament(
     on_row : callable, optional
         Called after each row of the matrix with the number of episodes played so far.
     executor : concurrent.futures.Executor, optional
-        Plays the rows, each with `threads` threads, by default one. Without an executor they are
-        played here, one after the other. The result is the same.
+        Plays the rows, each with `threads` threads, by default one. Else they are played here.
 
     Notes
     -----
