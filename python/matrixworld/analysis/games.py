@@ -144,7 +144,9 @@ def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: NDArray[np.bo
     )
     if (start <= 0.0).any():  # weights close to the tolerance: keep those of the programme
         start = inner[used]
-    directions = _null_space(equations)
+    _, sizes, right = np.linalg.svd(equations)
+    # Orthonormal directions (rows, d) that keep all equations.
+    directions = right[int(np.sum(sizes > _RANK * sizes[0])) :].T
     # Inequalities rarely bind, so Newton's method first tries without them.
     best = _newton(start, directions)
     slack = margins[:, ~tight].T
@@ -154,13 +156,6 @@ def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: NDArray[np.bo
     mixture = np.zeros(len(matrix))
     mixture[used] = best
     return _mixture(mixture)
-
-
-def _null_space(equations: Rates) -> Rates:
-    """Return orthonormal directions, shape (rows, d), that keep all equations."""
-    _, sizes, right = np.linalg.svd(equations)
-    directions: Rates = right[int(np.sum(sizes > _RANK * sizes[0])) :].T
-    return directions
 
 
 def _newton(start: Rates, directions: Rates) -> Rates:

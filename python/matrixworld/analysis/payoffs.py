@@ -452,14 +452,13 @@ def _count_up(cells: list[str]) -> bool:
 
 
 def _is_number(cell: str) -> bool:
-    return _NUMBER.fullmatch(cell.rstrip("% ")) is not None
+    return _NUMBER.fullmatch(cell) is not None
 
 
 def _rate(where: str, cell: str) -> float:
     # Checked here as well as in `check_rates`, where the line number is not known any more.
     if _is_number(cell):
-        percent = 100.0 if cell.endswith("%") else 1.0
-        rate = float(cell.rstrip("% ").replace(",", ".")) / percent
+        rate = float(cell.replace(",", "."))
         if -ROUNDING <= rate <= 1.0 + ROUNDING:
             return rate
     raise ValueError(f"{where}: expected a capture rate in [0, 1], got {cell!r}")

@@ -11,16 +11,11 @@ log.csv, *.npy        log and genomes of all stages, for other programs
 
 Stage 0 is the run before training. A stage is saved in this order: its checkpoint, the stage
 itself, and then the checkpoint two stages before is removed. The newest stage therefore has a
-checkpoint, whenever the process is killed, and a stage costs the same however many there are.
+checkpoint, whenever the process is killed. Files are written under a temporary name, synced and
+renamed: readers beside a writer see whole stages only, and need no lock. The results are written
+when the training has ended; if payoff or summary are deleted, going on makes all again.
 
-A stage file is written under a temporary name, synced and renamed, and never changes. Readers
-beside a writer see whole stages only, and need no lock. A zip archive has checksums of its content,
-so that a file that is cut or altered is refused. log.csv, pursuers.npy and evaders.npy are copies
-that nothing here reads. They, payoff.npz and summary.json are written when the training has ended;
-if one of the last two is deleted, going on makes all again.
-
-`SavedRun` reads these files, and `RunWriter` writes them. Atomic writes and locks of single files
-are in `matrixworld._util.files`.
+`SavedRun` reads these files, and `RunWriter` writes them.
 """
 
 from __future__ import annotations

@@ -210,13 +210,16 @@ OF_GROUPS: dict[str, Callable[[Groups, Baselines], Figure]] = {
 def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
     """Return the mean score of each baseline against all opponents of each race of a group."""
     scores: dict[Team, dict[str, list[float]]] = {team: {} for team in TEAMS}
-    races = group.runs if baselines else ()
     for name, runs in baselines.items():
         means = []
-        for race in races:
-            trained = _of_seed(name, runs, race.settings.seed)
-            [team] = trained.settings.learning_teams
-            means.append(_mean_score(race, team, trained))
+        for race in group.runs:
+            seed = race.settings.seed
+            trained = [run for run in runs if run.settings.seed == seed or len(runs) == 1]
+            if len(trained) != 1:
+                expected = f"one run of seed {seed}, or one in all"
+                raise ValueError(f"baseline {name}: expected {expected}, got {len(trained)}")
+            [team] = trained[0].settings.learning_teams
+            means.append(_mean_score(race, team, trained[0]))
         # One run for all seeds tells nothing about other runs: its mean has no interval.
         scores[team][name] = means if len(runs) > 1 else [sum(means) / len(means)]
     return scores
@@ -230,12 +233,3 @@ def _mean_score(race: SavedRun, team: Team, trained: SavedRun) -> float:
     payoff = tournament(settings.evaluation_game, *sides, seed=settings.seed, episodes=episodes)
     rates = payoff.matrix.ravel()
     return float((rates if team == "pursuer" else 1 - rates).mean())
-
-
-def _of_seed(name: str, runs: Sequence[SavedRun], seed: int) -> SavedRun:
-    """Return the run with the seed of the race; the only one, if there is only one."""
-    found = [run for run in runs if run.settings.seed == seed or len(runs) == 1]
-    if len(found) != 1:
-        expected = f"one run of seed {seed}, or one in all"
-        raise ValueError(f"baseline {name}: expected {expected}, got {len(found)}")
-    return found[0]

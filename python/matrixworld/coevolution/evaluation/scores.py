@@ -358,6 +358,7 @@ def best_generations(run: SavedRun) -> dict[Team, int]:
     return {team: int(generation) for team, generation in best.items()}
 
 
+@cache
 def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Script, float]]:
     """Return the script of each team with the highest mean score in a world, and this score.
 
@@ -405,7 +406,7 @@ def kept_scores(
     if missing:
         played = score_runs([(run, None) for run in missing], report=report, threads=threads)
         for run, teams in zip(missing, played, strict=True):
-            best = _scripts_beside(run.pursuit.world)
+            best = best_scripts(run.pursuit.world, episodes=CHOICE_EPISODES)
             first = score(run, generation=0, episodes=CHOICE_EPISODES, threads=threads)
             plain = {
                 f"{team}s": {
@@ -417,11 +418,6 @@ def kept_scores(
             }
             save_json(run.path / SCORES, {**SCORED_BY, **plain})
     return [_kept(run) or {} for run in runs]
-
-
-@cache
-def _scripts_beside(world: WorldConfig) -> dict[Team, tuple[Script, float]]:
-    return best_scripts(world, episodes=CHOICE_EPISODES)
 
 
 def _kept(run: SavedRun) -> dict[str, Any] | None:

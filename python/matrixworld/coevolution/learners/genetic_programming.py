@@ -171,7 +171,7 @@ class GeneticProgramming(learner.Learner):
 
     def start(self, task: learner.Task) -> State:
         """Return a population that nobody has scored yet."""
-        policy = task.policy
+        policy: Any = getattr(task.game, "policy", None)
         return {
             "population": task.genomes(self.population),
             "fitness": np.zeros(0),

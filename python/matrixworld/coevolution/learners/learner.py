@@ -41,11 +41,6 @@ class Task:
     game: Game
 
     @property
-    def policy(self) -> Any:
-        """What the genomes of the team are genomes of; None in a game of your own."""
-        return getattr(self.game, "policy", None)
-
-    @property
     def mask(self) -> Any:
         """Genes that do not change, and their values; None without any."""
         return self.game.mask(types.TEAMS[self.team])
