@@ -239,19 +239,11 @@ def fewest_runs(level: float = LEVEL) -> int:
 
 
 def interquartile_mean(scores: ArrayLike, *, level: float = LEVEL, seed: int = 0) -> Estimate:
-    """Return the mean of the middle half of all scores, with a bootstrap interval over runs.
+    """Return the mean of the middle half of `scores` (runs, opponents), with a bootstrap interval.
 
     Single runs that fail and single opponents that are easy count less than in the mean. There is
-    no interval below 6 runs (at 95 %), and if all runs are equal.
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (runs, opponents)
-        One finite score of each run against each opponent, such as the held-out ones.
-    level : float, optional
-        Confidence level, in (0, 1).
-    seed : int, optional
-        Seed of the bootstrap samples.
+    no interval, of a `level` in (0, 1), below 6 runs (at 95 %), and if all runs are equal. The
+    bootstrap samples have a `seed`.
 
     Notes
     -----

@@ -51,16 +51,9 @@ def elo(payoff: ArrayLike) -> Elo:
 
 
 def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Band]:
-    """Return the Elo ratings of a run in points, with intervals over its episodes.
+    """Return the Elo ratings of `scores` (n, m, episodes) in points, with intervals of a `level`.
 
-    The ends are NaN where all episodes are equal.
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Scores in [0, 1] of independent episodes, at least two of each cell.
-    level : float, optional
-        Confidence level of each interval, in (0, 1).
+    Of each cell there are at least two independent episodes. The ends are NaN where all are equal.
 
     Notes
     -----

@@ -247,18 +247,10 @@ DEFAULT_WORLD, DEFAULT_POLICY = WorldConfig(), Cells()
 
 @dataclass(frozen=True, eq=False)
 class Pursuit(Game):
-    """Pursuit and evasion: episodes of a world, in which both teams have policies of one shape.
+    """Pursuit and evasion: episodes of a `world`, in which both teams have policies of one shape.
 
-    Parameters
-    ----------
-    play : callable
-        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
-    world : WorldConfig
-        The world.
-    settings : PolicySettings
-        The policies of both teams.
-    penalty : float
-        Penalty on evaders that share cells, multiplied by their overlap in [0, 1].
+    The `settings` are those of the policies. `play` is a pure function with the arguments of
+    `matrixworld.rollout`. Evaders that share cells have a `penalty`, multiplied by their overlap.
     """
 
     play: Any = rollout

@@ -58,18 +58,9 @@ def create(
 ) -> storage.SavedRun:
     """Make the directory of a run, as of its stage 0: nothing is played yet.
 
-    A directory that holds a run of the same settings is left as it is.
-
-    Parameters
-    ----------
-    settings : RaceSettings
-        Settings of the run.
-    directory : str or Path
-        A new or empty directory, or that of the same run.
-    opponents : Population, optional
-        Opponents of a team that learns alone, in place of `schedule.opponent`.
-    start : array_like of float32, shape (genes,), optional
-        Genome that it starts from, in place of `schedule.start`.
+    A `directory` that holds a run of the same `settings` is left as it is. A team that learns alone
+    may be given a population of `opponents`, in place of `schedule.opponent`, and a genome (genes,)
+    to `start` from, in place of `schedule.start`.
 
     Raises
     ------
@@ -156,28 +147,11 @@ class RunInMemory:
             while stage < n_stages:
                 learn(stage); stage += 1
 
-    Parameters
-    ----------
-    settings : RaceSettings
-        Settings of a race.
-    threads : int, optional
-        Threads that play matches. By default one per usable core. Results do not depend on it.
-
-    Attributes
-    ----------
-    game : Game
-        The game in which teams learn.
-    archive : dict of str to list of ndarray of float32, shape (genes,)
-        Genomes of generations 0, 1, ... of each team.
-    states : dict of str to dict of str to ndarray
-        States of the learners by team, and of their samplers as ``<team>.opponents``.
-    rows : list of dict
-        The log: values of each epoch by column.
-    stage : int
-        Number of finished stages.
-    counts : dict of str to int
-        Training episodes so far, ``matches``; of pursuit also ``steps`` of worlds, and
-        ``agent_steps`` of living agents.
+    The `settings` are those of a race; `threads` play its matches, by default one per usable core,
+    which results do not depend on. Its parts are the `game` in which teams learn, the genomes of
+    each team by generation (`archive`), the `states` of learners by team and of their samplers as
+    ``<team>.opponents``, the log as dicts (`rows`), the number of finished stages (`stage`), and
+    `counts` of training episodes, ``matches``; of pursuit also ``steps`` and ``agent_steps``.
     """
 
     def __init__(self, settings: RaceSettings, *, threads: int | None = None) -> None:
@@ -434,12 +408,7 @@ class Run(RunInMemory):
             learn(stage); stage += 1; saved
         payoff of the archives; saved
 
-    Parameters
-    ----------
-    directory : str or Path
-        The directory that `create` has made.
-    threads : int, optional
-        Threads that play matches. By default one per usable core. Results do not depend on it.
+    The `directory` is one that `create` has made; `threads` are as for `RunInMemory`.
 
     Raises
     ------

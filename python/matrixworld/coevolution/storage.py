@@ -104,20 +104,7 @@ class SavedRun:
     `open_run` returns one whose files are checked. Methods read what the files hold at that moment;
     `teams` stay as they were when they were first read.
 
-    Parameters
-    ----------
-    path : str or Path
-        The run directory.
-
-    Attributes
-    ----------
-    config : dict
-        The content of config.json.
-    settings : RaceSettings
-        Settings of the run.
-    teams : mapping of str to population or str
-        For each team its archive as a population, one genome per generation, or the name of a
-        script. The keys are ``pursuer`` and ``evader``, or the names that a game of your own has.
+    Its directory is the `path`. The keys of `teams` are ``pursuer`` and ``evader``, or the names that a game of your own has.
     """
 
     def __init__(self, path: str | Path) -> None:
@@ -313,7 +300,7 @@ class SavedRun:
 
     @cached_property
     def teams(self) -> Mapping[str, Any]:
-        """For each team its archive as a population, or the name of a script."""
+        """For each team its archive as a population, a genome a generation, or its script."""
         _ = self.game  # a game of your own that has changed is told now
         archive = self.archive()
         parts = zip(TEAMS, archive.items(), strict=True)
