@@ -28,7 +28,7 @@ from matrixworld.coevolution.game import Game as Game  # `matrixworld.Game`
 from matrixworld.coevolution.game import check_game
 from matrixworld.coevolution.groups import Comparison, RunGroup, compare, judge, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
-from matrixworld.coevolution.learners.actor_critic import ActorCritic
+from matrixworld.coevolution.learners import ActorCritic
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm

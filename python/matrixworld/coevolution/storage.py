@@ -104,7 +104,8 @@ class SavedRun:
     `open_run` returns one whose files are checked. Methods read what the files hold at that moment;
     `teams` stay as they were when they were first read.
 
-    Its directory is the `path`. The keys of `teams` are ``pursuer`` and ``evader``, or the names that a game of your own has.
+    Its directory is the `path`. The keys of `teams` are ``pursuer`` and ``evader``, or the names
+    that a game of your own has.
     """
 
     def __init__(self, path: str | Path) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
-from matrixworld.coevolution.learners.actor_critic import ActorCritic
+from matrixworld.coevolution.learners.actor_critic import ActorCritic as ActorCritic
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
