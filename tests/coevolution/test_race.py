@@ -194,28 +194,26 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
 
 @pytest.mark.parametrize("groups", [1, 3, 6])
 def test_all_individuals_have_the_same_number_of_opponents(groups):
-    pairs = pairings(np.tile(np.arange(groups), 6 // groups), 3, (1, 2), np.random.default_rng(0))
-    assert len(pairs.pursuer) == len(pairs.evader) == len(pairs.group) == 6 * (3 + 1 + 2)
-    for own, rivals, older in (
-        (pairs.pursuer, pairs.evader, [6, 7]),
-        (pairs.evader, pairs.pursuer, [6]),
-    ):
+    group = np.tile(np.arange(groups), 6 // groups)
+    pursuers, evaders, seeds = pairings(group, 3, (1, 2), np.random.default_rng(0))
+    assert len(pursuers) == len(evaders) == len(seeds) == 6 * (3 + 1 + 2)
+    for own, rivals, older in ((pursuers, evaders, [6, 7]), (evaders, pursuers, [6])):
         for individual in range(6):
             opponents = rivals[own == individual]
             assert sorted(opponents[opponents >= 6]) == older
             assert (opponents < 6).sum() == 3
-    assert not ((pairs.pursuer >= 6) & (pairs.evader >= 6)).any()
+    assert not ((pursuers >= 6) & (evaders >= 6)).any()
     # Each round of opponents has its own seeds: one for each group of individuals.
-    assert np.array_equal(np.unique(pairs.group), np.arange(6 * groups))
+    assert np.array_equal(np.unique(seeds), np.arange(6 * groups))
 
 
 def test_mirrored_individuals_meet_the_same_opponents_on_the_same_seeds():
     mirrored = np.tile(np.arange(4), 2)  # 0 and 4 are a pair, 1 and 5, ...
-    pairs = pairings(mirrored, 4, (1, 1), np.random.default_rng(3))
+    pursuers, evaders, seeds = pairings(mirrored, 4, (1, 1), np.random.default_rng(3))
 
     def met(individual):
-        chosen = pairs.pursuer == individual
-        return sorted(zip(pairs.evader[chosen], pairs.group[chosen], strict=True))
+        chosen = pursuers == individual
+        return sorted(zip(evaders[chosen], seeds[chosen], strict=True))
 
     for one in range(4):
         first, second = met(one), met(one + 4)
@@ -227,8 +225,9 @@ def test_mirrored_individuals_meet_the_same_opponents_on_the_same_seeds():
 
 
 def test_individuals_of_one_group_meet_opponents_of_their_own():
-    pairs = pairings(np.zeros(6, dtype=int), 3, (0, 0), np.random.default_rng(0))
-    rounds = pairs.evader.reshape(3, 6) - pairs.pursuer.reshape(3, 6)
+    group = np.zeros(6, dtype=int)
+    pursuers, evaders, _ = pairings(group, 3, (0, 0), np.random.default_rng(0))
+    rounds = evaders.reshape(3, 6) - pursuers.reshape(3, 6)
     # Permutations, not rotations: in each round the distances differ.
     assert all(len(set(each % 6)) > 1 for each in rounds)
 

@@ -27,7 +27,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -380,18 +380,18 @@ class AtOnce(OfGenerations):
         # Both teams have the same learner, and with it the same groups.
         groups = run.learners["pursuer"].seed_groups
         n, hall_sizes = len(groups), (len(halls["pursuer"]), len(halls["evader"]))
-        pairs = pairings(groups, self.contemporaries, hall_sizes, rng)
+        pursuers, evaders, group = pairings(groups, self.contemporaries, hall_sizes, rng)
         everyone = {
             team: run.population(team, np.concatenate([populations[team], halls[team]]))
             for team in TEAMS
         }
         key = (run.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch)
-        seeds = training_seeds(*key, int(pairs.group.max()) + 1)[pairs.group]
-        matches = pairs.pursuer, pairs.evader, seeds
-        scores = run.play(everyone["pursuer"], everyone["evader"], matches)
+        seeds = training_seeds(*key, int(group.max()) + 1)[group]
+        scores = run.play(everyone["pursuer"], everyone["evader"], (pursuers, evaders, seeds))
         found: dict[Team, tuple[FloatArray, Any, Indices]] = {}
+        players = dict(zip(TEAMS, (pursuers, evaders), strict=True))
         for team in TEAMS:
-            own, opponents = getattr(pairs, team), getattr(pairs, other(team))
+            own, opponents = players[team], players[other(team)]
             rivals = everyone[other(team)]
             table = partial(table_of_individuals, own, opponents, n)
             fitness = run.log_fitness(team, scores, table, generation, epoch, types.SEVERAL)
@@ -405,20 +405,12 @@ class AtOnce(OfGenerations):
         return found
 
 
-class Pairings(NamedTuple):
-    """The M matches of one epoch: numbers below n are individuals, others of the hall of fame."""
-
-    pursuer: Indices
-    evader: Indices
-    group: Indices  # matches of the same group have the same seed
-
-
 def pairings(
     seed_groups: Indices, contemporaries: int, hall: tuple[int, int], rng: types.Rng
-) -> Pairings:
-    """Return the matches of individuals with `contemporaries` living opponents and the `hall`.
+) -> tuple[Indices, Indices, Indices]:
+    """Return pursuers, evaders and groups (M,) of matches; those of a group have the same seed.
 
-    A match of two living ones counts for both; `hall` has the numbers of members of both teams.
+    Numbers below n are individuals, others members of the `hall` of fame, whose sizes are given.
     """
     # Groups meet groups in random order, and their members meet in turn: between mirrored samples
     # the strength of the opponents then cancels out, like the luck of the match seed. Where all
@@ -439,7 +431,7 @@ def pairings(
     # The same seeds for the members of a group, other ones in each round.
     first = np.arange(len(rounds))[:, np.newaxis] * groups
     seeds = first + seed_groups[individuals]
-    return Pairings(np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel())
+    return np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel()
 
 
 def table_of_individuals(

@@ -12,7 +12,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from importlib.resources import as_file, files
-from typing import Any, NamedTuple, cast
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -219,19 +219,13 @@ def _rows(scores: Sequence[HeldOutScores]) -> tuple[str, dict[str, Estimate]]:
     return f"{team}s by generation: mean {SCORE[team]}", means
 
 
-class _Side(NamedTuple):
-    """A team to be scored: its genomes or another policy, and whom it meets."""
-
-    team: Team
-    policy: Plays
-    generations: Sequence[int]
-    opponents: Mapping[str, Plays]
-    left_out: str
+Side: TypeAlias = tuple[Team, Plays, Sequence[int], Mapping[str, Plays], str]
+"""A team to be scored: its policy, generations, opponents by name, and who is left out of these."""
 
 
 def _scores(
     config: WorldConfig,
-    teams: Sequence[_Side],
+    teams: Sequence[Side],
     *,
     episodes: int,
     seed: int,
@@ -327,7 +321,7 @@ def score(
     return _scores(world, sides, episodes=episodes, seed=seed, **play)
 
 
-def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> _Side:
+def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> Side:
     """Return a team of a run, and the opponents that it did not train against."""
     archive = cast(Population, run.teams[team])  # never a script, because the team learned
     generations = [*range(len(archive.genomes))]
@@ -335,7 +329,7 @@ def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig)
         generations = [run.generation(team, generation, "generation")]
     opponents, left_out = opponents_in(run, team, world)
     chosen = Population(archive.genomes[generations], archive.policy)
-    return _Side(team, chosen, generations, opponents, left_out)
+    return team, chosen, generations, opponents, left_out
 
 
 def opponents_in(
@@ -368,11 +362,9 @@ def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Scri
     for team in TEAMS:
         opponents, _ = opponents_of(team, config)
         fitting = [n for n in held_out_scripts(team, config.rules) if _plays_in(n, config)]
-        sides = [_Side(team, script, [0], opponents, "") for script in fitting]
-        found = [
-            _scores(config, [side], episodes=episodes, seed=SEED, threads=None, report=silent)
-            for side in sides
-        ]
+        sides: list[Side] = [(team, script, [0], opponents, "") for script in fitting]
+        play: Any = {"episodes": episodes, "seed": SEED, "threads": None, "report": silent}
+        found = [_scores(config, [side], **play) for side in sides]
         means = [float(each[team].means[0]) for each in found]
         best[team] = max(zip(fitting, means, strict=True), key=lambda pair: pair[1])
     return best
@@ -501,7 +493,7 @@ def score_policy(
     theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
     if not theirs:
         raise ValueError("opponents: expected at least one, got none")
-    side = _Side(team, mine, range(team_size(mine)), theirs, left_out)
+    side: Side = team, mine, range(team_size(mine)), theirs, left_out
     found = _scores(config, [side], episodes=episodes, seed=seed, threads=threads, report=report)
     return found[team]
 

@@ -26,20 +26,19 @@ Tree: TypeAlias = gp.PrimitiveTree
 DEPTH = 2  # most operations one inside the other in a part that is drawn
 
 
-class Truth:
-    """The type of a comparison, which only the first argument of ``where`` takes."""
-
-
 @lru_cache(maxsize=8)
 def primitives_of(policy: Program) -> gp.PrimitiveSetTyped:
-    """Return the typed primitives of programs: operations, and inputs by name."""
+    """Return the typed primitives of programs: operations, and inputs by name.
+
+    A comparison is a bool, which only the first argument of ``where`` takes.
+    """
     primitives = gp.PrimitiveSetTyped("rating", [float] * len(policy.inputs), float)
     primitives.renameArguments(**{f"ARG{i}": name for i, name in enumerate(policy.inputs)})
     for name, arguments in OPERATIONS.items():
         kinds: list[type] = [float] * arguments
         if name == "where":
-            kinds[0] = Truth
-        primitives.addPrimitive(None, kinds, Truth if name == "less" else float, name=name)
+            kinds[0] = bool
+        primitives.addPrimitive(None, kinds, bool if name == "less" else float, name=name)
     return primitives
 
 
@@ -62,7 +61,7 @@ def _typed(part: list[Any], kind: type, named: dict[str, Any]) -> list[Any]:
     """Return the nodes of a part of a tree as those of a type: ``a > 0`` is ``0 < a``."""
     if part[0].ret is kind:
         return part
-    if kind is Truth:
+    if kind is bool:
         return [named["less"], _number(0.0), *part]
     return [named["where"], *part, _number(1.0), _number(0.0)]
 
