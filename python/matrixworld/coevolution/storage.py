@@ -412,16 +412,18 @@ class SavedRun:
         It is chosen by episodes of its own, which no score is from. They are played once. In a game
         of your own, which has no held-out opponents, it is the last one, as `last` returns it.
         """
-        # Scores are of runs, and so above this module.
-        from matrixworld.coevolution.evaluation.scores import best_generations
-
         if self.settings.game:
             return self.last(team)
         check_choice("team", team, TEAMS)
-        side, best = cast(Team, team), vars(self).setdefault("_best", {})
-        if not best:
-            best |= best_generations(self)
-        return self.policy(side, best.get(side, -1), sampled=sampled, seed=seed)
+        side = cast(Team, team)
+        return self.policy(side, self._best.get(side, -1), sampled=sampled, seed=seed)
+
+    @cached_property
+    def _best(self) -> dict[Team, int]:
+        # Scores are of runs, and so above this module.
+        from matrixworld.coevolution.evaluation.scores import best_generations
+
+        return best_generations(self)
 
     def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
         """Return what a generation of a team does, in words and numbers: an `Explanation`.
