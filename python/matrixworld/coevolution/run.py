@@ -361,16 +361,19 @@ class RunInMemory:
         key = (self.settings.seed, generation, generation, Phase.RETEST, TEAMS.index(team))
         seeds = np.tile(training_seeds(*key, c * episodes), (n, 1))
         scores = self.play_candidates(team, genomes, opponents, np.repeat(met, episodes), seeds)
-        # They count in the last epoch, which has two rows where both teams learn at once.
-        last = self.rows[-1]["matches"]
-        for row in self.rows:
-            if row["matches"] == last:
-                row |= self._logged_counts()
+        self._count_in_last_epoch()
         again = self.fitness(
             team, scores, lambda values: np.asarray(values.reshape(n, c, episodes).mean(axis=2))
         )
         champion: types.Genome = genomes[np.argmax(again)]
         return champion
+
+    def _count_in_last_epoch(self) -> None:
+        """Count matches after an epoch in its rows: two where both teams learn at once."""
+        last = self.rows[-1]["matches"]
+        for row in self.rows:
+            if row["matches"] == last:
+                row |= self._logged_counts()
 
     def _logged_counts(self) -> dict[str, int]:
         """Return what the log has of the counts."""
