@@ -14,8 +14,8 @@ def written(folder, text):
     return path
 
 
-NOTED = "note;Evader;Capture rate;Pursuer\n;2;0;0\né;5;,25;0\n;9;50%;0\n" + (
-    "b;2;75 %;3\n;5;1,0;3\n;9;1,25e-1;3\n"
+NOTED = "note;Evader;Capture rate;Pursuer\n;2;0;0\né;5;,25;0\n;9;0,5;0\n" + (
+    "b;2;.75;3\n;5;1,0;3\n;9;1,25e-1;3\n"
 )
 
 
@@ -31,7 +31,7 @@ NOTED = "note;Evader;Capture rate;Pursuer\n;2;0;0\né;5;,25;0\n;9;50%;0\n" + (
         ";0;10;20\n0;0;0,25;0,5\n10;0,75;1;0,125\n",
         ",amy,bob,cy\nzed,0,.25,.5\nyves,.75,1,.125\n",
         # As spreadsheets and NumPy write it in some countries.
-        "0;,25;0,5\n75%;100 %;0,125\n",
+        "0;,25;0,5\n0,75;1,0;0,125\n",
         '0,"0,25","0,5"\n"0,75",1,"0,125"\n',
         "0\t0,25\t0.5\n0,75\t1\t.125\n",
         "-1e-12,.25,.5\n.75,1.000000000001,.125\n",

@@ -8,7 +8,6 @@ import pytest
 from matrices import ROCK_PAPER_SCISSORS, logistic
 from matrixworld import analysis
 from matrixworld.analysis.payoffs import check_payoff
-from rliable_numbers import ONE, TASK
 
 PENNIES = np.eye(2)
 HIDDEN = np.ma.array([[0.9, 0.5], [0.2, 0.3]], mask=[[0, 1], [0, 0]])
@@ -45,7 +44,6 @@ HIDDEN_SCORES = np.ma.array(np.full((7, 7, 4), 0.5), mask=np.eye(7)[..., None] *
         (analysis.band_over_runs, HIDDEN_CURVES),
         (lambda places: analysis.band_over_runs(np.ones((2, 3)), places=places), HIDDEN_VALUES),
         (analysis.interquartile_mean, HIDDEN_CURVES),
-        (partial(analysis.probability_of_improvement, np.ones((3, 4))), HIDDEN_CURVES),
     ],
 )  # fmt: skip
 def test_what_a_mask_hides_is_never_used(function, hidden):
@@ -78,7 +76,6 @@ NUMBERS, TYPE = "an array of numbers, got", r"expected .* got "
         (partial(over_runs, bounds=(1, 0)), [[0.1, 0.2]], ValueError, r"bounds .*, got \(1, 0\)"),
         (partial(analysis.difference_of_runs, [1], paired=True), [[0, 1]], ValueError, "1 paired"),
         (analysis.interquartile_mean, [[0.1]], ValueError, r"scores .* with 2 dim"),
-        (analysis.probability_of_improvement, [ONE, TASK], ValueError, "same 5 opponents, got 1"),
         (analysis.measure_table, [np.zeros((1, 5))], ValueError, r"2 x 2 generations, got"),
         (analysis.MEASURES["lag_rise"].of, [PENNIES, "x"], ValueError, "^window: expected one of"),
         (judged.present, ["early"], ValueError, "^window: expected one of whole, first half"),

@@ -108,7 +108,6 @@ CALLS = [
     partial(coevolution.check_learner, learner=coevolution.CmaEs(sigma=0.1)),
     partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform(), count=1),
     partial(coevolution.available, team="pursuer", k=1),
-    partial(coevolution.competitive_sharing, wins=[[1.0]]),
     partial(coevolution.tournament, **TEAMS, seed=0, episodes=1, threads=1),
     partial(
         coevolution.score_policy, policy=TEAM, team="pursuer", config=CONFIG, episodes=2,
@@ -153,7 +152,6 @@ ACCEPTED = {
     ("MatrixWorldParallel.reset", "options", "a dict"): "no options",
     ("AgentEnv.reset", "options", "a dict"): "no options",
     ("Episode", "config", "a dict"): "no settings",
-    ("competitive_sharing", "wins", "an unhashable list"): "no opponents",
 }
 """Values of the table that are legal, each with what they mean."""
 

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import competitive_sharing
 from rows import random_genome
 
 SMALL = {"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1}
@@ -83,7 +82,6 @@ VALUES = [
     kind(with_buffer("rewards", np.zeros((2, 3), ">f4")), "dtype float32 | got >f4"),
     value(with_buffer("positions", np.zeros((2, 4, 2), np.int32)), "shape (2, 3, 2) | (2, 4, 2)"),
     value(with_buffer("positions", np.zeros((2, 3, 4), "i4")[:, :, ::2]), "a writeable C | pos"),
-    value(lambda: competitive_sharing([1, 0]), "(n, m) numbers >= 0 | wins"),
     value(score(episodes=1), "at least 2 | got 1"),
     value(score(policy=lambda seen: [1]), "shape | actions of the policy"),
     value(score(opponents={"mad": "mad"}), "one of random | opponents"),

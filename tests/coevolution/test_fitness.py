@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import FitnessSettings, competitive_sharing
+from matrixworld.coevolution import FitnessSettings
 from matrixworld.coevolution.fitness import feasible_first, mean_over_opponents, shared_fitness
 from matrixworld.coevolution.game import Scores
 from matrixworld.coevolution.pursuit import Pursuit
@@ -43,10 +43,11 @@ def test_fitness(measure, team, expected):
 
 def test_sharing_by_hand():
     # Opponent 0 is beaten by 0 and 1, opponent 1 by 1 alone, opponent 2 by no individual.
-    assert competitive_sharing([[1, 0, 0], [1, 1, 0], [0, 0, 0]]).tolist() == [0.5, 1.5, 0.0]
-    # Half a win beside a whole one gets a third of the opponent.
-    assert competitive_sharing([[0.5], [1.0]]) == pytest.approx([1 / 3, 2 / 3])
-    assert competitive_sharing(np.zeros((2, 3))).tolist() == [0.0, 0.0]
+    wins = np.array([[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
+    assert shared_fitness(wins).tolist() == [0.5, 1.5, 0.0]
+    # Half a win beside a whole one gets a third of the opponent; n / m is 2.
+    assert shared_fitness(np.array([[0.5], [1.0]])) == pytest.approx([2 / 3, 4 / 3])
+    assert shared_fitness(np.zeros((2, 3))).tolist() == [0.0, 0.0]
 
 
 def test_opponents_that_were_not_met_do_not_count():
@@ -59,10 +60,12 @@ def test_opponents_that_were_not_met_do_not_count():
 
 
 def test_candidates_within_the_limit_come_first():
-    found = feasible_first([0.2, 0.9, 0.5, 0.7], [-1.0, 3.0, 0.0, 0.5])
+    found = feasible_first(np.array([0.2, 0.9, 0.5, 0.7]), np.array([-1.0, 3.0, 0.0, 0.5]))
     np.testing.assert_allclose(found, [0.2, 0.2 - 3.0, 0.5, 0.2 - 0.5])
     # Beyond the limit only the violation counts.
-    np.testing.assert_allclose(feasible_first([0.9, 0.1], [3.0, 2.0]), [-3.0, -2.0])
+    np.testing.assert_allclose(
+        feasible_first(np.array([0.9, 0.1]), np.array([3.0, 2.0])), [-3.0, -2.0]
+    )
 
 
 def test_collisions_are_counted_as_by_the_safety_monitor():

@@ -168,20 +168,3 @@ def test_a_sample_holds_available_opponents_once_each(sampler, available, count,
         assert 1 <= len(sample) <= min(count, known)
         assert len(set(sample.tolist())) == len(sample)
         assert 0 <= sample.min() <= sample.max() < known
-
-
-NASH = opponents.NashOpponents()
-
-
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: told(SAMPLERS["shared"], ([0], [[2.0]])), "scores: expected numbers in"),
-        (lambda: told(SAMPLERS["hard"], ([0, 1], [[0.5]])), r"scores: expected shape \(n, 2\)"),
-        (lambda: NASH.update(NASH.start(), 1, 1, lambda *_: [1.0]), r"payoff: expected \(1, 1\)"),
-        (lambda: chosen(NASH, 3, state={"weights": np.ones(2) / 2}), "available: expected 2 opp"),
-    ],
-)
-def test_bad_values_are_refused(call, message):
-    with pytest.raises(ValueError, match=f"^{message}"):
-        call()

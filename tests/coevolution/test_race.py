@@ -170,17 +170,17 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
 
 @pytest.mark.parametrize("groups", [1, 3, 6])
 def test_all_individuals_have_the_same_number_of_opponents(groups):
-    pairs = pairings(np.tile(np.arange(groups), 6 // groups), 3, (1, 2), np.random.default_rng(0))
-    assert len(pairs.pursuer) == len(pairs.evader) == len(pairs.group) == 6 * (3 + 1 + 2)
-    both = pairs.pursuer, pairs.evader
-    for own, rivals, older in ((*both, [6, 7]), (*both[::-1], [6])):
+    group = np.tile(np.arange(groups), 6 // groups)
+    pursuers, evaders, seeds = pairings(group, 3, (1, 2), np.random.default_rng(0))
+    assert len(pursuers) == len(evaders) == len(seeds) == 6 * (3 + 1 + 2)
+    for own, rivals, older in ((pursuers, evaders, [6, 7]), (evaders, pursuers, [6])):
         for individual in range(6):
             opponents = rivals[own == individual]
             assert sorted(opponents[opponents >= 6]) == older
             assert (opponents < 6).sum() == 3
-    assert not ((pairs.pursuer >= 6) & (pairs.evader >= 6)).any()
+    assert not ((pursuers >= 6) & (evaders >= 6)).any()
     # Each round of opponents has its own seeds: one for each group of individuals.
-    assert np.array_equal(np.unique(pairs.group), np.arange(6 * groups))
+    assert np.array_equal(np.unique(seeds), np.arange(6 * groups))
 
 
 @pytest.mark.parametrize(("team", "against"), [("pursuer", "fleer"), ("evader", "random")])

@@ -59,11 +59,11 @@ def test_the_stage_before_is_used_if_the_newest_one_is_damaged(tmp_path, name):
     cut(run.path / name)
     reopened = RunWriter(run.path)
     with pytest.warns(UserWarning, match=f"{name}: cut.*; continuing from the stage"):
-        restored = reopened.restore()
-    assert restored.states["pursuer"]["mean"].tolist() == [1]
-    assert len(restored.archive["evader"]) == 2
+        _, genomes, states = reopened.restore()
+    assert states["pursuer"]["mean"].tolist() == [1]
+    assert len(genomes["evader"]) == 2
     save(reopened, 2)  # played again, so that no warning, which is an error here, comes
-    assert len(RunWriter(run.path).restore().stages) == len(run.archive()["evader"]) == 3
+    assert len(RunWriter(run.path).restore()[0]) == len(run.archive()["evader"]) == 3
     assert (run.path / f"{name}.damaged").exists()
     cut(run.path / "checkpoint-0002.npz")
     cut(run.path / "checkpoint-0001.npz")  # now neither of the two states can be read

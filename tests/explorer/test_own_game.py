@@ -13,7 +13,7 @@ from PIL import Image
 import own_games
 from browser import PHONE, data_of
 from matrixworld.coevolution import SavedRun, evolve
-from matrixworld.explorer import explore, shows
+from matrixworld.explorer import explore, teams
 from matrixworld.explorer.runs_page import explorer_page
 from own_games import short_race
 from tiny_race import tiny_race
@@ -53,7 +53,7 @@ def test_what_is_shown_is_what_the_game_returns(job):
     # 16 x 16 cells: the last 10 x 10, and a grid that reaches all corners.
     assert {f"{g} {h}" for g in range(6, 16) for h in range(6, 16)} <= told.keys()
     assert {"0 0", "0 15", "15 0"} <= told.keys()
-    assert 100 < len(told) <= shows.MOST_SHOWN
+    assert 100 < len(told) <= teams.MOST_SHOWN
     assert f"the page has {len(told)} pairs" in plain["game"]["missing"]
     drawn = data(job["pictures"])["runs"][0]["game"]["shows"]
     assert len(drawn) == 16  # of a small matrix all cells
@@ -65,8 +65,8 @@ def test_what_is_shown_is_what_the_game_returns(job):
 
 def test_a_page_holds_few_cells_and_bytes_of_all_its_runs(job, monkeypatch):
     both = data(job["words"], job["words"])["runs"]
-    assert sum(len(run["game"]["shows"]) for run in both) <= shows.MOST_SHOWN
-    monkeypatch.setattr(shows, "MOST_BYTES", 300)
+    assert sum(len(run["game"]["shows"]) for run in both) <= teams.MOST_SHOWN
+    monkeypatch.setattr(teams, "MOST_SHOWN_BYTES", 300)
     [run] = data(job["words"])["runs"]
     texts = [each["text"] for each in run["game"]["shows"].values()]
     assert 3 <= len(texts) <= sum(map(len, texts)) <= 300

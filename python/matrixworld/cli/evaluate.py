@@ -13,17 +13,17 @@ from matrixworld import analysis
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import judgement as judgements
+from matrixworld.analysis.intervals import fewest_runs
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, TEAMS, Payoffs
-from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli import console, options
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Progress, ProgressBar, open_run, tournament, types
 from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.explanation import EPISODES
-from matrixworld.coevolution.evaluation.tournament import team_size
 from matrixworld.coevolution.groups import RunGroup, by_clarity
 from matrixworld.coevolution.storage import find_runs
+from matrixworld.coevolution.types import team_size
 
 # Judgements:
 

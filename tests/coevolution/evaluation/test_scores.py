@@ -164,7 +164,7 @@ def test_the_best_generation_is_chosen_on_episodes_that_no_score_is_from(race, m
 
 def test_the_best_script_of_a_team_meets_what_a_run_meets():
     world = mw.WorldConfig("O", size=9, n_pursuers=2, n_evaders=3, max_steps=30)
-    found, scores = best_scripts(world, episodes=6, threads=1), {}
+    found, scores = best_scripts(world, episodes=6), {}
     for script in ("random", "clumsy-chaser", "chaser", "hunter"):
         rates = []
         for number, opponent in enumerate(held_out("evader", "O").values()):

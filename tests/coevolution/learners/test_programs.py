@@ -38,7 +38,7 @@ def test_trees_and_genomes_are_the_same_programs():
     for genome in genomes(200):
         tree = gp.tree_of(POLICY, genome)
         check_typed(tree)
-        np.testing.assert_array_equal(rated(gp.genome_of(POLICY, tree)), rated(genome))
+        np.testing.assert_array_equal(rated(POLICY.genome(str(tree))), rated(genome))
 
 
 def test_simplified_programs_are_shorter_and_rate_the_same_bit_by_bit():
