@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from common import SAME_STEPS, SMALL_RACE
-from course.synthetic_races import Draws, SyntheticRace, play_episodes
+from synthetic_races import Draws, SyntheticRace, play_episodes
 from judgement_races import HARD, KINDS, disengagement, synthetic_races
 from judgement_toys import RACES
 from judgement_truths import WINDOWS, Truth, Truths, change_of_strength, truths_of_group
@@ -28,7 +28,7 @@ EFFECTS = (0.25, 0.5, 1.0, 2.0)
 
 
 class Noise(NamedTuple):
-    """How matches of known capture rates turn out; see `course.synthetic_races.play_episodes`."""
+    """How matches of known capture rates turn out; see `synthetic_races.play_episodes`."""
 
     episodes: int
     evaders: int = 1

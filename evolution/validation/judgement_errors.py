@@ -43,7 +43,8 @@ import judgement_races
 import judgement_toys
 import judgement_truths
 from common import executor_of, script_parser
-from course import synthetic_races, toys
+import synthetic_races
+from course import toys
 from judgement_cases import SOURCES
 from judgement_races import KINDS
 from judgement_tables import write_tables

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course import toys
-from course.synthetic_races import SyntheticRace
+from synthetic_races import SyntheticRace
 from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
 from matrixworld.coevolution.types import TEAMS, FloatArray, Indices
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from course.synthetic_races import SyntheticRace
+from synthetic_races import SyntheticRace
 from matrixworld.analysis import checkerboards
 from matrixworld.coevolution.types import BoolArray, FloatArray
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from course import toys
-from course.synthetic_races import play_episodes
+from synthetic_races import play_episodes
 from matrices import ROCK_PAPER_SCISSORS
 from matrixworld import analysis
 from matrixworld.coevolution import check_game

@@ -9,7 +9,7 @@ from scipy.stats import binom
 
 import judgement_tables as tables
 from course import toys
-from course.synthetic_races import SyntheticRace
+from synthetic_races import SyntheticRace
 from course.toys import History
 from judgement_races import KINDS, synthetic_races
 from judgement_toys import chances_of_history, truths_of_history
