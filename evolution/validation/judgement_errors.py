@@ -42,8 +42,8 @@ import judgement_cases
 import judgement_races
 import judgement_toys
 import judgement_truths
-from common import executor_of, script_parser
 import synthetic_races
+from common import executor_of, script_parser
 from course import toys
 from judgement_cases import SOURCES
 from judgement_races import KINDS

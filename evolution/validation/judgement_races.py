@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import expit, logit
 
+from matrixworld.coevolution.types import FloatArray
 from synthetic_races import (
     SYNTHETIC,
     Draws,
@@ -27,7 +28,6 @@ from synthetic_races import (
     stagnation,
     time,
 )
-from matrixworld.coevolution.types import FloatArray
 
 # ---- Races ---------------------------------------------------------------------------------------
 

@@ -9,13 +9,13 @@ from scipy.stats import binom
 
 import judgement_tables as tables
 from course import toys
-from synthetic_races import SyntheticRace
 from course.toys import History
 from judgement_races import KINDS, synthetic_races
 from judgement_toys import chances_of_history, truths_of_history
 from judgement_truths import Truths, truths, truths_of_group
 from matrices import quadruples
 from matrixworld.analysis import CONDITIONS
+from synthetic_races import SyntheticRace
 
 
 def held(found: Truths) -> dict[str, bool | None]:

@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 import matrixworld as mw
-from course.boards import playable
-from maps.archive import MAP_FITNESS
+from maps.archive import MAP_FITNESS, playable
 from maps.race import MapRace, MapSettings
 from matrixworld.coevolution import TEAMS
 from matrixworld.solver import States, best_response

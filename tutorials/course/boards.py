@@ -1,4 +1,4 @@
-"""Small worlds: a step as a picture, pursuers alone on a square, and maps of walls."""
+"""Small worlds: a step as a picture, and pursuers alone on a square."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from PIL import Image, ImageDraw
-from scipy import ndimage
 
 from matrixworld import Action, Recorder, Rules, World, colors, render
 from matrixworld.world.arrays import MOVES
@@ -125,24 +124,3 @@ SITUATIONS: list[Situation] = [
     *(random_pack(_rng, 4, count) for count in range(2, 15) for _ in range(8)),
 ]
 """Of 2 to 14 pursuers on 4 x 4 cells: those at first that are easy to tell, then random ones."""
-
-
-def playable(walls: NDArray[np.bool_], least: int) -> bool:
-    """Return whether at least so many cells are free, and all free cells are connected."""
-    return bool((~walls).sum() >= least and ndimage.label(~walls)[1] == 1)
-
-
-def random_map(
-    shape: tuple[int, int], share: float, least: int, rng: np.random.Generator
-) -> NDArray[np.bool_]:
-    """Return a map on whose cells a share of walls was placed one by one, wherever it fits."""
-    walls, left = np.zeros(shape, bool), round(share * shape[0] * shape[1])
-    for cell in rng.permutation(walls.size):
-        if not left:
-            break
-        walls.flat[cell] = True
-        if playable(walls, least):
-            left -= 1
-        else:
-            walls.flat[cell] = False
-    return walls

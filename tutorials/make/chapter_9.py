@@ -1,4 +1,4 @@
-"""Evolve the packs of notebook 9: penalties, a limit, a mask; twenty seeds each.
+"""Evolve the packs of notebook 9: penalties, and a mask; twenty seeds each.
 
     python tutorials/make/chapter_9.py      eight minutes on one core; goes on after an interruption
 
@@ -6,7 +6,6 @@ Writes `safe_packs.npz` to the folder of kept results. Every pack has six weight
 the same number of matches in the same world (`course.chapter_9`):
 
 - penalties: a fixed penalty for each collision at fault, with the paper's other rewards;
-- limit: the penalty rises while a pack collides more often than a limit, and falls below it;
 - mask: no penalty at all, but the mask right-of-way.
 """
 
@@ -34,8 +33,6 @@ from course.chapter_9 import WORLD, idle_pack, pack, play_masked
 from course.questions import DATA
 
 PENALTIES = (0.0, 0.1, 0.3, 1.0, 3.0, 12.0, 40.0)
-LIMIT = 20.0  # agent-steps at fault of 1000
-RISE = 0.002  # of the penalty in each epoch, for each agent-step above the limit
 SEEDS = 20
 EPOCHS, SAMPLES, WORLDS = 60, 32, 8
 EPISODES = 400  # of each final test
@@ -60,8 +57,8 @@ def fault_rate(faults: NDArray[np.int32], agent_steps: NDArray[np.int64]) -> NDA
     return 1000 * faults[:, :, 0].sum(axis=(0, 1)) / agent_steps[:, :, 0].sum()
 
 
-def evolve(seed: int, penalty: float, limit: float | None = None) -> Row:
-    """Evolve a pack on rewards; with a limit, the penalty is adapted to it."""
+def evolve(seed: int, penalty: float) -> Row:
+    """Evolve a pack on rewards."""
     rng = np.random.default_rng(seed)
     state = idle_pack(LEARNER, seed)
     curve, faults = [], np.zeros(3, np.int64)
@@ -74,8 +71,6 @@ def evolve(seed: int, penalty: float, limit: float | None = None) -> Row:
         rate = fault_rate(played.faults, played.agent_steps)
         faults += played.faults[:, :, 0].sum(axis=(0, 1))
         curve.append((played.capture_rate.mean(), rate.sum(), penalty))
-        if limit is not None:
-            penalty = max(0.0, penalty + RISE * (rate.sum() - limit))
     return tested(LEARNER.genome(state), seed) | {
         "curve": np.array(curve),
         "training_faults": faults,
@@ -180,7 +175,6 @@ def main(path: Path) -> None:
         f"penalty{number}": partial(evolve, penalty=penalty)
         for number, penalty in enumerate(PENALTIES)
     }
-    groups["limit"] = partial(evolve, penalty=0.0, limit=LIMIT)
     groups["mask"] = evolve_masked
     # The packs that evolved without a penalty, tested under the mask.
     groups["late_mask"] = lambda seed: tested_masked(arrays["penalty0_weights"][seed], seed)

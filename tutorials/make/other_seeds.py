@@ -37,13 +37,14 @@ from matrixworld.coevolution import SavedRun
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
 
+from course.synthetic_races import play_episodes
+
 from course import chapter_3, toys
 from course import chapter_6 as toy_of_6
 from course.chapter_5 import noisy_race
 from course.chapter_8 import examined
 from course.chapter_9 import WORLD, pack, play_masked
 from course.questions import DATA
-from course.synthetic_races import play_episodes
 
 KEPT = DATA / "other_seeds.npz"
 NOTEBOOKS = Path(__file__).parents[1]
