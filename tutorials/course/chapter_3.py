@@ -253,7 +253,7 @@ def exercise_4(answer: Any) -> None:
         check_game(answer)
     except ValueError as error:
         if str(error).startswith(("play:", "scores of the game:", "initial:")):
-            raise Mistake(f"{str(error)[0].upper()}{str(error)[1:]}.") from None
+            raise Mistake(f"A promise is broken. {error}.") from None
         raise
     rng = np.random.default_rng(0)
     first, second = (

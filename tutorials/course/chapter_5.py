@@ -42,7 +42,7 @@ KINDS: dict[str, Callable[[FloatArray, Rng], FloatArray]] = {
 
 def noisy_race(kind: str, seed: int, *, generations: int = 20) -> FloatArray:
     """Return the captured shares of 30 evaders in a race whose truth is known, (n, n, 10)."""
-    rng, t = np.random.default_rng([5, seed]), np.linspace(0.0, 1.0, generations)
+    rng, t = np.random.default_rng([7, seed]), np.linspace(0.0, 1.0, generations)
     pursuers, evaders = KINDS[kind](t, rng)
     logits = pursuers[:, None] - evaders
     if kind != "noise only, .5":

@@ -51,6 +51,11 @@ def evolve(
     return game.policy, learner.genome(state), history
 
 
+def lengths(history: list[tuple[Genomes, FloatArray]]) -> list[float]:
+    """Return the mean number of tokens of the programs of each epoch."""
+    return [float(np.mean([len(PROGRAM.tokens(each)) for each in found])) for found, _ in history]
+
+
 # ---- Exercises -----------------------------------------------------------------------------------
 
 MEANINGS: dict[str, Callable[[float, float], float]] = {
@@ -118,8 +123,8 @@ exercise_2 = comparison(
     [(word, _without_a_letter, _count_of_a, least) for word, least in
      (("aa", 2), ("xa", 1), ("xxa", 1), ("axbxa", 2), ("bananas", 2), ("xyz", 0))],
     lambda value: value,
-    case="For the word {program!r}, words without one of its letters as shorter ones, the number of "
-    "a as score, and least = {least}",
+    case="For the word {program!r}, words without one of its letters, the number of a as score and "
+    "least = {least}",
     clues={
         "That is one step. Begin again with the shorter program, until none is left.": (
             lambda program, shorter, score, least: next(
@@ -142,7 +147,7 @@ def exercise_3(answer: Any) -> None:
     try:
         genome = PROGRAM.genome(answer)
     except ValueError as error:
-        raise Mistake(f"{error}.") from None
+        raise Mistake(f"This is no program. {error}.") from None
     tokens = PROGRAM.tokens(genome)
     if len(tokens) > MOST_TOKENS:
         raise Mistake(f"It has {len(tokens)} tokens, and at most {MOST_TOKENS} are allowed.")
