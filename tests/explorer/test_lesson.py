@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from browser import Browser
+from class_tournament.votes import count_votes, read_predictions
 from course.questions import Prediction, exercises
 from course.toys import BITS, GAMES, PAYOFF, beats, race_of_hands
-from course.votes import count_votes, read_predictions
 from node import run_node
 from scripts import wait_until
 

@@ -65,15 +65,19 @@ def _draw_arrow(draw: ImageDraw.ImageDraw, centre: tuple[float, float], move: Ce
     draw.polygon(head, fill=colors.INK, outline=colors.PAPER)
 
 
+def after(world: World, actions: ArrayLike) -> Picture:
+    """Play a step of a world, and draw what came of it."""
+    recorder = Recorder(world)
+    world.step(actions, explain=True)
+    recorder.note(actions)
+    scene = replace(recorder.scene(trail=0), title="what happened")
+    return Picture(render.rgb(scene, cell=CELL, numbers=True))
+
+
 def before_and_after(world: World, actions: ArrayLike) -> Picture:
     """Play a step of a world, and draw the planned moves and what came of them."""
-    before = plan(world, actions)
-    recorder = Recorder(world)
-    world.step(actions)
-    recorder.note(actions)
-    after = replace(recorder.scene(trail=0), title="what happened")
-    pixels = [before.pixels, render.rgb(after, cell=CELL, numbers=True)]
-    return Picture(np.concatenate(pixels, axis=1))
+    pictures = plan(world, actions), after(world, actions)
+    return Picture(np.concatenate([each.pixels for each in pictures], axis=1))
 
 
 # ---- Pursuers alone ------------------------------------------------------------------------------
