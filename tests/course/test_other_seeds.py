@@ -34,28 +34,16 @@ TABLE = """
 5  | paper | checkerboards: specialists minus mixed | +
 5  | noise | false alarm, less one in ten | +
 5  | noise | four in ten, less it | +
-6  | chance | one half minus the share of one match | +
-6  | chance | checkerboards of one match | +
 6  | paper | transitive share: specialists minus mixed | -
-6  | toy cures | latest, less 0.2 | +
-6  | toy cures | 0.2 less hall | +
-6  | toy cures | hall less Nash | +
 6  | cures | transitive share of uniform | +
 6  | cures | escapes of round-robin | -
 6  | halls | pursuers forget | -
-7  | hosts | 60 minus the hosts of greedy ones | +
-7  | hosts | hosts, restrained minus greedy | +
-7  | hosts | parasites, restrained minus greedy | +
-7  | hosts | hosts, 0.85 minus 0.95 | +
 7  | restraint | few evader epochs, less one half | +
 7  | restraint | restrained, less four in ten | +
 7  | restraint | few evader epochs minus restrained | +
-9  | polite | steps, polite minus greedy | -
 9  | penalty | captures nothing | +
 9  | penalty | captures | +
 9  | penalty | captures and collides | +
-9  | masked | left | +
-9  | masked | left, minus without a mask | -
 9  | masks | captures | +
 9  | masks | steps | -
 """

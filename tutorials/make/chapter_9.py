@@ -52,29 +52,15 @@ def with_penalty(penalty: float) -> mw.WorldConfig:
     return replace(WORLD, rewards=mw.Rewards(pursuer_collide=-penalty))
 
 
-def fault_rate(faults: NDArray[np.int32], agent_steps: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Return the pursuers' agent-steps at fault of 1000, by kind."""
-    return 1000 * faults[:, :, 0].sum(axis=(0, 1)) / agent_steps[:, :, 0].sum()
-
-
 def evolve(seed: int, penalty: float) -> Row:
     """Evolve a pack on rewards."""
     rng = np.random.default_rng(seed)
-    state = idle_pack(LEARNER, seed)
-    curve, faults = [], np.zeros(3, np.int64)
+    state, world = idle_pack(LEARNER, seed), with_penalty(penalty)
     for _ in range(EPOCHS):
         candidates, state = LEARNER.ask(state, rng)
-        played = mw.rollout(
-            with_penalty(penalty), pack(candidates), "random", matches(rng), episodes=WORLDS
-        )
+        played = mw.rollout(world, pack(candidates), "random", matches(rng), episodes=WORLDS)
         state = LEARNER.tell(state, Results(played.pursuer_return.mean(axis=1)))
-        rate = fault_rate(played.faults, played.agent_steps)
-        faults += played.faults[:, :, 0].sum(axis=(0, 1))
-        curve.append((played.capture_rate.mean(), rate.sum(), penalty))
-    return tested(LEARNER.genome(state), seed) | {
-        "curve": np.array(curve),
-        "training_faults": faults,
-    }
+    return tested(LEARNER.genome(state), seed)
 
 
 def tested(weights: NDArray[np.float32], seed: int) -> Row:
@@ -86,8 +72,6 @@ def tested(weights: NDArray[np.float32], seed: int) -> Row:
         "weights": weights,
         "captured": played.capture_rate.sum(),
         "steps": played.length.sum(),
-        "faults": played.faults[:, :, 0].sum(axis=(0, 1)),
-        "agent_steps": played.agent_steps[:, :, 0].sum(),
         "safe": (played.faults[:, :, 0].sum(axis=2) == 0).sum(),
     }
 
@@ -105,20 +89,12 @@ def evolve_masked(seed: int) -> Row:
     envs = mw.VectorEnv(
         world, n_worlds=SAMPLES * WORLDS, copy=False, autoreset_mode="Disabled", threads=1
     )
-    curve, faults = [], np.zeros(3, np.int64)
     for _ in range(EPOCHS):
         candidates, state = LEARNER.ask(state, rng)
         played = masked_epoch(envs, pack(candidates), rng)
         earned = played["return"][:, 0].reshape(SAMPLES, WORLDS).mean(axis=1)
         state = LEARNER.tell(state, Results(earned))
-        at_fault = played["faults"][:, 0].sum(axis=0)
-        rate = 1000 * at_fault.sum() / played["agent_steps"][:, 0].sum()
-        faults += at_fault
-        curve.append((played["capture_rate"].mean(), rate, 0.0))
-    return tested_masked(LEARNER.genome(state), seed) | {
-        "curve": np.array(curve),
-        "training_faults": faults,
-    }
+    return tested_masked(LEARNER.genome(state), seed)
 
 
 def masked_epoch(
@@ -152,8 +128,6 @@ def tested_masked(weights: NDArray[np.float32], seed: int) -> Row:
         "weights": weights,
         "captured": round(EPISODES * summary.capture_rate),  # there is one evader
         "steps": steps.sum(),
-        "faults": np.rint(summary.fault_mean[0] * EPISODES),
-        "agent_steps": summary.agent_steps[0],
         "safe": np.rint(EPISODES * summary.safe_share[0].min()),
     }
 

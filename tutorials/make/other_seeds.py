@@ -33,9 +33,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lie
 
 
 from course import chapter_3, toys
-from course import chapter_6 as toy_of_6
 from course.chapter_5 import noisy_race
-from course.chapter_9 import WORLD, pack, play_masked
 from course.questions import DATA
 
 KEPT = DATA / "other_seeds.npz"
@@ -154,28 +152,7 @@ def noise(seed: int) -> Effects:
     return {"false alarm, less one in ten": alarm - 0.1, "four in ten, less it": 0.4 - alarm}
 
 
-def chance(seed: int) -> Effects:
-    """What notebook 6 measures of an ordered race, with one match in a cell."""
-    strength = np.linspace(-1, 1, 16)
-    truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
-    one = np.random.default_rng(seed).binomial(1, truth)
-    return {
-        "one half minus the share of one match": 0.5 - analysis.transitive_share(one),
-        "checkerboards of one match": analysis.checkerboards(one, margin=0.15, level=None).share,
-    }
-
-
 # ---- Notebook 6: cures ---------------------------------------------------------------------------
-
-
-def toy_cures(seed: int) -> Effects:
-    """Return how far races of three hands end from the limit of the prediction."""
-    latest, hall, nash = (toy_of_6.race(name, 300, seed)[-1, 1] for name in toy_of_6.SOURCES)
-    return {
-        "latest, less 0.2": latest - 0.2,
-        "0.2 less hall": 0.2 - hall,
-        "hall less Nash": hall - nash,
-    }
 
 
 @cache
@@ -254,21 +231,7 @@ def restraint(seed: int) -> Effects:
     }
 
 
-def hosts(seed: int) -> Effects:
-    greedy, early, middle, restrained = (
-        toys.hosts_and_parasites(v, seed).final_objective for v in (1.0, 0.95, 0.85, 0.75)
-    )
-    return {
-        "hosts, restrained minus greedy": restrained[0] - greedy[0],
-        "parasites, restrained minus greedy": restrained[1] - greedy[1],
-        "60 minus the hosts of greedy ones": 60 - greedy[0],
-        "hosts, 0.85 minus 0.95": middle[0] - early[0],
-    }
-
-
 # ---- Notebook 9 ----------------------------------------------------------------------------------
-
-GREEDY = [6, 20, 0, 0, 0, 0]
 
 
 def penalty(seed: int) -> Effects:
@@ -291,27 +254,6 @@ def masks(seed: int) -> Effects:
         "captures": (start["captured"] - late["captured"]) / EPISODES,
         "steps": (start["steps"] - late["steps"]) / EPISODES,
     }
-
-
-def masked(seed: int) -> Effects:
-    """The greedy pack under the first mask: agent-steps at fault with teammates, of 1000."""
-
-    def free_cells(views: np.ndarray) -> np.ndarray:
-        free = ~views[:, :, [4, 5, 6, 5], [5, 6, 5, 4]].any(axis=1)  # north, east, south, west
-        return np.insert(free, 0, True, axis=1)
-
-    free, under = (
-        play_masked(GREEDY, mask, episodes=40, seed=seed)[0].summary().fault_rate[0, 1]
-        for mask in (lambda views: np.ones((len(views), 5), bool), free_cells)
-    )
-    return {"left": under, "left, minus without a mask": under - free}
-
-
-def polite(seed: int) -> Effects:
-    packs = pack([GREEDY, [6, 20, -10, -10, -2, 0]])
-    matches = mw.Matches.of(range(2), 0, seed)
-    lengths = mw.rollout(WORLD, packs, "random", matches, episodes=40).length
-    return {"steps, polite minus greedy": float(np.subtract(*lengths.mean(axis=1)[::-1]))}
 
 
 # ---- Claims --------------------------------------------------------------------------------------
@@ -343,11 +285,6 @@ SOURCES = {
     "tournament": Source(tournament_gain, range(120, 200)),
     "paper": Source(paper_race, range(10, 20)),
     "noise": Source(noise, range(200, 400)),
-    "chance": Source(chance, range(20, 40)),
-    "toy cures": Source(toy_cures, range(20, 40)),
-    "hosts": Source(hosts, range(10, 15)),
-    "masked": Source(masked, range(1, 11)),
-    "polite": Source(polite, range(2, 12)),
 }
 
 
