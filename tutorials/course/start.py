@@ -13,5 +13,5 @@ if find_spec("matrixworld") is None:  # from a wheel beside the notebooks, or fr
     found = wheels[-1] if wheels else HERE.parent
     if not (wheels or (found / "pyproject.toml").exists()):
         sys.exit(f"{HERE}: expected a wheel of matrixworld; tutorials/README.md says where it is")
-    get_ipython().run_line_magic("pip", f"install --quiet '{found}'")
+    get_ipython().run_line_magic("pip", f'install --quiet "{found}"')
 get_ipython().run_line_magic("matplotlib", "inline")
