@@ -6,8 +6,7 @@ from functools import partial
 import pytest
 
 import matrixworld as mw
-from course.boards import playable
-from maps.archive import MAP_FITNESS
+from maps.archive import MAP_FITNESS, playable
 from maps.race import MapRace, MapSettings
 from matrixworld.coevolution import TEAMS
 from matrixworld.solver import States, best_response

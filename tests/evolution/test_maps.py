@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from course.boards import playable, random_map
-from maps.archive import MapArchive, edited
+from maps.archive import MapArchive, edited, playable, random_map
 from maps.held_out import GENERATORS, held_out_maps, regrets
 from matrixworld.coevolution import TEAMS
 from matrixworld.solver import States, best_response, solve
