@@ -220,8 +220,9 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
 
     After the heads all findings on the whole race, then those that are present in a half only.
     """
+    told = _rows(judgement)
     rows = [("condition", "verdict", f"{judgement.level:.0%} interval", "window")]
-    for name, finding, window in _rows(judgement):
+    for name, finding, window in told:
         numbers = ", ".join(
             f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
             for key, estimate in finding.estimates.items()
