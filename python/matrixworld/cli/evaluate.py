@@ -212,7 +212,7 @@ def score_command(
     options.check_outputs(json_file, force=force)
     with usage_errors():
         groups = options.finished_groups(runs, unfinished=True)
-        every = [(run, None) for group in groups for run in group.runs]
+        every = [run for group in groups for run in group.runs]
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
             played = held_out.score_runs(
                 every, threads=threads, executor=executor, report=bar, **chosen
