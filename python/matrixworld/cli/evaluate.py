@@ -257,18 +257,14 @@ def _print_scores(
 
 # Tournaments:
 
-SUFFIX = ".npz"
-
 
 @click.command("tournament")
 @click.argument("run", type=click.Path(path_type=Path))
 @options.shared("race", "episodes", "seed")
-@options.out("the payoff, .npz  [default: in RUN, named after the options]")
 @options.shared("force", "threads", "cluster")
 def tournament_command(
     run: Path,
     race: str | None,
-    out: Path | None,
     episodes: int,
     seed: int,
     force: bool,
@@ -280,22 +276,16 @@ def tournament_command(
     If RUN holds several races, each has its tournament, or --race chooses one. RUN need not be
     finished: the generations that it has are played. Its own files stay as they are.
 
-    The payoff is written to an .npz file, and a heat map beside it (.png). With the seed of RUN the
-    first episodes of each pair are those of RUN's own payoff. The race is judged.
+    The payoff is written into RUN (.npz, named after the options), and a heat map (.png). With the
+    seed of RUN the first episodes of each pair are those of RUN's own payoff. The race is judged.
 
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
     from matrixworld import plots
 
     runs = (find_runs(run) if race is None else []) or [options.run_in(run, race)]
-    if out is not None and len(runs) > 1:
-        got = f"{len(runs)}; --race NAME chooses one"
-        raise click.UsageError(f"--out: expected one race in RUN, got {got}")
     for played in map(open_run, runs):
-        target = out or played.path / f"tournament-{episodes}-seed{seed}{SUFFIX}"
-        # With another suffix the figure could have the payoff's own name.
-        if target.suffix.lower() != SUFFIX:
-            raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
+        target = played.path / f"tournament-{episodes}-seed{seed}.npz"
         figure = target.with_suffix(".png")
         options.check_outputs(target, figure, force=force)
         first, second = teams = [*played.teams.values()]
