@@ -15,14 +15,13 @@ from matrixworld.play.experience import experience
 from matrixworld.world.arrays import new_arrays
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import (
-    FORBIDDEN,
     ActionMasks,
     action_masks,
     forbidding_cells,
     mask_weights,
     masked_network,
 )
-from matrixworld.world.policy import Network, Population
+from matrixworld.world.policy import FORBIDDEN, Network, Population
 from matrixworld.world.rules import VARIANTS
 from reference import MOVES
 from right_of_way import MASK, OBSTACLES, ROWS, forbidden_in_s, play, random_teams
