@@ -96,8 +96,6 @@ OTHERS = [
     (["score", "race", "--generation", "x"], 2, "expected a generation or all, got 'x'"),
     (["score", "race", "--json", "no/a.json"], 2, "no/a.json: expected a directory in which files"),
     (["score", "race", "--json", "empty", "--force"], 2, "empty: expected a file, got a directory"),
-    (["tournament", "several", "--out", "x.npz"], 2, "--out: expected one race in RUN, got 2; --r"),
-    (["tournament", "race", "--out", "payoff.png"], 2, "--out: expected a name that ends in .npz"),
     (["solve", "--rows", 30, "--cols", 30], 2, "cells would fit"),
     (["solve", "--rows", 4, "--cols", 4, "--obstacles", 0.1], 2, "expected none or a map"),
     (["solve", "--run", "race", "--rows", 4], 2, "--run: expected no --rows beside it"),

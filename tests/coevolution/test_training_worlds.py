@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from command_line import matrixworld_command
 from matrixworld.coevolution import RaceSettings, score
 from tiny_race import Listening, check_resumes, played, results, tiny_race, tiny_single
 
@@ -50,8 +51,11 @@ def test_worlds_are_drawn_by_their_shares(tmp_path):
     assert evaluation == settings.world
 
 
-def test_scores_in_a_world_of_training(tmp_path):
+def test_scores_in_every_world_of_training(tmp_path):
     run = played(RACES["alone"], tmp_path / "run")
+    told = matrixworld_command("score", run.path, "--episodes", 2).output
+    assert "in a world of training: 5 x 6, 2 v 3\n" in told
+    assert "in a world of training: 6 x 6, 2 v 3, with obstacles" in told
     small = run.settings.training_worlds[0]
     found = score(run, world=small, episodes=2)["pursuer"]
     # One evader is captured, or none.

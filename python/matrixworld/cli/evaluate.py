@@ -204,7 +204,8 @@ def score_command(
     all runs meet them in the same episodes: runs can be compared.
 
     RUN is the directory of a job or of a run. A single run need not be finished. Of runs that
-    differ in their seed only the table shows mean and interval over the seeds.
+    differ in their seed only the table shows mean and interval over the seeds. Runs with
+    training_worlds are also scored in each of these.
 
     With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
     --generation all and many episodes. The workers need not see RUN.
@@ -212,12 +213,19 @@ def score_command(
     options.check_outputs(json_file, force=force)
     with usage_errors():
         groups = options.finished_groups(runs, unfinished=True)
-        every = [(run, None) for group in groups for run in group.runs]
+        every = [run for group in groups for run in group.runs]
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
-            played = held_out.score_runs(
-                every, threads=threads, executor=executor, report=bar, **chosen
+            play = partial(
+                held_out.score_runs, threads=threads, executor=executor, report=bar, **chosen
             )
-    matches = sum(each.matches for of_run in played for each in of_run.values())
+            played = play(every)
+            trained = [
+                (group, world, play(group.runs, world=world))
+                for group in groups
+                for world in group.runs[0].settings.training_worlds
+            ]
+    of_worlds = [played, *(scores for _, _, scores in trained)]
+    matches = sum(each.matches for runs in of_worlds for run in runs for each in run.values())
     found: dict[str, Any] = {}
     for group in groups:
         finished = f": {console.seeds_finished(group)}" if group.several else ""
@@ -229,6 +237,12 @@ def score_command(
             **_print_scores(group, [played.pop(0) for _ in group.runs]),
         }
         console.print_missing(group)
+    for group, world, scores in trained:
+        size = f"{world.rows} x {world.cols}, {world.n_pursuers} v {world.n_evaders}"
+        walls = ", with obstacles" if world.density or world.map is not None else ""
+        console.print_head(f"{group.name} in a world of training: {size}{walls}")
+        in_world = {"world": world.to_json(), **_print_scores(group, scores)}
+        found[group.name].setdefault("training_worlds", []).append(in_world)
     console.say()
     console.print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
     console.say(f"{matches:,} matches were played.")
@@ -257,18 +271,14 @@ def _print_scores(
 
 # Tournaments:
 
-SUFFIX = ".npz"
-
 
 @click.command("tournament")
 @click.argument("run", type=click.Path(path_type=Path))
 @options.shared("race", "episodes", "seed")
-@options.out("the payoff, .npz  [default: in RUN, named after the options]")
 @options.shared("force", "threads", "cluster")
 def tournament_command(
     run: Path,
     race: str | None,
-    out: Path | None,
     episodes: int,
     seed: int,
     force: bool,
@@ -280,22 +290,16 @@ def tournament_command(
     If RUN holds several races, each has its tournament, or --race chooses one. RUN need not be
     finished: the generations that it has are played. Its own files stay as they are.
 
-    The payoff is written to an .npz file, and a heat map beside it (.png). With the seed of RUN the
-    first episodes of each pair are those of RUN's own payoff. The race is judged.
+    The payoff is written into RUN (.npz, named after the options), and a heat map (.png). With the
+    seed of RUN the first episodes of each pair are those of RUN's own payoff. The race is judged.
 
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
     from matrixworld import plots
 
     runs = (find_runs(run) if race is None else []) or [options.run_in(run, race)]
-    if out is not None and len(runs) > 1:
-        got = f"{len(runs)}; --race NAME chooses one"
-        raise click.UsageError(f"--out: expected one race in RUN, got {got}")
     for played in map(open_run, runs):
-        target = out or played.path / f"tournament-{episodes}-seed{seed}{SUFFIX}"
-        # With another suffix the figure could have the payoff's own name.
-        if target.suffix.lower() != SUFFIX:
-            raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
+        target = played.path / f"tournament-{episodes}-seed{seed}.npz"
         figure = target.with_suffix(".png")
         options.check_outputs(target, figure, force=force)
         first, second = teams = [*played.teams.values()]

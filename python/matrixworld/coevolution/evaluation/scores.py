@@ -371,11 +371,11 @@ def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Scri
 
 
 def score_runs(
-    runs: Sequence[tuple[SavedRun, WorldConfig | None]], *, report: Report = silent, **options: Any
+    runs: Sequence[SavedRun], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:
-    """Return the scores of runs, each in a world or its own, with one progress for all."""
+    """Return the scores of runs, with the options of `score`, and one progress for all."""
     found = []
-    for number, (run, world) in enumerate(runs):
+    for number, run in enumerate(runs):
         # Runs of a job play about equally many matches.
         def part(one: Progress, number: int = number) -> None:
             place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
@@ -383,7 +383,7 @@ def score_runs(
             report(Progress(place + one.what, done, len(runs) * one.total))
 
         # A reader of its own: the archives of all runs together may be large.
-        found.append(score(SavedRun(run.path), world=world, report=part, **options))
+        found.append(score(SavedRun(run.path), report=part, **options))
     return found
 
 
@@ -396,7 +396,7 @@ def kept_scores(
     """
     missing = [run for run in runs if _kept(run) is None]
     if missing:
-        played = score_runs([(run, None) for run in missing], report=report, threads=threads)
+        played = score_runs(missing, report=report, threads=threads)
         for run, teams in zip(missing, played, strict=True):
             best = best_scripts(run.pursuit.world, episodes=CHOICE_EPISODES)
             first = score(run, generation=0, episodes=CHOICE_EPISODES, threads=threads)
