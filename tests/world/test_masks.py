@@ -254,18 +254,15 @@ def forbidden(views, mask, team, n_actions):
 SIMPLE = (6,), "relu", "none"
 
 
-@pytest.mark.parametrize(
-    ("mask", "team", "hidden", "activation", "memory", "diagonal"),
-    [
-        ("obstacles", "evader", *SIMPLE, True),
-        ("right-of-way", "pursuer", *SIMPLE, True),
-        ("right-of-way", "pursuer", *SIMPLE, False),
-        ("right-of-way", "evader", *SIMPLE, True),
-        ("right-of-way", "evader", (), "relu", "none", False),
-        ("obstacles", "pursuer", (6,), "relu", "gru", True),
-        ("right-of-way", "evader", (6, 5), "tanh", "gru", False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("mask", "team", "hidden", "activation", "memory", "diagonal"), [
+    ("obstacles", "evader", *SIMPLE, True),
+    ("right-of-way", "pursuer", *SIMPLE, True),
+    ("right-of-way", "pursuer", *SIMPLE, False),
+    ("right-of-way", "evader", *SIMPLE, True),
+    ("right-of-way", "evader", (), "relu", "none", False),
+    ("obstacles", "pursuer", (6,), "relu", "gru", True),
+    ("right-of-way", "evader", (6, 5), "tanh", "gru", False),
+])  # fmt: skip
 def test_the_engine_never_plays_a_forbidden_move(mask, team, hidden, activation, memory, diagonal):
     config = WorldConfig(
         "S", rows=7, cols=7, n_pursuers=8, n_evaders=8, obstacles=0.15, fov=5, max_steps=40,
