@@ -19,28 +19,31 @@ NOTED = "note;Evader;Capture rate;Pursuer\n;2;0;0\né;5;,25;0\n;9;50%;0\n" + (
 )
 
 
-@pytest.mark.parametrize("text", [
-    "0,.25,.5\n.75,1,.125\n",
-    "# capture rates; of pursuers\ne0,e1,e2\n\n0, .25, .5\n.75,1,.125\n,,\n",
-    "\ufeff0,.25,.5\r\n.75,1,.125\r\n",
-    # Labels: a table of pandas, with and without a name; archived generations; agents.
-    ",0,1,2\n0,0.0,0.25,0.5\n1,0.75,1.0,0.125\n",
-    "pursuer,0,1,2\n0,0.0,0.25,0.5\n1,0.75,1.0,0.125\n",
-    ";0;10;20\n0;0;0,25;0,5\n10;0,75;1;0,125\n",
-    ",amy,bob,cy\nzed,0,.25,.5\nyves,.75,1,.125\n",
-    # As spreadsheets and NumPy write it in some countries.
-    "0;,25;0,5\n75%;100 %;0,125\n",
-    '0,"0,25","0,5"\n"0,75",1,"0,125"\n',
-    "0\t0,25\t0.5\n0,75\t1\t.125\n",
-    "-1e-12,.25,.5\n.75,1.000000000001,.125\n",
-    "0,.25,.5\r.75,1,.125".encode("utf-16"),
-    # One line for each pair; with an index, as pandas writes it.
-    "pursuer,evader,capture_rate\n1,2,.125\n0,0,0\n0,1,.25\n0,2,.5\n1,0,.75\n1,1,1\n",
-    ",pursuer,evader,capture_rate\n0,3,5,0\n1,3,6,.25\n2,3,7,.5\n3,4,5,.75\n4,4,6,1\n5,4,7,.125",
-    NOTED,
-    NOTED.encode("utf-16"),
-    NOTED.encode("cp1252"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0,.25,.5\n.75,1,.125\n",
+        "# capture rates; of pursuers\ne0,e1,e2\n\n0, .25, .5\n.75,1,.125\n,,\n",
+        "\ufeff0,.25,.5\r\n.75,1,.125\r\n",
+        # Labels: a table of pandas, with and without a name; archived generations; agents.
+        ",0,1,2\n0,0.0,0.25,0.5\n1,0.75,1.0,0.125\n",
+        "pursuer,0,1,2\n0,0.0,0.25,0.5\n1,0.75,1.0,0.125\n",
+        ";0;10;20\n0;0;0,25;0,5\n10;0,75;1;0,125\n",
+        ",amy,bob,cy\nzed,0,.25,.5\nyves,.75,1,.125\n",
+        # As spreadsheets and NumPy write it in some countries.
+        "0;,25;0,5\n75%;100 %;0,125\n",
+        '0,"0,25","0,5"\n"0,75",1,"0,125"\n',
+        "0\t0,25\t0.5\n0,75\t1\t.125\n",
+        "-1e-12,.25,.5\n.75,1.000000000001,.125\n",
+        "0,.25,.5\r.75,1,.125".encode("utf-16"),
+        # One line for each pair; with an index, as pandas writes it.
+        "pursuer,evader,capture_rate\n1,2,.125\n0,0,0\n0,1,.25\n0,2,.5\n1,0,.75\n1,1,1\n",
+        ",pursuer,evader,capture_rate\n0,3,5,0\n1,3,6,.25\n2,3,7,.5\n3,4,5,.75\n4,4,6,1\n5,4,7,.125",
+        NOTED,
+        NOTED.encode("utf-16"),
+        NOTED.encode("cp1252"),
+    ],
+)  # fmt: skip
 def test_csv_files(tmp_path, text):
     payoffs = analysis.read_payoffs(written(tmp_path, text))
     np.testing.assert_array_equal(payoffs.matrices, MATRIX[None])
@@ -65,33 +68,36 @@ def test_csv_files_of_runs_and_episodes(tmp_path):
 LONG = "pursuer,evader,capture_rate\n"
 
 
-@pytest.mark.parametrize(("text", "message"), [
-    ("", "expected a table of capture rates, got no lines"),
-    ("a,b\n", "expected lines of capture rates, got a header only"),
-    ("0,1\n0\n", "line 2: expected 2 cells as in the first line, got 1"),
-    ("0,1\n\n0,x\n", r"line 3: expected a capture rate in \[0, 1\], got 'x'"),
-    # A line with a number is no header, and no line vanishes.
-    ("0.5,,0.7\n0.4,0.5,0.6\n", r"line 1: expected a capture rate in \[0, 1\], got ''"),
-    (",0.5\n0.4,0.5\n", "line 1: .* got ''"),
-    ("x,0,1\n1,0,1\n0,1,1\n", "line 1: .* got 'x'"),
-    ("nan,nan\n0.4,0.5\n", "line 1: .* got 'nan'"),
-    ("NA,.5\nNA,.6\n", "line 1: .* got 'NA'"),
-    ("50,60\n40,30\n", "line 1: .* got '50'"),
-    ("0_1,0.5\n", "line 1: .* got '0_1'"),
-    ("0.5 0.6\n0.4 0.3\n", "line 2: .* got '0.4 0.3'"),
-    (".5,.6\n,\n.1,.2\n", "line 2: .* got ''"),
-    ("who,x,y\nzed,.5,.6\n1,.4,.3\n", "line 2: .* got 'zed'"),
-    ("zed,.5,.6\namy,.4,.3\n", "line 1: .* got 'zed'"),
-    ('.5,".6\n.4,.3\n', "expected a CSV file, got: unexpected end"),
-    (b"\x89PNG\0\1\2\3", "expected a CSV file of text"),
-    ("pursuer,evader,rate\n0,0,.5\n", "line 1: .* once each, got pursuer, evader, rate"),
-    ("pursuer,capture_rate\n0,.5\n", "line 1: expected the columns pursuer, evader and"),
-    (LONG, "expected lines of capture rates, got a header only"),
-    (LONG + "0,,1\n", r"line 2: expected numbers of pursuer, evader, got \['0', ''\]"),
-    (LONG + "0,1.0,1\n", r"line 2: expected numbers of .* got \['0', '1.0'\]"),
-    (LONG + "0,0,1\n0,0,1\n", "line 3: expected pursuer 0, evader 0 once.* column episode"),
-    (LONG + "0,0,1\n1,1,1\n", "got none for pursuer 0, evader 1"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "expected a table of capture rates, got no lines"),
+        ("a,b\n", "expected lines of capture rates, got a header only"),
+        ("0,1\n0\n", "line 2: expected 2 cells as in the first line, got 1"),
+        ("0,1\n\n0,x\n", r"line 3: expected a capture rate in \[0, 1\], got 'x'"),
+        # A line with a number is no header, and no line vanishes.
+        ("0.5,,0.7\n0.4,0.5,0.6\n", r"line 1: expected a capture rate in \[0, 1\], got ''"),
+        (",0.5\n0.4,0.5\n", "line 1: .* got ''"),
+        ("x,0,1\n1,0,1\n0,1,1\n", "line 1: .* got 'x'"),
+        ("nan,nan\n0.4,0.5\n", "line 1: .* got 'nan'"),
+        ("NA,.5\nNA,.6\n", "line 1: .* got 'NA'"),
+        ("50,60\n40,30\n", "line 1: .* got '50'"),
+        ("0_1,0.5\n", "line 1: .* got '0_1'"),
+        ("0.5 0.6\n0.4 0.3\n", "line 2: .* got '0.4 0.3'"),
+        (".5,.6\n,\n.1,.2\n", "line 2: .* got ''"),
+        ("who,x,y\nzed,.5,.6\n1,.4,.3\n", "line 2: .* got 'zed'"),
+        ("zed,.5,.6\namy,.4,.3\n", "line 1: .* got 'zed'"),
+        ('.5,".6\n.4,.3\n', "expected a CSV file, got: unexpected end"),
+        (b"\x89PNG\0\1\2\3", "expected a CSV file of text"),
+        ("pursuer,evader,rate\n0,0,.5\n", "line 1: .* once each, got pursuer, evader, rate"),
+        ("pursuer,capture_rate\n0,.5\n", "line 1: expected the columns pursuer, evader and"),
+        (LONG, "expected lines of capture rates, got a header only"),
+        (LONG + "0,,1\n", r"line 2: expected numbers of pursuer, evader, got \['0', ''\]"),
+        (LONG + "0,1.0,1\n", r"line 2: expected numbers of .* got \['0', '1.0'\]"),
+        (LONG + "0,0,1\n0,0,1\n", "line 3: expected pursuer 0, evader 0 once.* column episode"),
+        (LONG + "0,0,1\n1,1,1\n", "got none for pursuer 0, evader 1"),
+    ],
+)  # fmt: skip
 def test_bad_csv_files_are_refused(tmp_path, text, message):
     path = written(tmp_path, text)
     with pytest.raises(ValueError, match=message) as caught:
