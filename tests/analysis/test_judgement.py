@@ -84,7 +84,7 @@ def test_noise_of_wins_and_losses_is_no_cycle(chance):
 
 
 @pytest.mark.parametrize("exact", [False, True])
-@pytest.mark.parametrize("turns", [2, 3, 4, 6])
+@pytest.mark.parametrize("turns", [2, 3, 6])
 def test_strategies_that_turn_cycle_and_do_not_improve(turns, exact):
     """Each beats those that are up to half a turn older. One turn or less looks like a rise."""
     angles = 2 * np.pi * turns * np.arange(60) / 60
@@ -247,7 +247,7 @@ TOLD = {
 }  # fmt: skip
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(st.fixed_dictionaries(dict.fromkeys(WINDOWS, ANY_FINDINGS)))
 def test_a_sentence_tells_what_is_present_and_nothing_else(found):
     said = analysis.sentence(with_verdicts(found)).lower()

@@ -257,7 +257,7 @@ def process_of(*args):
 def test_stopped_and_killed_and_resumed_ends_the_same(send, monkeypatch):
     """Ctrl-C in the first runs leaves no process; a kill loses nothing."""
     monkeypatch.setattr("matrixworld.cli.evolve.report", lambda *args, **timed: None)
-    longer = {**ONE, "generations": 6, "pursuer_epochs": 40, "evader_epochs": 40}
+    longer = {**ONE, "generations": 4, "pursuer_epochs": 30, "evader_epochs": 30}
     chosen = ["--seeds", "0-2", "--schedule", MAIN_JOB[0], *words(longer)]
     process = process_of("--out", "out", *chosen)
     wait_until(lambda: [*Path("out").glob("*/*/stage-0001.npz")], "a stage")
@@ -271,7 +271,7 @@ def test_stopped_and_killed_and_resumed_ends_the_same(send, monkeypatch):
 
     process = process_of("--resume", "out")
     later = Path("out").glob  # a fast machine may end before the kill, which is no failure
-    wait_until(lambda: [*later("*/*/stage-0005.npz")] or process.poll() is not None, "a stage")
+    wait_until(lambda: [*later("*/*/stage-0004.npz")] or process.poll() is not None, "a stage")
     process.kill()
     process.communicate()
     wait_until(lambda: not group_lives(process.pid), "end of all processes", 10.0)

@@ -75,7 +75,7 @@ def test_a_job_that_is_killed_while_it_is_made_is_none_or_whole(tmp_path):
         assert made in ({}, JOB)
         assert root.exists() == bool(made)
         seen.add(len(made))
-        if at % 7 == 0 or made:
+        if at % 14 == 0 or made:
             runs = evolve([*JOB.values()], root, executor=ThreadPoolExecutor(1))
             assert results(runs[0].path) == straight(RUNS["single"])
             assert found_job(root) == JOB

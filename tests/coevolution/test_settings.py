@@ -26,30 +26,27 @@ ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sig
          "learner.anneal": True, "evaluation_episodes": 200}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("kinds", "expected"),
-    [
-        ({}, {"schedule": "alternating", "schedule.generations": 30, "schedule.pursuer_epochs": 28,
-              "schedule.evader_epochs": 58, "learner": "es", "learner.population": 48,
-              "learner.sigma": 0.1, "learner.relative_sigma": 0.4, "learner.learning_rate": 0.03,
-              "world.max_steps": 500, "train_steps": 200, "policy.hidden": [32]}),
-        ({"schedule": "hall-of-fame"}, {"learner.population": 24, "schedule.joint_epochs": 43}),
-        ({"schedule": co.Against(team="pursuer")},
-         {**ALONE, "schedule.epochs": 6000, "train_steps": 500,
-          "policy.initial_weight": 0.2, "policy.initial_head": 0.09}),
-        ({"schedule": co.Against(team="evader")},
-         {**ALONE, "schedule.epochs": 4000, "train_steps": 300,
-          "policy.initial_weight": 0.05, "policy.initial_head": 0.1}),
-        ({"learner": "cma", "world": mw.WorldConfig(fov=5), "policy": {"hidden": []}},
-         {"learner.population": 48, "learner.sigma": 0.8}),
-        # Those of the published code:
-        (GRADIENTS, {"learner.population": 1, "train_steps": 500, "policy.hidden": [400, 300],
-                     "schedule.pursuer_epochs": 400, "schedule.evader_epochs": 400}),
-        ({**GRADIENTS, "schedule": "hall-of-fame"}, {"schedule.joint_epochs": 400}),
-        ({**GRADIENTS, "schedule": co.Against(team="evader")},
-         {"schedule.epochs": 1200, "train_steps": 500}),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("kinds", "expected"), [
+    ({}, {"schedule": "alternating", "schedule.generations": 30, "schedule.pursuer_epochs": 28,
+          "schedule.evader_epochs": 58, "learner": "es", "learner.population": 48,
+          "learner.sigma": 0.1, "learner.relative_sigma": 0.4, "learner.learning_rate": 0.03,
+          "world.max_steps": 500, "train_steps": 200, "policy.hidden": [32]}),
+    ({"schedule": "hall-of-fame"}, {"learner.population": 24, "schedule.joint_epochs": 43}),
+    ({"schedule": co.Against(team="pursuer")},
+     {**ALONE, "schedule.epochs": 6000, "train_steps": 500,
+      "policy.initial_weight": 0.2, "policy.initial_head": 0.09}),
+    ({"schedule": co.Against(team="evader")},
+     {**ALONE, "schedule.epochs": 4000, "train_steps": 300,
+      "policy.initial_weight": 0.05, "policy.initial_head": 0.1}),
+    ({"learner": "cma", "world": mw.WorldConfig(fov=5), "policy": {"hidden": []}},
+     {"learner.population": 48, "learner.sigma": 0.8}),
+    # Those of the published code:
+    (GRADIENTS, {"learner.population": 1, "train_steps": 500, "policy.hidden": [400, 300],
+                 "schedule.pursuer_epochs": 400, "schedule.evader_epochs": 400}),
+    ({**GRADIENTS, "schedule": "hall-of-fame"}, {"schedule.joint_epochs": 400}),
+    ({**GRADIENTS, "schedule": co.Against(team="evader")},
+     {"schedule.epochs": 1200, "train_steps": 500}),
+])  # fmt: skip
 def test_defaults_are_those_that_were_seen_to_work(kinds, expected):
     found = sections.values_of(co.RaceSettings(**kinds))
     assert {path: found[path] for path in expected} == expected

@@ -1,7 +1,5 @@
 """In a browser, without processes and threads, the package is imported and races run."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

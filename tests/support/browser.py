@@ -1,18 +1,12 @@
 """A real browser without a window, for the pages: headless Chromium, driven by Selenium."""
 
-from __future__ import annotations
-
 import json
 import os
 import re
 import shutil
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
-
-if TYPE_CHECKING:
-    pass
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 DRIVERS = ("chromedriver",)

@@ -3,8 +3,6 @@
 Debian has Firefox and no geckodriver, which Selenium would want.
 """
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

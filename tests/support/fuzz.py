@@ -9,8 +9,6 @@ are printed with seed and number; the exit code is then 1. What was found become
 subject, by ``fuzz.step_of(seed, number)`` where nothing shorter shows it.
 """
 
-from __future__ import annotations
-
 import argparse
 import atexit
 import contextlib

@@ -3,8 +3,6 @@
 The server from which they are forked imports this module and finds its functions by name.
 """
 
-from __future__ import annotations
-
 import io
 import multiprocessing
 import os

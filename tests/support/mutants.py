@@ -9,8 +9,6 @@ teams with right of way, in a process of its own; the changes that are the same 
 printed. A person reads them: are they equal, or is a test missing? Run by hand.
 """
 
-from __future__ import annotations
-
 import ctypes
 import hashlib
 import os

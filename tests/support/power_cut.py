@@ -8,8 +8,6 @@ flush, in their order. A cut keeps all writes before the last flush. Of those af
 that the disk may have had in its cache, the last one perhaps in part. The run then goes on.
 """
 
-from __future__ import annotations
-
 import argparse
 import contextlib
 import os

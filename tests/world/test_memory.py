@@ -5,8 +5,6 @@ After a change of what they compute, run
 ``PYTHONPATH=tests/support python tests/world/test_memory.py`` to write the golden file anew.
 """
 
-from __future__ import annotations
-
 import copy
 import pickle
 from pathlib import Path

@@ -3,6 +3,7 @@
 That a batch plays as single worlds do, by any number of threads, is shown in ``cpp/tests``.
 """
 
+import copy
 import dataclasses
 import itertools
 import json
@@ -295,3 +296,19 @@ def test_an_int_seeds_consecutive_worlds():
         other.reset(seeds)
         np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
     np.testing.assert_array_equal(new.buffers["positions"], one.buffers["positions"])
+
+
+@pytest.mark.parametrize("name", ["SDB", "TO", "swarm-SD"])
+def test_copies_continue_as_the_world_does(name):
+    world = mw.World(config_of(name, obstacles=0.15, max_steps=40))
+    world.reset(11, episode=4)
+    twins = []
+    for number, actions in enumerate(random_actions(6, 5, 60, world.config.n_agents)):
+        if number in (1, 5, 17):  # also in the middle of a round
+            twins += copy.deepcopy(world), pickle.loads(pickle.dumps(world))  # noqa: S301
+        for each in (world, *twins):
+            if not each.turn and (each.terminated or each.truncated):
+                each.reset()
+            each.play_turn(actions)
+        for twin in twins:
+            assert_same_worlds(world, twin)
