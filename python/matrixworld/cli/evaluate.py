@@ -215,12 +215,10 @@ def score_command(
         groups = options.finished_groups(runs, unfinished=True)
         every = [run for group in groups for run in group.runs]
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
-            play = partial(
-                held_out.score_runs, threads=threads, executor=executor, report=bar, **chosen
-            )
-            played = play(every)
+            play = {"threads": threads, "executor": executor, "report": bar, **chosen}
+            played = held_out.score_runs(every, **play)
             trained = [
-                (group, world, play(group.runs, world=world))
+                (group, world, held_out.score_runs(group.runs, world=world, **play))
                 for group in groups
                 for world in group.runs[0].settings.training_worlds
             ]
