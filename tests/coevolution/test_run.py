@@ -73,7 +73,7 @@ def test_a_stopped_run_ends_as_if_never_stopped(name, call, tmp_path):
         assert len(np.unique(archive[team], axis=0)) > 1 or settings.learner.kind == "ga"
 
 
-@pytest.mark.parametrize("name", [name for name in RUNS if ":" not in name or "nash" in name])
+@pytest.mark.parametrize("name", RUNS)
 def test_matches_are_counted_predicted_and_logged(name, tmp_path):
     settings, listening = RUNS[name][0], Listening()
     run = played(settings, tmp_path / "run", play=listening)
