@@ -49,10 +49,10 @@ def _quiet():
 )
 def test_api_and_seeds(name, given):
     config = config_of(name, obstacles=0.1)
-    official.api_test(mw.aec_env(config, **given), num_cycles=30)
-    official.parallel_api_test(mw.parallel_env(config, **given), num_cycles=30)
-    official.seed_test(lambda: mw.aec_env(config, **given), num_cycles=20)
-    official.parallel_seed_test(lambda: mw.parallel_env(config, **given), num_cycles=20)
+    official.api_test(mw.aec_env(config, **given), num_cycles=15)
+    official.parallel_api_test(mw.parallel_env(config, **given), num_cycles=15)
+    official.seed_test(lambda: mw.aec_env(config, **given), num_cycles=12)
+    official.parallel_seed_test(lambda: mw.parallel_env(config, **given), num_cycles=12)
 
 
 @pytest.mark.parametrize("name", mw.VARIANTS)

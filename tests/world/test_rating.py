@@ -25,7 +25,7 @@ def test_inputs_are_those_of_the_slow_version(name, obstacles):
         config = config_of(name, obstacles=obstacles, fov=fov, diagonal=number % 2 == 0)
         world = mw.World(config)
         world.reset(NAMES.index(name), episode=number)
-        for actions in random_actions(number, config.n_actions, 6, config.n_agents):
+        for actions in random_actions(number, config.n_actions, 4, config.n_agents):
             np.testing.assert_array_equal(world.inputs(), all_slow_inputs(world))
             if world.terminated or world.truncated:
                 break
