@@ -490,4 +490,18 @@ void rate_for_team(const World& world, const Sight& sight, int agent, std::uint3
     }
 }
 
+std::uint32_t search_moves(const World& world, const Sight& sight, int agent) {
+    const View view(world, sight);
+    int worth[kDiagonalMoves] = {};
+    search(world, view, agent, worth);
+    for (int move = 1; move < view.n_actions; ++move) {
+        if (view.blocked & after(move)) worth[move] = kForbidden;
+    }
+    int most = worth[0];
+    for (int move = 1; move < view.n_actions; ++move) most = std::max(most, worth[move]);
+    std::uint32_t best = 0;
+    for (int move = 0; move < view.n_actions; ++move) best |= std::uint32_t{worth[move] == most} << move;
+    return best;
+}
+
 }  // namespace matrixworld

@@ -22,4 +22,7 @@ namespace matrixworld {
 void rate_for_team(const World& world, const Sight& sight, int agent, std::uint32_t draw,
                    int* worth);
 
+// The best moves of the plan by which an agent searches, as bits.
+std::uint32_t search_moves(const World& world, const Sight& sight, int agent);
+
 }  // namespace matrixworld
