@@ -45,6 +45,28 @@ def test_choices_are_those_of_a_slow_reading(digest: str) -> None:
     assert found.hexdigest()[:16] == digest
 
 
+@pytest.mark.parametrize("digest", WORLDS)
+def test_who_sees_no_adversary_moves_as_the_input_search_says(digest: str) -> None:
+    """Of several moves it takes each at times."""
+    config, choices = world_of(**WORLDS[digest]), []
+    team = range(config.n_pursuers)
+    for seed in range(4):
+        world = mw.World(config)
+        world.reset(seed)
+        while not (world.terminated or world.truncated):
+            moves = world.inputs()[team, :, list(mw.INPUTS).index("search")] == 1
+            searches = ~world.views()[team, 0].any(axis=(1, 2))
+            actions = np.zeros(config.n_agents, np.int64)
+            world.decide("team-surrounder", team, actions)
+            assert moves[searches, actions[team][searches]].all()
+            choices += zip(moves[searches], actions[team][searches], strict=True)
+            world.decide("random", range(config.n_pursuers, config.n_agents), actions)
+            world.step(actions)
+    several = [(np.flatnonzero(moves)[0], action) for moves, action in choices if moves.sum() > 1]
+    assert len(choices) > 50
+    assert not several or 0 < np.mean([first == action for first, action in several]) < 1
+
+
 @pytest.mark.parametrize("diagonal", [False, True])
 @pytest.mark.parametrize("rules", ["D", "R", "B", "O", "S", "SB", "SD", "SDB", "TO"])
 def test_nobody_is_at_fault_in_any_variant(rules: str, diagonal: bool) -> None:
