@@ -354,11 +354,16 @@ class Line {
     }
     bool sees_border(int move) const { return view_.is_border(move, view_.reach); }
     bool is_near_border(int move) const { return view_.is_border(move, view_.reach - 1); }
+    // In every second round a single team spreads, so that three of it see the whole grid, too.
+    int spacing() const {
+        return alone_ && time_ >= 0 && time_ / round() % 2 ? kSpacing + 1 : kSpacing;
+    }
 
     void queue(int home, int forward) {
         home = turned(home);
         forward = turned(forward);
         worth_[0] = 1;
+        if (time_ >= 0 && wait(home, 3)) return;
         if (is_near_border(home)) worth_[kOpposite[home]] = 8;
         if (!sees_border(home)) {
             worth_[home] = 8;
@@ -372,9 +377,9 @@ class Line {
             if (std::abs(out) <= 2 && (ahead > 0 || (ahead == 0 && out > 0)))
                 gap = std::min(gap, ahead);
         }
-        if (is_near_border(forward) || gap < kSpacing) {
+        if (is_near_border(forward) || gap < spacing()) {
             worth_[kOpposite[forward]] = 4;
-        } else if (!sees_border(forward) && gap > kSpacing) {
+        } else if (!sees_border(forward) && gap > spacing()) {
             worth_[forward] = 4;
         }
     }
@@ -382,31 +387,39 @@ class Line {
     void sweep(int move) {
         move = turned(move);
         worth_[0] = 1;
-        if (alone_ && !view_.adversaries && wait(move)) return;
+        if (wait(move, 1)) return;
         if (!sees_border(move)) return rate_onwards(move, hand_, worth_);
         if (is_near_border(move)) worth_[kOpposite[move]] = 4;
     }
 
-    // A teammate that falls behind has found something: the line closes up to it.
-    bool wait(int move) {
+    // A single team stays together. A teammate that falls `least` cells behind has found something:
+    // the others close up to it, and to the nearest one if it goes aside. Returns whether they do.
+    bool wait(int move, int least) {
+        if (!alone_) return false;
+        const int right = right_of(move);
         int lag = 0;
+        int apart = kSide;
         Offset last{0, 0};
+        Offset nearest{0, 0};
         for (Cells rest = view_.teammates; rest;) {
             const Offset at = offset(take(rest));
-            const int behind = -along(at, move);
-            if (behind > lag && behind < kReach) {
-                lag = behind;
+            if (-along(at, move) > lag) {
+                lag = -along(at, move);
                 last = at;
             }
+            if (std::abs(along(at, right)) < apart) {
+                apart = std::abs(along(at, right));
+                nearest = at;
+            }
         }
-        if (lag == 0) return false;
-        const int aside = along(last, right_of(move));
-        if (std::abs(aside) > 2) {
-            worth_[aside > 0 ? right_of(move) : kOpposite[right_of(move)]] = 4;
-        } else if (lag > 2) {
-            worth_[kOpposite[move]] = 4;
+        const bool waits = lag >= least;
+        const int aside = along(waits ? last : nearest, right);
+        if (std::abs(aside) > (waits ? 2 : spacing() + 1)) {
+            worth_[aside > 0 ? right : kOpposite[right]] = 4;
+            return true;
         }
-        return true;
+        if (waits && lag > 2) worth_[kOpposite[move]] = 4;
+        return waits;
     }
 
     const View& view_;

@@ -21,7 +21,7 @@ WORLDS = {
     "58db425fc26f47ae": {"n_pursuers": 16, "obstacles": 0.1, "fov": 7},
     "e817ef0fb844a8f2": {"diagonal": True, "n_pursuers": 24, "n_evaders": 3, "max_steps": 30},
     # One line that searches, several, and swaths.
-    "709e58b1bbdb009f": {"size": 30, "n_pursuers": 4, "n_evaders": 1, "max_steps": 150},
+    "c8e89845b14bb5a1": {"size": 30, "n_pursuers": 4, "n_evaders": 1, "max_steps": 150},
     "dc25c357400b76b2": {
         "rows": 50,
         "cols": 40,
