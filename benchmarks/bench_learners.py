@@ -34,7 +34,7 @@ from scipy.integrate import trapezoid
 
 import matrixworld as mw
 from ask_and_tell import Algorithm, cma_es, default_es, es, evosax, evotorch, ga, pycma, unpaired_es
-from matrixworld.analysis.runs import expanded_tail
+from matrixworld.analysis.intervals import expanded_tail
 from matrixworld.coevolution import Team, held_out
 from timing import print_table
 

@@ -176,10 +176,16 @@ if __name__ == "__main__":
     Playground().save(DOCS / "playground.html", force=True)
     write_page(DOCS / PAGE, evolve_page())
     sys.path.append(str(DOCS.parent / "tutorials"))
-    from lesson_page import write_lesson  # beside this file
+    from interaction_figure import interaction_models  # beside this file
+    from lesson_page import write_lesson
 
     from course import figures
 
-    for name, picture in figures.PICTURES.items():
+    pictures = {
+        "conflicts": figures.conflict_outcomes,
+        "interaction": interaction_models,
+        "right_of_way": figures.right_of_way,
+    }
+    for name, picture in pictures.items():
         save_figure(picture(), DOCS / "figures" / f"{name}.png")
     write_lesson(Path(sys.argv[1]) if len(sys.argv) > 1 else None)

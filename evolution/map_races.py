@@ -40,8 +40,7 @@ from scipy import stats
 
 import matrixworld as mw
 from common import Numbers, Runs, adjusted, by_seed, experiment, kinds_in, markdown, mean, shown_p
-from course.boards import random_map
-from maps.archive import BOTH, MAP_FITNESS, MAP_TEAMS, NONE, Trial
+from maps.archive import BOTH, MAP_FITNESS, MAP_TEAMS, NONE, Trial, random_map
 from maps.held_out import held_out_maps, regrets
 from maps.race import MapSettings, play
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team

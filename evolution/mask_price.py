@@ -132,7 +132,7 @@ def value(states: States, masked: Collection[Team]) -> float:
                 shape = (len(joint), -1, 1) if axis == 1 else (len(joint), 1, -1)
                 succ = np.take_along_axis(succ, joint.reshape(shape), axis)
         games.append(succ)
-    after = states.payoffs
+    after = states.captured().mean(axis=1)
     for _ in range(config.max_steps):
         for succ in reversed(games):
             after = solved(after[succ])

@@ -22,12 +22,26 @@ from numpy.typing import NDArray
 from scipy import optimize
 
 from common import Numbers, Runs, by_seed, experiment, markdown, mean
-from course import chapter_10
-from course.chapter_10 import CELLS, STEPS
 from matrixworld.coevolution import RaceSettings
 
 MEMORIES = ("none", "gru")
-CORRIDOR = chapter_10.CORRIDOR.changed({"evaluation_episodes": 10_000})
+CELLS, STEPS = 13, 23
+"""Of the corridor; the slowest search that goes to one end and then to the other takes 22 steps."""
+CORRIDOR = RaceSettings.of(
+    {
+        "world": {"rules": "R", "rows": 1, "cols": CELLS, "fov": 3, "max_steps": STEPS},
+        "world.n_pursuers": 1,
+        "world.n_evaders": 1,
+        "schedule": {"kind": "against", "opponent": "still", "epochs": 300, "archive_every": 300},
+        "fitness.measure": "capture-rate",
+        # Larger steps than the defaults, with which memory does not always learn the search.
+        "learner": {"population": 64, "sigma": 0.2, "learning_rate": 0.1},
+        "policy.hidden": (16,),
+        "train_steps": STEPS,
+        "match_episodes": 16,
+        "evaluation_episodes": 10_000,
+    }
+)
 QUICK = {
     "schedule.epochs": 2, "schedule.archive_every": 2, "learner.population": 4,
     "evaluation_episodes": 50,

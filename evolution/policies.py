@@ -159,7 +159,13 @@ def random_programs(settings: RaceSettings) -> dict[str, Any]:
     assert isinstance(game, Pursuit)
     teams = {t: np.stack([game.untrained(t, rng) for _ in range(RANDOM)]) for t in TEAMS}
     episodes, matches = settings.match_episodes, 0
-    half = settings.schedule.training_matches(settings) // episodes // 2
+    schedule, population = settings.schedule, settings.learner_of("pursuer").population
+    # From a match of two living individuals both teams learn, from one against a hall of fame one.
+    met = schedule.contemporaries + 2 * schedule.hall_sample
+    raced = schedule.total_epochs("pursuer") * population * met
+    # Three genomes of each team and generation are tested again.
+    raced += 2 * schedule.generations * 3 * settings.retest_episodes * schedule.opponents_met
+    half = raced // 2
     for count, rounds in ((RANDOM, half // RANDOM), (BEST, half // BEST)):
         own = np.tile(np.arange(count), max(1, rounds))
         rivals = np.concatenate([rng.permutation(count) for _ in range(max(1, rounds))])

@@ -1,12 +1,8 @@
 """Quick jobs, and worlds of cases; what other folders of tests need, too, is in `shared`."""
 
-from collections.abc import Iterator
-
-import numpy as np
 import pytest
 
 import matrixworld as mw
-from drawing import Cells, Start
 from executors import jobs_in_threads
 from reference import ReferenceWorld
 
@@ -14,31 +10,25 @@ pytest_plugins = ["shared"]
 
 
 @pytest.fixture(scope="module")
-def no_processes() -> Iterator[None]:
+def no_processes():
     """Play jobs in threads."""
     with jobs_in_threads():
         yield
 
 
-def start_engine(
-    config: mw.WorldConfig, pursuers: Cells, evaders: Cells, obstacles: np.ndarray
-) -> mw.World:
-    """A compiled world at the given start."""
+def start_engine(config, pursuers, evaders, obstacles):
     world = mw.World(config)
     world.reset(seed=0, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
     return world
 
 
-def start_reference(
-    config: mw.WorldConfig, pursuers: Cells, evaders: Cells, obstacles: np.ndarray
-) -> ReferenceWorld:
-    """The slow world at the given start."""
+def start_reference(config, pursuers, evaders, obstacles):
     world = ReferenceWorld(config)
     world.place(pursuers, evaders, obstacles)
     return world
 
 
 @pytest.fixture(params=[start_reference, start_engine], ids=["reference", "engine"])
-def start(request: pytest.FixtureRequest) -> Start:
+def start(request):
     """Begins an episode, in turn in the slow world and in the compiled one."""
     return request.param

@@ -22,6 +22,7 @@ import html
 import io
 import os
 import re
+import shutil
 import tempfile
 import time
 from copy import deepcopy
@@ -63,6 +64,9 @@ def execute(notebook: nbformat.NotebookNode, **options: object) -> nbformat.Note
             cell.source = PREDICTION.sub(_with_outcome, cell.source)
     folders = [str(HERE), *filter(None, [os.environ.get("PYTHONPATH")])]
     with tempfile.TemporaryDirectory() as folder:  # predictions are written there
+        start = Path(folder, "course", "start.py")
+        start.parent.mkdir()
+        shutil.copy(HERE / "course" / "start.py", start)
         NotebookClient(
             copy,
             kernel_name="python3",
@@ -123,7 +127,7 @@ def still(output: nbformat.NotebookNode) -> None:
 MOVED = {
     "](../": "](../../",
     'Path("..")': 'Path("../..")',
-    'sys.path.append(".")': 'sys.path.append("..")',
+    "%run course/": "%run ../course/",
     "<details><summary>After": "<details open><summary>After",
 }
 """What differs in the copy for teachers: it lies in a folder of its own, and hides no outcome."""

@@ -26,8 +26,8 @@ const InputText (&input_texts()) [kInputs] {
         {"must_yield", "1 if right of way forbids the move", "", 1},
         {"ahead", "1 if it is the direction that the agent draws for each 12 steps", "", 1},
         {"search",
-         "1 if it leads on along the way on which an agent of team-surrounder searches the grid", "",
-         1},
+         "1 if it leads on along the way on which an agent of team-surrounder searches the grid",
+         "", 1},
     };
     return all;
 }

@@ -20,7 +20,8 @@
 #include "kernels/move_look.hpp"
 #include "observe/crowd.hpp"
 #include "observe/right_of_way.hpp"
-#include "play/team_surrounder.hpp"
+#include "observe/search.hpp"
+#include "observe/sight.hpp"
 
 namespace matrixworld {
 

@@ -378,7 +378,7 @@ int main(int argc, char** argv) {
     run("limits", check_limits);
     run("large rollout", check_large_rollout);
     run("large world", [&] { check_large(random); });
-    for (int world = 0; world < 4; ++world) {
+    for (int world = 0; world < 2; ++world) {
         play_all("a world", play_world, argc, argv, random);
         play_all("snapshots", play_snapshots, argc, argv, random);
     }

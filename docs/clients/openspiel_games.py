@@ -120,7 +120,7 @@ class WorldState(pyspiel.State):
 
     def is_terminal(self):
         """Return whether the episode is over."""
-        return 0 <= self.at < self.get_game().states.n_ends or not self.left
+        return 0 <= self.at <= self.get_game().states.config.n_evaders or not self.left
 
     def returns(self):
         """Return what both players get."""

@@ -1,9 +1,12 @@
-"""A network policy as a PyTorch module, which can be trained: copy this file.
+"""A network or a rating as a PyTorch module, which can be trained: copy this file.
 
 ``pip install torch``
 """
 
+import numpy as np
 import torch
+
+from matrixworld import INPUTS
 
 
 def to_torch(policy):
@@ -27,6 +30,24 @@ def to_torch(policy):
         modules[-2].load_state_dict({"weight": rows, "bias": numbers})
     modules.pop()
     return WithStates(modules) if size else torch.nn.Sequential(*modules)
+
+
+def rating_to_torch(policy):
+    """Return the rating of a `RatingPolicy` as a module of all inputs (..., moves, inputs).
+
+    It returns ratings (..., moves). Inputs that the policy does not use have weights 0.
+    """
+    modules = []
+    for number, (weights, bias) in enumerate(policy.policy.layers(policy.genome)):
+        rows = weights.T
+        if number == 0:
+            rows = np.zeros((weights.shape[1], len(INPUTS)), np.float32)
+            rows[:, [list(INPUTS).index(name) for name in policy.policy.inputs]] = weights.T
+        linear = torch.nn.Linear(*rows.T.shape, bias=len(bias) > 0)
+        values = {"weight": rows.copy(), "bias": bias}
+        linear.load_state_dict({n: torch.from_numpy(values[n]) for n in linear.state_dict()})
+        modules += [linear, torch.nn.ReLU()]
+    return torch.nn.Sequential(*modules[:-1], torch.nn.Flatten(-2))
 
 
 class WithStates(torch.nn.Module):

@@ -52,4 +52,4 @@ def benchmarl_task(config="O", **settings):
             return partial(benchmarl_task, config, **settings), ()
 
     world = mw.parallel_env(config, **settings).config
-    return Pursuit("pursuit", {"max_cycles": world.max_steps})
+    return Pursuit("pursuit", {"max_steps": world.max_steps})

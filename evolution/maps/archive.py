@@ -27,8 +27,8 @@ from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
-from course.boards import playable
 from matrixworld.coevolution.types import TEAMS, FloatArray, State, Team
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.solver import States, best_response, solve
@@ -47,6 +47,25 @@ MOST_EDITS = 10
 
 
 # Editing maps:
+
+
+def playable(walls: Map, least: int) -> bool:
+    """Return whether at least so many cells are free, and all free cells are connected."""
+    return bool((~walls).sum() >= least and ndimage.label(~walls)[1] == 1)
+
+
+def random_map(shape: tuple[int, int], share: float, least: int, rng: np.random.Generator) -> Map:
+    """Return a map on whose cells a share of walls was placed one by one, wherever it fits."""
+    walls, left = np.zeros(shape, bool), round(share * shape[0] * shape[1])
+    for cell in rng.permutation(walls.size):
+        if not left:
+            break
+        walls.flat[cell] = True
+        if playable(walls, least):
+            left -= 1
+        else:
+            walls.flat[cell] = False
+    return walls
 
 
 def edited(walls: Map, least: int, rng: np.random.Generator) -> Map:

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from course.boards import playable
-from maps.archive import Map
+from maps.archive import Map, playable
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 from matrixworld.solver import States, best_response, solve
 from matrixworld.world.config import WorldConfig

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from common import kept
-from course.boards import random_map
-from maps.archive import BOTH, MAP_FITNESS, NONE, Map, MapArchive, MapTeam, Trial
+from maps.archive import BOTH, MAP_FITNESS, NONE, Map, MapArchive, MapTeam, Trial, random_map
 from matrixworld.coevolution import TEAMS, RaceSettings, Run, SavedRun, Team, create
 from matrixworld.coevolution.seeding import keyed_generator, training_seeds
 from matrixworld.play.rollout import EpisodeStatistics, Matches

@@ -19,12 +19,8 @@ OPPONENTS = np.array([0.9, 0.7, 0.55, 0.4, 0.3, 0.1])
 """Mean score of a run against each opponent."""
 NOISE = 0.05
 """Standard deviation of the score of a run against an opponent."""
-BETTER = 0.1
-"""How much higher the normal runs score that runs of each shape are compared with."""
 MANY = 200_000
 """Runs from which a truth is computed; its error is far below that of twenty runs."""
-FURTHER = 0.15
-"""How much higher still the runs of a third group score, which the others hardly ever beat."""
 
 Case = tuple[str, str]
 """Interval and data."""
@@ -98,47 +94,20 @@ def scores_of(name: str, runs: int, rng: np.random.Generator) -> Matrix:
     return np.clip(OPPONENTS + effect + rng.normal(0.0, NOISE, (runs, len(OPPONENTS))), 0.0, 1.0)
 
 
-def better_scores(runs: int, rng: np.random.Generator) -> Matrix:
-    """Return scores (runs, opponents) of the group that others are compared with."""
-    return np.clip(scores_of("normal", runs, rng) + BETTER, 0.0, 1.0)
-
-
 @cache
 def true_scores(name: str) -> Mapping[Case, float]:
-    """Return interquartile mean and probability of improvement of infinitely many runs."""
-    rng = np.random.default_rng(0)
-    scores, other = scores_of(name, MANY, rng), better_scores(MANY, rng)
-    ordered = np.sort(scores, axis=None)
+    """Return the interquartile mean of infinitely many runs."""
+    ordered = np.sort(scores_of(name, MANY, np.random.default_rng(0)), axis=None)
     middle = ordered[ordered.size // 4 : -(ordered.size // 4)].mean()
-    # Row i of both groups is one pair of runs.
-    improvement, further = (
-        ((np.sign(scores - each) + 1.0) / 2.0).mean() for each in (other, _further(other))
-    )
-    return {
-        ("interquartile mean", name): float(middle),
-        ("probability of improvement", name): float(improvement),
-        ("probability of improvement", f"{name}, far apart"): float(further),
-    }
-
-
-def _further(scores: Matrix) -> Matrix:
-    return np.clip(scores + FURTHER, 0.0, 1.0)
+    return {("interquartile mean", name): float(middle)}
 
 
 def of_scores(name: str, runs: int) -> Simulation:
-    """Return the aggregates over the scores of runs against several opponents."""
+    """Return the interquartile mean of the scores of runs against several opponents."""
 
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
-        scores, other = scores_of(name, runs, rng), better_scores(runs, rng)
-        seed = int(rng.integers(2**31))
-        return {
-            ("interquartile mean", name): analysis.interquartile_mean(scores, seed=seed),
-            ("probability of improvement", name): analysis.probability_of_improvement(
-                scores, other
-            ),
-            ("probability of improvement", f"{name}, far apart"): (
-                analysis.probability_of_improvement(scores, _further(other))
-            ),
-        }
+        scores = scores_of(name, runs, rng)
+        found = analysis.interquartile_mean(scores, seed=int(rng.integers(2**31)))
+        return {("interquartile mean", name): found}
 
     return Simulation(0, runs, true_scores(name), estimates)

@@ -42,8 +42,9 @@ import judgement_cases
 import judgement_races
 import judgement_toys
 import judgement_truths
+import synthetic_races
 from common import executor_of, script_parser
-from course import synthetic_races, toys
+from course import toys
 from judgement_cases import SOURCES
 from judgement_races import KINDS
 from judgement_tables import write_tables

@@ -17,9 +17,9 @@ from tqdm import tqdm
 
 import _paths  # noqa: F401
 from common import markdown, script_parser
-from course.synthetic_races import play_episodes
 from judgement_races import synthetic_races
 from matrixworld import analysis
+from synthetic_races import play_episodes
 
 FIRST_SEED = 500_000
 GROUPS = 300

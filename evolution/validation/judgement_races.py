@@ -1,8 +1,8 @@
 """Races for measuring the judgement: capture rates by formula, of 46 kinds.
 
-Some kinds are those of the course; here are the formulas of the others. Each takes the
+Some kinds are those of `synthetic_races`; here are the formulas of the others. Each takes the
 number of generations n, an effect size (1 is plain to see) and the nuisance parameters' `Draws`;
-`course.synthetic_races` explains the symbols. `judgement_truths` says what is true of a
+`synthetic_races` explains the symbols. `judgement_truths` says what is true of a
 race.
 """
 
@@ -15,7 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import expit, logit
 
-from course.synthetic_races import (
+from matrixworld.coevolution.types import FloatArray
+from synthetic_races import (
     SYNTHETIC,
     Draws,
     SyntheticRace,
@@ -27,7 +28,6 @@ from course.synthetic_races import (
     stagnation,
     time,
 )
-from matrixworld.coevolution.types import FloatArray
 
 # ---- Races ---------------------------------------------------------------------------------------
 

@@ -14,11 +14,14 @@ evolution           `Game`, `evolve`, `open_runs`; packages `coevolution`, `anal
 ground truth        package `solver`
 ==================  ===============================================================================
 
-Names and packages are imported when they are first used. So are Gymnasium and PettingZoo, in which
-the environments are registered as soon as both they and this package have been imported.
+Names and packages are imported when they are first used. Where Gymnasium or PettingZoo has been
+imported before, the environments are registered at once; else ``import matrixworld.envs`` does it.
 """
 
-from matrixworld._util.imports import ImportedWith, lazy
+import sys
+from importlib import import_module
+
+from matrixworld._util.imports import lazy
 from matrixworld.version import __version__ as __version__
 
 OTHER_NAMES = {
@@ -34,4 +37,5 @@ OTHER_NAMES = {
 
 __getattr__, __dir__, __all__ = lazy(__name__, __file__, OTHER_NAMES)
 
-ImportedWith({"gymnasium", "pettingzoo"}, "matrixworld.envs")
+if {"gymnasium", "pettingzoo"} & sys.modules.keys():
+    import_module("matrixworld.envs")

@@ -3,7 +3,6 @@
 import os
 import stat
 import sys
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -51,8 +50,10 @@ def test_no_cut_or_altered_byte_changes_arrays(tmp_path):
     ("content", "problem"),
     [
         (b"", "File is not a zip file"),
-        (archive({"a": b"text"}, method=zipfile.ZIP_LZMA), "expected deflate, got method 14"),
-        (archive({"a": b"text"}).replace(b"PK\1\2\24\3\24\0\0", b"PK\1\2\24\3\24\0\1"), "a is enc"),
+        (
+            archive({"a": b"text"}).replace(b"PK\1\2\24\3\24\0\0", b"PK\1\2\24\3\24\0\1"),
+            "is encrypted",
+        ),
         (archive({"a.npy": b"\x93NUMPY\1\0\4\0(((("}), "EOF in multi-line statement"),
         (archive({"a": bytes(2**27)}), "expected at most .* bytes in it, got 134,217,728"),
     ],

@@ -28,8 +28,7 @@ def test_a_result_has_a_text_of_one_line(name):
     assert len(text) <= 600  # a few lines of a notebook; arrays would have thousands
 
 
-def cells_in(page: str) -> list[list[str]]:
-    """Return the texts of the cells of all rows."""
+def cells_in(page):
     rows = re.findall(r"<tr.*?>(.*?)</tr>", page, re.DOTALL)
     return [re.findall(r"<t[dh].*?>\s*(.*?)\s*</t[dh]>", row, re.DOTALL) for row in rows]
 

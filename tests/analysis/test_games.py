@@ -23,18 +23,16 @@ from matrixworld.analysis.games import game_value
         ([[0.5, 0.2], [0.5, 0.6]], 0.5, [0.25, 0.75], [1.0, 0.0]),
     ],
 )
-def test_games_worked_out_by_hand(
-    matrix: object, value: float, pursuers: list[float], evaders: list[float]
-) -> None:
-    found = analysis.nash_averaging(matrix)  # type: ignore[arg-type]
+def test_games_worked_out_by_hand(matrix, value, pursuers, evaders):
+    found = analysis.nash_averaging(matrix)
     assert found.value == pytest.approx(value)
     np.testing.assert_allclose(found.pursuers, pursuers, atol=1e-7)
     np.testing.assert_allclose(found.evaders, evaders, atol=1e-7)
-    assert game_value(matrix) == pytest.approx(value)  # type: ignore[arg-type]
+    assert game_value(matrix) == pytest.approx(value)
 
 
 @given(payoffs(parts=8))
-def test_mixtures_are_an_equilibrium(matrix: np.ndarray) -> None:
+def test_mixtures_are_an_equilibrium(matrix):
     found = analysis.nash_averaging(matrix)
     assert found.pursuers.min() >= 0.0
     assert found.pursuers.sum() == pytest.approx(1.0)
@@ -49,7 +47,7 @@ def test_mixtures_are_an_equilibrium(matrix: np.ndarray) -> None:
 
 
 @given(payoffs(parts=8), st.data())
-def test_copies_change_nothing_and_share_weight(matrix: np.ndarray, data: st.DataObject) -> None:
+def test_copies_change_nothing_and_share_weight(matrix, data):
     row = data.draw(st.integers(0, len(matrix) - 1))
     found = analysis.nash_averaging(matrix)
     copied = analysis.nash_averaging(np.vstack([matrix, matrix[row]]))
@@ -59,7 +57,7 @@ def test_copies_change_nothing_and_share_weight(matrix: np.ndarray, data: st.Dat
     np.testing.assert_allclose(copied.evaders, found.evaders, atol=1e-5)
 
 
-def test_exploitability_by_hand() -> None:
+def test_exploitability_by_hand():
     gains = analysis.exploitability(ROCK_PAPER_SCISSORS, [1, 0, 0], [0.5, 0.25, 0.25])
     # Rock gets .5 * .5 + .25 = .5; the answer to rock takes all of it; paper gets .5 + .125.
     assert gains.pursuers == pytest.approx(0.5)

@@ -5,13 +5,17 @@ import pytest
 from scipy import stats
 
 from matrixworld import analysis
-from matrixworld.analysis.intervals import generalization_over_episodes, linear_over_episodes
+from matrixworld.analysis.intervals import (
+    expanded_tail,
+    generalization_over_episodes,
+    linear_over_episodes,
+)
 from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.analysis.runs import expanded_tail, race_bands
+from matrixworld.plots.runs import race_bands
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK
 
 
-def test_intervals_are_those_of_scipy() -> None:
+def test_intervals_are_those_of_scipy():
     rng = np.random.default_rng(2)
     one, other = rng.random(7), rng.random(7)
     expected = stats.ttest_1samp(one, 0).confidence_interval(0.9)
@@ -27,18 +31,17 @@ NO_INTERVAL = [
     (analysis.interval_over_runs, [[0.1 + 0.2, 0.3, 0.3]], "no interval: all 3 runs are equal"),
     (analysis.interquartile_mean, [[[0.2, 0.8]] * 7], "no interval: all 7 runs are equal"),
     (analysis.interquartile_mean, [ONE[:5]], "no interval below 6 runs"),
-    (analysis.probability_of_improvement, [ONE, OTHER[:5]], "no interval below 6 runs"),
 ]
 
 
 @pytest.mark.parametrize(("function", "arguments", "note"), NO_INTERVAL)
-def test_few_or_equal_runs_have_no_interval_and_say_so(function, arguments, note) -> None:
+def test_few_or_equal_runs_have_no_interval_and_say_so(function, arguments, note):
     found = function(*arguments)
     assert (found.low, found.high, found.note) == (None, None, note)
 
 
 @pytest.mark.parametrize(("wins", "episodes"), [(0, 4), (1, 10), (30, 200)])
-def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes: int) -> None:
+def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins, episodes):
     scores = np.arange(episodes) < wins
     expected = stats.binomtest(wins, episodes).proportion_ci(method="exact")
     found = analysis.mean_over_episodes(scores)
@@ -46,9 +49,9 @@ def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes
     assert (found.value, found.across, found.samples) == (wins / episodes, "episodes", episodes)
 
 
-def test_generalization_has_the_interval_of_each_mean() -> None:
+def test_generalization_has_the_interval_of_each_mean():
     scores = np.random.default_rng(3).random((4, 3, 5))
-    pursuers, evaders = generalization_over_episodes(scores, level=0.9)
+    pursuers, evaders = generalization_over_episodes(scores)
     expected = analysis.generalization(scores.mean(axis=2))
     for band, curve, cells in (
         (pursuers, expected.pursuers, scores),
@@ -56,42 +59,30 @@ def test_generalization_has_the_interval_of_each_mean() -> None:
     ):
         np.testing.assert_allclose(band.mean, curve)
         for g in range(len(curve)):
-            one = linear_over_episodes(cells[g : g + 1], np.mean, level=0.9)
+            one = linear_over_episodes(cells[g : g + 1], np.mean)
             assert (band.low[g], band.high[g]) == pytest.approx(one.ends)
     sure = generalization_over_episodes(np.eye(2)[..., None] * [1.0, 1.0, 0.9])[0]
     assert sure.high.max() < 1
 
 
-def test_values_are_those_of_rliable() -> None:
+def test_values_are_those_of_rliable():
     found = [analysis.interquartile_mean(each).value for each in (ONE, OTHER, TASK)]
     np.testing.assert_allclose(found, NUMBERS["iqm"])
-    better = analysis.probability_of_improvement(ONE, OTHER).value
-    assert better == pytest.approx(NUMBERS["improvement"])
-    assert analysis.probability_of_improvement(OTHER, ONE).value == pytest.approx(1.0 - better)
 
 
-def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
+def test_the_bootstrap_of_one_task_is_that_of_rliable(monkeypatch):
     # With a single task, whole runs and stratified resampling are the same.
     assert 1.0 - 2.0 * expanded_tail(len(TASK), 0.95) == pytest.approx(LEVEL)
-    found = analysis.interquartile_mean(TASK, resamples=10_000)
+    monkeypatch.setattr("matrixworld.analysis.intervals.RESAMPLES", 10_000)
+    found = analysis.interquartile_mean(TASK)
     # The scores have two decimals, so the ends move in steps of 1/600.
     np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)
-
-
-def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel() -> None:
-    one, other = ONE[:, :1], OTHER[:, :1]
-    found = analysis.probability_of_improvement(one, other)
-    test = stats.brunnermunzel(other.ravel(), one.ravel())
-    # The level at which the interval ends at 1/2 is one minus the p value.
-    at = analysis.probability_of_improvement(one, other, level=1.0 - float(test.pvalue)).ends
-    assert min(abs(end - 0.5) for end in at) < 1e-9
-    assert found.ends[0] < found.value < found.ends[1]
 
 
 PAYOFFS = np.random.default_rng(0).random((4, 7, 5))
 
 
-def test_bands_are_those_of_the_curves() -> None:
+def test_bands_are_those_of_the_curves():
     bands = race_bands(PAYOFFS)
     curves = [analysis.generalization(payoff) for payoff in PAYOFFS]
     profiles = [analysis.lag_profile(payoff) for payoff in PAYOFFS]

@@ -11,34 +11,33 @@ from scipy.special import expit
 
 from matrices import circular, logistic
 from matrixworld import analysis
-from matrixworld.analysis import CONDITIONS, Estimate, Judgement, judge
+from matrixworld.analysis import CONDITIONS, Judgement, judge
 from matrixworld.analysis.judge import RULES
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Finding
 
 
-def drawn(chance: np.ndarray, episodes: int = 10, seed: int = 0, *, evaders: int = 1) -> np.ndarray:
+def drawn(chance, episodes=10, seed=0, *, evaders=1):
     """Draw episodes: the share of some evaders that is captured, each with these chances."""
     rng = np.random.default_rng(seed)
     chances = np.repeat(np.clip(chance, 0, 1)[..., None], episodes, axis=-1)
     return rng.binomial(evaders, chances) / evaders
 
 
-def race(pursuers: np.ndarray, evaders: np.ndarray) -> np.ndarray:
+def race(pursuers, evaders):
     """Return the capture rates of teams of these strengths."""
     return expit(np.subtract.outer(pursuers, evaders))
 
 
-def of_scores(scores: np.ndarray) -> Judgement:
+def of_scores(scores):
     return judge(scores, per_episode=True)
 
 
-def verdicts(judgement: Judgement, window: str | None = None) -> dict[str, str]:
+def verdicts(judgement, window=None):
     findings = judgement.windows[window or "last half"]
     return {name: finding.verdict for name, finding in findings.items()}
 
 
-def gain(judgement: Judgement, team: str, window: str | None = None) -> Estimate:
-    """Return the gain of a team in a window."""
+def gain(judgement, team, window=None):
     return judgement.windows[window or "last half"]["arms race"].estimates[f"{team}_gain"]
 
 
@@ -68,14 +67,14 @@ PURSUERS_FADE = race(0.3 * np.minimum(G, 40 - G), 0.3 * G)
         (np.full((31, 31), 0.99), {"disengagement"}, set()),
     ],
 )
-def test_races_of_known_truth(chance: np.ndarray, present: set[str], absent: set[str]) -> None:
+def test_races_of_known_truth(chance, present, absent):
     found = verdicts(of_scores(drawn(chance, 20, evaders=30)))
     assert {name for name in CONDITIONS if found[name] == PRESENT} == present
     assert absent <= {name for name in CONDITIONS if found[name] == ABSENT}
 
 
 @pytest.mark.parametrize("chance", [SLOW, LATE_STOP, np.full((31, 31), 0.1)])
-def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray) -> None:
+def test_noise_of_wins_and_losses_is_no_cycle(chance):
     scores = drawn(chance, 10)
     for judgement in (of_scores(scores), judge(scores.mean(axis=2), episodes=10)):
         for window in judgement.windows:
@@ -85,8 +84,8 @@ def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray) -> None:
 
 
 @pytest.mark.parametrize("exact", [False, True])
-@pytest.mark.parametrize("turns", [2, 3, 4, 6])
-def test_strategies_that_turn_cycle_and_do_not_improve(turns: int, exact: bool) -> None:
+@pytest.mark.parametrize("turns", [2, 3, 6])
+def test_strategies_that_turn_cycle_and_do_not_improve(turns, exact):
     """Each beats those that are up to half a turn older. One turn or less looks like a rise."""
     angles = 2 * np.pi * turns * np.arange(60) / 60
     chance = 0.5 + 0.45 * np.sin(np.subtract.outer(angles, angles))
@@ -97,14 +96,14 @@ def test_strategies_that_turn_cycle_and_do_not_improve(turns: int, exact: bool) 
         assert not {*PROGRESS} & {*judgement.present(window)}
 
 
-def test_a_walk_may_rise_without_a_trend() -> None:
+def test_a_walk_may_rise_without_a_trend():
     # Two questions: did it become stronger; does a random walk explain that?
     walk = np.random.default_rng(18).normal(0, 0.25, 31).cumsum()
     found = of_scores(drawn(race(walk, 0 * G), 10, evaders=30)).windows["whole"]
     assert (found["rise"].verdict, found["one-sided progress"].verdict) == (PRESENT, CANNOT_TELL)
 
 
-def test_few_or_unknown_episodes_give_no_verdict_on_what_noise_can_fake() -> None:
+def test_few_or_unknown_episodes_give_no_verdict_on_what_noise_can_fake():
     few = of_scores(drawn(logistic(15, 0.3), 2)).findings
     assert {few[name].verdict for name in (*CIRCLES, "forgetting")} == {CANNOT_TELL}
     matrix = drawn(circular(31), 10, evaders=30).mean(axis=2)
@@ -115,7 +114,7 @@ def test_few_or_unknown_episodes_give_no_verdict_on_what_noise_can_fake() -> Non
     assert known["cycling"] == known["forgetting"] == CANNOT_TELL
 
 
-def test_a_wave_in_the_first_half_is_reported() -> None:
+def test_a_wave_in_the_first_half_is_reported():
     chance = STEADY.copy()
     chance[:15, :15] = circular(15)  # the pairs of the first half only
     judgement = of_scores(drawn(chance, 20, evaders=30))
@@ -124,7 +123,7 @@ def test_a_wave_in_the_first_half_is_reported() -> None:
 
 
 @pytest.mark.parametrize("shape", [(40, 12), (31, 6)])
-def test_sides_of_different_length(shape: tuple[int, int]) -> None:
+def test_sides_of_different_length(shape):
     rows, columns = (np.arange(size) for size in shape)
     judgement = of_scores(drawn(race(0.1 * rows, 0.1 * columns), 10, evaders=30))
     assert verdicts(judgement, "whole")["disengagement"] == ABSENT
@@ -132,7 +131,7 @@ def test_sides_of_different_length(shape: tuple[int, int]) -> None:
 
 
 @pytest.mark.parametrize("chance", [circular(31), PURSUERS_ONLY])
-def test_swapping_the_teams_swaps_the_gains_and_keeps_the_verdicts(chance: np.ndarray) -> None:
+def test_swapping_the_teams_swaps_the_gains_and_keeps_the_verdicts(chance):
     scores = drawn(chance, 10, evaders=30)
     one, other = of_scores(scores), of_scores(1 - scores.transpose(1, 0, 2))
     assert verdicts(one) == verdicts(other)
@@ -142,7 +141,7 @@ def test_swapping_the_teams_swaps_the_gains_and_keeps_the_verdicts(chance: np.nd
         assert evaders.low == pytest.approx(gain(other, "pursuer", window).low, abs=1e-6)
 
 
-def test_several_runs_are_judged_over_runs() -> None:
+def test_several_runs_are_judged_over_runs():
     scores = np.stack([drawn(STEADY, 10, seed, evaders=30) for seed in range(5)])
     judgement = of_scores(scores)
     assert judgement.runs == 5
@@ -157,7 +156,7 @@ def test_several_runs_are_judged_over_runs() -> None:
     assert (found.verdict, found.by_run) == (CANNOT_TELL, (ABSENT, PRESENT, ABSENT, PRESENT))
 
 
-def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
+def test_a_disengaged_run_is_left_out_of_other_conditions():
     won = np.full((31, 31), 0.995)  # so one-sided that learning has nothing to go by
     chances = [won, *(STEADY for _ in range(4))]
     scores = np.stack([drawn(each, 20, seed, evaders=30) for seed, each in enumerate(chances)])
@@ -167,7 +166,7 @@ def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
     assert verdicts(judgement)["arms race"] == PRESENT
 
 
-def test_words_and_json() -> None:
+def test_words_and_json():
     assert {*RULES} == {*CONDITIONS}
     judgement = of_scores(drawn(circular(31), 10, evaders=30))
     heads, *rows = analysis.judgement_table(judgement)
@@ -184,7 +183,7 @@ BOTH = ("pursuers", "evaders")
 WINDOWS = ("whole", "first half", "last half")
 
 
-def with_verdicts(found: dict[str, dict[str, tuple[str, tuple[str, ...]]]]) -> Judgement:
+def with_verdicts(found):
     windows = {
         window: {name: Finding(verdict, "", teams) for name, (verdict, teams) in one.items()}
         for window, one in found.items()
@@ -192,7 +191,7 @@ def with_verdicts(found: dict[str, dict[str, tuple[str, tuple[str, ...]]]]) -> J
     return Judgement(1, (31, 31), 20, 0.95, windows)
 
 
-def when(teams: tuple[str, ...] = BOTH, **found: str) -> Judgement:
+def when(teams=BOTH, **found):
     """Return a judgement in which conditions are present in the windows of these letters."""
     said = {name: found.get(name.split()[0], "") for name in CONDITIONS}
     return with_verdicts({
@@ -205,7 +204,7 @@ def when(teams: tuple[str, ...] = BOTH, **found: str) -> Judgement:
     })  # fmt: skip
 
 
-def test_a_sentence_is_about_the_whole_race_and_a_half_that_differs() -> None:
+def test_a_sentence_is_about_the_whole_race_and_a_half_that_differs():
     only = ("evaders",)
     said = {
         "Both teams improved.": when(arms="wfl", rise="w"),
@@ -248,13 +247,11 @@ TOLD = {
 }  # fmt: skip
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(st.fixed_dictionaries(dict.fromkeys(WINDOWS, ANY_FINDINGS)))
-def test_a_sentence_tells_what_is_present_and_nothing_else(found: dict) -> None:
+def test_a_sentence_tells_what_is_present_and_nothing_else(found):
     said = analysis.sentence(with_verdicts(found)).lower()
-    present = {
-        n for each in found.values() for n, (verdict, _) in each.items() if verdict == PRESENT
-    }
+    present = {n for each in found.values() for n, one in each.items() if one[0] == PRESENT}
     if present & {"arms race", "one-sided progress"}:
         present.discard("rise")
     if present & {"cycling", "forgetting"}:
@@ -273,7 +270,7 @@ def test_a_sentence_tells_what_is_present_and_nothing_else(found: dict) -> None:
 
 @pytest.mark.parametrize("runs", [2, 3])
 @pytest.mark.parametrize("others", [FLAT, race(-0.015 * G, -0.015 * G)])
-def test_one_seed_does_not_decide_for_two_or_three(runs: int, others: np.ndarray) -> None:
+def test_one_seed_does_not_decide_for_two_or_three(runs, others):
     chances = [STEADY, *[others] * (runs - 1)]
     group = of_scores(np.stack([drawn(each, 10, s, evaders=30) for s, each in enumerate(chances)]))
     for findings in group.windows.values():
@@ -284,7 +281,7 @@ def test_one_seed_does_not_decide_for_two_or_three(runs: int, others: np.ndarray
 
 
 @pytest.mark.parametrize("episodes", [2, 5, 10, 20])
-def test_a_race_that_one_team_wins_is_disengaged_at_any_number_of_episodes(episodes: int) -> None:
+def test_a_race_that_one_team_wins_is_disengaged_at_any_number_of_episodes(episodes):
     judgement = of_scores(np.ones((16, 16, episodes)))
     assert analysis.sentence(judgement) == "The pursuers won nearly all matches."
     for window in WINDOWS:
@@ -292,7 +289,7 @@ def test_a_race_that_one_team_wins_is_disengaged_at_any_number_of_episodes(episo
 
 
 @pytest.mark.parametrize("turns", [0.5, 0.75, 1.0, 1.5])
-def test_a_circle_that_is_not_complete_is_no_progress(turns: float) -> None:
+def test_a_circle_that_is_not_complete_is_no_progress(turns):
     """Two equal episodes, or one matrix of a game without chance."""
     angles = 2 * np.pi * turns * np.arange(31) / 30
     disc = 0.5 + 0.45 * np.sin(np.subtract.outer(angles, angles))
@@ -301,7 +298,7 @@ def test_a_circle_that_is_not_complete_is_no_progress(turns: float) -> None:
             assert not {*PROGRESS[:2]} & {*judgement.present(window)}
 
 
-def test_every_episode_twice_changes_nothing() -> None:
+def test_every_episode_twice_changes_nothing():
     for chance in (STEADY, circular(31), SLOW):
         scores = drawn(chance, 6)
         once, twice = of_scores(scores), of_scores(np.concatenate([scores, scores], axis=2))
@@ -309,7 +306,7 @@ def test_every_episode_twice_changes_nothing() -> None:
         assert [*map(verdicts, [once] * 3, WINDOWS)] == [*map(verdicts, [twice] * 3, WINDOWS)]
 
 
-def test_smooth_curves_are_seldom_called_progress() -> None:
+def test_smooth_curves_are_seldom_called_progress():
     """Single runs: no more than one in ten, over all windows."""
     times, called = np.arange(31) / 30, 0
     spread = np.exp(-0.5 * (np.subtract.outer(times, times) / 0.4) ** 2) + 1e-9 * np.eye(31)
@@ -328,7 +325,7 @@ def test_smooth_curves_are_seldom_called_progress() -> None:
         elements=st.integers(0, 4).map(lambda n: n / 4),
     )
 )
-def test_every_matrix_has_a_judgement(scores: np.ndarray) -> None:
+def test_every_matrix_has_a_judgement(scores):
     judgement = of_scores(scores)
     for part in judgement.windows.values():
         assert set(part) == set(CONDITIONS)

@@ -8,104 +8,80 @@ from scipy import stats
 
 from matrices import circular, payoffs
 from matrixworld import analysis
+from matrixworld.analysis import strength
 from matrixworld.analysis.cycles import squared_intransitivity, transitive_fit
 from matrixworld.analysis.measures import over_runs
 from matrixworld.analysis.progress import one_sidedness
-from matrixworld.analysis.strength import (
-    gain_of_runs,
-    late_forgetting_over_episodes,
-    strength_change,
-    strength_gain,
-)
 
 rates = payoffs(least=3, most=8, parts=8)
 
 
-def played(chance: np.ndarray, episodes: int, seed: int = 0) -> np.ndarray:
+def played(chance, episodes, seed=0):
     rng = np.random.default_rng(seed)
     return (rng.random((*chance.shape, episodes)) < chance[..., None]).astype(float)
 
 
-def quantiles_on_a_grid(y: np.ndarray, noise: float, probabilities: list[float]) -> list[float]:
-    """Sum the posterior over a grid of drifts, steps and fluctuations, with full covariances."""
-    steps = np.diff(y)
-    k = len(steps)
-    shared = 2 * np.eye(k) - np.eye(k, k=1) - np.eye(k, k=-1)
-    drifts = np.linspace(-0.6, 0.6, 1201)
-    density = np.zeros_like(drifts)
-    middles = (np.arange(40) + 0.5) / 40 * steps.std()
-    for s in 4 * middles:
-        for t in 3 * middles:
-            covariance = (noise + t**2) * shared + s**2 * np.eye(k)
-            density += stats.norm.pdf(s / steps.std()) * stats.multivariate_normal(
-                np.zeros(k), covariance
-            ).pdf(steps - drifts[:, None])
-    below = np.cumsum(density) / density.sum()
-    return [float(k * drifts[np.searchsorted(below, p)]) for p in probabilities]
-
-
-def test_gain_agrees_with_a_sum_over_a_grid() -> None:
-    noise = 1e-3
+def test_gain_agrees_with_a_sum_over_a_grid():
+    """Of drifts, steps and fluctuations, with full covariances, as at commit 8e1a8000."""
     y = np.array([0.2, 0.25, 0.23, 0.31, 0.36, 0.33, 0.42, 0.5])
-    found = strength_gain(y, np.full(len(y), noise))
-    expected = quantiles_on_a_grid(y, noise, [0.5, 0.025, 0.975])
-    assert [found.value, found.low, found.high] == pytest.approx(expected, abs=0.01)
+    found = strength.strength_gain(y, np.full(len(y), 1e-3))
+    assert [found.value, found.low, found.high] == pytest.approx([0.28, 0.091, 0.483], abs=0.01)
 
 
-def test_a_jump_has_a_change_and_no_trend() -> None:
+def test_a_jump_has_a_change_and_no_trend():
     steady, jump = np.linspace(0.3, 0.7, 15), np.where(np.arange(15) < 7, 0.3, 0.7)
     noise = np.full(15, 1e-4)
-    assert strength_gain(steady, noise).low > 0.3
-    assert strength_gain(jump, noise).low < 0.0
-    assert strength_change(jump, noise).low > 0.3
+    assert strength.strength_gain(steady, noise).low > 0.3
+    assert strength.strength_gain(jump, noise).low < 0.0
+    assert strength.strength_change(jump, noise).low > 0.3
 
 
 @pytest.mark.parametrize("runs", [3, 5, 10])
-def test_runs_that_jump_once_at_their_own_times_do_not_gain(runs: int) -> None:
+def test_runs_that_jump_once_at_their_own_times_do_not_gain(runs):
     rng, t = np.random.default_rng(runs), np.linspace(0, 1, 31)
     known = np.full((runs, 31), 0.01**2)
     gains = []
     for _ in range(40):
         noise, moments = rng.normal(0, 0.01, (runs, 31)), rng.uniform(0.1, 0.9, (runs, 1))
         jumps, climbs = 0.3 + 0.4 * (t > moments) + noise, 0.3 + 0.4 * t + noise
-        assert gain_of_runs(climbs, known).low > 0.3
-        gains.append(gain_of_runs(jumps, known).low > 0.0)
-        assert gains[-1] == (gain_of_runs(1 - jumps, known).high < 0.0)
+        assert strength.gain_of_runs(climbs, known).low > 0.3
+        gains.append(strength.gain_of_runs(jumps, known).low > 0.0)
+        assert gains[-1] == (strength.gain_of_runs(1 - jumps, known).high < 0.0)
     assert sum(gains) <= 5  # 2 of 40 are allowed; more than 5 are unlikely by chance
 
 
 @pytest.mark.parametrize("runs", [1, 5, 40])
-def test_more_runs_make_the_interval_of_a_gain_narrower(runs: int) -> None:
+def test_more_runs_make_the_interval_of_a_gain_narrower(runs):
     sigmoid = 0.3 + 0.4 / (1 + np.exp(-np.linspace(-6, 6, 15)))
     rng = np.random.default_rng(runs)
     courses = sigmoid + rng.normal(0, 0.02, (runs, 15))
-    found = gain_of_runs(courses, np.full((runs, 15), 0.02**2))
+    found = strength.gain_of_runs(courses, np.full((runs, 15), 0.02**2))
     width = found.high - found.low
     assert width < {1: 0.8, 5: 0.1, 40: 0.02}[runs]
     assert found.low <= found.value <= found.high
     assert (runs < 4) == (width > 0.3)
     # A team that falls is a team that rises, upside down.
-    fallen = gain_of_runs(1 - courses, np.full((runs, 15), 0.02**2))
+    fallen = strength.gain_of_runs(1 - courses, np.full((runs, 15), 0.02**2))
     assert (fallen.low, fallen.high) == pytest.approx((-found.high, -found.low))
 
 
-def test_change_is_a_regression_with_known_noise() -> None:
+def test_change_is_a_regression_with_known_noise():
     rng = np.random.default_rng(0)
     y = rng.random(9)
-    found = strength_change(y, np.full(9, 0.01))
+    found = strength.strength_change(y, np.full(9, 0.01))
     slope, _ = np.polyfit(np.arange(9), y, 1)
     assert found.value == pytest.approx(8 * slope)
     assert found.high - found.value == pytest.approx(1.96 * 8 * 0.1 / np.sqrt(60), rel=1e-3)
     # Unknown noise: the interval of ordinary regression.
     line = stats.linregress(np.arange(9), y)
-    unknown = strength_change(y, np.zeros(9))
+    unknown = strength.strength_change(y, np.zeros(9))
     reach = 8 * line.stderr * stats.t.ppf(0.975, 7)
     assert (unknown.low, unknown.high) == pytest.approx((8 * slope - reach, 8 * slope + reach))
 
 
 @settings(deadline=None)
 @given(rates, st.integers(0, 2**32 - 1))
-def test_the_transitive_fit_is_the_nearest_monotone_matrix(matrix: np.ndarray, seed: int) -> None:
+def test_the_transitive_fit_is_the_nearest_monotone_matrix(matrix, seed):
     order = np.ix_(*(np.argsort(matrix.mean(axis), kind="stable") for axis in (1, 0)))
     values, fit = matrix[order], transitive_fit(matrix)[order]
     assert (np.diff(fit, axis=0) >= -1e-3).all()
@@ -117,7 +93,7 @@ def test_the_transitive_fit_is_the_nearest_monotone_matrix(matrix: np.ndarray, s
     assert ((values - fit) * fit).sum() == pytest.approx(0.0, abs=1e-2)
 
 
-def test_the_amplitude_of_a_cycle_is_found_under_noise() -> None:
+def test_the_amplitude_of_a_cycle_is_found_under_noise():
     chance = circular(31)
     exact = squared_intransitivity(chance, np.zeros_like(chance))
     # A part of the cosine, which has .32, lies in the nearest order.
@@ -131,7 +107,7 @@ def test_the_amplitude_of_a_cycle_is_found_under_noise() -> None:
 
 
 @given(rates)
-def test_forgetting_agrees_with_its_definition(matrix: np.ndarray) -> None:
+def test_forgetting_agrees_with_its_definition(matrix):
     found = analysis.forgetting(matrix)
     n, m = matrix.shape
     for g in range(n):
@@ -142,16 +118,18 @@ def test_forgetting_agrees_with_its_definition(matrix: np.ndarray) -> None:
         assert found.evaders[h] == pytest.approx(np.mean(drops))
 
 
-def test_late_forgetting_of_two_sets_of_episodes_by_hand() -> None:
+def test_late_forgetting_of_two_sets_of_episodes_by_hand():
     one = np.array([[0.9], [0.2], [0.5]])
     other = np.array([[0.6], [0.7], [0.1]])
     # `one` chooses row 0 always; measured 0, .6 - .7, .6 - .1. `other` chooses rows 0, 1, 1;
     # measured 0, 0, .2 - .5. The later half is the last two.
-    found = late_forgetting_over_episodes((one, other), np.zeros((3, 1)), slice(0, 3), 0.95)
+    found = strength.late_forgetting_over_episodes(
+        (one, other), np.zeros((3, 1)), slice(0, 3), 0.95
+    )
     assert found.biased_low == pytest.approx(((-0.1 + 0.0) / 2 + (0.5 - 0.3) / 2) / 2)
 
 
-def test_one_sidedness_has_the_interval_of_clopper_and_pearson() -> None:
+def test_one_sidedness_has_the_interval_of_clopper_and_pearson():
     found = one_sidedness(np.full((1, 2), 0.9), 50, level=0.95)
     exact = stats.binomtest(90, 100).proportion_ci(0.95, method="exact")
     assert (found.low, found.high) == pytest.approx((exact.low, exact.high))
@@ -162,7 +140,7 @@ def test_one_sidedness_has_the_interval_of_clopper_and_pearson() -> None:
     assert one_sidedness(np.ones((4, 2)), 10, level=0.95).high == 1.0
 
 
-def test_means_over_runs_rest_on_values_that_err_to_a_known_side() -> None:
+def test_means_over_runs_rest_on_values_that_err_to_a_known_side():
     singles = [
         analysis.Estimate(0.2, 0.0, 0.5, biased_low=x - 0.1, biased_high=x + 0.1)
         for x in (0.1, 0.2, 0.3)

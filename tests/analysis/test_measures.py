@@ -15,7 +15,6 @@ from matrices import circular, logistic, payoffs, quadruples
 from matrixworld import analysis
 from matrixworld.analysis.cycles import (
     MARGIN,
-    Checkerboard,
     strongest_checkerboards,
     transitive_share_over_episodes,
 )
@@ -28,14 +27,14 @@ sixteenths = st.integers(0, 16).map(lambda n: n / 16)
 margins = st.integers(0, 15).map(lambda n: n / 16)
 
 
-def test_generalization_is_row_means_and_one_minus_column_means() -> None:
+def test_generalization_is_row_means_and_one_minus_column_means():
     curves = analysis.generalization([[0.0, 0.5, 1.0], [1.0, 1.0, 1.0]])
     np.testing.assert_allclose(curves.pursuers, [0.5, 1.0])
     np.testing.assert_allclose(curves.evaders, [0.5, 0.25, 0.0])  # the share that escapes
 
 
 @given(payoffs())
-def test_lag_profile_agrees_with_a_plain_sum(matrix: np.ndarray) -> None:
+def test_lag_profile_agrees_with_a_plain_sum(matrix):
     profile = analysis.lag_profile(matrix)
     rows, columns = matrix.shape
     for lag, mean, cells in zip(profile.lags, profile.means, profile.cells, strict=True):
@@ -45,7 +44,7 @@ def test_lag_profile_agrees_with_a_plain_sum(matrix: np.ndarray) -> None:
     assert profile.cells.sum() == matrix.size
 
 
-def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
+def test_lag_rise_compares_a_third_of_the_run_later_with_earlier():
     matrix = logistic(31)
     expected = 1 / (1 + np.exp(-1.5)) - 1 / (1 + np.exp(1.5))
     assert lag_rise(matrix) == pytest.approx(expected)
@@ -54,7 +53,7 @@ def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
 
 
 @given(payoffs(), margins, st.none() | sixteenths)
-def test_checkerboards_by_loops(matrix: np.ndarray, margin: float, level: float | None) -> None:
+def test_checkerboards_by_loops(matrix, margin, level):
     boards = analysis.checkerboards(matrix, margin=margin, level=level)
     rows, columns = matrix.shape
     assert boards.count == sum(
@@ -66,7 +65,7 @@ def test_checkerboards_by_loops(matrix: np.ndarray, margin: float, level: float 
 
 
 @given(payoffs())
-def test_the_transitive_share_is_that_of_an_additive_fit(matrix: np.ndarray) -> None:
+def test_the_transitive_share_is_that_of_an_additive_fit(matrix):
     rows, columns = matrix.shape
     design = np.hstack([
         np.kron(np.eye(rows), np.ones((columns, 1))), np.kron(np.ones((rows, 1)), np.eye(columns)),
@@ -78,7 +77,7 @@ def test_the_transitive_share_is_that_of_an_additive_fit(matrix: np.ndarray) -> 
 
 
 @pytest.mark.parametrize("truth", [logistic(15), circular(15)])
-def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray) -> None:
+def test_the_transitive_share_is_freed_from_noise(truth):
     share, rng = analysis.transitive_share(truth), np.random.default_rng(6)
     scores = [rng.random((15, 15, 10)) < truth[:, :, None] for _ in range(40)]
     found = [transitive_share_over_episodes(each.astype(float)).value for each in scores]
@@ -87,14 +86,14 @@ def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray) -> None:
 
 
 @given(payoffs(most=8), st.integers(1, 12), margins)
-def test_strongest_boards_are_chosen_first(matrix: np.ndarray, count: int, margin: float) -> None:
+def test_strongest_boards_are_chosen_first(matrix, count, margin):
     """All are the best of their pursuers; another one is weak, late, or too like a chosen one."""
-    best: dict[tuple, tuple] = {}
+    best = {}
     for won, lost, (pursuers, evaders) in quadruples(matrix):
         if min(won) - max(lost) > best.get(pursuers, (-2.0,))[0]:
             best[pursuers] = min(won) - max(lost), evaders
 
-    def shared(board: Checkerboard, pursuers: tuple, evaders: tuple) -> int:
+    def shared(board, pursuers, evaders):
         return len({*board.pursuers} & {*pursuers}) + len({*board.evaders} & {*evaders})
 
     chosen = strongest_checkerboards(matrix, count=count, margin=margin)
@@ -124,9 +123,7 @@ WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.02, 0.0), (0.7, 0.3), (0.99, 0.5)
         ([WON] * 3 + [LOST] * 4, (Disengagement("pursuers", 1, 3), Disengagement("evaders", 4, 7))),
     ],
 )
-def test_disengagement_takes_both_team_phases_three_generations_in_a_row(
-    rates: list[tuple[float, float]], expected: tuple[Disengagement, ...]
-) -> None:
+def test_disengagement_takes_both_team_phases_three_generations_in_a_row(rates, expected):
     assert analysis.disengagements(rates) == expected
 
 
@@ -134,7 +131,7 @@ MATRIX = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 1.0]])
 nan = np.nan
 
 
-def test_ciao_holds_the_two_triangles_with_the_diagonal() -> None:
+def test_ciao_holds_the_two_triangles_with_the_diagonal():
     pursuers, evaders = analysis.ciao(MATRIX)
     below = [[0.1, nan, nan], [0.4, 0.5, nan], [0.7, 0.8, 1.0]]
     np.testing.assert_array_equal(pursuers.payoff, below)
@@ -147,19 +144,19 @@ def test_ciao_holds_the_two_triangles_with_the_diagonal() -> None:
 
 
 @pytest.mark.parametrize("period", [3, 5])
-def test_cycles_are_stripes_of_their_period(period: int) -> None:
+def test_cycles_are_stripes_of_their_period(period):
     for triangle in analysis.ciao(circular(31, period)):
         assert triangle.period == period
         assert triangle.stripes == pytest.approx(1.0)
         assert abs(triangle.fading) < 0.12
 
 
-def test_elo_minimises_its_documented_objective() -> None:
+def test_elo_minimises_its_documented_objective():
     rng = np.random.default_rng(3)
     matrix = rng.random((3, 4))
     x = 0.01 + 0.98 * matrix
 
-    def objective(parameters: np.ndarray) -> float:
+    def objective(parameters):
         a, b, c = parameters[:3], parameters[3:7], parameters[7]
         p = expit(a[:, None] - b + c)
         cross = -(x * np.log(p) + (1 - x) * np.log(1 - p)).sum()
@@ -173,7 +170,7 @@ def test_elo_minimises_its_documented_objective() -> None:
 
 
 @pytest.mark.slow
-def test_intervals_of_ratings_are_those_of_a_jackknife() -> None:
+def test_intervals_of_ratings_are_those_of_a_jackknife():
     rng = np.random.default_rng(1)
     scores = (rng.random((5, 4, 200)) < np.tri(5)[:, :4, None] * 0.6 + 0.2).astype(float)
     found = analysis.elo_over_episodes(scores)
@@ -193,7 +190,7 @@ RUNS = np.stack([noisy.binomial(40, logistic(13)) / 40 for _ in range(6)])
 SCORES = (noisy.random((13, 13, 20)) < logistic(13)[:, :, None]).astype(np.float32)
 
 
-def test_measures_are_those_of_the_single_functions() -> None:
+def test_measures_are_those_of_the_single_functions():
     matrix = circular(13)
     found = {name: one.value for name, one in analysis.measure_all(matrix).items()}
     late = analysis.last_half(matrix)
@@ -207,7 +204,7 @@ def test_measures_are_those_of_the_single_functions() -> None:
     assert forgetting.of(matrix).value == found["evader_forgetting"] == drops[9:].mean()
 
 
-def test_the_judgement_and_the_tables_have_the_same_numbers() -> None:
+def test_the_judgement_and_the_tables_have_the_same_numbers():
     for scores in (SCORES, np.stack([SCORES, SCORES[::-1]]), SCORES[:8, :8]):
         payoffs = analysis.read_payoffs(scores, per_episode=True)
         for window, findings in analysis.judge(payoffs).windows.items():
@@ -215,14 +212,14 @@ def test_the_judgement_and_the_tables_have_the_same_numbers() -> None:
                 assert analysis.MEASURES[name].of(payoffs, window) == one
 
 
-def test_a_single_run_has_no_intervals_and_says_so() -> None:
+def test_a_single_run_has_no_intervals_and_says_so():
     found = analysis.measure_all(circular(13))
     scatter = {"pursuer_gain", "evader_gain", "pursuer_change", "evader_change"}
     assert all(one.low is None and one.note for name, one in found.items() if name not in scatter)
     assert analysis.measure_table(circular(13)).startswith("A single run (95% interval over its")
 
 
-def test_several_runs_have_intervals_over_runs() -> None:
+def test_several_runs_have_intervals_over_runs():
     share = analysis.measure_all(RUNS)["transitive_share"]
     each = [analysis.transitive_share(analysis.last_half(run)) for run in RUNS]
     assert share.value == pytest.approx(np.mean(each))
@@ -234,7 +231,7 @@ def test_several_runs_have_intervals_over_runs() -> None:
 
 @settings(max_examples=8)
 @given(small_payoffs)
-def test_any_matrix_is_analysed_and_swapping_teams_swaps_the_numbers(matrix: np.ndarray) -> None:
+def test_any_matrix_is_analysed_and_swapping_teams_swaps_the_numbers(matrix):
     numbers, swapped = analysis.measure_all(matrix), analysis.measure_all(1 - matrix.T)
     for name, one in numbers.items():
         value = one.value

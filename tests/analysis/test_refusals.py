@@ -1,6 +1,5 @@
 """Arguments that are wrong are refused in one sentence: what was expected and what came."""
 
-from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -9,13 +8,12 @@ import pytest
 from matrices import ROCK_PAPER_SCISSORS, logistic
 from matrixworld import analysis
 from matrixworld.analysis.payoffs import check_payoff
-from rliable_numbers import ONE, TASK
 
 PENNIES = np.eye(2)
 HIDDEN = np.ma.array([[0.9, 0.5], [0.2, 0.3]], mask=[[0, 1], [0, 0]])
 
 
-def test_rounding_is_clipped_and_more_is_refused() -> None:
+def test_rounding_is_clipped_and_more_is_refused():
     found = check_payoff([[1 + 1e-12, -1e-12, 0.5]])
     assert found.tolist() == [[1.0, 0.0, 0.5]]
     for rate in (1.01, 1 + 1e-6, -0.01):
@@ -46,10 +44,9 @@ HIDDEN_SCORES = np.ma.array(np.full((7, 7, 4), 0.5), mask=np.eye(7)[..., None] *
         (analysis.band_over_runs, HIDDEN_CURVES),
         (lambda places: analysis.band_over_runs(np.ones((2, 3)), places=places), HIDDEN_VALUES),
         (analysis.interquartile_mean, HIDDEN_CURVES),
-        (partial(analysis.probability_of_improvement, np.ones((3, 4))), HIDDEN_CURVES),
     ],
 )  # fmt: skip
-def test_what_a_mask_hides_is_never_used(function: Callable[..., object], hidden: object) -> None:
+def test_what_a_mask_hides_is_never_used(function, hidden):
     with pytest.raises(ValueError, match="masked cell at"):
         function(hidden)
 
@@ -79,7 +76,6 @@ NUMBERS, TYPE = "an array of numbers, got", r"expected .* got "
         (partial(over_runs, bounds=(1, 0)), [[0.1, 0.2]], ValueError, r"bounds .*, got \(1, 0\)"),
         (partial(analysis.difference_of_runs, [1], paired=True), [[0, 1]], ValueError, "1 paired"),
         (analysis.interquartile_mean, [[0.1]], ValueError, r"scores .* with 2 dim"),
-        (analysis.probability_of_improvement, [ONE, TASK], ValueError, "same 5 opponents, got 1"),
         (analysis.measure_table, [np.zeros((1, 5))], ValueError, r"2 x 2 generations, got"),
         (analysis.MEASURES["lag_rise"].of, [PENNIES, "x"], ValueError, "^window: expected one of"),
         (judged.present, ["early"], ValueError, "^window: expected one of whole, first half"),
@@ -87,7 +83,7 @@ NUMBERS, TYPE = "an array of numbers, got", r"expected .* got "
         (partial(judge, episodes=0), [logistic(8)], ValueError, "episodes: expected"),
         (
             partial(judge, per_episode=True, episodes=5),
-            [np.zeros((8, 8, 3))], ValueError, "the 3 episodes of each",
+            [np.zeros((8, 8, 3))], ValueError, "3 episodes",
         ),
         (analysis.sentence, [PENNIES], TypeError, TYPE),
         (analysis.judgement_table, [None], TypeError, TYPE),
@@ -95,8 +91,6 @@ NUMBERS, TYPE = "an array of numbers, got", r"expected .* got "
         (analysis.read_payoffs, [{}], TypeError, TYPE),
     ],
 )  # fmt: skip
-def test_a_wrong_argument_is_refused(
-    function: Callable[..., object], arguments: list[object], error: type[Exception], message: str
-) -> None:
+def test_a_wrong_argument_is_refused(function, arguments, error, message):
     with pytest.raises(error, match=message):
         function(*arguments)

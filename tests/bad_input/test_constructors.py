@@ -5,9 +5,7 @@ Those of settings are in test_declared.py.
 
 import inspect
 import re
-from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any
 
 import numpy as np
 import pytest
@@ -52,7 +50,7 @@ TEAMS = {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
 PICTURE = {"episode": EPISODE, "cell": 4, "trail": 2, "fov": 3}
 
 
-def with_all(call: Callable[..., object]) -> partial[object]:
+def with_all(call):
     """Return a call in which every parameter is tried; None stands for its default."""
     return partial(call, **dict.fromkeys(inspect.signature(call).parameters))
 
@@ -68,7 +66,7 @@ TURNS.reset(seed=0)
 STATES = solver.States(mw.WorldConfig(rows=2, cols=2, n_pursuers=1, n_evaders=1))
 
 
-def from_json(part: str | None, /, **changes: object) -> mw.WorldConfig:
+def from_json(part, /, **changes):
     plain = {part: PLAIN[part] | changes} if part else changes
     return mw.WorldConfig.from_json(PLAIN | plain)
 
@@ -110,17 +108,16 @@ CALLS = [
     partial(coevolution.check_learner, learner=coevolution.CmaEs(sigma=0.1)),
     partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform(), count=1),
     partial(coevolution.available, team="pursuer", k=1),
-    partial(coevolution.competitive_sharing, wins=[[1.0]]),
     partial(coevolution.tournament, **TEAMS, seed=0, episodes=1, threads=1),
     partial(
         coevolution.score_policy, policy=TEAM, team="pursuer", config=CONFIG, episodes=2,
         seed=0, threads=1,
     ),
     partial(replay.scene, episode=EPISODE, step=0, trail=2),
-    partial(replay.save, **PICTURE, path="new.gif", fps=10.0, every=1, hold=1.0, step=-1),
+    partial(replay.save, **PICTURE, path="new.gif", fps=10.0, every=1, step=-1),
     partial(replay.animation, **PICTURE, fps=10.0, every=1),
-    partial(render.rgb, scene=WORLD.scene(), cell=4, fov=3, viewers=[0], numbers=False),
-    partial(render.ansi, scene=WORLD.scene(), color="true", compact=False),
+    partial(render.rgb, scene=WORLD.scene(), cell=4, numbers=False),
+    partial(render.ansi, scene=WORLD.scene(), color=True, compact=False),
     partial(EPISODE.explain, step=1),
     partial(mw.Recorder, world=WORLD),
     partial(mw.Recorder(mw.World(CONFIG)).scene, trail=2),
@@ -155,12 +152,11 @@ ACCEPTED = {
     ("MatrixWorldParallel.reset", "options", "a dict"): "no options",
     ("AgentEnv.reset", "options", "a dict"): "no options",
     ("Episode", "config", "a dict"): "no settings",
-    ("competitive_sharing", "wins", "an unhashable list"): "no opponents",
 }
 """Values of the table that are legal, each with what they mean."""
 
 
-def parameters() -> Iterator[Any]:
+def parameters():
     for call in CALLS:
         for parameter in sorted(call.keywords):
             name = call.func.__qualname__
@@ -185,6 +181,6 @@ def test_a_malformed_value_is_a_value_or_type_error(call, parameter, tmp_path, m
 
 
 @pytest.mark.parametrize("steps", [2**70, float("inf"), "x", None])
-def test_a_moment_of_other_values_is_refused(steps: object) -> None:
+def test_a_moment_of_other_values_is_refused(steps):
     with pytest.raises(TypeError, match="^moment: expected that of a copied world"):
         mw.World.at(CONFIG, {**MOMENT, "steps": steps})

@@ -5,9 +5,9 @@ is tested where that rule stands.
 """
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import Field, fields
-from typing import Any, get_args, get_origin
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import get_args, get_origin
 
 import click
 import numpy as np
@@ -15,7 +15,7 @@ import pytest
 
 from matrixworld.cli import main
 from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.sections import Section, hints_of, sections_in
+from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.world.config import WorldConfig
 
 NO_NUMBERS = ("1", None, [1], {}, True, np.True_, 1j, b"1")
@@ -25,7 +25,7 @@ NO_TEXTS = (1, None, ["relu"], {}, True, object())
 NO_BOOLS = (0, 1, None, "true", np.True_, np.ma.array([0.5], mask=[True]))
 
 
-def sections(cls: type[Section] = RaceSettings) -> Iterator[type[Section]]:
+def sections(cls=RaceSettings):
     """Yield the classes of all sections that settings can hold."""
     yield cls
     for hint in hints_of(cls).values():
@@ -33,18 +33,18 @@ def sections(cls: type[Section] = RaceSettings) -> Iterator[type[Section]]:
             yield from sections(part)
 
 
-def beyond(item: Field[Any], step: float) -> list[Any]:
+def beyond(item, step):
     """Return the numbers next to the declared limits of a field, outside of them."""
     least, most, positive = item.metadata["limits"]
     low = least if positive and least == 0 else least - step
     return [low] + ([most + step] if most != math.inf else [])
 
 
-def wrong_values(item: Field[Any], hint: Any) -> list[Any]:
+def wrong_values(item, hint):
     """Return values that a field must not have, by its type, limits and choices."""
     accepted = {hint, *get_args(hint)}
     if sections_in(hint):
-        wrong: list[Any] = [3, ["es"], {"kind": "none of these"}, {"none of these": 1}, "no kind"]
+        wrong = [3, ["es"], {"kind": "none of these"}, {"none of these": 1}, "no kind"]
     elif hint is WorldConfig:
         wrong = ["O", 3, {"none of these": 1}]
     elif get_origin(hint) is tuple and str in get_args(hint):
@@ -75,7 +75,7 @@ FIELDS = [
 
 
 @pytest.mark.parametrize(("cls", "item"), FIELDS)
-def test_a_bad_setting_is_refused_by_its_name(cls: type[Section], item: Field[Any]) -> None:
+def test_a_bad_setting_is_refused_by_its_name(cls, item):
     needed = {"code": "module:object"} if "code" in hints_of(cls) else {}
     wrong = wrong_values(item, hints_of(cls)[item.name])
     assert len(wrong) > 2
@@ -89,19 +89,17 @@ def test_a_bad_setting_is_refused_by_its_name(cls: type[Section], item: Field[An
 
 
 @pytest.mark.parametrize("name", [item.name for item in fields(RaceSettings)])
-def test_the_message_begins_with_the_path(name: str) -> None:
+def test_the_message_begins_with_the_path(name):
     kinds = sections_in(hints_of(RaceSettings)[name])
     for kind, cls in kinds.items():
         for item in fields(cls) if kind != "own" else ():
             [value, *_] = wrong_values(item, hints_of(cls)[item.name])
             values = {name: kind} if kind else {}
-            with pytest.raises(
-                (TypeError, ValueError), match=rf"^{name}\.{item.name}.*: expected "
-            ):
+            with pytest.raises((TypeError, ValueError), match=rf"^{name}\.{item.name}.*: expected"):
                 RaceSettings.of({**values, f"{name}.{item.name}": value})
 
 
-def wrong_words(kind: click.ParamType) -> list[str]:
+def wrong_words(kind):
     """Return words that a parameter of a type must not have."""
     if isinstance(kind, click.Choice):
         return ["no choice", ""]

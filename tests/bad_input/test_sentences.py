@@ -1,14 +1,9 @@
 """Mistakes that users make first: the exception, what was expected; and nothing has changed."""
 
-from collections.abc import Callable
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import competitive_sharing
 from rows import random_genome
 
 SMALL = {"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1}
@@ -22,21 +17,20 @@ SPOILT[1, 17] = np.nan
 DIAGONAL = mw.WorldConfig(**SMALL, fov=5, diagonal=True)
 
 
-def value(call: Any, says: str) -> Any:
+def value(call, says):
     """Return a case of a wrong value; `says` is ``"expected part | got part"`` of the message."""
     return pytest.param(call, ValueError, says, id=says)
 
 
-def kind(call: Any, says: str) -> Any:
-    """Return a case of a value of a wrong type."""
+def kind(call, says):
     return pytest.param(call, TypeError, says, id=says)
 
 
-def table(cases: list[Any]) -> pytest.MarkDecorator:
+def table(cases):
     return pytest.mark.parametrize(("call", "error", "says"), cases)
 
 
-def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -> None:
+def assert_refuses(call, error, says):
     """Check the type of the exception, and both parts of its message."""
     expected, received = says.split(" | ")
     with pytest.raises(error) as caught:
@@ -48,16 +42,15 @@ def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -
     assert received in message, message
 
 
-def config(**field: Any) -> Any:
-    """Make a configuration with a wrong value."""
+def config(**field):
     return lambda: mw.WorldConfig(**SMALL | field)
 
 
-def with_buffer(name: str, array: Any) -> Any:
+def with_buffer(name, array):
     return lambda: mw.Batch(2, CONFIG, buffers={name: array})
 
 
-def score(**arguments: Any) -> Any:
+def score(**arguments):
     usual = {"policy": lambda seen: [0] * len(seen), "team": "pursuer", "episodes": 2}
     return lambda: mw.score_policy(config=CONFIG, **{**usual, **arguments})
 
@@ -89,7 +82,6 @@ VALUES = [
     kind(with_buffer("rewards", np.zeros((2, 3), ">f4")), "dtype float32 | got >f4"),
     value(with_buffer("positions", np.zeros((2, 4, 2), np.int32)), "shape (2, 3, 2) | (2, 4, 2)"),
     value(with_buffer("positions", np.zeros((2, 3, 4), "i4")[:, :, ::2]), "a writeable C | pos"),
-    value(lambda: competitive_sharing([1, 0]), "(n, m) numbers >= 0 | wins"),
     value(score(episodes=1), "at least 2 | got 1"),
     value(score(policy=lambda seen: [1]), "shape | actions of the policy"),
     value(score(opponents={"mad": "mad"}), "one of random | opponents"),
@@ -106,7 +98,6 @@ VALUES = [
     value(lambda: mw.AgentVectorEnv(mw.VectorEnv(), "both"), "one of | both"),
     value(lambda: mw.AgentVectorEnv(mw.VectorEnv(evaders="fleer"), "evader"), "the | evader"),
     value(lambda: mw.AgentEnv("O", agent="prey"), "one of pursuer_0 | got 'prey'"),
-    value(lambda: mw.parallel_env(max_cycles=3, max_steps=5), "one of them | max_cycles"),
     # Maps
     value(lambda: mw.read_map([]), "at least one row | got []"),
     value(lambda: mw.read_map(["...", ".."]), "3 cells as in row 0 | row 1"),
@@ -116,7 +107,7 @@ VALUES = [
 
 
 @table(VALUES)
-def test_values_are_refused(call: Any, error: type[Exception], says: str) -> None:
+def test_values_are_refused(call, error, says):
     assert_refuses(call, error, says)
 
 
@@ -132,7 +123,7 @@ FILES = [
 
 
 @table(FILES)
-def test_map_files(tmp_path: Path, call: str, error: type[Exception], says: str) -> None:
+def test_map_files(tmp_path, call, error, says):
     path = tmp_path / "broken.map"
     path.write_text(call, encoding="utf-8")
     assert_refuses(lambda: mw.read_map(path), error, says)
@@ -140,7 +131,7 @@ def test_map_files(tmp_path: Path, call: str, error: type[Exception], says: str)
         mw.WorldConfig(obstacles=str(path))
 
 
-def test_maps_are_read_in_all_forms(tmp_path: Path) -> None:
+def test_maps_are_read_in_all_forms(tmp_path):
     expected = np.array([[False, False, True], [True, False, False]])
     for same in (
         "..#\n#..",
@@ -152,7 +143,7 @@ def test_maps_are_read_in_all_forms(tmp_path: Path) -> None:
     ):
         np.testing.assert_array_equal(mw.read_map(same), expected)
     path = tmp_path / "x.map"
-    for encoding in ("utf-8", "utf-8-sig", "utf-16"):
+    for encoding in ("utf-8", "utf-8-sig"):
         for header in (HEADER, HEADER.replace(" ", "\t  ") + "\n", HEADER.replace("2", "02 ")):
             path.write_text(header + "..@ \r\nT..\n\n \n", encoding=encoding)
             np.testing.assert_array_equal(mw.read_map(path), expected)
@@ -167,9 +158,7 @@ HOLE = ["....", ".#..", "...."]
 WORLD_CALLS = [
     value(lambda w: w.step([0, 0]), "shape (3,) | got (2,)"),
     kind(lambda w: w.step([0.0, 1, 2]), "an integer | got 0.0"),
-    value(
-        lambda w: w.step([0, 2**63, np.uint64(1)]), "-9223372036854775808 to | 9223372036854775808"
-    ),
+    value(lambda w: w.step([0, 2**63, np.uint64(1)]), "-9223372036854775808 to | 92233720368547"),
     value(lambda w: w.step([mw.Action.NORTHEAST, 0, 0]), "0 to 4 | got 5 (world 0, agent 0)"),
     value(lambda w: w.reset(-1), "0 to 18446744073709551615 | got -1"),
     value(lambda w: w.reset(episode=3), "a seed with it | got episode 3"),
@@ -183,7 +172,7 @@ WORLD_CALLS = [
 
 
 @table(WORLD_CALLS)
-def test_a_world_refuses_and_stays_as_it_was(call: Any, error: type[Exception], says: str) -> None:
+def test_a_world_refuses_and_stays_as_it_was(call, error, says):
     world, twin = mw.World(CONFIG), mw.World(CONFIG)
     for each in (world, twin):
         each.reset(pursuers=[[0, 0], [0, 1]], evaders=[[2, 3]])
@@ -210,7 +199,7 @@ BATCH_CALLS = [
 
 
 @table(BATCH_CALLS)
-def test_a_batch_refuses_and_stays_as_it_was(call: Any, error: type[Exception], says: str) -> None:
+def test_a_batch_refuses_and_stays_as_it_was(call, error, says):
     batch, twin = mw.Batch(2, CONFIG), mw.Batch(2, CONFIG)
     assert_refuses(lambda: call(batch), error, says)
     for action in (mw.Action.WEST, mw.Action.NORTH):

@@ -6,8 +6,6 @@ import pytest
 import matrixworld as mw
 from matrixworld._util import checks
 from matrixworld.coevolution import evolve
-from matrixworld.episodes import replay
-from rows import random_walks
 from tiny_race import tiny_race
 
 MANY = 2**31 - 1  # the largest number that is accepted where sizes are ints
@@ -31,17 +29,9 @@ def test_a_job_that_is_too_large_is_refused_with_an_estimate(settings, tmp_path,
     checks.check_memory("all", bytes=10**30)  # where memory is unknown nothing is refused
 
 
-def test_what_else_is_too_large_fails_as_in_numpy() -> None:
+def test_what_else_is_too_large_fails_as_in_numpy():
     giant = mw.Network((2**20, 2**20))
     with pytest.raises(MemoryError, match="Unable to allocate"):
         giant.initial(np.random.default_rng(0))
     with pytest.raises(MemoryError):
         mw.Batch(MANY, mw.WorldConfig(rows=60, cols=60))
-
-
-@pytest.mark.parametrize("suffix", [".gif", ".mp4"])
-def test_animations_have_a_largest_size(tmp_path, suffix, monkeypatch):
-    monkeypatch.setattr(replay, "MOST_ANIMATED", 10**6)
-    with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
-        replay.save(random_walks(), tmp_path / f"x{suffix}")
-    assert list(tmp_path.iterdir()) == []

@@ -1,12 +1,9 @@
 """What tests of the command line share."""
 
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
-from typing import BinaryIO
 
 import pytest
-from click.testing import Result
 from matplotlib.figure import Figure
 from PIL import Image
 
@@ -16,16 +13,15 @@ from matrixworld.cli import evolve
 
 
 @pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory."""
+def elsewhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-def keep_pictures_small(patch: pytest.MonkeyPatch) -> None:
+def keep_pictures_small(patch):
     """Save a grey point in place of each figure: what figures show is tested in tests/plots."""
     save = Figure.savefig
 
-    def saved(figure: Figure, file: BinaryIO, **look: object) -> None:
+    def saved(figure, file, **look):
         if look["format"] == "png":
             Image.new("L", (1, 1)).save(file, "PNG")
         else:
@@ -35,7 +31,7 @@ def keep_pictures_small(patch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(autouse=True, scope="module")
-def quick_jobs(no_processes: None) -> Iterator[None]:
+def quick_jobs(no_processes):
     """Play jobs without worker processes, but in commands that tests start as programs."""
     with pytest.MonkeyPatch.context() as patch:
         keep_pictures_small(patch)
@@ -43,19 +39,18 @@ def quick_jobs(no_processes: None) -> Iterator[None]:
 
 
 @pytest.fixture
-def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+def undrawn(monkeypatch):
     """Draw no figures and write no page, in tests of something else."""
     monkeypatch.setattr(evolve, "draw", lambda *args: None)
 
 
 @pytest.fixture
-def run(race: Path) -> Path:
-    """A copy of the race in the working directory."""
+def run(race):
     return Path(shutil.copytree(race, "run"))
 
 
 @pytest.fixture(scope="session")
-def main_job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
+def main_job(tmp_path_factory):
     """A tiny main job, not to be changed: its directory, and what ``evolve`` told of it there."""
     folder = tmp_path_factory.mktemp("main")
     with pytest.MonkeyPatch.context() as patch, jobs_in_threads():

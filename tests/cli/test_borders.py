@@ -10,7 +10,6 @@ import shutil
 import unicodedata
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 import click
 import numpy as np
@@ -40,7 +39,7 @@ SMALL = {
 """Options that a command gets if it has them; None: a flag."""
 
 
-def usual(command: click.Command, param: click.Parameter) -> list[str]:
+def usual(command, param):
     """Return the words of a parameter that is not tried."""
     if isinstance(param, click.Argument):
         place = PLACES.get(param.name or "", "RUN" if param.required else None)
@@ -58,12 +57,11 @@ BARE = ["missing/x", "file.txt/x", "/proc/x", "\udcff", "x" * 300, "directory", 
 PATHS = ["", ".", "..", "-", "file.txt", "RUN", "/dev/null", "link", "empty", "RUN/payoff.npz"]
 
 
-def borders(param: click.Parameter) -> list[list[str]]:
-    """Return the words to try for a parameter."""
+def borders(param):
     flag = isinstance(param, click.Option) and param.is_flag
     if flag:
         return [[option] for option in (*param.opts, *param.secondary_opts)]
-    type_: Any = param.type
+    type_ = param.type
     values = list(TEXTS)
     if isinstance(type_, click.Choice):
         values += [*type_.choices][:1] + [*type_.choices][-1:]
@@ -83,14 +81,12 @@ def borders(param: click.Parameter) -> list[list[str]]:
 CASES = [(command, param) for command in main.commands.values() for param in command.params]
 
 
-def make_template(race: Path, root: Path) -> Path:
+def make_template(race, root):
     """Make a directory with a run, and files of all kinds that are none."""
     shutil.copytree(race, root / "RUN")
     for name in ("directory", "empty"):
         (root / name).mkdir()
-    tiny = {
-        paths_of(name)[0]: json.dumps(value) for name, value in RACE.items() if name != "hidden"
-    }
+    tiny = {paths_of(name)[0]: json.dumps(n) for name, n in RACE.items() if name != "hidden"}
     tiny = {name: value for name, value in tiny.items() if not name.startswith("schedule.joint")}
     text = "".join(f"{name} = {value}\n" for name, value in tiny.items())
     (root / "tiny.toml").write_text(text)
@@ -106,15 +102,15 @@ def make_template(race: Path, root: Path) -> Path:
 
 
 @pytest.fixture(scope="module")
-def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def template(race, tmp_path_factory):
     return make_template(race, tmp_path_factory.mktemp("borders") / "here")
 
 
-def tree(root: Path) -> Tree:
+def tree(root):
     return {p.relative_to(root): None if p.is_dir() else p.read_bytes() for p in root.rglob("*")}
 
 
-READERS: list[Any] = [
+READERS = [
     lambda path: json.loads(path.read_text("utf-8")),
     lambda path: [*np.load(path).values()],
     np.load,
@@ -124,7 +120,7 @@ READERS: list[Any] = [
 ]
 
 
-def is_readable(path: Path) -> bool:
+def is_readable(path):
     """Return whether a file is whole, whatever its name; locks are empty."""
     for read in READERS:
         with suppress(Exception):
@@ -133,7 +129,7 @@ def is_readable(path: Path) -> bool:
     return path.name.endswith(".lock") and not path.stat().st_size
 
 
-def problem_of(words: list[str], root: Path, before: Tree) -> str:
+def problem_of(words, root, before):
     """Return what a command does against its promise; empty if it keeps it."""
     done = CliRunner().invoke(main, words)
     after = tree(root)
@@ -159,7 +155,7 @@ def problem_of(words: list[str], root: Path, before: Tree) -> str:
 
 
 @pytest.fixture
-def here(template: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def here(template, tmp_path, monkeypatch):
     """The working directory, inside of one that must not change, either."""
     monkeypatch.setattr("webbrowser.open", lambda page: True)
     # Tables and figures at the end of a job take seconds, and have tests of their own.

@@ -5,10 +5,8 @@ import re
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -24,7 +22,7 @@ OPTIONS = (*SCHEDULE, *words({name: value for name, value in RACE.items() if nam
 
 
 @pytest.fixture(scope="module")
-def dask() -> Iterator[Any]:
+def dask():
     """A cluster; on exit no process is left."""
     local = {"dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL", "memory_limit": 0}
     with distributed.LocalCluster(2, threads_per_worker=1, **local) as running:
@@ -46,7 +44,7 @@ def test_workers_of_another_version_are_refused(race, dask, monkeypatch):
 
 
 COMMANDS = {
-    "evolve": ("--seeds", "0-3", *OPTIONS),
+    "evolve": ("--seeds", "0-1", *OPTIONS),
     "score": ("{job}", "--episodes", 5, "--generation", "all"),
     "tournament": ("{race}", "--episodes", 4),
 }
@@ -71,7 +69,7 @@ def test_a_cluster_gives_the_same_files(name, race, dask, tmp_path):
     assert alone == shared
 
 
-def _files_in(target: Path) -> dict[str, bytes]:
+def _files_in(target):
     """Return the content of a file, or of all run directories in a directory."""
     if target.is_file():
         return {"": target.read_bytes()}

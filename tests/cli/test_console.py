@@ -2,9 +2,6 @@
 
 import json
 import warnings
-from pathlib import Path
-
-import pytest
 
 from command_line import matrixworld_command
 from matrixworld.cli.console import note, print_table, warnings_as_notes
@@ -22,7 +19,7 @@ EVIL = "a\x1b]0;owned\x07\u202efdp.exe\x9b31m\udcff"
 SHOWN = r"a\x1b]0;owned\x07\u202efdp.exe\x9b31m\udcff"
 
 
-def test_names_and_files_give_a_terminal_no_orders(run: Path, tmp_path: Path) -> None:
+def test_names_and_files_give_a_terminal_no_orders(run, tmp_path):
     evil = tmp_path / EVIL
     run.rename(evil)
     config = json.loads((evil / "config.json").read_text())
@@ -33,7 +30,7 @@ def test_names_and_files_give_a_terminal_no_orders(run: Path, tmp_path: Path) ->
     assert "".join(told.split("\n")).isprintable(), told
 
 
-def test_tables_and_notes_show_escapes_as_they_stand(capsys: pytest.CaptureFixture[str]) -> None:
+def test_tables_and_notes_show_escapes_as_they_stand(capsys):
     print_table([("name", "rank"), (EVIL, "1")], "<>")
     note(EVIL)
     out, err = capsys.readouterr()

@@ -14,8 +14,8 @@ from matrixworld._util.files import read_json
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs, sentence
 from matrixworld.cli.evolve import report
-from matrixworld.coevolution import SavedRun, evolve, open_run, score
-from matrixworld.coevolution.groups import RunGroup, open_groups
+from matrixworld.coevolution import evolve, open_run, score
+from matrixworld.coevolution.groups import open_groups
 from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import LONG, SCHEDULES, tiny_race
@@ -23,14 +23,13 @@ from tiny_race import LONG, SCHEDULES, tiny_race
 EVOLVED = {**RACE, "generations": 13, "evaluation_episodes": 5, "schedule": "specialist-specialist"}
 
 
-def means_of(kind: str, episodes: int = 30) -> np.ndarray:
-    """Mean capture rates of a race whose truth is known."""
+def means_of(kind, episodes=30):
     # So clear that 30 episodes suffice.
     chance = circular(31) if kind == "circle" else logistic(31, 0.3)
     return np.random.default_rng(0).binomial(episodes, chance) / episodes
 
 
-def judged(*words: object) -> tuple[str, dict]:
+def judged(*words):
     """Return what the command prints, and what it writes of each group."""
     told = matrixworld_command("judge", *words, "--json", "found.json", "--force").stdout
     return told, read_json(Path("found.json"))["groups"]
@@ -98,7 +97,7 @@ def test_all_commands_come_to_the_same_judgement():
     path = Path("run/specialist-specialist/seed-5")
     [group] = open_groups(path)
     expected = judge(group.payoffs.scores, per_episode=True)
-    same = ["--seed", 5, "--episodes", 5, "--steps", 12]
+    same = ["--seed", 5, "--episodes", 5]
     told = {
         "judge": judged(path)[0],
         "tournament": matrixworld_command("tournament", path, *same).stdout,
@@ -119,23 +118,24 @@ SEEDS = (0, 1, 2)
 
 
 @pytest.fixture
-def job(seeds: Path) -> Path:
-    """A copy of the job in the working directory."""
+def job(seeds):
     return Path(shutil.copytree(seeds, "job"))
 
 
-def results(root: Path) -> list[SavedRun]:
+def results(root):
     return [run for group in open_groups(root) for run in group.runs]
 
 
 def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, undrawn):
+    for name in SCHEDULES:
+        shutil.rmtree(job / name / "seed-2")  # which would take long
     report(found_job(job), job, results(job), {}, 0.0, threads=1)
     said = capsys.readouterr().out
     assert max(map(len, said.splitlines())) <= 80
     assert len(said.splitlines()) <= 24  # seen at once
     strangers = run_together(said.partition("Best against strangers: ")[2])
     written = read_json(job / "summary.json")
-    groups: dict[str, RunGroup] = {each.inside(job).name: each for each in open_groups(job)}
+    groups = {each.inside(job).name: each for each in open_groups(job)}
     assert [*groups] == [*SCHEDULES]
     for name, group in groups.items():
         told = run_together(said[said.index(f"\n{name}") :])
@@ -145,7 +145,7 @@ def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, u
             pursuers, evaders = (f"{each.mean():.2f}" for each in scores.values())
             assert run_together(f"(pursuers {pursuers}, evaders {evaders}, script") in strangers
         kept = written["groups"][name]
-        assert (kept["finished"], kept["missing"]) == ([0, 1, 2], [3])
+        assert (kept["finished"], kept["missing"]) == ([0, 1], [3])
         assert kept["judgement"] == group.judgement.to_json()
         middle = kept["held_out"]["evaders"]["interquartile mean"]
         assert middle["value"] == pytest.approx(stats.trim_mean(scores["evader"], 0.25, axis=None))
@@ -153,7 +153,7 @@ def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, u
     assert strangers.startswith(run_together(best))
     assert "untrained teams" in said
     assert said.count("Not finished: seeds 3.") == 2
-    assert [*written["runs"]] == [f"{name}/seed-{seed}" for name in SCHEDULES for seed in SEEDS]
+    assert [*written["runs"]] == [f"{name}/seed-{seed}" for name in SCHEDULES for seed in (0, 1)]
     one, run = written["runs"][f"{FIRST}/seed-1"], open_run(job / FIRST / "seed-1")
     assert one.items() >= run.summary().items()
     scored = score(run, threads=1)["pursuer"].to_json()

@@ -23,7 +23,7 @@ each run; `--out` has another file by default; `score` takes all generations, to
 
 
 def test_options_of_one_name_are_equal_in_all_commands():
-    found: dict[str, set[tuple[object, ...]]] = defaultdict(set)
+    found = defaultdict(set)
     for command in main.commands.values():
         for option in command.params:
             if isinstance(option, click.Option):
@@ -42,10 +42,10 @@ def test_every_command_that_names_an_output_file_has_force():
 
 OUTPUTS = {
     "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
-    "tournament": (["tournament", "run", "--episodes", 2], "run/tournament-2x12-seed0.png"),
+    "tournament": (["tournament", "run", "--episodes", 2], "run/tournament-2-seed0.png"),
     "a page": (["explore", "run", "--no-open"], "run/explorer.html"),
     "figures": (["explore", "run", "--figures"], "run/training.png"),
-    "replay": (["replay", "O", "--steps", 5, "--out", "new.png", "--out", "old.npz"], "old.npz"),
+    "replay": (["replay", "O", "--steps", 5, "--out", "old.npz"], "old.npz"),
 }
 """Commands that write files, and one of these files."""
 

@@ -31,7 +31,7 @@ main()
 """
 
 
-def test_a_learner_of_the_current_folder() -> None:
+def test_a_learner_of_the_current_folder():
     mine = Path("mine.py")
     mine.write_text(MINE)
     # As pip installs it: Python looks for modules where this file lies. -m would look here.
@@ -54,7 +54,7 @@ def test_a_learner_of_the_current_folder() -> None:
     assert "mine:Learner: expected a module that" in evolved("--resume", "job", code=2).stderr
 
 
-def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue() -> None:
+def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue():
     options = words({**PLAIN, "schedule": MAIN_JOB[0], "learner": "own_code:Fails"})
     done = CliRunner().invoke(main, ["evolve", "--out", "out", *options])
     assert isinstance(done.exception, ZeroDivisionError)

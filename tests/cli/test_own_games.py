@@ -30,7 +30,7 @@ TYPED = ("--game", "numbers_game:numbers", "--schedule", "hall-of-fame", *words(
 
 
 @pytest.fixture
-def game(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def game(tmp_path, monkeypatch):
     """Write the game of a module into the current directory."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(str(tmp_path))
@@ -39,13 +39,13 @@ def game(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return Path("numbers_game.py")
 
 
-def changed(game: Path, old: str, new: str) -> None:
+def changed(game, old, new):
     game.write_text(game.read_text().replace(old, new))
     importlib.invalidate_caches()
     sys.modules.pop("numbers_game", None)
 
 
-def test_a_game_of_your_own_is_raced_judged_and_shown(game: Path) -> None:
+def test_a_game_of_your_own_is_raced_judged_and_shown(game):
     told = evolved("--out", "out", *TYPED).stdout
     assert "improved" in told
     assert "pursuer" not in told + matrixworld_command("judge", "--explain", "out").stdout
@@ -55,12 +55,9 @@ def test_a_game_of_your_own_is_raced_judged_and_shown(game: Path) -> None:
     assert shown == f"{first[3].mean():.3f} meets {last[-1].mean():.3f}\n"
     refused = matrixworld_command("score", "out", code=2).stderr
     assert "expected a run of pursuers and evaders, got one of the game numbers_game" in refused
-    for option in (("--rows", 5), ("--set", "policy.hidden=4"), ("--set", "train_steps=5")):
-        refused = evolved("--out", "other", *TYPED, *option, code=2).stderr
-        assert "expected no value in a game of your own (numbers_game:numbers)" in refused
 
 
-def test_a_changed_game_goes_on_by_force_only(game: Path) -> None:
+def test_a_changed_game_goes_on_by_force_only(game):
     evolved("--out", "out", *TYPED)
     changed(game, "SCALE = 1.0", "SCALE = 2.0")
     config = Path("out/hall-of-fame/seed-0/config.json")
@@ -72,17 +69,9 @@ def test_a_changed_game_goes_on_by_force_only(game: Path) -> None:
     assert "source of the game as it was" in matrixworld_command("replay", "out").stderr
     evolved(*longer, "--force")
     assert open_run(config.parent).payoff().matrix.shape == (9, 9)
-    changed(game, "beats, 3,", "beats, 4,")
-    refused = evolved("--resume", "out", "--generations", 9, "--force", code=2).stderr
-    assert "expected a game with genes (3, 3), got (4, 4)" in refused
-    game.unlink()
-    sys.modules.pop("numbers_game", None)
-    assert "numbers_game:numbers: expected a module" in matrixworld_command(
-        "replay", "out", code=2
-    ).stderr  # fmt: skip
 
 
-def test_what_rates_moves_ends_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_rates_moves_ends_in_words(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     others = ("hidden", "pursuer_epochs", "evader_epochs")
     race = {name: value for name, value in RACE.items() if name not in others}

@@ -13,7 +13,7 @@ def test_pages_are_written_and_opened(main_job, monkeypatch):
     data = data_of(root / "explorer.html")  # that of evolve
     assert data["title"] == "main job"
     assert [run["name"] for run in data["runs"]] == PLACES
-    opened: list[str] = []
+    opened = []
     monkeypatch.setattr(pages.webbrowser, "open", opened.append)
     runs = [root / name for name in MAIN_JOB[:2]]
     told = matrixworld_command("explore", *runs, "-o", "page.html").output

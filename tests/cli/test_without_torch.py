@@ -13,7 +13,7 @@ HINT = "pip install 'matrixworld-pursuit[torch]'"
 
 
 @pytest.fixture(autouse=True)
-def runs(monkeypatch: pytest.MonkeyPatch) -> None:
+def runs(monkeypatch):
     """Leave a finished race and a run that has begun, both of actor-critic."""
     pytest.importorskip("torch")
     evolve(tiny_race(learner="actor-critic"), "RUN", threads=1)
@@ -22,7 +22,7 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "torch", None)
 
 
-def test_learning_is_refused_with_the_command_that_installs_it() -> None:
+def test_learning_is_refused_with_the_command_that_installs_it():
     before = sorted(Path().rglob("*"))
     critic = words({**WORLD, "learner": "actor-critic"})
     for arguments in (["--out", "new", *critic], ["--resume", "begun"]):
@@ -31,6 +31,6 @@ def test_learning_is_refused_with_the_command_that_installs_it() -> None:
     assert sorted(Path().rglob("*")) == before
 
 
-def test_what_was_learned_is_played_and_judged() -> None:
+def test_what_was_learned_is_played_and_judged():
     for command in READING:
         assert matrixworld_command(*command).output

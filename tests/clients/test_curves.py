@@ -1,10 +1,7 @@
 """Writers of curves get one of each measure and team, in a group for each run."""
 
 import sys
-from collections.abc import Iterator
-from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
@@ -15,37 +12,35 @@ from tiny_race import played, tiny_race
 class Kept:
     """What stands for a writer of TensorBoard and for a run of Weights & Biases."""
 
-    made: list["Kept"]
-
-    def __init__(self, *name: str, **settings: Any) -> None:
-        self.name, self.settings, self.calls, self.ended = name, settings, list[Any](), False
+    def __init__(self, *name, **settings):
+        self.name, self.settings, self.calls, self.ended = name, settings, [], False
         self.made.append(self)
 
-    def __enter__(self) -> "Kept":
+    def __enter__(self):
         return self
 
-    def __exit__(self, *error: object) -> None:
+    def __exit__(self, *error):
         self.ended = True
 
-    def add_scalar(self, *call: Any) -> None:
+    def add_scalar(self, *call):
         self.calls.append(call)
 
-    def log(self, values: dict[str, float]) -> None:
+    def log(self, values):
         self.calls += [(k, v, values["matches"]) for k, v in values.items() if k != "matches"]
 
-    def define_metric(self, name: str, step_metric: str) -> None:
+    def define_metric(self, name, step_metric):
         assert (name, step_metric) == ("*", "matches")
 
 
 @pytest.fixture
-def made(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Kept]]:
+def made(monkeypatch):
     Kept.made = []
     monkeypatch.setitem(sys.modules, "tensorboardX", SimpleNamespace(SummaryWriter=Kept))
     monkeypatch.setitem(sys.modules, "wandb", SimpleNamespace(init=Kept))
     return Kept.made
 
 
-def test_writers_get_a_curve_of_each_measure_and_team(made: list[Kept], tmp_path: Path) -> None:
+def test_writers_get_a_curve_of_each_measure_and_team(made, tmp_path):
     job = {"a/seed-1": tiny_race(seed=1), "b/seed-2": tiny_race(seed=2)}
     with tensorboard_writer(tmp_path / "curves") as write, wandb_writer(project="races") as log:
         for name, settings in job.items():

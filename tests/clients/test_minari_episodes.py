@@ -2,8 +2,6 @@
 
 import importlib
 from dataclasses import replace
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,25 +17,25 @@ CONFIG = config_of("SD")
 
 
 @pytest.fixture
-def library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Any:
+def library(tmp_path, monkeypatch):
     """Minari, which keeps its data sets in an empty directory."""
     pytest.importorskip("h5py")  # one by one: .ci/run repeats what was skipped
     monkeypatch.setenv("MINARI_DATASETS_PATH", str(tmp_path))
     return pytest.importorskip("minari")
 
 
-def to_minari(*args: Any, **keywords: Any) -> Any:
+def to_minari(*args, **keywords):
     """Call the function of the recipe, which imports the library."""
     return importlib.import_module("minari_episodes").to_minari(*args, **keywords)
 
 
-def played(config: mw.WorldConfig = CONFIG, n: int = 3) -> list[mw.Episode]:
+def played(config=CONFIG, n=3):
     return [mw.record(config, "random", "random", seed=5, episode=number) for number in range(n)]
 
 
 @pytest.mark.filterwarnings("ignore:these rules can never capture")
 @pytest.mark.parametrize("name", NAMES)
-def test_an_environment_gives_what_is_loaded(name: str, library: Any) -> None:
+def test_an_environment_gives_what_is_loaded(name, library):
     given = config_of(name, obstacles=0.2)
     for team in TEAMS:
         to_minari(played(given), f"pursuit/{team}-v0", team=team)
@@ -87,13 +85,13 @@ REFUSED = {"one world": [*played(n=1), *played(config_of("O"), n=1)], "as it was
 
 
 @pytest.mark.parametrize("message", REFUSED)
-def test_nothing_is_written_of_what_is_refused(message: str, library: Any, tmp_path: Path) -> None:
+def test_nothing_is_written_of_what_is_refused(message, library, tmp_path):
     with pytest.raises(ValueError, match=message):
         to_minari(REFUSED[message], "a-v0")
     assert not list(tmp_path.iterdir())
 
 
-def test_metadata_is_that_of_the_library_and_any_other(library: Any) -> None:
+def test_metadata_is_that_of_the_library_and_any_other(library):
     storage = to_minari(played(), "pursuit/a-v0", author="A. Author", seed=5).storage
     told = {"author": {"A. Author"}, "seed": 5, "world": CONFIG.to_json()}
     assert told.items() <= storage.metadata.items()

@@ -1,7 +1,6 @@
 """Small worlds and payoff matrices as games of OpenSpiel."""
 
 import importlib
-from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ WORLDS = {
 
 
 @pytest.fixture
-def games() -> Any:
+def games():
     """The recipe; tests are skipped one by one without the library, for .ci/run to repeat them."""
     pytest.importorskip("pyspiel")
     return importlib.import_module("openspiel_games")
@@ -25,7 +24,7 @@ def games() -> Any:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("config", WORLDS.values(), ids=WORLDS)
-def test_value_iteration_finds_the_solution(config: mw.WorldConfig, games: Any) -> None:
+def test_value_iteration_finds_the_solution(config, games):
     pytest.importorskip("cvxpy")
     found = pytest.importorskip("open_spiel.python.algorithms.value_iteration")
     game = games.WorldGame(config)
@@ -36,7 +35,7 @@ def test_value_iteration_finds_the_solution(config: mw.WorldConfig, games: Any) 
 
 
 @pytest.mark.parametrize("config", WORLDS.values(), ids=WORLDS)
-def test_a_world_passes_the_tests_of_the_library(config: mw.WorldConfig, games: Any) -> None:
+def test_a_world_passes_the_tests_of_the_library(config, games):
     game = games.WorldGame(config)
     games.pyspiel.random_sim_test(game, num_sims=5, serialize=False, verbose=False)
     state = game.new_initial_state()
@@ -44,7 +43,7 @@ def test_a_world_passes_the_tests_of_the_library(config: mw.WorldConfig, games: 
     assert sum(state.observation_tensor(0)) == config.n_agents + 2  # places, turn, all rounds
 
 
-def test_a_payoff_is_a_matrix_game(games: Any) -> None:
+def test_a_payoff_is_a_matrix_game(games):
     rates = np.array([[0.1, 0.9, 0.4], [0.8, 0.2, 0.5]])
     game = games.matrix_game(rates)
     np.testing.assert_array_equal(game.row_utilities(), rates)

@@ -1,11 +1,9 @@
 """Races that become longer."""
 
-from pathlib import Path
-
 import pytest
 
 from matrixworld._util.files import DamagedFileError
-from matrixworld.coevolution import RaceSettings, Run, open_run
+from matrixworld.coevolution import Run, open_run
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.run import lengthen
 from tiny_race import StopAt, alternating, played, playing, results, tiny_race, tiny_single
@@ -19,14 +17,12 @@ LONG = {
 }
 
 
-def shorter(settings: RaceSettings) -> RaceSettings:
+def shorter(settings):
     return settings.changed({"schedule.generations": 2})
 
 
 @pytest.mark.parametrize("kind", LONG)
-def test_a_longer_race_is_the_same_as_one_that_was_long_from_the_beginning(
-    kind: str, tmp_path: Path
-) -> None:
+def test_a_longer_race_is_the_same_as_one_that_was_long_from_the_beginning(kind, tmp_path):
     played(LONG[kind], tmp_path / "long")
     short = played(shorter(LONG[kind]), tmp_path / "short")
     assert short.payoff().matrix.shape == (3, 3)
@@ -36,7 +32,7 @@ def test_a_longer_race_is_the_same_as_one_that_was_long_from_the_beginning(
     assert results(tmp_path / "short") == results(tmp_path / "long")
 
 
-def test_a_longer_race_can_be_stopped_and_plays_new_cells_only(tmp_path: Path) -> None:
+def test_a_longer_race_can_be_stopped_and_plays_new_cells_only(tmp_path):
     played(LONG["es"], tmp_path / "long")
     path = played(shorter(LONG["es"]), tmp_path / "short").path
     lengthen(path, 4)
@@ -52,7 +48,7 @@ def test_a_longer_race_can_be_stopped_and_plays_new_cells_only(tmp_path: Path) -
     assert results(path) == results(tmp_path / "long")
 
 
-def test_scores_that_are_kept_are_those_of_the_last_generation(tmp_path: Path) -> None:
+def test_scores_that_are_kept_are_those_of_the_last_generation(tmp_path):
     race = played(tiny_race(generations=1), tmp_path / "race")
     [before] = kept_scores([race])
     [after] = kept_scores([race.extend(2, threads=1)])
@@ -66,7 +62,7 @@ def test_scores_that_are_kept_are_those_of_the_last_generation(tmp_path: Path) -
     assert file.stat().st_mtime_ns == written
 
 
-def test_races_that_cannot_become_longer(tmp_path: Path) -> None:
+def test_races_that_cannot_become_longer(tmp_path):
     race = played(tiny_race(), tmp_path / "race")
     with pytest.raises(ValueError, match="expected at least the 2 of"):
         race.extend(1)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import FitnessSettings, competitive_sharing
+from matrixworld.coevolution import FitnessSettings
 from matrixworld.coevolution.fitness import feasible_first, mean_over_opponents, shared_fitness
 from matrixworld.coevolution.game import Scores
 from matrixworld.coevolution.pursuit import Pursuit
@@ -43,10 +43,11 @@ def test_fitness(measure, team, expected):
 
 def test_sharing_by_hand():
     # Opponent 0 is beaten by 0 and 1, opponent 1 by 1 alone, opponent 2 by no individual.
-    assert competitive_sharing([[1, 0, 0], [1, 1, 0], [0, 0, 0]]).tolist() == [0.5, 1.5, 0.0]
-    # Half a win beside a whole one gets a third of the opponent.
-    assert competitive_sharing([[0.5], [1.0]]) == pytest.approx([1 / 3, 2 / 3])
-    assert competitive_sharing(np.zeros((2, 3))).tolist() == [0.0, 0.0]
+    wins = np.array([[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
+    assert shared_fitness(wins).tolist() == [0.5, 1.5, 0.0]
+    # Half a win beside a whole one gets a third of the opponent; n / m is 2.
+    assert shared_fitness(np.array([[0.5], [1.0]])) == pytest.approx([2 / 3, 4 / 3])
+    assert shared_fitness(np.zeros((2, 3))).tolist() == [0.0, 0.0]
 
 
 def test_opponents_that_were_not_met_do_not_count():
@@ -58,14 +59,16 @@ def test_opponents_that_were_not_met_do_not_count():
     assert mean_over_opponents(np.array([[1.0, 3.0]])).tolist() == [2.0]
 
 
-def test_candidates_within_the_limit_come_first() -> None:
-    found = feasible_first([0.2, 0.9, 0.5, 0.7], [-1.0, 3.0, 0.0, 0.5])
+def test_candidates_within_the_limit_come_first():
+    found = feasible_first(np.array([0.2, 0.9, 0.5, 0.7]), np.array([-1.0, 3.0, 0.0, 0.5]))
     np.testing.assert_allclose(found, [0.2, 0.2 - 3.0, 0.5, 0.2 - 0.5])
     # Beyond the limit only the violation counts.
-    np.testing.assert_allclose(feasible_first([0.9, 0.1], [3.0, 2.0]), [-3.0, -2.0])
+    np.testing.assert_allclose(
+        feasible_first(np.array([0.9, 0.1]), np.array([3.0, 2.0])), [-3.0, -2.0]
+    )
 
 
-def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
+def test_collisions_are_counted_as_by_the_safety_monitor():
     config = mw.WorldConfig("S", rows=6, cols=6, n_pursuers=4, n_evaders=3, max_steps=20)
     scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
     for t, team in enumerate(TEAMS):
@@ -77,14 +80,10 @@ def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
             assert found == pytest.approx(monitor.summary().fault_rate[t].sum())
 
 
-def test_a_limit_decides_the_fitness_of_a_run(tmp_path) -> None:
+def test_a_limit_decides_the_fitness_of_a_run(tmp_path):
     settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
-    genomes = np.stack(
-        [
-            settings.evaluation_game.policy.initial(np.random.default_rng(k), head=2.0)
-            for k in range(8)
-        ]
-    )
+    initial = settings.evaluation_game.policy.initial
+    genomes = np.stack([initial(np.random.default_rng(k), head=2.0) for k in range(8)])
     run = begun(settings, tmp_path / "run", threads=1)
     seeds = np.zeros((8, 1), np.uint64)
     scores = run.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)

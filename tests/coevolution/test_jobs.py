@@ -13,20 +13,7 @@ import pytest
 
 import own_code
 from executors import Reversed
-from matrixworld.coevolution import (
-    DamagedFileError,
-    DisengagementWarning,
-    FailedRunsError,
-    LockedError,
-    Progress,
-    ProgressBar,
-    Run,
-    StopRun,
-    create,
-    evolve,
-    jobs,
-    open_run,
-)
+from matrixworld import coevolution as co
 from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of, shares
 from matrixworld.coevolution.race import ALL_SCHEDULES
 from tiny_race import hall_of_fame, played, results, straight, tiny_race, tiny_single
@@ -56,10 +43,10 @@ def check_equal(directory):
 
 @pytest.mark.parametrize("executor", [ThreadPoolExecutor(2), Reversed(len(SETTINGS))])
 def test_files_are_those_of_runs_one_by_one(executor, tmp_path):
-    runs = evolve(SETTINGS, tmp_path, executor=executor)
+    runs = co.evolve(SETTINGS, tmp_path, executor=executor)
     check_equal(tmp_path)
     # Finished runs are only opened: an executor that is no class of its own can do nothing.
-    again = evolve(SETTINGS, tmp_path, executor=Executor())
+    again = co.evolve(SETTINGS, tmp_path, executor=Executor())
     for made in runs, again:
         assert [run.settings for run in made] == SETTINGS
     check_equal(tmp_path)
@@ -68,7 +55,7 @@ def test_files_are_those_of_runs_one_by_one(executor, tmp_path):
 def test_processes_give_the_same_files_and_tell_each_row_and_how_far_they_are(tmp_path):
     seen, rows = [], []
     progress = {"report": seen.append, "on_epoch": rows.append}
-    runs = evolve(SETTINGS, tmp_path / "job", threads=2, **progress)
+    runs = co.evolve(SETTINGS, tmp_path / "job", threads=2, **progress)
     check_equal(tmp_path / "job")
     for run in runs:
         name = run.path.relative_to(tmp_path / "job").as_posix()
@@ -81,18 +68,18 @@ def test_processes_give_the_same_files_and_tell_each_row_and_how_far_they_are(tm
 
 
 def test_a_single_run_is_played_in_its_directory_by_this_process(tmp_path, monkeypatch):
-    monkeypatch.setattr(jobs, "processes", None)
+    monkeypatch.setattr(co.jobs, "processes", None)
     seen, rows = [], []
-    run = evolve(SETTINGS[0], tmp_path / "run", report=seen.append, on_epoch=rows.append)
+    run = co.evolve(SETTINGS[0], tmp_path / "run", report=seen.append, on_epoch=rows.append)
     assert (run.settings, run.path) == (SETTINGS[0], tmp_path / "run")
     assert results(run.path) == straight(SETTINGS[0])
     assert "pursuers" in seen[0].what or "stage 0" in seen[0].what  # what the run does
     assert seen[-1].done == seen[-1].total
     places = [(row["run"], row["seed"], row["stage"], row["epoch"]) for row in rows]
     assert places == [("run", 1, row["stage"], row["epoch"]) for row in run.rows(0)]
-    evolve(SETTINGS[0], tmp_path / "run")
+    co.evolve(SETTINGS[0], tmp_path / "run")
     assert results(run.path) == straight(SETTINGS[0])
-    [again] = evolve({"other/seed-1": SETTINGS[0]}, tmp_path / "named")
+    [again] = co.evolve({"other/seed-1": SETTINGS[0]}, tmp_path / "named")
     assert files_in(again.path) == files_in(run.path)
 
 
@@ -101,13 +88,13 @@ def test_a_job_is_stopped_by_a_callback_and_goes_on(tmp_path):
 
     def stop(row):
         before.append(row)
-        raise StopRun
+        raise co.StopRun
 
-    with ThreadPoolExecutor(1) as executor, pytest.raises(StopRun):
-        evolve(SETTINGS, tmp_path, executor=executor, on_epoch=stop)
+    with ThreadPoolExecutor(1) as executor, pytest.raises(co.StopRun):
+        co.evolve(SETTINGS, tmp_path, executor=executor, on_epoch=stop)
     # What had begun has ended, and nothing else has begun.
-    assert sum(open_run(tmp_path / name).finished for name in job_of(SETTINGS)) < len(SETTINGS)
-    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2), on_epoch=after.append)
+    assert sum(co.open_run(tmp_path / name).finished for name in job_of(SETTINGS)) < len(SETTINGS)
+    co.evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2), on_epoch=after.append)
     places = [(row["run"], row["team"], row["generation"], row["epoch"]) for row in before + after]
     assert len(set(places)) == len(places) > 20  # no row comes twice
     check_equal(tmp_path)
@@ -115,8 +102,8 @@ def test_a_job_is_stopped_by_a_callback_and_goes_on(tmp_path):
 
 def failures_of(settings, directory, **options):
     """Return the failures of a job by name of the run, and the directories of the finished runs."""
-    with pytest.raises(FailedRunsError) as raised:
-        evolve(settings, directory, **options)
+    with pytest.raises(co.FailedRunsError) as raised:
+        co.evolve(settings, directory, **options)
     error = raised.value
     names = {path.relative_to(directory).as_posix(): each for path, each in error.failures.items()}
     for path in error.failures:
@@ -132,13 +119,13 @@ def test_bad_runs_are_named_and_the_others_finish(tmp_path):
     played(job[altered], tmp_path / altered)
     (tmp_path / altered / "payoff.npz").write_bytes(b"PK")
     before = files_in(tmp_path / altered)
-    with Run(tmp_path / held).files.lock():
+    with co.Run(tmp_path / held).files.lock():
         failures, finished = failures_of(
             SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=seen.append
         )
     # The payoff of a finished run is read when somebody asks for it.
     assert {name: type(error) for name, error in failures.items()} == {
-        cut: DamagedFileError, held: LockedError,
+        cut: co.DamagedFileError, held: co.LockedError,
     }  # fmt: skip
     assert seen[-1].what == "3 of 5 runs, 2 failed"
     assert files_in(tmp_path / altered) == before
@@ -159,9 +146,9 @@ def test_a_process_that_dies_ends_the_job_and_the_same_call_goes_on(tmp_path):
     once = {"learner": "own_code:Dies", "learner.settings": {"marker": str(tmp_path / "dead")}}
     settings = {"once": tiny_race(**once), "good": tiny_race(seed=9)}
     with pytest.raises(BrokenExecutor, match="perhaps memory .* finished parts are saved"):
-        evolve(settings, tmp_path / "job", threads=4)
-    assert open_run(tmp_path / "job" / "once").newest() == 1
-    for run in evolve(settings, tmp_path / "job", threads=4):
+        co.evolve(settings, tmp_path / "job", threads=4)
+    assert co.open_run(tmp_path / "job" / "once").newest() == 1
+    for run in co.evolve(settings, tmp_path / "job", threads=4):
         assert results(run.path) == straight(run.settings)
 
 
@@ -183,7 +170,7 @@ def test_processes_that_cannot_begin_end_the_job(tmp_path):
     )
     last = done.stderr.splitlines()[-1]
     assert 'or a script has no `if __name__ == "__main__":`' in last
-    assert {run.newest() for run in map(open_run, (tmp_path / "job").glob("*/*"))} == {0}
+    assert {run.newest() for run in map(co.open_run, (tmp_path / "job").glob("*/*"))} == {0}
 
 
 def test_a_worker_that_does_not_see_the_directory_is_told_of(tmp_path):
@@ -208,8 +195,8 @@ def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
                 future.set_result(fn(*args, **kwargs))
             return future
 
-    with pytest.warns(DisengagementWarning, match=r"^generalist-generalist/seed-1: "):
-        evolve(settings, tmp_path / "job", executor=Silent())
+    with pytest.warns(co.DisengagementWarning, match=r"^generalist-generalist/seed-1: "):
+        co.evolve(settings, tmp_path / "job", executor=Silent())
 
 
 BAD = [
@@ -231,13 +218,13 @@ BAD = [
 @pytest.mark.parametrize(("bad", "kind", "message"), BAD, ids=range(len(BAD)))
 def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp_path):
     with pytest.raises(kind, match=message):
-        evolve(**{"settings": SETTINGS, "out": tmp_path / "job", **bad})
+        co.evolve(**{"settings": SETTINGS, "out": tmp_path / "job", **bad})
     assert list(tmp_path.iterdir()) == []
 
 
 def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
     monkeypatch.setattr("matrixworld._util.checks.available_memory", lambda: 300_000_000)
-    monkeypatch.setattr(jobs, "run_memory", lambda settings: {"candidates": 10**8})
+    monkeypatch.setattr(co.jobs, "run_memory", lambda settings: {"candidates": 10**8})
     check_job(job_of(SETTINGS), tmp_path, 2)
     with pytest.raises(ValueError, match=r"^5 runs at one time: expected .* 0\.3 GB .* 0\.5 GB"):
         check_job(job_of(SETTINGS), tmp_path, 3)
@@ -247,21 +234,18 @@ def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch)
 def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
     (tmp_path / "mine").touch()
     with pytest.raises(FileExistsError, match="found mine"):
-        evolve(SETTINGS, tmp_path)
+        co.evolve(SETTINGS, tmp_path)
     (tmp_path / "mine").unlink()
-    evolve(SETTINGS[:2], tmp_path, executor=ThreadPoolExecutor(1))
+    co.evolve(SETTINGS[:2], tmp_path, executor=ThreadPoolExecutor(1))
     before = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")}
     for other, message in (
         (SETTINGS[:1], r"runs of this job, got others: generalist-generalist/seed-2$"),
         (SETTINGS, r"runs of this job, got others: evader-against-random/seed-1, "),
         (SETTINGS[0], r"runs of this job, got others: \., generalist-generalist/seed-1, "),
-        (
-            [tiny_race(seed=1), tiny_race(seed=2, sigma=0.3)],
-            "seed-2: holds a run with other settings: learner.sigma$",
-        ),
+        ([tiny_race(seed=1), tiny_race(seed=2, sigma=0.3)], "other settings: learner.sigma$"),
     ):
         with pytest.raises(ValueError, match=message):
-            evolve(other, tmp_path)
+            co.evolve(other, tmp_path)
     # Not even written again.
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
 
@@ -286,7 +270,7 @@ def test_names_and_what_was_asked_for(tmp_path):
         f"{first}/seed-3", f"{first}/seed-12", f"{second}/seed-3", f"{second}/seed-12",
         "pursuer-against-random/seed-7",
     ]  # fmt: skip
-    create(races[0], tmp_path / "run")
+    co.create(races[0], tmp_path / "run")
     assert found_job(tmp_path / "run") == {".": races[0]}
 
 
@@ -299,25 +283,25 @@ def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeyp
 
 
 class Terminal(io.StringIO):
-    def isatty(self) -> bool:
+    def isatty(self):
         return True
 
 
 def test_progress_lines_without_a_terminal():
     seconds = iter([0.0, 0.0, 1.0, 2.0, 3.0, 4.0])
     out = io.StringIO()
-    lines = ProgressBar(stream=out, clock=lambda: next(seconds))
+    lines = co.ProgressBar(stream=out, clock=lambda: next(seconds))
     for done in (100, 150, 300, 350, 600):
-        lines(Progress("evaders", done, 1000, 100))
+        lines(co.Progress("evaders", done, 1000, 100))
     assert out.getvalue().splitlines() == ["evaders:  30%  00:07 left", "evaders:  60%  00:03 left"]
 
 
 def test_a_bar_in_a_terminal_begins_with_what_is_done():
     out = Terminal()
-    with ProgressBar(stream=out, clock=iter([0.0, 0.0, 0.1, 1.0]).__next__) as bar:
-        bar(Progress("0 of 3 runs", 20, 300))
-        bar(Progress("too early", 21, 300))
-        bar(Progress("1 of 3 runs", 150, 300))
+    with co.ProgressBar(stream=out, clock=iter([0.0, 0.0, 0.1, 1.0]).__next__) as bar:
+        bar(co.Progress("0 of 3 runs", 20, 300))
+        bar(co.Progress("too early", 21, 300))
+        bar(co.Progress("1 of 3 runs", 150, 300))
     said = out.getvalue()
     assert "too early" not in said
     assert re.search(r"\r1 of 3 runs:  50%\|[#█]{8} {8}\| .* left", said)

@@ -43,8 +43,8 @@ def check_readable(directory):
         open_run(directory).log()
 
 
-@pytest.mark.slow
-@quickly("kind", SHORT_RUNS, lambda kind: kind == "short single")
+@pytest.mark.nightly
+@pytest.mark.parametrize("kind", SHORT_RUNS)
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
     for at in deaths(killed.run_until_killed, kind, lambda at: tmp_path / str(at)):
         directory = tmp_path / str(at)
@@ -75,7 +75,7 @@ def test_a_job_that_is_killed_while_it_is_made_is_none_or_whole(tmp_path):
         assert made in ({}, JOB)
         assert root.exists() == bool(made)
         seen.add(len(made))
-        if at % 7 == 0 or made:
+        if at % 14 == 0 or made:
             runs = evolve([*JOB.values()], root, executor=ThreadPoolExecutor(1))
             assert results(runs[0].path) == straight(RUNS["single"])
             assert found_job(root) == JOB
@@ -92,7 +92,7 @@ def error_of(kind, directory, events):
     return None
 
 
-@pytest.mark.parametrize("kind", SHORT_RUNS)
+@quickly("kind", SHORT_RUNS, lambda kind: kind == "short race")
 def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path):
     def refuse():
         raise OSError(errno.ENOSPC, "No space left on device")

@@ -9,21 +9,8 @@ from functools import partial
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import (
-    CmaEs,
-    EvolutionStrategy,
-    GeneticAlgorithm,
-    PluginError,
-    RaceSettings,
-    Run,
-    check_learner,
-    check_sampler,
-    create,
-    finish,
-    open_run,
-    opponents,
-    score,
-)
+from matrixworld import coevolution as co
+from matrixworld.coevolution import opponents
 from matrixworld.coevolution.learners import OwnLearner
 from matrixworld.coevolution.opponents import OwnOpponents
 from own_code import Crash, Exits, Fails, Hardest, HillClimber, InPlace, Oldest
@@ -52,14 +39,14 @@ def test_a_run_is_read_without_its_code(folder):
     del sys.modules["mine"]
     os.remove(imported)
     (folder / "run" / "summary.json").unlink()
-    run = open_run(folder / "run")
+    run = co.open_run(folder / "run")
     assert len(run.log()["epoch"]) == 5
-    run.payoff(), run.record(), run.policy("evader"), score(run, episodes=2), repr(run)
-    create(settings, folder / "run")  # the same: it is left as it is
+    run.payoff(), run.record(), run.policy("evader"), co.score(run, episodes=2), repr(run)
+    co.create(settings, folder / "run")  # the same: it is left as it is
     assert run.settings.learner == OwnLearner(code="mine:HillClimber")
     assert "mine" not in sys.modules
     assert not imported.exists()
-    finish(folder / "run")
+    co.finish(folder / "run")
     assert imported.exists()
 
 
@@ -67,11 +54,11 @@ def test_a_run_is_read_without_its_code(folder):
 def test_a_name_that_cannot_be_one_is_refused(name):
     for path in ("learner", "schedule.pursuers_meet"):
         with pytest.raises(ValueError, match=f"^{path}: expected one of .*, or module:object, got"):
-            RaceSettings.of({path: name})
+            co.RaceSettings.of({path: name})
 
 
 @dataclass(frozen=True)
-class Bred(GeneticAlgorithm):
+class Bred(co.GeneticAlgorithm):
     population: int = 8
     bits: int = 1
 
@@ -80,17 +67,19 @@ def test_a_class_and_an_instance_stand_for_their_name_and_settings():
     given = {"sigma": np.float32(0.5), "shrink": 1}
     named = OwnLearner(code="own_code:HillClimber", settings=given)
     assert OwnLearner(code="own_code:HillClimber", settings={"shrink": 1, "sigma": 0.5}) == named
-    by_name = RaceSettings.of({"learner": "own_code:HillClimber"})
-    assert RaceSettings(learner=HillClimber) == by_name
-    assert RaceSettings.of({"learner": HillClimber}) == by_name
-    made = RaceSettings(learner=HillClimber(sigma=0.5)).learner
+    by_name = co.RaceSettings.of({"learner": "own_code:HillClimber"})
+    assert co.RaceSettings(learner=HillClimber) == by_name
+    assert co.RaceSettings.of({"learner": HillClimber}) == by_name
+    made = co.RaceSettings(learner=HillClimber(sigma=0.5)).learner
     assert made.settings == {"population": 4, "shrink": 0.9, "sigma": 0.5}
     assert made.load() == HillClimber(sigma=0.5)
-    derived = RaceSettings(learner=Bred(bits=3)).learner  # not the built-in one, which has no bits
+    derived = co.RaceSettings(
+        learner=Bred(bits=3)
+    ).learner  # not the built-in one, which has no bits
     assert isinstance(derived, OwnLearner)
     assert derived.load() == Bred(bits=3)
     for met in (Oldest, Oldest(), "own_code:Oldest"):
-        settings = RaceSettings.of({"schedule.evaders_meet": met})
+        settings = co.RaceSettings.of({"schedule.evaders_meet": met})
         assert settings.schedule.evaders_meet == OwnOpponents(code="own_code:Oldest")
     given["sigma"] = 7.0
     assert named.to_json()["settings"] == {"shrink": 1, "sigma": 0.5}
@@ -99,7 +88,7 @@ def test_a_class_and_an_instance_stand_for_their_name_and_settings():
         """No import finds it again."""
 
     with pytest.raises(ValueError, match="code: expected a class of a module, got <c"):
-        RaceSettings(learner=Inside)
+        co.RaceSettings(learner=Inside)
 
 
 @pytest.mark.parametrize(
@@ -116,7 +105,7 @@ def test_a_class_and_an_instance_stand_for_their_name_and_settings():
 def test_what_cannot_be_found_is_said(name, message, tmp_path):
     for settings in (tiny_race(learner=name), alternating(evaders_meet=name)):
         with pytest.raises(ValueError, match=f"^{name}: .*{message}"):
-            create(settings, tmp_path / "run")
+            co.create(settings, tmp_path / "run")
     assert not (tmp_path / "run").exists()
 
 
@@ -135,7 +124,7 @@ def test_settings_are_those_of_the_fields(value, message):
 
 def test_a_mask_needs_a_learner_that_keeps_it(tmp_path):
     with pytest.raises(ValueError, match="^policy.mask: expected 'none', got 'obstacles'; .* Hill"):
-        create(tiny_race(learner="own_code:HillClimber", mask="obstacles"), tmp_path / "run")
+        co.create(tiny_race(learner="own_code:HillClimber", mask="obstacles"), tmp_path / "run")
     assert not (tmp_path / "run").exists()
 
 
@@ -145,12 +134,12 @@ def test_a_module_or_a_class_that_fails_is_named_with_its_error(folder):
         "class Hill(HillClimber):\n    def check(self):\n        [][1]\n"
         "class Box:\n    Hill = HillClimber\n"
     )
-    with pytest.raises(PluginError, match="^mine:Hill: IndexError: list index"):
+    with pytest.raises(co.PluginError, match="^mine:Hill: IndexError: list index"):
         tiny_race(learner="mine:Hill").learner_of("pursuer")
     assert tiny_race(learner="mine:Box.Hill").learner_of("evader") == HillClimber()
     del sys.modules["mine"]
     (folder / "mine.py").write_text("1 / 0\n")
-    with pytest.raises(PluginError, match="^mine:Hill: import: ZeroDivisionError: d") as caught:
+    with pytest.raises(co.PluginError, match="^mine:Hill: import: ZeroDivisionError: d") as caught:
         tiny_race(learner="mine:Hill").learner_of("pursuer")
     assert isinstance(caught.value.__cause__, ZeroDivisionError)
     # Workers send it to the main process.
@@ -161,16 +150,16 @@ def test_a_module_or_a_class_that_fails_is_named_with_its_error(folder):
     "learner",
     [
         HillClimber(sigma=0.3),
-        CmaEs(sigma=0.1),
-        EvolutionStrategy(sigma=0.1, learning_rate=0.1, relative_sigma=0.4),
-        EvolutionStrategy(sigma=0.1, learning_rate=0.1, relative_sigma=0.4, momentum=0.9),
-        GeneticAlgorithm(elites=1, mutation=0.1),
+        co.CmaEs(sigma=0.1),
+        co.EvolutionStrategy(sigma=0.1, learning_rate=0.1, relative_sigma=0.4),
+        co.EvolutionStrategy(sigma=0.1, learning_rate=0.1, relative_sigma=0.4, momentum=0.9),
+        co.GeneticAlgorithm(elites=1, mutation=0.1),
     ],
 )
 def test_a_learner_that_keeps_all_promises(learner):
     # With numbers from the global generator a run would not be repeated by its seed.
     before = np.random.get_state()[1].copy()  # noqa: NPY002
-    check_learner(learner)
+    co.check_learner(learner)
     assert np.array_equal(np.random.get_state()[1], before)  # noqa: NPY002
 
 
@@ -180,7 +169,7 @@ def test_a_sampler_that_keeps_all_promises(count):
         Hardest(forget=0.2), opponents.Uniform(), opponents.SharedSampling(),
         opponents.Prioritized(decay=0.9), opponents.RoundRobin(), opponents.NewestAndOlder(),
     ):  # fmt: skip
-        check_sampler(sampler, count=count)
+        co.check_sampler(sampler, count=count)
 
 
 EXITS = tiny_race(learner="own_code:Exits")
@@ -224,7 +213,7 @@ def samples(*chosen):
     [
         (
             changed(ask=draws_otherwise),
-            "expected equal results from equal generators, got others in epoch 0",
+            "expected equal results from equal generators, got others in ep",
         ),
         (changed(tell=forgets), "expected equal results from equal generators, got others in"),
         (InPlace(), "state: expected arrays that stay as they were, got some that change"),
@@ -243,28 +232,28 @@ def samples(*chosen):
     ],
 )
 def test_a_broken_promise_is_named(broken, message):
-    with pytest.raises(PluginError, match=f"^{message}"):
-        (check_learner if isinstance(broken, HillClimber) else check_sampler)(broken)
+    with pytest.raises(co.PluginError, match=f"^{message}"):
+        (co.check_learner if isinstance(broken, HillClimber) else co.check_sampler)(broken)
 
 
 def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
     monkeypatch.setattr(Fails, "told", 0)
     with pytest.raises(ZeroDivisionError, match="^no luck$"):
-        check_learner(Fails())
+        co.check_learner(Fails())
     with pytest.raises(KeyError, match="generation"):
-        check_sampler(Crash())
+        co.check_sampler(Crash())
     with pytest.raises(TypeError, match="^learner: expected a .*Learner, got 3"):
-        check_learner(3)
+        co.check_learner(3)
     monkeypatch.setattr(Fails, "told", 0)
     with pytest.raises(ZeroDivisionError, match="^no luck") as caught:
         played(tiny_race(learner="own_code:Fails"), tmp_path / "run")
     if sys.version_info >= (3, 11):
         assert caught.value.__notes__ == [f"in stage 1 of the run {tmp_path / 'run'}"]
-    assert Run(tmp_path / "run").stage == 0  # the last finished one
-    for end in (partial(check_learner, Exits()), partial(played, EXITS, tmp_path / "exits")):
-        with pytest.raises(PluginError, match="called exit"):  # it does not end the program
+    assert co.Run(tmp_path / "run").stage == 0  # the last finished one
+    for end in (partial(co.check_learner, Exits()), partial(played, EXITS, tmp_path / "exits")):
+        with pytest.raises(co.PluginError, match="called exit"):  # it does not end the program
             end()
     with pytest.raises(
-        PluginError, match=r"^ask of learner TooFew: .* float32 \(4, .*, got .*\(3, "
+        co.PluginError, match=r"^ask of learner TooFew: .* float32 \(4, .* got .*\(3"
     ):
         played(tiny_race(learner="own_code:TooFew"), tmp_path / "few")

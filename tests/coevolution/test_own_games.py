@@ -11,17 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import (
-    Game,
-    RaceSettings,
-    Run,
-    StopRun,
-    check_game,
-    create,
-    evolve,
-    finish,
-    open_run,
-)
+from matrixworld import coevolution as co
 from matrixworld.coevolution.game import digest_of
 from own_games import chance, coins, fewer, higher, numbers
 from tiny_race import results, straight
@@ -49,25 +39,24 @@ RACES = {
 def race(name="ga", game=coins, **changes):
     learner = {} if "learner" in RACES[name] else {"learner": name}
     population = {"learner.population": 8, "game": game, "seed": 3}
-    return RaceSettings.of({**learner, **RACES[name], **population, **changes})
+    return co.RaceSettings.of({**learner, **RACES[name], **population, **changes})
 
 
 def stopped(settings, directory, generation):
-    """Make a run, and stop it in a generation."""
 
     def stop(row):
         if row["generation"] == generation:
-            raise StopRun
+            raise co.StopRun
 
-    with pytest.raises(StopRun):
-        evolve(settings, directory, on_epoch=stop)
+    with pytest.raises(co.StopRun):
+        co.evolve(settings, directory, on_epoch=stop)
 
 
 @pytest.mark.parametrize("name", RACES)
 def test_all_learners_and_schedules_race_a_game_and_resume(name, tmp_path):
     settings, directory = race(name), tmp_path / "run"
     stopped(settings, directory, 3)
-    run = finish(directory, threads=1)
+    run = co.finish(directory, threads=1)
     assert results(directory) == straight(settings)
     cats, mice = run.archive()["cats"], run.archive()["mice"]
     assert (cats.shape, mice.shape) == ((5, 3), (5, 2))
@@ -87,27 +76,27 @@ def test_all_learners_and_schedules_race_a_game_and_resume(name, tmp_path):
 
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
 def test_a_team_alone_learns_against_the_last_generation_of_a_run(team, tmp_path):
-    finish(create(race(), tmp_path / "race").path)
-    alone = RaceSettings.of(
+    co.finish(co.create(race(), tmp_path / "race").path)
+    alone = co.RaceSettings.of(
         {"game": coins, "schedule": "against", "schedule.team": team, "schedule.epochs": 12},
         {"schedule.opponent": str(tmp_path / "race"), "schedule.archive_every": 4},
         {"learner.population": 16},
     )
-    run = finish(create(alone, tmp_path / "alone").path)
+    run = co.finish(co.create(alone, tmp_path / "alone").path)
     opponents, own = ("mice", "cats") if team == "pursuer" else ("cats", "mice")
-    archive, rival = run.archive(), open_run(tmp_path / "race").archive()[opponents][-1]
+    archive, rival = run.archive(), co.open_run(tmp_path / "race").archive()[opponents][-1]
     np.testing.assert_array_equal(archive[opponents], [rival])
     assert archive[own].shape == (4, coins.genome_size(team))
     score = run.summary()["score"]
     expected = chance(*(archive[name][-1:] for name in ("cats", "mice")))[0]
     assert score == pytest.approx(expected, abs=4 * np.sqrt(0.25 / 200))
-    other = RaceSettings.of({"schedule": "against", "schedule.opponent": str(tmp_path / "race")})
+    other = co.RaceSettings.of({"schedule": "against", "schedule.opponent": str(tmp_path / "race")})
     with pytest.raises(ValueError, match="expected a run of pursuit, got one of own_games:coins"):
-        create(other, tmp_path / "pursuit")
+        co.create(other, tmp_path / "pursuit")
 
 
 def test_a_pair_of_a_game_without_chance_is_played_once_and_is_exact(tmp_path):
-    run = finish(create(race(game=numbers), tmp_path / "run").path)
+    run = co.finish(co.create(race(game=numbers), tmp_path / "run").path)
     payoff, (hosts, parasites) = run.payoff(), run.archive().values()
     assert payoff.exact
     assert payoff.scores.shape == (5, 5, 1)
@@ -164,12 +153,12 @@ def test_a_run_of_a_game_goes_on_with_no_other_one(source, own, tmp_path):
     before = results_of(directory)
     own(source)
     with pytest.raises(ValueError, match=OTHERS[source]):
-        finish(directory)
+        co.finish(directory)
     assert results_of(directory) == before
     # What needs no game is there: log and genomes.
-    assert open_run(directory).archive()["hosts"].shape == (3, 3)
+    assert co.open_run(directory).archive()["hosts"].shape == (3, 3)
     own(GAME)
-    finish(directory)
+    co.finish(directory)
     assert results(directory) == straight(settings)
 
 
@@ -207,12 +196,12 @@ def results_of(directory):
 
 def test_a_run_of_a_game_is_no_chase(tmp_path):
     """What plays, records or scores pursuit refuses its genomes by name."""
-    run = finish(create(race(), tmp_path / "run").path)
+    run = co.finish(co.create(race(), tmp_path / "run").path)
     for replayed in (run.record, lambda: run.policy("pursuer")):
         with pytest.raises(ValueError, match="run of pursuers and evaders, got .* own_games:coins"):
             replayed()
     with pytest.raises(ValueError, match="^.*: holds a run with other settings: game"):
-        evolve(race(game=numbers), tmp_path / "run")
+        co.evolve(race(game=numbers), tmp_path / "run")
 
 
 def test_settings_that_a_game_has_not_are_refused():
@@ -223,14 +212,12 @@ def test_settings_that_a_game_has_not_are_refused():
         with pytest.raises(ValueError, match=f"^{name.partition('.')[0]}.*: expected no value in"):
             race(**{name: value})
     for learner in ("actor-critic", "gp"):
-        with pytest.raises(
-            ValueError, match="^learner: expected es, ga, cma or your own in a game"
-        ):
-            RaceSettings.of({"game": coins, "learner": learner})
+        with pytest.raises(ValueError, match="^learner: expected es, ga, cma or your own in "):
+            co.RaceSettings.of({"game": coins, "learner": learner})
 
 
 def changed(play=higher, genes=2, **fields):
-    return Game(play, genes, **{"teams": ("ones", "others"), **fields})
+    return co.Game(play, genes, **{"teams": ("ones", "others"), **fields})
 
 
 def uses_the_global_generator(a, b, rng):
@@ -266,13 +253,13 @@ def counts_its_calls(a, b, rng, calls=[]):  # noqa: B006
 def test_a_broken_promise_is_named(game, message):
     before = np.random.get_state()[1].copy()  # noqa: NPY002
     with pytest.raises(ValueError, match=message):
-        check_game(game)
+        co.check_game(game)
     assert np.array_equal(np.random.get_state()[1], before)  # noqa: NPY002
 
 
 @pytest.mark.parametrize("game", [numbers, fewer, coins])
 def test_a_game_that_keeps_all_promises(game):
-    check_game(game)
+    co.check_game(game)
 
 
 @pytest.mark.parametrize(
@@ -330,15 +317,12 @@ def test_a_script_that_runs_is_named_as_others_import_it(file, arguments, name, 
 
 def test_matches_are_seen_by_nobody_else(tmp_path):
     """A match of a game with chance depends on its seed and players alone."""
-    run = finish(create(race(), tmp_path / "run").path)
-    teams = [
-        coins.population(t, g)
-        for t, g in zip(("pursuer", "evader"), run.archive().values(), strict=True)
-    ]
+    run = co.finish(co.create(race(), tmp_path / "run").path)
+    teams = [*map(coins.population, ("pursuer", "evader"), run.archive().values())]
     seeds = np.arange(5, dtype=np.uint64)
     a, b = np.arange(5), np.arange(5)[::-1]
     scores = coins.scores(*teams, (a, b, seeds), episodes=40, threads=1).scores
     alone = coins.scores(*teams, (a[3:4], b[3:4], seeds[3:4]), episodes=40, threads=1).scores
     np.testing.assert_array_equal(scores[3:4], alone)
     assert not np.array_equal(scores[0], scores[4])
-    assert Run(tmp_path / "run").counts["matches"] == run.summary()["training_matches"]
+    assert co.Run(tmp_path / "run").counts["matches"] == run.summary()["training_matches"]

@@ -1,16 +1,14 @@
 """Kinds of races: whom teams meet and on which seeds, champions, and one team alone."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from matrixworld import Matches, Population, rollout
 from matrixworld.analysis import interval_over_runs
 from matrixworld.analysis.games import nash_averaging
-from matrixworld.coevolution import SCHEDULES, TEAMS, Run, available, open_run
+from matrixworld.coevolution import TEAMS, Run, available, open_run
 from matrixworld.coevolution.game import Scores
-from matrixworld.coevolution.race import pairings, table_of_individuals
+from matrixworld.coevolution.race import pairings
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.storage import last_generation
 from matrixworld.coevolution.types import other
@@ -26,27 +24,6 @@ from tiny_race import (
     tiny_race,
     tiny_single,
 )
-
-
-@pytest.mark.parametrize(
-    ("name", "pursuers_meet", "evaders_meet"),
-    [
-        ("specialist-specialist", lambda k, epoch: k - 1, lambda k, epoch: k),
-        ("generalist-specialist", lambda k, epoch: epoch % k, lambda k, epoch: k),
-        ("generalist-generalist", lambda k, epoch: epoch % k, lambda k, epoch: epoch % (k + 1)),
-    ],
-)
-def test_the_paper_s_schedules(name, pursuers_meet, evaders_meet, tmp_path):
-    epochs = {"pursuer_epochs": 4, "evader_epochs": 4}
-    run = played(tiny_race(schedule=name, generations=3, **epochs), tmp_path / "run")
-    assert run.settings.schedule == replace(SCHEDULES[name], generations=3, **epochs)
-    log = run.log()
-    places = [(k, team, epoch) for k in (1, 2, 3) for team in TEAMS for epoch in range(4)]
-    assert list(zip(log["generation"], log["team"], log["epoch"], strict=True)) == places
-    assert log["opponent"].tolist() == [
-        (pursuers_meet if team == "pursuer" else evaders_meet)(k, epoch)
-        for k, team, epoch in places
-    ]
 
 
 def test_training_matches_are_those_of_the_log(tmp_path):
@@ -122,9 +99,8 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
     )
     played(settings, tmp_path / "run")
     run = Run(tmp_path / "run")
-    pursuers, evaders = (
-        Population(run.genomes(team), settings.evaluation_game.policy) for team in TEAMS
-    )
+    policy = settings.evaluation_game.policy
+    pursuers, evaders = (Population(run.genomes(team), policy) for team in TEAMS)
     for team, shape in (("pursuer", (3, 3)), ("evader", (3, 4))):
         state = run.states[f"{team}.opponents"]
         expected = np.zeros(shape)
@@ -194,52 +170,17 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
 
 @pytest.mark.parametrize("groups", [1, 3, 6])
 def test_all_individuals_have_the_same_number_of_opponents(groups):
-    pairs = pairings(np.tile(np.arange(groups), 6 // groups), 3, (1, 2), np.random.default_rng(0))
-    assert len(pairs.pursuer) == len(pairs.evader) == len(pairs.group) == 6 * (3 + 1 + 2)
-    for own, rivals, older in (
-        (pairs.pursuer, pairs.evader, [6, 7]),
-        (pairs.evader, pairs.pursuer, [6]),
-    ):
+    group = np.tile(np.arange(groups), 6 // groups)
+    pursuers, evaders, seeds = pairings(group, 3, (1, 2), np.random.default_rng(0))
+    assert len(pursuers) == len(evaders) == len(seeds) == 6 * (3 + 1 + 2)
+    for own, rivals, older in ((pursuers, evaders, [6, 7]), (evaders, pursuers, [6])):
         for individual in range(6):
             opponents = rivals[own == individual]
             assert sorted(opponents[opponents >= 6]) == older
             assert (opponents < 6).sum() == 3
-    assert not ((pairs.pursuer >= 6) & (pairs.evader >= 6)).any()
+    assert not ((pursuers >= 6) & (evaders >= 6)).any()
     # Each round of opponents has its own seeds: one for each group of individuals.
-    assert np.array_equal(np.unique(pairs.group), np.arange(6 * groups))
-
-
-def test_mirrored_individuals_meet_the_same_opponents_on_the_same_seeds():
-    mirrored = np.tile(np.arange(4), 2)  # 0 and 4 are a pair, 1 and 5, ...
-    pairs = pairings(mirrored, 4, (1, 1), np.random.default_rng(3))
-
-    def met(individual):
-        chosen = pairs.pursuer == individual
-        return sorted(zip(pairs.evader[chosen], pairs.group[chosen], strict=True))
-
-    for one in range(4):
-        first, second = met(one), met(one + 4)
-        assert [evader for evader, _ in first] == [evader for evader, _ in second]
-        assert {group for _, group in first} == {group for _, group in second}
-        living = [evader for evader, _ in first if evader < 8]
-        # Whole pairs of evaders, too.
-        assert sorted((evader + 4) % 8 for evader in living) == living
-
-
-def test_individuals_of_one_group_meet_opponents_of_their_own():
-    pairs = pairings(np.zeros(6, dtype=int), 3, (0, 0), np.random.default_rng(0))
-    rounds = pairs.evader.reshape(3, 6) - pairs.pursuer.reshape(3, 6)
-    # Permutations, not rotations: in each round the distances differ.
-    assert all(len(set(each % 6)) > 1 for each in rounds)
-
-
-def test_matches_as_a_table_of_individuals():
-    own, opponents = np.array([0, 1, 1, 3, 0, 0]), np.array([1, 0, 2, 1, 1, 3])
-    values = np.array([1.0, 2.0, 4.0, 9.0, 5.0, 7.0])
-    table = table_of_individuals(own, opponents, 2, values)
-    assert np.array_equal(
-        table, [[np.nan, 3.0, np.nan, 7.0], [2.0, np.nan, 4.0, np.nan]], equal_nan=True
-    )
+    assert np.array_equal(np.unique(seeds), np.arange(6 * groups))
 
 
 @pytest.mark.parametrize(("team", "against"), [("pursuer", "fleer"), ("evader", "random")])

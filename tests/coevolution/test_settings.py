@@ -8,22 +8,9 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import (
-    Against,
-    AtOnce,
-    EvolutionStrategy,
-    InTurns,
-    RaceSettings,
-    opponents,
-)
+from matrixworld import coevolution as co
+from matrixworld.coevolution import sections
 from matrixworld.coevolution.race import ALL_SCHEDULES
-from matrixworld.coevolution.sections import (
-    different_settings,
-    hints_of,
-    leaves,
-    sections_in,
-    values_of,
-)
 from tiny_race import settings_of, tiny_race, tiny_single
 
 LEARNERS = ("es", "ga", "cma", "actor-critic")
@@ -39,72 +26,67 @@ ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sig
          "learner.anneal": True, "evaluation_episodes": 200}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("kinds", "expected"),
-    [
-        ({}, {"schedule": "alternating", "schedule.generations": 30, "schedule.pursuer_epochs": 28,
-              "schedule.evader_epochs": 58, "learner": "es", "learner.population": 48,
-              "learner.sigma": 0.1, "learner.relative_sigma": 0.4, "learner.learning_rate": 0.03,
-              "world.max_steps": 500, "train_steps": 200, "policy.hidden": [32]}),
-        ({"schedule": "hall-of-fame"}, {"learner.population": 24, "schedule.joint_epochs": 43}),
-        ({"schedule": Against(team="pursuer")},
-         {**ALONE, "schedule.epochs": 6000, "train_steps": 500,
-          "policy.initial_weight": 0.2, "policy.initial_head": 0.09}),
-        ({"schedule": Against(team="evader")},
-         {**ALONE, "schedule.epochs": 4000, "train_steps": 300,
-          "policy.initial_weight": 0.05, "policy.initial_head": 0.1}),
-        ({"learner": "cma", "world": mw.WorldConfig(fov=5), "policy": {"hidden": []}},
-         {"learner.population": 48, "learner.sigma": 0.8}),
-        # Those of the published code:
-        (GRADIENTS, {"learner.population": 1, "train_steps": 500, "policy.hidden": [400, 300],
-                     "schedule.pursuer_epochs": 400, "schedule.evader_epochs": 400}),
-        ({**GRADIENTS, "schedule": "hall-of-fame"}, {"schedule.joint_epochs": 400}),
-        ({**GRADIENTS, "schedule": Against(team="evader")},
-         {"schedule.epochs": 1200, "train_steps": 500}),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("kinds", "expected"), [
+    ({}, {"schedule": "alternating", "schedule.generations": 30, "schedule.pursuer_epochs": 28,
+          "schedule.evader_epochs": 58, "learner": "es", "learner.population": 48,
+          "learner.sigma": 0.1, "learner.relative_sigma": 0.4, "learner.learning_rate": 0.03,
+          "world.max_steps": 500, "train_steps": 200, "policy.hidden": [32]}),
+    ({"schedule": "hall-of-fame"}, {"learner.population": 24, "schedule.joint_epochs": 43}),
+    ({"schedule": co.Against(team="pursuer")},
+     {**ALONE, "schedule.epochs": 6000, "train_steps": 500,
+      "policy.initial_weight": 0.2, "policy.initial_head": 0.09}),
+    ({"schedule": co.Against(team="evader")},
+     {**ALONE, "schedule.epochs": 4000, "train_steps": 300,
+      "policy.initial_weight": 0.05, "policy.initial_head": 0.1}),
+    ({"learner": "cma", "world": mw.WorldConfig(fov=5), "policy": {"hidden": []}},
+     {"learner.population": 48, "learner.sigma": 0.8}),
+    # Those of the published code:
+    (GRADIENTS, {"learner.population": 1, "train_steps": 500, "policy.hidden": [400, 300],
+                 "schedule.pursuer_epochs": 400, "schedule.evader_epochs": 400}),
+    ({**GRADIENTS, "schedule": "hall-of-fame"}, {"schedule.joint_epochs": 400}),
+    ({**GRADIENTS, "schedule": co.Against(team="evader")},
+     {"schedule.epochs": 1200, "train_steps": 500}),
+])  # fmt: skip
 def test_defaults_are_those_that_were_seen_to_work(kinds, expected):
-    found = values_of(RaceSettings(**kinds))
+    found = sections.values_of(co.RaceSettings(**kinds))
     assert {path: found[path] for path in expected} == expected
 
 
-@pytest.mark.parametrize(
-    ("epochs", "rate", "sigma"), [(6000, 0.0161, 0.0898), (4000, 0.0198, 0.0994), (1, 1.25, 0.791)]
-)
+@pytest.mark.parametrize(("epochs", "rate", "sigma"), [(6000, 0.0161, 0.0898), (1, 1.25, 0.791)])
 def test_steps_of_a_team_alone_follow_from_its_epochs(epochs, rate, sigma):
-    learner = RaceSettings.of({"schedule": "against", "schedule.epochs": epochs}).learner
+    learner = co.RaceSettings.of({"schedule": "against", "schedule.epochs": epochs}).learner
     assert (learner.learning_rate, learner.sigma) == pytest.approx((rate, sigma), rel=0.003)
     chosen = settings_of(schedule="against", epochs=epochs, sigma=0.3).learner
     assert (chosen.learning_rate, chosen.sigma) == (learner.learning_rate, 0.3)
 
 
 def test_overlap_is_penalised_where_teammates_may_share_a_cell():
-    assert RaceSettings().training_game.penalty == 0.2
-    assert RaceSettings(schedule=Against(team="evader")).training_game.penalty == 0.5
+    assert co.RaceSettings().training_game.penalty == 0.2
+    assert co.RaceSettings(schedule=co.Against(team="evader")).training_game.penalty == 0.5
     assert settings_of(rules="SB").training_game.penalty == 0.0  # two cannot share a cell there
     # The rewards have penalties of their own.
     assert settings_of(measure="rewards").training_game.penalty == 0.0
-    started = RaceSettings(schedule=Against(team="evader", start="a-run"))
+    started = co.RaceSettings(schedule=co.Against(team="evader", start="a-run"))
     assert started.training_game.penalty == 0.2
 
 
 def test_what_follows_from_the_settings():
-    settings, alone = RaceSettings(), RaceSettings(schedule=Against(team="evader"))
+    settings, alone = co.RaceSettings(), co.RaceSettings(schedule=co.Against(team="evader"))
     assert settings.schedule.total_epochs("evader") == 30 * 58
     assert settings.evaluation_game.policy.genome_size == (3 * 11 * 11 + 1) * 32 + (32 + 1) * 5
     assert (settings.is_race, alone.is_race, alone.learning_teams) == (True, False, ("evader",))
 
 
 def test_a_text_stands_for_a_section():
-    assert RaceSettings(schedule="hall-of-fame") == RaceSettings(schedule=AtOnce())
-    alternating = InTurns(pursuers_meet="latest", evaders_meet="prioritized-even")
-    assert alternating.pursuers_meet == opponents.Latest()
-    assert alternating.evaders_meet == opponents.Prioritized(weighting="even")
-    assert RaceSettings(schedule="alternating").schedule.evaders_meet == opponents.Uniform()
-    generalists = RaceSettings(schedule="generalist-specialist").schedule
+    assert co.RaceSettings(schedule="hall-of-fame") == co.RaceSettings(schedule=co.AtOnce())
+    alternating = co.InTurns(pursuers_meet="latest", evaders_meet="prioritized-even")
+    assert alternating.pursuers_meet == co.opponents.Latest()
+    assert alternating.evaders_meet == co.opponents.Prioritized(weighting="even")
+    assert co.RaceSettings(schedule="alternating").schedule.evaders_meet == co.opponents.Uniform()
+    generalists = co.RaceSettings(schedule="generalist-specialist").schedule
     assert (generalists.pursuers_meet, generalists.evaders_meet) == (
-        opponents.RoundRobin(),
-        opponents.Latest(),
+        co.opponents.RoundRobin(),
+        co.opponents.Latest(),
     )
 
 
@@ -154,7 +136,7 @@ What a single setting may not be is tried in ``bad_input/test_declared.py``.
 def test_bad_settings_and_those_without_effect_are_refused(path):
     for changes in REFUSED[path]:
         with pytest.raises((TypeError, ValueError), match=f"^{path}: expected "):
-            RaceSettings.of(changes)
+            co.RaceSettings.of(changes)
 
 
 EVERY = [
@@ -165,7 +147,7 @@ EVERY = [
     tiny_race(learner="own_code:HillClimber"),
     tiny_race(rules=mw.Rules(evader=mw.Outcome.REACH), obstacles=0.1, diagonal=True),
     tiny_race(rows=6, cols=6, obstacles=np.eye(6, dtype=bool)),
-    RaceSettings(learner=EvolutionStrategy(sigma=1 / 3, momentum=0.9)),
+    co.RaceSettings(learner=co.EvolutionStrategy(sigma=1 / 3, momentum=0.9)),
     tiny_race(measure="rewards", rewards="published"),
 ]
 
@@ -174,16 +156,16 @@ EVERY = [
 def test_settings_are_compared_hashed_pickled_and_saved(settings):
     plain = json.loads(json.dumps(settings.to_json()))
     copied = pickle.loads(pickle.dumps(settings))  # noqa: S301
-    for same in (RaceSettings.of(plain), settings.changed({}), copied, replace(settings)):
+    for same in (co.RaceSettings.of(plain), settings.changed({}), copied, replace(settings)):
         assert same == settings
         assert hash(same) == hash(settings)
         assert same.to_json() == plain
     assert replace(settings, seed=6) != settings
-    assert different_settings(settings, replace(settings, seed=6)) == ["seed"]
+    assert sections.different_settings(settings, replace(settings, seed=6)) == ["seed"]
 
 
 def test_a_change_keeps_what_the_kind_of_section_still_has():
-    settings = RaceSettings.of({"schedule.generations": 7, "learner.sigma": 0.3})
+    settings = co.RaceSettings.of({"schedule.generations": 7, "learner.sigma": 0.3})
     mixed = settings.changed({"schedule": "generalist-specialist", "schedule.evader_epochs": 3})
     assert mixed.schedule.name == "generalist-specialist"
     assert (mixed.schedule.generations, mixed.schedule.evader_epochs) == (7, 3)
@@ -213,49 +195,50 @@ def test_a_name_stands_for_a_world_whose_other_fields_can_be_changed():
         ([{"world": "park"}, {"world.n_pursuers": 6}], larger),
         ([{"world.n_pursuers": 6}, {"world": "park"}], park),
     ):
-        assert RaceSettings.of(*given).world == expected
-    assert RaceSettings.of(world="park", n_pursuers=6).world == larger
-    assert RaceSettings().changed({"world": "park"}).world == mw.WorldConfig.of("park") == park
+        assert co.RaceSettings.of(*given).world == expected
+    assert co.RaceSettings.of(world="park", n_pursuers=6).world == larger
+    assert co.RaceSettings().changed({"world": "park"}).world == mw.WorldConfig.of("park") == park
     with pytest.raises(ValueError, match=r"world\.kind: expected one of .*park, got 'lake'"):
-        RaceSettings.of(world="lake")
+        co.RaceSettings.of(world="lake")
 
 
 def test_later_values_change_earlier_ones_before_defaults_are_filled_in():
     file = {"learner": {"kind": "ga", "mutation": 0.3}, "world": {"rules": {"kind": "S"}}}
-    settings = RaceSettings.of(file, {"schedule": "hall-of-fame", "world.rules.evader": "REACH"})
+    settings = co.RaceSettings.of(file, {"schedule": "hall-of-fame", "world.rules.evader": "REACH"})
     assert (settings.learner.population, settings.learner.mutation) == (24, 0.3)
     assert settings.world.rules == replace(mw.VARIANTS["S"], evader=mw.Outcome.REACH)
     assert settings.world.n_pursuers == 20
     # A learner of the evaders has defaults of its own, and can be taken back.
-    mixed = RaceSettings.of(file, {"evader_learner": "ga", "evader_learner.elites": 2})
+    mixed = co.RaceSettings.of(file, {"evader_learner": "ga", "evader_learner.elites": 2})
     assert (mixed.evader_learner.population, mixed.evader_learner.mutation) == (48, 0.05)
     assert mixed.learner_of("evader").elites == 2
     assert mixed.learner_of("pursuer") == mixed.learner
-    assert RaceSettings.of(mixed.to_json()) == mixed
-    assert mixed.changed({"evader_learner": None}) == RaceSettings.of(file)
+    assert co.RaceSettings.of(mixed.to_json()) == mixed
+    assert mixed.changed({"evader_learner": None}) == co.RaceSettings.of(file)
     # Mappings and texts stand for sections in constructors, too.
-    assert RaceSettings(schedule="hall-of-fame", **file).learner == settings.learner
+    assert co.RaceSettings(schedule="hall-of-fame", **file).learner == settings.learner
 
 
 def test_every_setting_has_a_help_text():
     for settings in EVERY:
-        assert all(text for _, _, text in leaves(settings))
-    for kinds in map(sections_in, hints_of(RaceSettings).values()):
+        assert all(text for _, _, text in sections.leaves(settings))
+    for kinds in map(sections.sections_in, sections.hints_of(co.RaceSettings).values()):
         for cls in kinds.values():
             assert all(item.metadata["help"] in cls.__doc__ for item in fields(cls))
 
 
-def test_a_part_of_an_opponent_sampler_that_a_schedule_names() -> None:
+def test_a_part_of_an_opponent_sampler_that_a_schedule_names():
     given = {"schedule": "psro", f"{MEET}.episodes": 3}
     for settings in (
-        RaceSettings.of(given),
-        RaceSettings().changed(given),
-        RaceSettings(schedule="hall-of-fame").changed(given),
+        co.RaceSettings.of(given),
+        co.RaceSettings().changed(given),
+        co.RaceSettings(schedule="hall-of-fame").changed(given),
     ):
         schedule = settings.schedule
-        assert (schedule.name, schedule.evaders_meet) == ("psro", opponents.NashOpponents())
-        assert schedule.pursuers_meet == opponents.NashOpponents(episodes=3)
+        assert (schedule.name, schedule.evaders_meet) == ("psro", co.opponents.NashOpponents())
+        assert schedule.pursuers_meet == co.opponents.NashOpponents(episodes=3)
     # A mixture of one team only has no name.
     assert (
-        RaceSettings.of({**given, "schedule.evaders_meet": "latest"}).schedule.name == "alternating"
+        co.RaceSettings.of({**given, "schedule.evaders_meet": "latest"}).schedule.name
+        == "alternating"
     )

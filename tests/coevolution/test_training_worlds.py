@@ -1,7 +1,5 @@
 """Teams that learn in several worlds: one of them in each epoch."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -18,14 +16,14 @@ RACES = {
 }
 
 
-def test_fields_that_are_not_given_are_those_of_the_world_and_of_training() -> None:
+def test_fields_that_are_not_given_are_those_of_the_world_and_of_training():
     settings = RACES["in turns"]
     rows = [(w.rows, w.n_pursuers, w.density, w.max_steps) for w in settings.training_worlds]
     assert rows == [(6, 1, 0.0, 8), (5, 2, 0.0, 8), (6, 2, 0.1, 5)]
     assert RaceSettings.of(settings.to_json()) == settings
 
 
-def test_the_world_itself_changes_nothing(tmp_path: Path) -> None:
+def test_the_world_itself_changes_nothing(tmp_path):
     played(tiny_race(), tmp_path / "plain")
     played(tiny_race(training_worlds=[{}]), tmp_path / "one")
     plain, one = results(tmp_path / "plain"), results(tmp_path / "one")
@@ -35,11 +33,11 @@ def test_the_world_itself_changes_nothing(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", RACES)
 @pytest.mark.parametrize("call_number", [1, 4])
-def test_a_stopped_run_draws_the_same_worlds(kind: str, call_number: int, tmp_path: Path) -> None:
+def test_a_stopped_run_draws_the_same_worlds(kind, call_number, tmp_path):
     check_resumes(RACES[kind], call_number, tmp_path)
 
 
-def test_worlds_are_drawn_by_their_shares(tmp_path: Path) -> None:
+def test_worlds_are_drawn_by_their_shares(tmp_path):
     play = Listening()
     shares = {"training_worlds": WORLDS, "training_shares": (6, 1, 1)}
     settings = tiny_single(**shares, epochs=80, archive_every=80)
@@ -53,9 +51,9 @@ def test_worlds_are_drawn_by_their_shares(tmp_path: Path) -> None:
     assert evaluation == settings.world
 
 
-def test_scores_in_every_world_of_training(tmp_path: Path) -> None:
+def test_scores_in_every_world_of_training(tmp_path):
     run = played(RACES["alone"], tmp_path / "run")
-    told = matrixworld_command("score", run.path, "--training-worlds", "--episodes", 2).output
+    told = matrixworld_command("score", run.path, "--episodes", 2).output
     assert "in a world of training: 5 x 6, 2 v 3\n" in told
     assert "in a world of training: 6 x 6, 2 v 3, with obstacles" in told
     small = run.settings.training_worlds[0]
@@ -74,6 +72,6 @@ def test_scores_in_every_world_of_training(tmp_path: Path) -> None:
         ({"training_shares": (1,)}, "training_shares: expected 0 or none, got 1"),
     ],
 )
-def test_worlds_in_which_the_genomes_cannot_play_are_refused(bad: dict, message: str) -> None:
+def test_worlds_in_which_the_genomes_cannot_play_are_refused(bad, message):
     with pytest.raises((TypeError, ValueError), match=message):
         tiny_race(**bad)

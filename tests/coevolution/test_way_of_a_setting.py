@@ -2,10 +2,8 @@
 
 import json
 import sys
-from collections.abc import Iterator
 from dataclasses import is_dataclass
 from pathlib import Path
-from typing import Any
 
 import pytest
 from click.testing import CliRunner
@@ -22,7 +20,7 @@ class Enough(Exception):  # noqa: N818, it is no error
     """The runs have been made."""
 
 
-def values_in(given: Any) -> Iterator[Any]:
+def values_in(given):
     yield given
     if is_dataclass(given) and not isinstance(given, type):
         given = vars(given)
@@ -31,7 +29,7 @@ def values_in(given: Any) -> Iterator[Any]:
             yield from values_in(part)
 
 
-def passed(code: Any, arguments: dict[str, Any], value: float) -> bool:
+def passed(code, arguments, value):
     """Return whether a function receives a value; a section does not receive what it holds."""
     count = code.co_argcount + code.co_kwonlyargcount
     count += bool(code.co_flags & 4) + bool(code.co_flags & 8)  # *args, **kwargs
@@ -53,14 +51,14 @@ def passed(code: Any, arguments: dict[str, Any], value: float) -> bool:
 def test_a_value_passes_few_functions(options, path, value, tmp_path, monkeypatch):
     create_job = jobs.create_job
 
-    def only_create(*args: Any) -> None:
+    def only_create(*args):
         create_job(*args)
         raise Enough
 
     monkeypatch.setattr(jobs, "create_job", only_create)
-    seen: set[tuple[str, str, int]] = set()
+    seen = set()
 
-    def follow(frame: Any, event: str, argument: Any) -> None:
+    def follow(frame, event, argument):
         code = frame.f_code
         own = event == "call" and code.co_filename.startswith(ROOT)
         if own and passed(code, frame.f_locals, value):

@@ -1,20 +1,22 @@
 """Figures of the game show what the engine does, and the rules that it plays."""
 
+import runpy
+
 import numpy as np
 
 import matrixworld as mw
-from course.figures import CROSSINGS, MOVES, PER_TEAM, SITUATIONS, may_go, resolve, turns_of
+from course.figures import CROSSINGS, MOVES, SITUATIONS, may_go, moves_of, world_of
+from pages import ROOT
 from right_of_way import from_the_right
 
 
 def test_the_situations_are_of_the_forms_and_kinds_that_they_name() -> None:
     """In each named conflict the engine finds this form or kind, and in the others none."""
-    found = {
-        situation.name: {
-            (each.kind, each.form) for each in resolve(situation, mw.Outcome.BOUNCE).conflicts
-        }
-        for situation in SITUATIONS
-    }
+    found = {}
+    for situation in SITUATIONS:
+        world = world_of(situation, mw.Outcome.BOUNCE)
+        world.step(moves_of(situation, world), explain=True)
+        found[situation.name] = {(each.kind, each.form) for each in world.conflicts}
     assert found == {
         "vertex": {("teammate", "vertex")},
         "edge": {("teammate", "edge")},
@@ -38,10 +40,11 @@ def test_those_go_first_who_come_from_the_right() -> None:
 
 
 def test_each_turn_shows_who_acts() -> None:
-    everyone = list(range(2 * PER_TEAM))
+    figure = runpy.run_path(str(ROOT / "docs" / "interaction_figure.py"))
+    pursuers, everyone = [0, 1], [*range(2 * figure["PER_TEAM"])]
     turns = {
         mw.Interaction.SIMULTANEOUS: [everyone],
-        mw.Interaction.SWARM_TURNS: [everyone[:PER_TEAM], everyone[PER_TEAM:]],
+        mw.Interaction.SWARM_TURNS: [pursuers, everyone[2:]],
         mw.Interaction.AGENT_TURNS: [[agent] for agent in everyone],
     }
-    assert {each: [*map(list, turns_of(each))] for each in mw.Interaction} == turns
+    assert {each: [*map(list, figure["turns_of"](each))] for each in mw.Interaction} == turns

@@ -14,8 +14,8 @@ from notebooks import TUTORIALS
 TABLE = """
 3  | chosen | lost in new matches, less what is left | +
 3  | race by hand | captured by first pursuers, last evaders minus first | -
-4  | numbers games | scalar minus focusing | +
-4  | numbers games | focusing minus intransitive | +
+4  | numbers games | scalar minus intransitive | +
+4  | nim | in the race minus outside | +
 4  | tournament | ones of the picked generation | +
 4  | red queen | diagonal at first | -
 4  | red queen | diagonal later | +
@@ -34,42 +34,16 @@ TABLE = """
 5  | paper | checkerboards: specialists minus mixed | +
 5  | noise | false alarm, less one in ten | +
 5  | noise | four in ten, less it | +
-6  | chance | one half minus the share of one match | +
-6  | chance | checkerboards of one match | +
-6  | chance | correction of ten matches | +
 6  | paper | transitive share: specialists minus mixed | -
-6  | toy cures | latest, less 0.2 | +
-6  | toy cures | 0.2 less hall | +
-6  | toy cures | hall less Nash | +
 6  | cures | transitive share of uniform | +
 6  | cures | escapes of round-robin | -
 6  | halls | pursuers forget | -
-7  | hosts | 60 minus the hosts of greedy ones | +
-7  | hosts | hosts, restrained minus greedy | +
-7  | hosts | parasites, restrained minus greedy | +
-7  | hosts | hosts, 0.85 minus 0.95 | +
 7  | restraint | few evader epochs, less one half | +
 7  | restraint | restrained, less four in ten | +
 7  | restraint | few evader epochs minus restrained | +
-8  | schools | pursuers, random: last stage minus first | -
-8  | schools | evaders, scripts: co-evolution minus easy to hard | -
-8  | schools | evaders, evolved strangers: co-evolution minus easy to hard | -
-8  | schools | evaders, co-evolved rivals: co-evolution minus easy to hard | +
-8  | schools | evaders, scripts: easy to hard minus random only | +
-8  | schools | evaders, evolved strangers: easy to hard minus random only | +
-8  | schools | pursuers, scripts: co-evolution minus easy to hard | +
-8  | schools | pursuers, evolved strangers: co-evolution minus easy to hard | +
-8  | schools | pursuers, co-evolved rivals: co-evolution minus easy to hard | +
-8  | schools | pursuers, scripts: easy to hard minus random only | -
-8  | schools | pursuers, evolved strangers: easy to hard minus random only | -
-8  | schools | pursuers, co-evolved rivals: easy to hard minus random only | -
-8  | schools | pursuers, evolved strangers: co-evolution minus random only | +
-9  | polite | steps, polite minus greedy | -
 9  | penalty | captures nothing | +
 9  | penalty | captures | +
 9  | penalty | captures and collides | +
-9  | masked | left | +
-9  | masked | left, minus without a mask | -
 9  | masks | captures | +
 9  | masks | steps | -
 """

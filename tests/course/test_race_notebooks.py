@@ -1,6 +1,5 @@
 """Notebooks 3 to 9: what their texts say of learning, races and results that are kept is true."""
 
-import runpy
 from collections.abc import Callable
 from itertools import combinations, permutations, product
 from typing import Any
@@ -9,12 +8,12 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from course import check, kept
+from course import check, kept, toys
 from course.chapter_9 import WORLD, Mask, play_masked
 from matrixworld import analysis
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.masks import action_masks, forbidding_cells
-from notebooks import NOTEBOOKS, TUTORIALS, cells, source
+from notebooks import NOTEBOOKS, cells, source
 from student_functions import left_waits
 from student_functions import right_of_way as as_on_a_road
 
@@ -58,18 +57,6 @@ def test_verdicts_on_ten_seeds(schedule: str, race: str, cycling: str) -> None:
     races = kept("paper_races")
     found = analysis.judge(races[schedule] / int(races["evaders"]), per_episode=True).findings
     assert (found["arms race"].verdict, found["cycling"].verdict) == (race, cycling)
-
-
-# ---- Notebook 8 ----------------------------------------------------------------------------------
-
-
-def test_the_numbers_of_the_paper_are_those_of_the_results() -> None:
-    """Run ``tutorials/make/chapter_8_paper.py`` and ``tutorials/run.py 08`` if it fails."""
-    derived = runpy.run_path(str(TUTORIALS / "make" / "chapter_8_paper.py"))["derived"]()
-    stored = kept("chapter_8_paper")
-    assert set(stored) == set(derived)
-    for name, values in derived.items():
-        assert np.array_equal(stored[name], values), name
 
 
 EVADERS, PURSUERS, OBSTACLES = range(3)  # channels of views
@@ -126,7 +113,24 @@ def test_nobody_is_at_fault_where_one_of_two_goes_first() -> None:
     assert both_go.summary().fault_rate[0, 1] > 0
 
 
-# ---- Notebook 10 ---------------------------------------------------------------------------------
+# ---- Notebooks 4 and 10 --------------------------------------------------------------------------
+
+
+def test_perfect_players_of_nim_lose_to_nobody_who_errs() -> None:
+    """First players win exactly if they leave a multiple of four each time; told by search."""
+
+    def wins(genome: np.ndarray, left: int) -> bool:
+        """Return whether a first player, to move, wins against every reply."""
+        left -= int(toys.taken(genome[None], np.array([left]))[0])
+        return not left or all(left > k and wins(genome, left - k) for k in (1, 2, 3) if k <= left)
+
+    genomes = np.random.default_rng(0).normal(size=(3000, 39)).astype(np.float32)
+    genomes[::3] = toys.perfect_players(1000)
+    perfect = toys.perfect_players(200)
+    scores = toys.all_against_all(toys.NIM, genomes, perfect).mean(axis=1)
+    assert (scores[::3] == 1).all()
+    for genome, score in zip(genomes, scores, strict=True):
+        assert bool(score == 1) is wins(genome, 13)
 
 
 def test_answers_to_the_newest_never_improve_and_those_to_the_nash_mixture_do() -> None:

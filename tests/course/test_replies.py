@@ -18,7 +18,6 @@ from course import check
 from course.chapter_1 import BUMPER_CARS
 from course.chapter_2 import JAM_ACTIONS
 from course.chapter_5 import ENDINGS
-from course.chapter_8 import CASES, verdict_on
 from course.chapter_9 import break_even
 from course.toys import reduced_virulence
 from matrixworld import Action, analysis
@@ -32,7 +31,6 @@ ONE_TEAM = np.array(  # only the pursuers become stronger
     [[0.5, 0.1, 0.1, 0.1], [0.2, 0.5, 0.2, 0.2], [0.3, 0.3, 0.5, 0.3], [0.4, 0.6, 0.6, 0.5]]
 )
 BELOW_DIAGONAL = np.full((4, 4), 0.5) + np.tril(np.full((4, 4), 0.1), -1)
-WORDS = {case: word for case, (word, _) in CASES.items()}
 by_hand = partial(student.Later, student.hand_race)
 GAINS = student.interval_of_gains("generalist_generalist")
 
@@ -75,8 +73,12 @@ WRONG: dict[str, dict[str, Any]] = {
         "payoff turned": by_hand(3, payoff=np.transpose),
     },
     "3.4": {
-        "large steps": student.climber(sigma=2.0),
-        "never moves": student.climber(tell=lambda self, fitness: None),
+        "a name": "my_game",
+        "two scores": student.game(lambda a, b, rng: student.sums(a, b, rng) * 2),
+        "one score for all": student.game(lambda a, b, rng: student.sums(a, b, rng).mean()),
+        "a generator of its own": student.game(lambda a, b, rng: np.random.rand(len(a))),  # noqa: NPY002
+        "the order counts": student.game(lambda a, b, rng: np.arange(len(a)) / len(a)),
+        "nothing to select": student.game(lambda a, b, rng: 0 * student.sums(a, b, rng)),
     },
     "4.1": {"swapped": (0.5 - LAGS, 0.5 + LAGS), "one team only": (ONE_TEAM, 0.5 - LAGS)},
     "4.2": {
@@ -113,12 +115,22 @@ WRONG: dict[str, dict[str, Any]] = {
     },
     "7.2": {"below": 0.75, "above": 0.95},
     "7.3": {"the wins": lambda wins: wins, "zeros": lambda wins: 0 * wins},
-    "8.1": {"both teams": (64000, 250), "the whole curriculum": (32000, 1000)},
-    "8.2": {"with the own": lambda rates: rates.mean(axis=1), "the own": np.diag},
-    "8.3": {"unpaired": student.unpaired, "swapped": lambda one, other: verdict_on(other, one)},
-    "8.4": {
-        "one wrong": {**WORDS, "D": "autocurriculum"},
-        "another one": {**WORDS, "A": "co-evolution"},
+    "8.1": {
+        "the other order": student.rate_turned,
+        "the last token": lambda tokens, inputs: inputs.get(tokens[-1], 0.0),
+    },
+    "8.2": {
+        "one step": lambda program, shorter, score, least: next(
+            (each for each in shorter(program) if score(each) >= least), program
+        ),
+        "the first": lambda program, shorter, score, least: shorter(program)[0],
+    },
+    "8.3": {
+        "collides": "-open_side",
+        "one file": "-open_side - must_yield",
+        "too long": "0.3 * teammate - open_side - must_yield + room",
+        "no input": "distance",
+        "no text": -1,
     },
     "9.1": {"greedy": [6, 20, 0, 0, 0, 0], "careful": [3, 10, -10, -10, -6, 0]},
     "9.2": {"the paper's": 12, "low": 5.0},
@@ -131,32 +143,24 @@ WRONG: dict[str, dict[str, Any]] = {
 }
 
 WRONG |= {
-    "10.1": {
+    "10.1": {"all that is allowed": min, "always one": lambda stones, most: 1},
+    "10.2": {
         "the best": lambda payoff, mixture: (mixture @ payoff).max(),
         "the mean": lambda payoff, mixture: (mixture @ payoff).mean(),
     },
-    "10.2": {"equal": [1 / 3] * 3, "rock": [1, 0, 0]},
-    "10.3": {"generalists": 0.843, "one team": 0.325},
-    "10.4": {
-        "always east": lambda west, east, memory: ("east", None),
-        "no memory": lambda west, east, memory: "east",
-    },
-    "10.5": {
-        "free": ["......"] * 6,
-        "cut off": [".#....", "#.....", *["......"] * 4],
-        "five rows": ["......"] * 5,
-    },
+    "10.3": {"equal": [1 / 3] * 3, "rock": [1, 0, 0]},
+    "10.4": {"generalists": 0.843, "one team": 0.325},
 }
 
 RIGHT: dict[str, list[Any]] = {
-    "10.2": [np.array([0.25, 0.5, 0.25]), (0.252, 0.498, 0.25)],
+    "10.3": [np.array([0.25, 0.5, 0.25]), (0.252, 0.498, 0.25)],
     "1.1": [np.array([2, 2, 3, 3, 2, 2, 3])],
     "1.2": [[EAST, SOUTH, NORTH, WEST], [SOUTH, WEST, EAST, NORTH]],
     "1.4": [student.careless],
     "2.3": [np.int64(202), 202.0],
     "2.4": [student.at_once],
     "3.3": [by_hand(5), by_hand(5, payoff=np.ndarray.tolist)],
-    "3.4": [student.Climber],
+    "3.4": [student.game(student.sums), student.game(student.coin_of_sums, deterministic=False)],
     "4.1": [((0.5 + 0.5 * LAGS).tolist(), (0.5 - LAGS).tolist()), (BELOW_DIAGONAL, 0.5 - LAGS)],
     "5.3": [GAINS],
     "5.4": [student.both_rise],
@@ -165,11 +169,7 @@ RIGHT: dict[str, list[Any]] = {
     "7.3": [lambda wins: -abs(wins - 3), lambda wins: reduced_virulence(wins, 0.6)],
     "9.2": [-break_even(), np.float32(break_even())],
     "9.3": [np.ceil(298.07)],
-    "10.4": [
-        lambda west, east, memory: (
-            ("west", 1) if east or (memory == 1 and not west) else ("east", 0)
-        )
-    ],
+    "8.3": ["0.2 * teammate - adversary - must_yield"],
     "9.4": [
         lambda own, other: own > other,
         lambda own, other: "nesw".index("wnse"[own - 1]) <= "nesw".index("wnse"[other - 1]),
@@ -206,7 +206,7 @@ def test_the_errors_of_a_student_s_function_are_told_with_line_and_arguments() -
     assert "in its line `return (individuals > opponents).mean()`" in told
     assert "individuals = an array of shape (7, 1), opponents = an array of shape (5, 1)" in told
     assert "ZeroDivisionError: division by zero" in check("1.4", lambda cells, targets: 1 / 0).text
-    broken = student.climber(ask=lambda self, rng: self.missing)
+    broken = student.game(lambda a, b, rng: a.missing)
     assert "AttributeError: " in check("3.4", broken).text
 
 
@@ -228,6 +228,6 @@ def test_a_wrong_number_of_parameters_is_told(name: str, answer: Any) -> None:
 
 
 def test_replies_do_not_give_numbers_away() -> None:
-    key = {"2.3": "202 ", "7.2": "0.9 ", "9.2": f"{break_even():.1f}", "9.3": "299", "10.3": "0.83"}
+    key = {"2.3": "202 ", "7.2": "0.9 ", "9.2": f"{break_even():.1f}", "9.3": "299", "10.4": "0.83"}
     for name, answer in key.items():
         assert not any(answer in check(name, wrong).text for wrong in WRONG[name].values())

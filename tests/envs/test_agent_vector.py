@@ -1,13 +1,11 @@
 """Agents as sub-environments of a vector, and one agent as an environment of Gymnasium."""
 
 import warnings
-from typing import Any
 
 import gymnasium
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
-from gymnasium.wrappers import TimeAwareObservation
 
 import matrixworld as mw
 from matrixworld.envs.vector import AutoresetMode
@@ -16,18 +14,18 @@ from rows import config_of, random_actions
 TEAMS = (None, "pursuer", "evader")
 
 
-def worlds_of(name: str = "D", n_worlds: int = 3, **settings: Any) -> mw.VectorEnv:
+def worlds_of(name="D", n_worlds=3, **settings):
     return mw.VectorEnv(config_of(name, max_steps=9), n_worlds, **settings)
 
 
-def actions_of(env: mw.AgentVectorEnv, steps: int) -> np.ndarray:
+def actions_of(env, steps):
     return random_actions(3, env.single_action_space.n, steps, env.num_envs)
 
 
 @pytest.mark.parametrize("mode", AutoresetMode)
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("copied", [True, False])
-def test_they_are_the_arrays_of_the_worlds(team: str, mode: AutoresetMode, copied: bool) -> None:
+def test_they_are_the_arrays_of_the_worlds(team, mode, copied):
     settings = {"autoreset_mode": mode, "flatten": True, "dtype": "float32", "action_mask": True}
     env = mw.AgentVectorEnv(worlds_of(copy=copied, **settings), team)
     worlds, n = env.worlds, env.num_envs // 3
@@ -47,7 +45,7 @@ def test_they_are_the_arrays_of_the_worlds(team: str, mode: AutoresetMode, copie
         assert not infos
 
 
-def test_the_other_team_plays_the_worlds_actions() -> None:
+def test_the_other_team_plays_the_worlds_actions():
     env, twin = mw.AgentVectorEnv(worlds_of(), "pursuer"), worlds_of()
     env.reset(seed=1)
     twin.reset(seed=1)
@@ -59,11 +57,11 @@ def test_the_other_team_plays_the_worlds_actions() -> None:
 
 
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
-def test_masked_transitions_end_where_agents_disappear(mode: str) -> None:
+def test_masked_transitions_end_where_agents_disappear(mode):
     """Of the steps of an episode in which an agent acted, the last one is its end, and no other."""
     env = mw.AgentVectorEnv(worlds_of(autoreset_mode=mode))
     env.reset(seed=2)
-    ends: dict[tuple[int, int], list[bool]] = {}
+    ends = {}
     for actions in actions_of(env, 60):
         episode = env.worlds.infos["episode_number"].repeat(7)
         _, _, terminations, truncations, infos = env.step(actions)
@@ -76,7 +74,7 @@ def test_masked_transitions_end_where_agents_disappear(mode: str) -> None:
     assert len(whole) > 3 * env.num_envs
 
 
-def test_refuses() -> None:
+def test_refuses():
     env = mw.AgentVectorEnv(worlds_of())
     env.reset(seed=1)
     with pytest.raises(ValueError, match="^actions:"):
@@ -86,7 +84,7 @@ def test_refuses() -> None:
 
 
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
-def test_it_tells_the_allowed_actions_and_attributes_of_each_agent(team: str) -> None:
+def test_it_tells_the_allowed_actions_and_attributes_of_each_agent(team):
     small = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
     worlds = mw.VectorEnv("O", 3, action_mask="right-of-way", obstacles=0.2, **small)
     envs = mw.AgentVectorEnv(worlds, team)
@@ -100,13 +98,13 @@ def test_it_tells_the_allowed_actions_and_attributes_of_each_agent(team: str) ->
 
 
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
-def test_named_inputs_beside_masks_and_functions_that_see_views(team: str) -> None:
-    def stay(seen: np.ndarray) -> np.ndarray:
+def test_named_inputs_beside_masks_and_functions_that_see_views(team):
+    def stay(seen):
         assert (seen.shape[1:], seen.dtype) == ((3, 5, 5), np.uint8)
         return np.zeros(len(seen), int)
 
     opponent = {"pursuer": "evaders", "evader": "pursuers"}[team]
-    settings: dict[str, Any] = {"action_mask": "right-of-way", opponent: stay}
+    settings = {"action_mask": "right-of-way", opponent: stay}
     envs = mw.AgentVectorEnv(worlds_of(observation="named", **settings), team)
     twin = mw.AgentVectorEnv(worlds_of(**settings), team)
     seen, infos = envs.reset(seed=4)
@@ -119,12 +117,12 @@ def test_named_inputs_beside_masks_and_functions_that_see_views(team: str) -> No
         told = twin.step(actions)[-1]
 
 
-SMALL: dict[str, Any] = {"rows": 8, "cols": 8, "n_pursuers": 3, "n_evaders": 2, "max_steps": 30}
+SMALL = {"rows": 8, "cols": 8, "n_pursuers": 3, "n_evaders": 2, "max_steps": 30}
 
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)
 @pytest.mark.parametrize("agent", ["pursuer_1", "evader_0"])
-def test_gymnasium_makes_and_checks_it(variant: str, agent: str) -> None:
+def test_gymnasium_makes_and_checks_it(variant, agent):
     name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
     given = {"observation": "named", "flatten": True} if agent == "evader_0" else {}
     env = gymnasium.make(name, agent=agent, action_mask=True, dtype="float32", **given, **SMALL)
@@ -135,18 +133,7 @@ def test_gymnasium_makes_and_checks_it(variant: str, agent: str) -> None:
         check_env(env.unwrapped, skip_render_check=True)
 
 
-@pytest.mark.parametrize("limit", [{"max_steps": 7}, {"max_episode_steps": 7}])
-def test_the_specification_tells_the_time_limit(limit: dict[str, int]) -> None:
-    name = "matrixworld/pursuit-evasion-o"  # as everywhere; with _ and _v0 it is the same
-    env = TimeAwareObservation(gymnasium.make(name, **{**SMALL, "max_steps": 30, **limit}))
-    assert env.max_timesteps == env.spec.max_episode_steps == 7
-    worlds = gymnasium.make_vec(name, num_envs=2, max_episode_steps=7)
-    assert worlds.unwrapped.config.max_steps == 7
-    with pytest.raises(ValueError, match="^max_episode_steps, max_steps: expected one of them"):
-        gymnasium.make_vec(name, max_steps=3, max_episode_steps=7)
-
-
-def test_it_tells_the_allowed_actions() -> None:
+def test_it_tells_the_allowed_actions():
     env = gymnasium.make("matrixworld/pursuit-evasion-o", action_mask="right-of-way", **SMALL)
     _, info = env.reset(seed=0)
     masks = env.get_wrapper_attr("action_masks")()
@@ -155,7 +142,7 @@ def test_it_tells_the_allowed_actions() -> None:
     assert mw.AgentEnv("O", **SMALL).action_masks().all()  # without a mask
 
 
-def test_mates_and_opponents_are_drawn_independently() -> None:
+def test_mates_and_opponents_are_drawn_independently():
     env = mw.AgentEnv("O", pursuers=["chaser", "random"], evaders=["fleer", "random"], **SMALL)
     pairs = set()
     for seed in range(40):
@@ -164,10 +151,10 @@ def test_mates_and_opponents_are_drawn_independently() -> None:
     assert len(pairs) == 4
 
 
-def test_it_refuses() -> None:
+def test_it_refuses():
     env = mw.AgentEnv("O", **SMALL)
     with pytest.raises(RuntimeError, match=r"call reset\(\)"):
         env.step(0)
     env.reset(seed=0)
     with pytest.raises(TypeError, match="^action of pursuer_0: expected an int"):
-        env.step(0.5)  # type: ignore[arg-type]
+        env.step(0.5)

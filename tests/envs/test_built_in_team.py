@@ -1,8 +1,5 @@
 """Environments that play one team themselves: scripts, held-out genomes, champions, functions."""
 
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -17,21 +14,21 @@ TOGETHER = ["D", "R", "S", "SDB", "wall-R"]
 IN_TURNS = ["TO", "swarm-D", "swarm-SD", "agents-R", "agents-S"]
 
 
-def chosen(env: Any, policy: Any, agent: str) -> int:
+def chosen(env, policy, agent):
     """Return what a policy chooses for an agent, with the random numbers of a rollout."""
     actions, i = np.zeros(env.config.n_agents, np.int64), env._index[agent]
     env.world.decide(policy, range(i, i + 1), actions)
     return int(actions[i])
 
 
-def same(played: mw.Episode, recorded: mw.Episode) -> None:
+def same(played, recorded):
     for name in ("positions", "alive", "rewards", "involved", "fault", "captured"):
         assert np.array_equal(getattr(played, name), getattr(recorded, name)), name
 
 
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("name", [*TOGETHER, *IN_TURNS])
-def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
+def test_an_episode_is_the_engine_s(name, team):
     """Where the rules take turns, the built-in team sees what earlier turns did."""
     config = config_of(name, obstacles=0.1, max_steps=10, diagonal=team == "evader")
     both = random_team(config, 1, activation="tanh"), random_team(config, 2, memory="gru")
@@ -58,7 +55,7 @@ def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
             same(env.recorded, recorded)
 
 
-def test_held_out_genomes_runs_and_policies_are_opponents(race: Path) -> None:
+def test_held_out_genomes_runs_and_policies_are_opponents(race):
     saved = open_run(race)
     config = saved.settings.world
     archive = saved.teams["evader"].genomes
@@ -77,10 +74,10 @@ def test_held_out_genomes_runs_and_policies_are_opponents(race: Path) -> None:
     assert np.array_equal(evolved.genomes, held_out("pursuer", "SB")["evolved-2"].genomes)
 
 
-def test_a_function_gets_the_observations_of_living_agents() -> None:
+def test_a_function_gets_the_observations_of_living_agents():
     seen = []
 
-    def north(observations: np.ndarray) -> list[int]:
+    def north(observations):
         seen.append(observations)
         return [1] * len(observations)
 
@@ -111,12 +108,12 @@ def test_a_function_gets_the_observations_of_living_agents() -> None:
         ({"evaders": ""}, ValueError, "evaders"),  # which is the current directory
     ],
 )
-def test_non_players_are_refused(given: dict[str, Any], error: type[Exception], field: str) -> None:
+def test_non_players_are_refused(given, error, field):
     with pytest.raises(error, match=f"^{field}: .*expected"):
         mw.parallel_env("O", **given)
 
 
-def test_each_episode_draws_an_opponent_by_its_seed() -> None:
+def test_each_episode_draws_an_opponent_by_its_seed():
     league = ["still", "random", "fleer"]
     env = mw.parallel_env(config_of("R"), evaders=league)
     drawn = []
@@ -132,7 +129,7 @@ def test_each_episode_draws_an_opponent_by_its_seed() -> None:
     assert env.opponent == drawn[1]  # episode 2 of seed 5, as drawn above
 
 
-def test_opponents_that_are_set_play_from_the_next_episode_on() -> None:
+def test_opponents_that_are_set_play_from_the_next_episode_on():
     config = config_of("R")
     env, plain = mw.parallel_env(config, evaders="still"), mw.parallel_env(config)
     env.opponents = ["fleer", random_team(config, 1)]

@@ -4,9 +4,7 @@ import io
 import itertools
 import warnings
 from contextlib import redirect_stdout
-from functools import partial
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -37,7 +35,7 @@ SETTINGS = [
 
 
 @pytest.fixture(autouse=True)
-def _quiet() -> Any:
+def _quiet():
     with redirect_stdout(io.StringIO()):
         yield
 
@@ -49,7 +47,7 @@ def _quiet() -> Any:
         *itertools.product(("SDB", "TO", "swarm-D", "agents-SD"), SETTINGS),
     ],
 )
-def test_api_and_seeds(name: str, given: dict[str, Any]) -> None:
+def test_api_and_seeds(name, given):
     config = config_of(name, obstacles=0.1)
     official.api_test(mw.aec_env(config, **given), num_cycles=30)
     official.parallel_api_test(mw.parallel_env(config, **given), num_cycles=30)
@@ -58,8 +56,11 @@ def test_api_and_seeds(name: str, given: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("name", mw.VARIANTS)
-def test_max_cycles(name: str) -> None:
-    made = {"env": partial(mw.aec_env, name), "parallel_env": partial(mw.parallel_env, name)}
+def test_max_cycles(name):
+    made = {
+        "env": lambda max_cycles: mw.aec_env(name, max_steps=max_cycles),
+        "parallel_env": lambda max_cycles: mw.parallel_env(name, max_steps=max_cycles),
+    }
     with warnings.catch_warnings():
         # It steps a parallel environment until max_cycles, whether or not agents are gone.
         warnings.simplefilter("error")
@@ -67,13 +68,13 @@ def test_max_cycles(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_rendering(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rendering(name, monkeypatch):
     monkeypatch.setattr("time.sleep", lambda seconds: None)  # which "human" does to be seen
     drawn = {"ansi": lambda text: "captured" in text, "human": lambda nothing: nothing is None}
     official.render_test(lambda **mode: mw.aec_env(config_of(name), **mode), custom_tests=drawn)
 
 
-def test_each_agent_s_action_space_has_its_own_seed() -> None:
+def test_each_agent_s_action_space_has_its_own_seed():
     env = MatrixWorldAEC("O")
     first, second = (env.action_space(agent) for agent in env.possible_agents[:2])
     second.seed(1)

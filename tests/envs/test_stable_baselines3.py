@@ -1,7 +1,6 @@
 """The adapter for Stable-Baselines3; docs/clients trains with it."""
 
 import sys
-from typing import Any
 
 import numpy as np
 import pytest
@@ -10,10 +9,10 @@ import matrixworld as mw
 from matrixworld.envs.stable_baselines3 import policy, vec_env
 from matrixworld.version import MissingExtraError
 
-WORLD: dict[str, Any] = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 1, "max_steps": 12}
+WORLD = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 1, "max_steps": 12}
 
 
-def test_a_missing_library_is_named_with_its_extra(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_library_is_named_with_its_extra(monkeypatch):
     monkeypatch.setitem(sys.modules, "stable_baselines3", None)  # as if it were not installed
     expected = r"^expected the module stable_baselines3.*matrixworld-pursuit\[stable-baselines3\]"
     with pytest.raises(MissingExtraError, match=expected):
@@ -21,7 +20,7 @@ def test_a_missing_library_is_named_with_its_extra(monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.parametrize("observation", ["views", "named"])
-def test_stable_baselines3_gets_the_agents_of_a_vector_environment(observation: str) -> None:
+def test_stable_baselines3_gets_the_agents_of_a_vector_environment(observation):
     pytest.importorskip("stable_baselines3")
     world = {"observation": observation, **WORLD}
     envs = vec_env("O", n_worlds=3, **world)
@@ -45,7 +44,7 @@ def test_stable_baselines3_gets_the_agents_of_a_vector_environment(observation: 
     assert ends > 6
 
 
-def test_a_model_of_stable_baselines3_is_a_policy_and_an_opponent() -> None:
+def test_a_model_of_stable_baselines3_is_a_policy_and_an_opponent():
     pytest.importorskip("stable_baselines3")
     from stable_baselines3 import PPO
 

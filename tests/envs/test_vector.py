@@ -3,12 +3,10 @@
 import copy
 import itertools
 import pickle
-from typing import Any
 
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.error import ClosedEnvironmentError
 from gymnasium.vector.utils import batch_space
 
 import matrixworld as mw
@@ -20,7 +18,7 @@ SETTINGS = {"num_envs": 3, "rows": 12, "n_evaders": 2, "autoreset_mode": "SameSt
 ENTRY_POINT = "vector_entry_point"
 
 
-def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
+def make(name="O", n_worlds=4, **settings):
     # Short, so that resets happen soon.
     return mw.VectorEnv(config_of(name, max_steps=7), n_worlds, **settings)
 
@@ -28,10 +26,8 @@ def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
 @pytest.mark.parametrize("mode", AutoresetMode)
 @pytest.mark.parametrize("name", ["SDB", "TO"])
 @pytest.mark.parametrize(("observation", "seen"), [("views", "views"), ("named", "inputs")])
-def test_its_arrays_are_those_of_a_batch(
-    name: str, mode: AutoresetMode, observation: Any, seen: str
-) -> None:
-    env = make(name, state=True, autoreset_mode=mode, observation=observation)
+def test_its_arrays_are_those_of_a_batch(name, mode, observation, seen):
+    env = make(name, autoreset_mode=mode, observation=observation)
     specs = mw.array_specs(env.config) | mw.episode_specs(env.config)
     written = {key: np.zeros((4, *shape), dtype) for key, (shape, dtype) in specs.items()}
     batch = mw.Batch(4, env.config, autoreset=mw.Autoreset[mode.name], buffers=written)
@@ -57,15 +53,15 @@ def test_its_arrays_are_those_of_a_batch(
     assert written["episode"].all()  # each world began anew at least once
 
 
-def leaves(value: Any) -> list[np.ndarray]:
+def leaves(value):
     if not isinstance(value, dict):
         return [value]
     return [leaf for each in value.values() for leaf in leaves(each)]
 
 
 @pytest.mark.parametrize("mode", AutoresetMode)
-def test_what_was_returned_stays(mode: AutoresetMode) -> None:
-    env = make(state=True, action_mask=True, autoreset_mode=mode)
+def test_what_was_returned_stays(mode):
+    env = make(action_mask=True, autoreset_mode=mode)
     returned = [env.reset(seed=0)]
     for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
         returned.append(env.step(actions))
@@ -82,7 +78,7 @@ def test_what_was_returned_stays(mode: AutoresetMode) -> None:
     assert any(not np.array_equal(one[0], other[0]) for one, other in itertools.pairwise(returned))
 
 
-def test_teams_are_parts_of_the_same_arrays() -> None:
+def test_teams_are_parts_of_the_same_arrays():
     env = make()
     env.reset(seed=0)
     n = env.config.n_pursuers
@@ -95,19 +91,17 @@ def test_teams_are_parts_of_the_same_arrays() -> None:
         assert np.shares_memory(getattr(env.evaders, name), env.infos[name])
 
 
-def test_what_is_assigned_to_an_array_is_written_into_it() -> None:
+def test_actions_are_written_into_the_arrays_of_the_teams():
     envs, twin = (mw.VectorEnv("O", 2, rows=6, cols=6, n_pursuers=2, n_evaders=2) for _ in "ab")
     for each in (envs, twin):
         each.reset(seed=0)
-    envs.actions = np.zeros((2, 4), np.int32)
-    envs.pursuers.actions, envs.evaders.actions = [[1, 2], [2, 1]], 3
+    envs.pursuers.actions[:], envs.evaders.actions[:] = [[1, 2], [2, 1]], 3
     expected = [[1, 2, 3, 3], [2, 1, 3, 3]]
     np.testing.assert_array_equal(envs.actions, expected)
     np.testing.assert_array_equal(envs.step()[0], twin.step(expected)[0])
-    for bad, error in (([1, 2], ValueError), (np.ones((2, 4)), TypeError), (None, TypeError)):
-        with pytest.raises(error, match="^actions: expected"):
-            envs.actions = bad
-    np.testing.assert_array_equal(envs.actions, expected)
+    for owner in (envs, envs.pursuers):
+        with pytest.raises(AttributeError):
+            owner.actions = expected
     world, batch = mw.World("O"), mw.Batch(1)
     with pytest.raises(AttributeError, match="^positions: expected no assignment"):
         world.positions = world.positions + 1
@@ -115,7 +109,7 @@ def test_what_is_assigned_to_an_array_is_written_into_it() -> None:
         batch.buffers = {}
 
 
-def test_seeds() -> None:
+def test_seeds():
     env, other = make(), make()
     with pytest.raises(RuntimeError, match="^call reset"):
         env.step(np.zeros((4, 7), int))
@@ -125,15 +119,12 @@ def test_seeds() -> None:
     assert not np.array_equal(first, second)
     np.testing.assert_array_equal(other.reset()[0], second)
     np.testing.assert_array_equal(env.reset(seed=9, options={"episode": 1})[0], second)
-    env.reset(seed=[20, None, None, 21])
-    assert env.infos["seed"].tolist() == [20, 10, 11, 21]
-    assert env.infos["episode_number"].tolist() == [0, 2, 2, 0]
     with pytest.raises(TypeError, match="^seed: expected an integer, got None"):
-        env.reset(seed=[None, 1])  # type: ignore[list-item]  # of two worlds
+        env.reset(seed=[None, 1])  # of two worlds
 
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_make_vec(variant: str) -> None:
+def test_make_vec(variant):
     name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"  # as `gymnasium.make` spells it
     env = gymnasium.make_vec(name, **SETTINGS)
     assert isinstance(env, mw.VectorEnv)
@@ -152,11 +143,9 @@ def test_make_vec(variant: str) -> None:
 
 @pytest.mark.parametrize("team", [None, "pursuer"])
 @pytest.mark.parametrize("given", [{}, {"flatten": True}, {"observation": "named"}])
-def test_spaces_are_those_that_gymnasium_would_make(
-    team: str | None, given: dict[str, Any]
-) -> None:
+def test_spaces_are_those_that_gymnasium_would_make(team, given):
     worlds = make(**given, dtype="float32", autoreset_mode="SameStep")
-    env: Any = mw.AgentVectorEnv(worlds, team) if team else worlds
+    env = mw.AgentVectorEnv(worlds, team) if team else worlds
     for kind in ("observation_space", "action_space"):
         whole, single = getattr(env, kind), getattr(env, f"single_{kind}")
         expected = batch_space(single, env.num_envs)
@@ -168,11 +157,9 @@ def test_spaces_are_those_that_gymnasium_would_make(
     for _ in range(9):
         assert env.observation_space.contains(env.step(env.action_space.sample())[0])
     env.close()
-    with pytest.raises(ClosedEnvironmentError):
-        env.reset()
 
 
-def chosen(envs: mw.VectorEnv, policy: Any) -> np.ndarray:
+def chosen(envs, policy):
     """Return what a policy chooses for the caller's team, with the random numbers of a rollout."""
     actions = np.zeros((envs.n_worlds, envs.config.n_agents), np.int64)
     envs._batch.decide([policy], np.zeros(envs.n_worlds, int), envs.agents, actions)
@@ -182,7 +169,7 @@ def chosen(envs: mw.VectorEnv, policy: Any) -> np.ndarray:
 @pytest.mark.parametrize("mode", AutoresetMode)
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("name", ["D", "R", "SB"])
-def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMode) -> None:
+def test_episodes_are_those_of_rollouts(name, team, mode):
     config = config_of(name, obstacles=0.1, max_steps=12)
     networks = random_team(config, 1), random_team(config, 2)
     for mine, theirs in [("clumsy-chaser", "hunter"), networks]:
@@ -211,7 +198,7 @@ def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMod
 
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("name", ["TO", "D"])
-def test_worlds_are_those_of_parallel_environments(name: str, team: str) -> None:
+def test_worlds_are_those_of_parallel_environments(name, team):
     """Also where the rules take turns: all agents choose before the round."""
     config = config_of(name, obstacles=0.1)
     settings = {f"{team}s": ["hunter", random_team(config, 1, memory="gru")]}
@@ -233,7 +220,7 @@ def test_worlds_are_those_of_parallel_environments(name: str, team: str) -> None
                 assert np.array_equal(observations[agent], seen[world, place])
 
 
-def test_a_league_changes_from_episode_to_episode() -> None:
+def test_a_league_changes_from_episode_to_episode():
     config = config_of("R", max_steps=5)
     envs = mw.VectorEnv(config, 40, evaders=["still", "fleer", "random"])
     stay = np.zeros((40, 3), int)
@@ -259,11 +246,11 @@ def test_a_league_changes_from_episode_to_episode() -> None:
 
 
 @pytest.mark.parametrize("mode", AutoresetMode)
-def test_functions_are_asked_for_agents_that_act_only(mode: AutoresetMode) -> None:
+def test_functions_are_asked_for_agents_that_act_only(mode):
     asked = []
 
     class Still(list):  # iterable, as modules of PyTorch can be
-        def __call__(self, seen: np.ndarray) -> np.ndarray:
+        def __call__(self, seen):
             asked.append(len(seen))
             return np.zeros(len(seen), int)
 

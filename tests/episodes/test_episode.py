@@ -2,8 +2,6 @@
 
 import dataclasses
 import os
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -11,13 +9,13 @@ import pytest
 import matrixworld as mw
 from matrixworld._util.files import DamagedFileError
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
-from rows import NAMES, by_name, config_of, play_turns, random_actions, random_walks
+from rows import NAMES, config_of, play_turns, random_walks
 
 EPISODE = random_walks()
 ARRAYS = [name for name, value in vars(EPISODE).items() if isinstance(value, np.ndarray)]
 
 
-def test_round_trip(tmp_path: Path) -> None:
+def test_round_trip(tmp_path):
     episode, path = EPISODE, tmp_path / "an episode"
     episode.save(path)
     loaded, written = Episode.load(path), path.read_bytes()
@@ -45,7 +43,7 @@ def test_round_trip(tmp_path: Path) -> None:
         {"n_pursuers": np.array([1, 2])},
     ],
 )
-def test_foreign_archives_are_refused(changes: dict[str, Any], tmp_path: Path) -> None:
+def test_foreign_archives_are_refused(changes, tmp_path):
     EPISODE.save(tmp_path / "foreign.npz")
     with np.load(tmp_path / "foreign.npz") as stored:
         changed = {**stored, **changes}
@@ -56,7 +54,7 @@ def test_foreign_archives_are_refused(changes: dict[str, Any], tmp_path: Path) -
 
 
 @pytest.mark.parametrize("name", ARRAYS)
-def test_wrong_dtypes_and_shapes_are_refused(name: str) -> None:
+def test_wrong_dtypes_and_shapes_are_refused(name):
     array = getattr(EPISODE, name)
     for wrong in (array.astype(complex), array.tolist()):
         with pytest.raises(TypeError, match=f"^{name}: expected an array of"):
@@ -65,11 +63,11 @@ def test_wrong_dtypes_and_shapes_are_refused(name: str) -> None:
         dataclasses.replace(EPISODE, **{name: array[None]})
 
 
-def explained(*rows: tuple[int, ...]) -> Episode:
+def explained(*rows):
     return dataclasses.replace(EPISODE, conflict_table=np.array(rows, np.int32).reshape(-1, 11))
 
 
-def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path: Path) -> None:
+def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path):
     episode = explained(
         (4, 0, 1, 0, 0, 3, 2, 5, 3, 3, 0), (4, 0, 0, 0, 7, -1, -1, 3, 1, 0, 1), (9,) + (0,) * 10
     )
@@ -86,7 +84,7 @@ def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path: Path) -> None:
         EPISODE.explain(3)
 
 
-def assert_same(one: mw.Episode, other: mw.Episode) -> None:
+def assert_same(one, other):
     for name in (*MOMENT_ARRAYS, *STEP_ARRAYS, "map"):
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), name)
     acted = one.alive[:-1]  # actions of gone agents have no meaning
@@ -95,7 +93,7 @@ def assert_same(one: mw.Episode, other: mw.Episode) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_an_episode_is_what_a_world_does_with_its_actions(name: str) -> None:
+def test_an_episode_is_what_a_world_does_with_its_actions(name):
     config = config_of(name, obstacles=0.1, diagonal=True)
     episode = mw.record(config, "random", "fleer", seed=12, episode=3)
     world = mw.World(config)
@@ -119,21 +117,7 @@ def test_an_episode_is_what_a_world_does_with_its_actions(name: str) -> None:
             episode.explain(step)
 
 
-@pytest.mark.parametrize("name", ["D", "SD", "TO"])
-def test_an_environment_records_its_episode(name: str) -> None:
-    config = config_of(name, obstacles=0.1)
-    env = mw.parallel_env(config, record=True)
-    env.reset(seed=12)
-    rows = random_actions(1, config.n_actions, config.max_steps, config.n_agents)
-    for row in rows:
-        if env.agents:
-            env.step(by_name(env, row))
-    assert_same(env.recorded, mw.record_actions(config, rows, seed=12))
-    env.reset()
-    assert env.recorded.length == 0
-
-
-def test_the_aec_environment_records_whole_rounds_and_conflicts() -> None:
+def test_the_aec_environment_records_whole_rounds_and_conflicts():
     config = config_of("TO", obstacles=0.1)
     env = mw.aec_env(config, record=True)
     env.reset(seed=4)
@@ -144,9 +128,11 @@ def test_the_aec_environment_records_whole_rounds_and_conflicts() -> None:
     assert_same(kept, again)
     np.testing.assert_array_equal(kept.conflict_table, again.conflict_table)
     assert kept.conflict_table[:, 1].max() > 0  # later turns of a round are there
+    env.reset()
+    assert env.unwrapped.recorded.length == 0
 
 
-def test_a_recorder_refuses_missing_rounds() -> None:
+def test_a_recorder_refuses_missing_rounds():
     world = mw.World("TO", rows=6, cols=6, n_pursuers=2, n_evaders=2)
     recorder = mw.Recorder(world)
     with pytest.raises(RuntimeError, match="this is note 1, and the world has played 0"):

@@ -6,9 +6,7 @@ import os
 import re
 import subprocess
 import sys
-from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 from unittest.mock import Mock, call
 
 import imageio_ffmpeg
@@ -29,17 +27,17 @@ Terminal = pytest.CaptureFixture[str]
 
 
 @pytest.fixture
-def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    taken: list[float] = []
+def naps(monkeypatch):
+    taken = []
     monkeypatch.setattr("time.sleep", taken.append)
     monkeypatch.setattr("time.monotonic", lambda: 5.0)
     return taken
 
 
 @pytest.fixture
-def terminal(naps: list[float], monkeypatch: pytest.MonkeyPatch, capsys: Terminal) -> Terminal:
+def terminal(naps, monkeypatch, capsys):
     """What is printed goes to a terminal of 100 columns, 50 lines and 256 colours."""
-    variables = {"COLUMNS": "100", "LINES": "50", "COLORTERM": "", "TERM": "xterm"}
+    variables = {"COLUMNS": "100", "LINES": "50", "TERM": "xterm"}
     for name, value in variables.items():
         monkeypatch.setenv(name, value)
     monkeypatch.delenv("NO_COLOR", raising=False)
@@ -47,7 +45,7 @@ def terminal(naps: list[float], monkeypatch: pytest.MonkeyPatch, capsys: Termina
     return capsys
 
 
-def test_scenes_follow_the_episode() -> None:
+def test_scenes_follow_the_episode():
     first, last = scene(EPISODE, 0), scene(EPISODE)
     assert first.title == "step 0 of 30    captured 0 of 7 (0%)"
     assert first.fault is None
@@ -62,15 +60,15 @@ def test_scenes_follow_the_episode() -> None:
         scene(EPISODE, 3, trail=-1)
 
 
-def test_a_gif_shows_every_step(tmp_path: Path) -> None:
+def test_a_gif_shows_every_step(tmp_path):
     path, small = tmp_path / "episode.gif", np.uint8  # which would overflow in sums of pixels
-    save(EPISODE, path, fps=small(8), hold=1.5, cell=small(14))
+    save(EPISODE, path, fps=small(8), cell=small(14))
     with Image.open(path) as image:
         assert image.n_frames == EPISODE.length + 1
         assert image.info["loop"] == 0
         for step in range(image.n_frames):
             image.seek(step)
-            assert image.info["duration"] == (120 if step < 30 else 1620)
+            assert image.info["duration"] == (120 if step < 30 else 2120)
             picture = np.array(image.convert("RGB"))
             wanted = render.rgb(scene(EPISODE, step), cell=14)
             off = np.abs(picture.astype(int) - wanted.astype(int)).max(axis=2)
@@ -83,28 +81,20 @@ def test_a_gif_shows_every_step(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "options"),
-    [
-        ("fps", {"fps": 0}),
-        ("every", {"every": 0}),
-        ("hold", {"hold": -1}),
-        ("viewers", {"viewers": ["evader_7"]}),
-        ("path", {"path": "episode.avi"}),
-    ],
+    [("fps", {"fps": 0}), ("every", {"every": 0}), ("path", {"path": "episode.avi"})],
 )
-def test_what_is_refused_leaves_no_file(
-    tmp_path: Path, name: str, options: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_refused_leaves_no_file(tmp_path, name, options, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(ValueError, match=f"^{name}: expected"):
         save(EPISODE, **{"path": "no.gif", **options})
-    with pytest.raises(TypeError, match=f"unexpected keyword argument .{name}s.; did you mean"):
+    with pytest.raises(TypeError, match=f"unexpected keyword argument .{name}s"):
         save(EPISODE, "no.gif", **{f"{name}s": 1})
     assert os.listdir(tmp_path) == []
 
 
-def test_a_film_shows_every_step(tmp_path: Path) -> None:
+def test_a_film_shows_every_step(tmp_path):
     path = tmp_path / "episode.mp4"
-    save(EPISODE, path, fps=8, hold=1.5, cell=14)
+    save(EPISODE, path, fps=8, cell=14)
     height, width, _ = render.rgb(scene(EPISODE, 0), cell=14).shape
     ffmpeg = imageio_ffmpeg.get_ffmpeg_exe()
     decode = [ffmpeg, "-i", path, *("-f", "rawvideo", "-pix_fmt", "rgb24"), "-"]
@@ -113,7 +103,7 @@ def test_a_film_shows_every_step(tmp_path: Path) -> None:
     for fact in ("Video: h264", "yuv420p(tv, bt709", f" {width}x{height}", " 8 fps"):
         assert fact in report
     shown = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, height, width, 3)
-    assert len(shown) == EPISODE.length + 1 + 12
+    assert len(shown) == EPISODE.length + 1 + 16
     for step, picture in enumerate(shown[: EPISODE.length + 1]):
         wanted = render.rgb(scene(EPISODE, step), cell=14)
         assert np.abs(picture.astype(int) - wanted).mean() < 4, step
@@ -125,13 +115,11 @@ def test_a_film_shows_every_step(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("suffix", ["gif", "mp4"])
-def test_an_error_while_drawing_keeps_the_old_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str
-) -> None:
+def test_an_error_while_drawing_keeps_the_old_file(tmp_path, monkeypatch, suffix):
     path = tmp_path / f"old.{suffix}"
     path.write_bytes(b"kept")
 
-    def draw(drawn: render.Scene, **look: object) -> np.ndarray:
+    def draw(drawn, **look):
         if drawn.title.startswith("step 9 "):
             raise MemoryError("step 9")
         return render.rgb(drawn, cell=9)
@@ -142,21 +130,13 @@ def test_an_error_while_drawing_keeps_the_old_file(
     assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [(path.name, b"kept")]
 
 
-def test_a_picture_of_one_moment_with_the_views_of_its_world(tmp_path: Path) -> None:
-    save(EPISODE, tmp_path / "7.PNG", step=7, cell=9, fov=5, viewers=["evader_0", 1])
+def test_a_picture_of_one_moment(tmp_path):
+    save(EPISODE, tmp_path / "7.PNG", step=7, cell=9)
     with Image.open(tmp_path / "7.PNG") as image:
-        wanted = render.rgb(scene(EPISODE, 7), cell=9, fov=5, viewers=["evader_0", 1])
-        assert (np.array(image) == wanted).all()
-    world = mw.WorldConfig(rows=12, cols=12, fov=5, max_steps=3)
-    episode = mw.record(world, "still", "still", seed=0)
-    own, five, seven = (
-        animation(episode, viewers=[np.uint8(0)], every=np.uint8(1), **look).data
-        for look in ({}, {"fov": np.uint8(5)}, {"fov": 7})
-    )
-    assert own == five != seven
+        assert (np.array(image) == render.rgb(scene(EPISODE, 7), cell=9)).all()
 
 
-def test_a_notebook_shows_an_animation() -> None:
+def test_a_notebook_shows_an_animation():
     shown = animation(random_walks(40, 40, 8, 30, steps=500))
     with Image.open(io.BytesIO(shown.data)) as image:
         assert (image.n_frames, image.size) == (101, (504, 530))
@@ -166,22 +146,20 @@ def test_a_notebook_shows_an_animation() -> None:
     assert base64.b64decode(encoded[1]) == shown.data
 
 
-def test_animation_in_a_terminal(naps: list[float], terminal: Terminal) -> None:
+def test_animation_in_a_terminal(naps, terminal):
     animate_terminal(EPISODE, fps=20)
     start, *pictures = terminal.readouterr().out.split(term.HOME)
     assert start == term.HIDE_CURSOR + term.WRAP_OFF + term.CLEAR
     assert naps == pytest.approx([0.05 * (frame + 1) for frame in range(31)])
     for step, picture in enumerate(pictures):
-        drawn = render.ansi(scene(EPISODE, step), color="256")
+        drawn = render.ansi(scene(EPISODE, step))
         assert picture.startswith(drawn.replace("\n", term.CLEAR_LINE + "\n"))
     assert step == EPISODE.length
     assert picture.endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
 
 
-def test_the_cursor_comes_back_after_ctrl_c(
-    naps: list[float], terminal: Terminal, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def stop(seconds: float) -> None:
+def test_the_cursor_comes_back_after_ctrl_c(naps, terminal, monkeypatch):
+    def stop(seconds):
         naps.append(seconds)
         if len(naps) == 3:
             raise KeyboardInterrupt
@@ -193,7 +171,7 @@ def test_the_cursor_comes_back_after_ctrl_c(
     assert printed.endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
 
 
-def test_without_display_or_terminal_it_is_plain_text(naps: list[float], capsys: Terminal) -> None:
+def test_without_display_or_terminal_it_is_plain_text(naps, capsys):
     env = mw.parallel_env(config_of("O"), render_mode="human")
     env.reset(seed=0)
     env.step(dict.fromkeys(env.agents, 0))
@@ -206,20 +184,20 @@ def test_without_display_or_terminal_it_is_plain_text(naps: list[float], capsys:
         assert f"step {step}    captured 0 of 4 (0%)   P 3  E 4\n" in printed
 
 
-def test_a_terminal_is_drawn_in_place(naps: list[float], terminal: Terminal) -> None:
+def test_a_terminal_is_drawn_in_place(naps, terminal):
     shown = Drawing(mw.World(config_of("O")), "human")
     for _ in range(3):
         shown.show()
     start, *pieces = terminal.readouterr().out.split(term.HOME)
     assert start == term.WRAP_OFF + term.CLEAR
     assert len(pieces) == 3
-    assert pieces[0].startswith(render.ansi(shown.scene(), color="256").splitlines()[0])
+    assert pieces[0].startswith(render.ansi(shown.scene()).splitlines()[0])
     assert pieces[0] == pieces[1] == pieces[2] + term.WRAP_OFF
     assert pieces[2].endswith(term.WRAP_ON + "\n")
     assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
 
 
-def test_a_notebook_s_output_is_drawn_anew() -> None:
+def test_a_notebook_s_output_is_drawn_anew():
     shell, display = SimpleNamespace(execution_count=4), Mock()
     drawn = scene(EPISODE)
     place = Notebook(shell, display)

@@ -7,15 +7,15 @@ import matrixworld as mw
 from rows import config_of, random_actions
 
 
-def assert_same(one: mw.SafetyMonitor, other: mw.SafetyMonitor) -> None:
+def assert_same(one, other):
     found = one.summary()
     for name, value in vars(other.summary()).items():
         np.testing.assert_allclose(getattr(found, name), value, rtol=1e-6, err_msg=name)
 
 
 @pytest.mark.parametrize("name", ["D", "SB", "SDB", "TO", "swarm-S"])
-def test_recordings_agree_with_rollouts(name: str) -> None:
-    """The statistics of rollouts are counted in tests/play/test_rollout.py."""
+def test_recordings_agree_with_rollouts(name):
+    """The statistics of rollouts are counted in cpp/tests/random_rollouts.cpp."""
     for max_steps in (1, 20):
         config, matches = config_of(name, max_steps=max_steps), mw.Matches.of(0, 0, range(2))
         rolled, recorded = mw.SafetyMonitor(), mw.SafetyMonitor()
@@ -28,7 +28,7 @@ def test_recordings_agree_with_rollouts(name: str) -> None:
 
 
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep", "Disabled"])
-def test_vector_environments_agree_with_recordings(mode: str) -> None:
+def test_vector_environments_agree_with_recordings(mode):
     config = config_of("SDB", max_steps=6)
     vector, recorded = mw.SafetyMonitor(), mw.SafetyMonitor()
     env = mw.VectorEnv(config, 3, autoreset_mode=mode)
@@ -43,7 +43,7 @@ def test_vector_environments_agree_with_recordings(mode: str) -> None:
     assert_same(vector, recorded)
 
 
-def test_numbers_by_hand() -> None:
+def test_numbers_by_hand():
     monitor = mw.SafetyMonitor()
     involved = np.array([[[1, 2, 0], [0, 0, 4]], [[3, 0, 0], [0, 0, 0]], [[3, 0, 0], [0, 0, 0]]])
     monitor.add(involved, involved // 2, [[100, 50], [50, 100], [50, 50]], [1.0, 0.5, 0.0])

@@ -2,13 +2,11 @@
 
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import pytest
 
 import matrixworld as mw
-from course.boards import playable
-from maps.archive import MAP_FITNESS
+from maps.archive import MAP_FITNESS, playable
 from maps.race import MapRace, MapSettings
 from matrixworld.coevolution import TEAMS
 from matrixworld.solver import States, best_response
@@ -21,7 +19,7 @@ RACE = tiny_race(
 N_NEW = 4 + 3 + 2
 
 
-def settings_of(fitness: str, **changes: Any) -> MapSettings:
+def settings_of(fitness, **changes):
     small = MapSettings(RACE, fitness, maps=4, children=3, fresh=2, matches=2, seed=5)
     return replace(small, **changes)
 
@@ -29,13 +27,13 @@ def settings_of(fitness: str, **changes: Any) -> MapSettings:
 class Watched(MapRace):
     """A race that lists its maps generation by generation."""
 
-    def learn(self, stage: int) -> None:
+    def learn(self, stage):
         super().learn(stage)
         if stage % 2:
-            self.archives: list[Any] = [*getattr(self, "archives", []), vars(self.maps)]
+            self.archives = [*getattr(self, "archives", []), vars(self.maps)]
 
 
-def played(settings: MapSettings, directory: Any) -> tuple[list[Any], list[Any], MapRace]:
+def played(settings, directory):
     """Return the arguments and scores of all matches, the maps of each generation, and the race."""
     listening = Listening()
     race = playing(Watched(settings, directory), listening)

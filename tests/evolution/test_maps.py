@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from course.boards import playable, random_map
-from maps.archive import MapArchive, edited
+from maps.archive import MapArchive, edited, playable, random_map
 from maps.held_out import GENERATORS, held_out_maps, regrets
 from matrixworld.coevolution import TEAMS
 from matrixworld.solver import States, best_response, solve
@@ -15,7 +14,7 @@ from matrixworld.solver import States, best_response, solve
 WORLD = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=8, fov=7)
 
 
-def reachable(walls: np.ndarray) -> bool:
+def reachable(walls):
     """Return whether steps to the four sides lead from one free cell to all others."""
     free = {(int(row), int(col)) for row, col in np.argwhere(~walls)}
     found, left = set(), [min(free)]

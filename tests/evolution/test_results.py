@@ -2,10 +2,7 @@
 
 import json
 import re
-from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,7 +12,6 @@ import actor_critic_claims
 import actor_critic_races
 import balance
 import balanced_races
-import common
 import convergence
 import ground_truth
 import hall_of_fame
@@ -41,7 +37,7 @@ from matrixworld.coevolution.race import HIDES_CYCLING
 NUMBER = r"-?\d+\.\d+"
 
 
-def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
+def of(table):
     """Return how a table is made from the numbers in its directory."""
     return lambda at: table(dict(np.load(at / "numbers.npz")))
 
@@ -51,7 +47,7 @@ OF_A_TABLE = (
     page_races, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
-TABLES: dict[str, Callable[[Path], str]] = {
+TABLES = {
     **{f"{script.__name__}/table.md": of(script.table) for script in OF_A_TABLE},
     **{f"{script.__name__}/table.md": of(script.tables) for script in OF_SEVERAL},
     "balance/table.md": lambda at: balance.table(json.loads(read(at / "numbers.json"))),
@@ -69,7 +65,7 @@ LONG = ROUNDED | {"actor_critic_races/table.md", "coverage/coverage.md", "judgem
 """Tables that take seconds."""
 
 
-def test_worlds_with_names_are_those_that_the_search_has_chosen() -> None:
+def test_worlds_with_names_are_those_that_the_search_has_chosen():
     found = balance.chosen(json.loads(read(RESULTS / "balance/numbers.json"))["raced"])
     assert [row["world"] for row in found] == [dict(world) for world in mw.WORLDS.values()]
 
@@ -77,7 +73,7 @@ def test_worlds_with_names_are_those_that_the_search_has_chosen() -> None:
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG)) for name in TABLES]
 )
-def test_a_published_table_follows_from_published_numbers(name: str) -> None:
+def test_a_published_table_follows_from_published_numbers(name):
     told, published = TABLES[name]((RESULTS / name).parent).strip(), read(RESULTS / name).strip()
     if name not in ROUNDED:
         assert told == published
@@ -88,11 +84,11 @@ def test_a_published_table_follows_from_published_numbers(name: str) -> None:
     assert values == pytest.approx(expected, rel=0.05, abs=0.011)
 
 
-def test_what_short_races_are_said_to_hide_follows_from_published_numbers() -> None:
+def test_what_short_races_are_said_to_hide_follows_from_published_numbers():
     numbers = np.load(RESULTS / "race_budgets/numbers.npz")
     place = race_budgets.SHOWN.index("cycling")
 
-    def cycling(*budgets: str) -> str:
+    def cycling(*budgets):
         kinds = [f"{budget}; {race_budgets.SPECIALISTS}" for budget in budgets]
         found = sum(int(numbers[f"single in {kind}"][place]) for kind in kinds)
         return f"in {found} of {sum(len(numbers[f'{kind} / pursuer']) for kind in kinds)}"
@@ -103,81 +99,34 @@ def test_what_short_races_are_said_to_hide_follows_from_published_numbers() -> N
     assert cycling(race_budgets.LONG, race_budgets.LONG_SPREADING) in told.split(short)[1]
 
 
-def yoked(p: float, low: float | None, high: float | None) -> str:
+def yoked(p, low, high):
     value = 0.0 if low is None or high is None else (low + high) / 2
     difference = replace(interval_over_runs([0.0, 1.0]), value=value, low=low, high=high)
     return yoked_races.verdict(p, difference)
 
 
-def claim(values: list[float], side: str) -> str:
-    one = paper_claims.Claim("it is so", "a number", np.array(values), side)
-    [p], [only] = one.p_values(), one.columns
-    return one.cell(only, p).split("**")[1]
-
-
-def beating(kind: str, best: float, *scores: float) -> str:
-    """Return what is said of programs of these scores, where ratings have none."""
-    numbers: dict[str, Any] = {
-        "scripts in O: pursuer": np.array(["chaser", "random"]),
-        "scores in O: pursuer": np.array([best, 0.1]),
-    }
-    for each in policies.READABLE:
-        of_kind = scores if each == kind else np.zeros(len(scores))
-        numbers[f"O: {each} / pursuer"] = np.array(of_kind)
-    return policies.verdict(numbers, "O", "pursuer")
-
-
-def game(team: str, values: list[float]) -> str:
-    # The published interval is 0.8 +- 2.262 * 0.1 / sqrt(10) = 0.8 +- 0.072.
-    one = baselines.Game("a game", team, "random", 0.8, 0.1)
-    return one.verdict(interval_over_runs(values, bounds=(0.0, 1.0)))
-
-
 @pytest.mark.parametrize(
     ("judge", "given", "verdict"),
     [
-        (hall_of_fame.verdict, (0.01, -0.1, -1), "as expected"),
         (hall_of_fame.verdict, (0.01, -0.1, 1), "the opposite"),
         (hall_of_fame.verdict, (0.05, 0.1, 1), "as expected"),
-        (hall_of_fame.verdict, (0.06, 0.1, 1), "cannot tell"),
-        (yoked, (0.01, 0.01, 0.03), "race higher"),
         (yoked, (0.01, -0.09, -0.01), "yoked higher"),
-        (yoked, (0.06, -0.04, 0.049), "alike"),
-        (yoked, (0.06, -0.04, 0.051), "cannot tell"),
         (yoked, (1.0, None, None), "cannot tell"),
-        (claim, ([0.2, 0.3, 0.4], "above"), "reproduced"),
-        (claim, ([0.2, 0.3, 0.4], "below"), "not reproduced"),
-        (claim, ([-0.2, 0.3, 0.1], "above"), "cannot tell"),
-        (claim, ([-0.2, -0.3, -0.4], "below"), "reproduced"),
-        (claim, ([0.0] * 10, "above"), "cannot tell"),
-        (claim, ([0.1] * 5, "above"), "cannot tell"),
-        (claim, ([0.1] * 10, "above"), "reproduced"),
-        (claim, ([0.1] * 9 + [np.nan], "above"), "cannot tell"),
-        (game, ("pursuer", [0.9, 0.91, 0.92]), "reached"),
-        (game, ("pursuer", [0.5, 0.51, 0.52]), "not reached"),
-        (game, ("pursuer", [0.5, 0.95, 0.99]), "cannot tell"),
-        (game, ("evader", [0.1, 0.11, 0.12]), "reached"),
-        (game, ("evader", [0.97, 0.98, 0.99]), "not reached"),
-        (beating, ("program", 0.6, 0.61, 0.7), "program"),
-        (beating, ("rating", 0.6, 0.6, 0.7), "**none** (at most 1 of 2 seeds)"),
-        (beating, ("rating", 0.995, 1.0, 1.0), "script perfect"),
-        (rating_inputs.verdict, ([0.01, 0.02, 0.03],), "cannot tell"),
-        (rating_inputs.verdict, ([0.02, 0.02, 0.03],), "counts"),
-        (rating_inputs.verdict, ([-0.01, 0.0, 0.001],), "costs nothing"),
     ],
 )
-def test_verdicts(judge: Callable[..., str], given: tuple[Any, ...], verdict: str) -> None:
+def test_verdicts(judge, given, verdict):
+    """That no published table has; these are tests of all others."""
     assert judge(*given) == verdict
 
 
-def test_mixtures_of_a_race_are_equilibria_of_its_generations() -> None:
+def test_mixtures_of_a_race_are_equilibria_of_its_generations():
     matrix = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
     first, whole = convergence.mixtures(matrix, 1)[0], convergence.mixtures(matrix, 2)[0]
     np.testing.assert_allclose(first, [0.0, 1.0, 0.0], atol=1e-9)  # paper beats rock
     np.testing.assert_allclose(whole, [1 / 3] * 3, atol=1e-9)
 
 
-def test_members_of_a_mixture_have_shares_next_to_the_weights() -> None:
+def test_members_of_a_mixture_have_shares_next_to_the_weights():
     weights = np.array([0.0, 0.53, 0.12, 0.35])
     shares = np.bincount(learned.members(weights), minlength=4) / learned.PARTS
     assert shares.sum() == 1.0
@@ -188,7 +137,7 @@ def test_members_of_a_mixture_have_shares_next_to_the_weights() -> None:
 COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
 
 
-def test_normal_runs_are_covered_in_93_to_97_percent() -> None:
+def test_normal_runs_are_covered_in_93_to_97_percent():
     assert all(0 <= row.covered <= row.given <= row.repetitions for row in COUNTS)
     assert {row.repetitions for row in COUNTS} == {400}
     for interval in ("mean of runs", "difference of runs"):
@@ -198,7 +147,7 @@ def test_normal_runs_are_covered_in_93_to_97_percent() -> None:
         assert 0.93 < covered / given < 0.97
 
 
-def test_evaders_of_the_authors_move_to_free_cells_one_by_one() -> None:
+def test_evaders_of_the_authors_move_to_free_cells_one_by_one():
     # A pursuer, and three evaders in a corner: the first one has no free side until another left.
     positions = np.array([[5, 5], [0, 0], [0, 1], [1, 0]])
     for seed in range(20):

@@ -2,8 +2,6 @@
 
 import random
 import sys
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +12,6 @@ import matrixworld as mw
 import readable
 from evolution_scripts import SCRIPTS, read, run_quickly
 from matrixworld import coevolution
-from matrixworld.coevolution import RaceSettings, SavedRun
 from tiny_race import tiny_race
 
 LIBRARIES = {"common", "paper_runs"}
@@ -33,7 +30,7 @@ ONCE = {"evolve_held_out", "scripted_pursuit"}
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", NAMES)
-def test_a_script_says_the_same_again_from_what_it_keeps(name: str, tmp_path: Path) -> None:
+def test_a_script_says_the_same_again_from_what_it_keeps(name, tmp_path):
     if name in WITH_TORCH:
         pytest.importorskip("torch")
     told = run_quickly(name, tmp_path)
@@ -45,29 +42,29 @@ def test_a_script_says_the_same_again_from_what_it_keeps(name: str, tmp_path: Pa
     assert runs == {path: path.stat().st_mtime_ns for path in runs}
 
 
-def kinds(quick: bool) -> dict[str, RaceSettings]:
+def kinds(quick):
     return {
         f"races, {n} epochs": tiny_race().changed(epochs(n)) for n in ((1,) if quick else (1, 2))
     }
 
 
-def epochs(n: int) -> dict[str, int]:
+def epochs(n):
     return {"schedule.pursuer_epochs": n, "schedule.evader_epochs": n}
 
 
-def later(runs: common.Runs, quick: bool) -> dict[str, list[RaceSettings]]:
+def later(runs, quick):
     begun = runs["races, 1 epochs"]
     return {"later": [run.settings.changed({"seed": run.settings.seed + 5}) for run in begun]}
 
 
-def measure(runs: common.Runs, quick: bool) -> dict[str, object]:
-    def of_run(run: SavedRun) -> dict[str, object]:
+def measure(runs, quick):
+    def of_run(run):
         return {"seed": run.settings.seed, "rates": run.payoff().matrix}
 
     return {**common.by_seed(runs, of_run), "count": len(runs)}
 
 
-def played(monkeypatch: pytest.MonkeyPatch, *options: str, **others: Any) -> None:
+def played(monkeypatch, *options, **others):
     monkeypatch.setattr(sys, "argv", ["place/script.py", "--threads", "1", *options])
     common.experiment(
         "What is asked?",
@@ -107,7 +104,7 @@ def test_an_unknown_kind_is_refused(tmp_path, monkeypatch, capsys):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_deap_example_scores_each_player_against_each_rival() -> None:
+def test_the_deap_example_scores_each_player_against_each_rival():
     world, rng = deap_example.SMALL, np.random.default_rng(0)
     network = mw.Network.for_config(world)
     own, rivals = (np.stack([network.initial(rng) for _ in range(n)]) for n in (3, 2))
@@ -127,7 +124,7 @@ def test_the_deap_example_scores_each_player_against_each_rival() -> None:
         )
 
 
-def test_the_readable_example_evolves_programs_that_beat_untrained_ones() -> None:
+def test_the_readable_example_evolves_programs_that_beat_untrained_ones():
     random.seed(2)
     champions = readable.co_evolve(3, 3, 20)
     for team, other in (readable.TEAMS, readable.TEAMS[::-1]):

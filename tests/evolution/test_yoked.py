@@ -4,8 +4,6 @@ import shutil
 from dataclasses import replace
 from functools import partial
 from itertools import islice
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,17 +16,16 @@ SEED = tiny_race().seed
 
 
 @pytest.fixture(scope="module")
-def real(tmp_path_factory: pytest.TempPathFactory) -> SavedRun:
-    """A finished race."""
+def real(tmp_path_factory):
     return played(alternating("uniform"), tmp_path_factory.mktemp("races") / "real")
 
 
-def yoked_to(run: SavedRun, directory: Path, *, seed: int = SEED + 1, **options: Any) -> YokedRace:
+def yoked_to(run, directory, *, seed=SEED + 1, **options):
     """Return a race of another seed that is yoked to a run."""
     return YokedRace(replace(run.settings, seed=seed), directory, run, **options)
 
 
-def test_teams_meet_the_generations_of_the_other_race(real: SavedRun, tmp_path: Path) -> None:
+def test_teams_meet_the_generations_of_the_other_race(real, tmp_path):
     listening, schedule = Listening(), real.settings.schedule
     archive = playing(yoked_to(real, tmp_path / "run"), listening).run().archive()
     calls = iter(listening.calls)
@@ -43,7 +40,7 @@ def test_teams_meet_the_generations_of_the_other_race(real: SavedRun, tmp_path: 
 
 
 @pytest.mark.parametrize("call", [0, 7])
-def test_a_stopped_race_ends_as_if_never_stopped(real: SavedRun, tmp_path: Path, call: int) -> None:
+def test_a_stopped_race_ends_as_if_never_stopped(real, tmp_path, call):
     yoked_to(real, tmp_path / "straight").run()
     stop_and_continue(partial(yoked_to, real), call, tmp_path / "run")
     assert results(tmp_path / "run") == results(tmp_path / "straight")

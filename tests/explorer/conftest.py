@@ -4,14 +4,14 @@ import pytest
 
 from browser import browser, friend
 from firefox import firefox
-from matrixworld.coevolution import SavedRun, evolve
+from matrixworld.coevolution import evolve
 from tiny_race import tiny_race, tiny_single
 
 __all__ = ["browser", "firefox", "friend"]
 
 
 @pytest.fixture(scope="module")
-def job(tmp_path_factory: pytest.TempPathFactory) -> dict[str, SavedRun]:
+def job(tmp_path_factory):
     """Runs of different worlds: obstacles, diagonal moves and turns, and a single team."""
     settings = {
         "race": tiny_race(obstacles=0.15, max_steps=30),

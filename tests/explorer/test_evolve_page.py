@@ -6,14 +6,12 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
-from typing import Any
 
 import numpy as np
 import pytest
 
-from browser import LAPTOP, PHONE, Browser
+from browser import LAPTOP, PHONE
 from command_line import matrixworld_command
-from firefox import Firefox
 from matrixworld import Matches, Population, Rating, WorldConfig, rollout
 from matrixworld.explorer.evolve_page import PAGE, evolve_page
 
@@ -22,17 +20,17 @@ MOST = 1_000_000
 """Bytes of the page."""
 SMALL = "#world=meadow&policy=cells&population=8&steps=30&pursuers=2&evaders=2&seed=3&walls=60.61"
 """A race of networks that takes a second."""
-QUICK = "#world=courtyard&population=8&steps=60&seed=3"
+QUICK = "#world=courtyard&population=8&steps=30&seed=3"
 """One of ratings."""
 
 
-def test_the_page_is_small_and_that_of_docs_is_the_present_one() -> None:
+def test_the_page_is_small_and_that_of_docs_is_the_present_one():
     page = evolve_page()
     assert len(page.encode()) <= MOST
     assert (DOCS / PAGE).read_text(encoding="utf-8") == page, "run python docs/make_pages.py"
 
 
-def test_evolve_writes_and_names_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_evolve_writes_and_names_it(tmp_path, monkeypatch):
     monkeypatch.setattr(webbrowser, "open", lambda address: True)
     monkeypatch.chdir(tmp_path)
     assert matrixworld_command("evolve", "--page").output == f"{PAGE}\n"
@@ -51,27 +49,26 @@ LINK = "document.querySelector('.doings input').value"
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def page(tmp_path_factory):
     file = tmp_path_factory.mktemp("evolve") / PAGE
     file.write_text(evolve_page(), encoding="utf-8")
     return file
 
 
-def opened(browser: Browser, page: Path, settings: str, size: tuple[int, int] = LAPTOP) -> None:
+def opened(browser, page, settings, size=LAPTOP):
     browser.resize(*size)
     browser.driver.get("about:blank")  # another address after the # loads no page
     browser.driver.get(page.as_uri() + settings)
     browser.wait("document.body.dataset.ready === 'true'")
 
 
-def press(browser: Browser, text: str) -> None:
+def press(browser, text):
     """Press the button that begins with a text."""
     script = "[...document.querySelectorAll('button')].find((button) => button.offsetParent"
     browser.driver.execute_script(f"{script} && button.textContent.startsWith('{text}')).click()")
 
 
-def choose(browser: Browser, name: str, value: str) -> None:
-    """Change a control by its name."""
+def choose(browser, name, value):
     browser.driver.execute_script(
         """const field = [...document.querySelectorAll(".field")].find((each) =>
           each.firstChild.textContent === arguments[0]).querySelector("select, input");
@@ -83,12 +80,14 @@ def choose(browser: Browser, name: str, value: str) -> None:
     )
 
 
+CHANGES = {"": ("Steps", "10"), "Go on": ("Pursuers", "5"), "15 more": ("Pursuers", "4")}
+"""What is changed after a button is pressed; the first change makes the rest quick."""
+
+
 @pytest.mark.slow
-def test_a_race_is_its_link_goes_on_and_is_not_lost(
-    browser: Browser, friend: Browser, firefox: Firefox, page: Path
-) -> None:
+def test_a_race_is_its_link_goes_on_and_is_not_lost(browser, friend, firefox, page):
     """Bit for bit in other browsers: with changes on the way, stopped, and with more of it."""
-    opened(browser, page, QUICK)
+    opened(browser, page, QUICK.replace("30", "60"))  # slow enough to be stopped
     assert "of the evaders are caught" in browser.js(FACTS)
     browser.click(".evolve")
     browser.wait(f"{NEWEST} >= 2")
@@ -101,7 +100,7 @@ def test_a_race_is_its_link_goes_on_and_is_not_lost(
         if act:
             press(browser, act)
         changes = browser.js(f"{LANE}.changed.length")
-        choose(browser, "Pursuers", "5" if act == "Go on" else "4")
+        choose(browser, *CHANGES[act])
         browser.wait(f"{STATE} === '{until}' && {LANE}.changed.length > {changes}", 60)
         browser.wait(f"{LANE}.outcome && {NEWEST} >= {30 if act == '15 more' else 0}", 60)
         press(browser, "Link")
@@ -133,9 +132,7 @@ def test_a_race_is_its_link_goes_on_and_is_not_lost(
 
 
 @pytest.mark.slow
-def test_a_friend_plays_the_match_of_a_challenge(
-    browser: Browser, friend: Browser, page: Path
-) -> None:
+def test_a_friend_plays_the_match_of_a_challenge(browser, friend, page):
     opened(browser, page, QUICK, PHONE)
     browser.click(".evolve")
     browser.wait(ENDED, 60)
@@ -150,7 +147,7 @@ def test_a_friend_plays_the_match_of_a_challenge(
     opened(friend, page, "#" + link.partition("#")[2])
     told = friend.js("document.querySelector('.play-told').textContent")
     steps = int(next(filter(str.isdigit, score.split())))
-    assert f"Your friend survived {steps} of 60 steps" in told
+    assert f"Your friend survived {steps} of 30 steps" in told
     friend.press(*"dsaw" * 20)  # the same moves from the same start
     friend.wait("document.querySelector('.play').dataset.state === 'ended'")
     assert "a draw" in friend.js("document.querySelector('.play-ending').textContent")
@@ -171,9 +168,7 @@ def test_a_friend_plays_the_match_of_a_challenge(
         ("#seed=7&then=" + "0" * 20_000, "too long"),
     ],
 )
-def test_what_is_wrong_with_a_link_is_said(
-    browser: Browser, page: Path, address: str, message: str
-) -> None:
+def test_what_is_wrong_with_a_link_is_said(browser, page, address, message):
     opened(browser, page, address)
     assert message in browser.js(TOLD)
     assert browser.js("document.querySelector('[type=number]').value") == (
@@ -197,27 +192,27 @@ ABSENT = "(document.querySelector('.absent, .problem')?.textContent ?? '')"
     ],
 )
 def test_a_page_works_where_it_is_published_or_says_what_it_lacks(
-    browser: Browser, firefox: Firefox, page: Path, policy: str, message: str
-) -> None:
+    browser, firefox, page, policy, message
+):
     """Over HTTP, with the policies of schools and hosts."""
 
     class Handler(SimpleHTTPRequestHandler):
-        def end_headers(self) -> None:
+        def end_headers(self):
             if policy:
                 self.send_header("Content-Security-Policy", policy)
             super().end_headers()
 
-        def log_message(self, *args: object) -> None:
+        def log_message(self, *args):
             pass
 
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(page.parent)))
     Thread(target=server.serve_forever, daemon=True).start()
-    address = f"http://127.0.0.1:{server.server_port}/{page.name}{QUICK}"
+    address = f"http://127.0.0.1:{server.server_port}/{page.name}{QUICK.replace('30', '10')}"
     browser.resize(*LAPTOP)
     browser.driver.get("about:blank")
     browser.driver.get(address)
     firefox.open(address)
-    told: list[Any] = []
+    told = []
     for each in (browser, firefox):
         each.wait(f"{ABSENT} || window.matrixworldEvolve", 60)
         if message:
@@ -233,7 +228,7 @@ def test_a_page_works_where_it_is_published_or_says_what_it_lacks(
 
 
 @pytest.mark.slow
-def test_a_race_evolves_is_changed_and_plays_its_matches(browser: Browser, page: Path) -> None:
+def test_a_race_evolves_is_changed_and_plays_its_matches(browser, page):
     opened(browser, page, SMALL)
     assert browser.js(STATE) == "waiting"
     browser.wait(f"{LANE}.after.player.step > 2")  # a chase runs already
@@ -279,7 +274,7 @@ def test_a_race_evolves_is_changed_and_plays_its_matches(browser: Browser, page:
 
 
 @pytest.mark.slow
-def test_agents_are_asked_and_weights_are_dragged(browser: Browser, page: Path) -> None:
+def test_agents_are_asked_and_weights_are_dragged(browser, page):
     """Without weights all allowed moves are equally good, in Python as on the page."""
     opened(browser, page, QUICK)
     browser.click(".evolve")
@@ -310,7 +305,7 @@ def test_agents_are_asked_and_weights_are_dragged(browser: Browser, page: Path) 
 
 
 @pytest.mark.nightly
-def test_two_races_stand_side_by_side_without_motion(browser: Browser, page: Path) -> None:
+def test_two_races_stand_side_by_side_without_motion(browser, page):
     browser.prefer(prefers_reduced_motion="reduce")
     opened(browser, page, SMALL + "&beside=hall-of-fame&learner=ga", PHONE)
     assert not browser.js(f"{LANE}.chases.runs")  # no motion unless asked for

@@ -1,12 +1,11 @@
 """The page of runs that go on: what it shows, what it leaves alone, and how it ends."""
 
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from browser import DESKTOP, READY, Browser, data_of
+from browser import DESKTOP, READY, data_of
 from matrixworld.coevolution import TEAMS, SavedRun, create, evolve, open_run
 from matrixworld.explorer import explore, runs_page
 from matrixworld.explorer.runs_page import SO_FAR, GrowingPage, extended
@@ -22,27 +21,27 @@ NAMES = [*JOB]
 
 
 @pytest.fixture(scope="module")
-def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def job(tmp_path_factory):
     root = tmp_path_factory.mktemp("jobs") / "job"
     evolve(JOB, root, threads=1)
     return root
 
 
 @pytest.fixture
-def _at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+def _at_once(monkeypatch):
     """Pages are written whenever there is more to show."""
     monkeypatch.setattr(runs_page, "SECONDS", 0.0)
     monkeypatch.setattr(runs_page, "SHARE", np.inf)
 
 
 @pytest.mark.usefixtures("_at_once")
-def test_runs_have_the_same_bytes_with_a_page_that_grows(job: Path, tmp_path: Path) -> None:
+def test_runs_have_the_same_bytes_with_a_page_that_grows(job, tmp_path):
     root, page = tmp_path / "job", GrowingPage(tmp_path / "job", NAMES)
     page.write()
     assert not root.exists()
     shapes = []
 
-    def look(progress: object) -> None:
+    def look(progress):
         page.write()
         shown = data_of(root / "explorer.html")
         assert shown["growing"]
@@ -64,12 +63,12 @@ def test_runs_have_the_same_bytes_with_a_page_that_grows(job: Path, tmp_path: Pa
             assert (root / name / file).read_bytes() == (job / name / file).read_bytes()
 
 
-def test_pages_take_little_time(job: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_pages_take_little_time(job, tmp_path, monkeypatch):
     now = 0.0
     monkeypatch.setattr(runs_page.time, "monotonic", lambda: now)
     page, written = GrowingPage(job, NAMES), []
 
-    def write(*given: object) -> None:
+    def write(*given):
         nonlocal now
         now += 2.0
         written.append(now)
@@ -84,7 +83,7 @@ def test_pages_take_little_time(job: Path, tmp_path: Path, monkeypatch: pytest.M
 
 
 @pytest.mark.parametrize("name", JOB)
-def test_cells_are_the_first_episodes_of_the_evaluation(job: Path, name: str) -> None:
+def test_cells_are_the_first_episodes_of_the_evaluation(job, name):
     run = open_run(job / name)
     known = None
     for pursuers, evaders in ((1, 1), (2, 1), (2, 3), (3, 3), (9, 9)):
@@ -100,13 +99,13 @@ def test_cells_are_the_first_episodes_of_the_evaluation(job: Path, name: str) ->
         np.testing.assert_array_equal(shown, final.arrays()[field][:, :, :SO_FAR])
 
 
-def first_of(team: Population | str, most: int) -> Population | str:
+def first_of(team, most):
     return team if isinstance(team, str) else Population(team.genomes[:most], team.policy)
 
 
 @pytest.mark.nightly
 @pytest.mark.usefixtures("_at_once")
-def test_a_browser_follows_the_runs_to_the_finished_page(browser: Browser, tmp_path: Path) -> None:
+def test_a_browser_follows_the_runs_to_the_finished_page(browser, tmp_path):
     run = tmp_path / "run"
     create(tiny_race(max_steps=20), run)
     page = GrowingPage(tmp_path, ["run"])

@@ -3,19 +3,15 @@
 import hashlib
 import json
 import sys
-from collections.abc import Callable, Iterator
 from itertools import chain
 from pathlib import Path
-from types import ModuleType
-from typing import Any
 
 import numpy as np
 import pytest
 
-from browser import Browser
+from class_tournament.votes import count_votes, read_predictions
 from course.questions import Prediction, exercises
-from course.toys import BITS, GAMES, PAYOFF, beats, race_of_hands
-from course.votes import count_votes, read_predictions
+from course.toys import GAMES, beats, race_of_hands
 from node import run_node
 from scripts import wait_until
 
@@ -24,7 +20,7 @@ PAGE = DOCS / "lesson.html"
 
 
 @pytest.fixture(scope="module")
-def lesson() -> Iterator[ModuleType]:
+def lesson():
     sys.path.insert(0, str(DOCS))
     import lesson_page
 
@@ -32,7 +28,7 @@ def lesson() -> Iterator[ModuleType]:
     sys.path.remove(str(DOCS))
 
 
-def test_the_page_in_docs_is_the_present_one(lesson: ModuleType) -> None:
+def test_the_page_in_docs_is_the_present_one(lesson):
     kept = PAGE.read_text(encoding="utf-8")
     races = lesson.races_of_page(kept)
     assert kept == lesson.lesson_page(races), "run python docs/make_pages.py"
@@ -40,7 +36,7 @@ def test_the_page_in_docs_is_the_present_one(lesson: ModuleType) -> None:
     assert [run["schedule"] for run in races.runs] == lesson.LESSON["races"]
 
 
-def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson: ModuleType) -> None:
+def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson):
     races = lesson.races_of_page(PAGE.read_text(encoding="utf-8"))
     parts = list(chain.from_iterable(each["parts"] for each in lesson.LESSON["sections"]))
     asked = [lesson._filled(part, races) for part in parts if "question" in part]
@@ -58,26 +54,26 @@ def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson: Mod
     assert lesson.LESSON["races"]["abc".index(guess["outcome"])] == "specialist-specialist"
 
 
-def test_letters_of_an_edition_stay_and_any_may_be_right(lesson: ModuleType) -> None:
+def test_letters_of_an_edition_stay_and_any_may_be_right(lesson):
     """If this fails, raise the edition in ``exercises.toml``, and write down its digest here."""
     races = lesson.races_of_page(PAGE.read_text(encoding="utf-8"))
     parts = chain.from_iterable(each["parts"] for each in lesson.LESSON["sections"])
     asked = [lesson._filled(part, races) for part in parts if "predict" in part]
     letters = json.dumps([[part["predict"], part["question"], part["options"]] for part in asked])
     digest = hashlib.sha256(letters.encode()).hexdigest()[:8]
-    assert (lesson.COURSE["edition"], digest) == (2, "4996ef7b")
+    assert (lesson.COURSE["edition"], digest) == (3, "4996ef7b")
     assert {part["outcome"] for part in asked} == {"a", "b", "c"}
     first, again = (next(p for p in asked if p["predict"] == name) for name in ("0.a", "0.h"))
     assert (again["again"], again["options"]) == ("0.a", first["options"])
 
 
-def saved(choices: dict[str, str], pupil: str, edition: int = 2) -> str:
+def saved(choices, pupil, edition=2):
     common = {"edition": edition, "pupil": pupil}
     lines = [{"prediction": name, "choice": choice, **common} for name, choice in choices.items()]
     return "".join(json.dumps(line) + "\n" for line in lines)
 
 
-def test_the_page_counts_votes_as_the_class_does() -> None:
+def test_the_page_counts_votes_as_the_class_does():
     """A pupil counts once, whatever the names of the files; the page knows its options, too."""
     options = {name: dict.fromkeys("abc", "") for name in ("0.a", "0.b")}
     whole = saved({"0.a": "a", "0.b": "c"}, "0000000a")
@@ -107,80 +103,15 @@ def test_the_page_counts_votes_as_the_class_does() -> None:
     assert reasons["predictions.jsonl"] == "double: the pupil of predictions (1).jsonl"
 
 
-# ---- Its games, in plain Python with the same random numbers -------------------------------------
-
-
-def generator(seed: int) -> Callable[[], float]:
-    """Return mulberry32 with whole numbers of any size."""
-    state = seed
-
-    def draw() -> float:
-        nonlocal state
-        state = (state + 0x6D2B79F5) % 2**32
-        mixed = (state ^ state >> 15) * (state | 1) % 2**32
-        mixed ^= (mixed + (mixed ^ mixed >> 7) * (mixed | 61)) % 2**32
-        return (mixed ^ mixed >> 14) / 2**32
-
-    return draw
-
-
-def hands_of(generations: int, memory: int, draw: Callable[[], float]) -> dict[str, list[int]]:
-    """Let teams answer the last hands of each other; whole numbers, so that ties are ties."""
-    hands: dict[str, list[int]] = {"pursuers": [0], "evaders": [0]}
-    for _ in range(generations):
-        for team, other in (("pursuers", "evaders"), ("evaders", "pursuers")):
-            wins = (2 * PAYOFF).astype(int)[:, hands[other][-memory:]].sum(axis=1)
-            best = np.flatnonzero(wins == wins.max())
-            hands[team].append(int(best[int(draw() * len(best)) if len(best) > 1 else 0]))
-    return hands
-
-
-def shuffled(n: int, draw: Callable[[], float], most: int) -> list[int]:
-    """Draw some of n numbers without replacement, each swapped to the front."""
-    order = list(range(n))
-    for at in range(min(most, n)):
-        other = at + int(draw() * (n - at))
-        order[at], order[other] = order[other], order[at]
-    return order[:most]
-
-
-def numbers_game(
-    name: str, settings: dict[str, Any], generations: int, draw: Callable[[], float]
-) -> list[Any]:
-    """Return the ones (n, dimensions) of both sides at the end; the package judges who wins."""
-    n, game = settings["population"], GAMES[name]
-    numbers = game.genome_size("pursuer")
-    bits = [np.zeros((n, numbers, BITS // numbers), dtype=bool) for _ in (0, 1)]
-    champions: tuple[list[Any], list[Any]] = ([], [])
-    for _ in range(generations):
-        ones = [each.sum(axis=2) for each in bits]
-        won = np.zeros((2, n))
-        for _ in range(settings["opponents"]):
-            others = shuffled(n, draw, n)
-            won[0] += beats(game, ones[0], ones[1][others])
-            won[1][others] += beats(game, ones[1][others], ones[0])
-        for side in (0, 1):
-            past = champions[1 - side]
-            for champion in shuffled(len(past), draw, settings["hall"]):
-                won[side] += beats(game, ones[side], np.tile(past[champion], (n, 1)))
-        for side in (0, 1):
-            champions[side].append(ones[side][won[side].argmax()])
-            sums = np.cumsum(won[side] if won[side].any() else np.ones(n))
-            parents = [int(np.searchsorted(sums, draw() * sums[-1], "right")) for _ in range(n)]
-            flips = [draw() < settings["mutation"] for _ in range(bits[side].size)]
-            bits[side] = bits[side][parents] ^ np.reshape(flips, bits[side].shape)
-    return [each.sum(axis=2).tolist() for each in bits]
-
-
-def test_the_games_are_those_of_slow_python() -> None:
-    """And of the package where nothing is drawn. Answers to all past hands converge."""
+def test_the_games_are_as_they_were_and_as_in_the_package():
+    """A slow Python version, which stood here at commit 8e1a8000, has drawn the same."""
     memories, generations, seed = [1, 2, 5, 1000], 400, 3
     settings = {"population": 6, "mutation": 0.02, "opponents": 4, "hall": 3}
     games = [{"game": name, "settings": settings, "generations": 12} for name in GAMES]
     given = {"memories": memories, "generations": generations, "seed": seed, "games": games}
     found = run_node("toys.mjs", given)
-    for memory, hands in zip(memories, found["hands"], strict=True):
-        assert hands == hands_of(generations, memory, generator(seed))
+    drawn = json.dumps([found["hands"], [game["ones"] for game in found["games"]]])
+    assert hashlib.sha256(drawn.encode()).hexdigest()[:8] == "460f4fa9"
     specialists = race_of_hands("specialists", generations)
     assert found["hands"][0] == {f"{team}s": each for team, each in specialists.items()}
     for last, every in zip(found["hands"][0].values(), found["hands"][-1].values(), strict=True):
@@ -189,9 +120,7 @@ def test_the_games_are_those_of_slow_python() -> None:
         assert shares == pytest.approx([1 / 3] * 3, abs=0.04)
     for given_game, game in zip(games, found["games"], strict=True):
         name = str(given_game["game"])
-        ones = numbers_game(name, settings, 12, generator(seed))
-        assert game["ones"] == ones
-        a, b = (np.array(each) for each in ones)
+        a, b = (np.array(each) for each in game["ones"])
         first, second = (each.ravel() for each in np.indices((6, 6)))
         pairs = (a[first], b[second]), (b[second], a[first])
         won, lost = (beats(GAMES[name], *each) for each in pairs)
@@ -219,7 +148,7 @@ CHOICES = {
 
 
 @pytest.mark.nightly
-def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
+def test_a_walk_through_the_page(browser, tmp_path):
     """Nothing is told before the prediction; answers are checked; all comes back and is saved."""
     folder = {"behavior": "allow", "downloadPath": str(tmp_path)}
     browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", folder)

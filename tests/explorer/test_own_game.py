@@ -5,16 +5,15 @@ import io
 import json
 import re
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import own_games
-from browser import PHONE, Browser, data_of
+from browser import PHONE, data_of
 from matrixworld.coevolution import SavedRun, evolve
-from matrixworld.explorer import explore, shows
+from matrixworld.explorer import explore, teams
 from matrixworld.explorer.runs_page import explorer_page
 from own_games import short_race
 from tiny_race import tiny_race
@@ -26,7 +25,7 @@ PLAYED = "document.querySelector('#match').dataset.played"
 
 
 @pytest.fixture(scope="module")
-def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
+def job(tmp_path_factory):
     settings = {
         "pursuit": tiny_race(),
         "words": short_race(own_games.words, generations=15),
@@ -37,14 +36,13 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
     return dict(zip(settings, runs, strict=True))
 
 
-def data(*runs: SavedRun) -> dict[str, Any]:
+def data(*runs):
     found = re.search(r'id="data">(.*?)</script>', explorer_page(runs))
     assert found
-    plain: dict[str, Any] = json.loads(found[1])
-    return plain
+    return json.loads(found[1])
 
 
-def test_what_is_shown_is_what_the_game_returns(job: Job) -> None:
+def test_what_is_shown_is_what_the_game_returns(job):
     run = job["words"]
     hosts, parasites = run.archive().values()
     [plain] = data(run)["runs"]
@@ -55,7 +53,7 @@ def test_what_is_shown_is_what_the_game_returns(job: Job) -> None:
     # 16 x 16 cells: the last 10 x 10, and a grid that reaches all corners.
     assert {f"{g} {h}" for g in range(6, 16) for h in range(6, 16)} <= told.keys()
     assert {"0 0", "0 15", "15 0"} <= told.keys()
-    assert 100 < len(told) <= shows.MOST_SHOWN
+    assert 100 < len(told) <= teams.MOST_SHOWN
     assert f"the page has {len(told)} pairs" in plain["game"]["missing"]
     drawn = data(job["pictures"])["runs"][0]["game"]["shows"]
     assert len(drawn) == 16  # of a small matrix all cells
@@ -65,26 +63,24 @@ def test_what_is_shown_is_what_the_game_returns(job: Job) -> None:
         assert np.array_equal(np.asarray(image), own_games.drawn(hosts[3], parasites[1]))
 
 
-def test_a_page_holds_few_cells_and_bytes_of_all_its_runs(
-    job: Job, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_page_holds_few_cells_and_bytes_of_all_its_runs(job, monkeypatch):
     both = data(job["words"], job["words"])["runs"]
-    assert sum(len(run["game"]["shows"]) for run in both) <= shows.MOST_SHOWN
-    monkeypatch.setattr(shows, "MOST_BYTES", 300)
+    assert sum(len(run["game"]["shows"]) for run in both) <= teams.MOST_SHOWN
+    monkeypatch.setattr(teams, "MOST_SHOWN_BYTES", 300)
     [run] = data(job["words"])["runs"]
     texts = [each["text"] for each in run["game"]["shows"].values()]
     assert 3 <= len(texts) <= sum(map(len, texts)) <= 300
     assert next(iter(run["game"]["shows"])) == "15 15"
 
 
-def test_the_page_has_no_engine_no_genomes_and_no_playground(job: Job) -> None:
+def test_the_page_has_no_engine_no_genomes_and_no_playground(job):
     page = explorer_page([job["words"], job["pictures"]])
     for part in ("script-engine", "playground", "genomes-0-pursuer"):
         assert f'id="{part}"' not in page
     assert 'id="script-engine"' in explorer_page([job["words"], job["pursuit"]])
 
 
-def test_headings_and_settings_name_the_game(job: Job) -> None:
+def test_headings_and_settings_name_the_game(job):
     plain = data(job["words"])
     assert plain["heading"] == "1 race of hosts and parasites, game words"
     shown = {each["name"]: each["value"] for each in plain["runs"][0]["settings"]}
@@ -98,7 +94,7 @@ def test_headings_and_settings_name_the_game(job: Job) -> None:
     np.testing.assert_allclose(curve["capture_rate"], log["score"][hosts], atol=1e-4)
 
 
-def test_another_source_is_told_and_a_game_that_is_not_there_refused(tmp_path: Path) -> None:
+def test_another_source_is_told_and_a_game_that_is_not_there_refused(tmp_path):
     run = evolve(short_race(own_games.words), tmp_path / "run", threads=1)
     config = tmp_path / "run" / "config.json"
     text = config.read_text(encoding="utf-8")
@@ -118,9 +114,7 @@ def test_another_source_is_told_and_a_game_that_is_not_there_refused(tmp_path: P
 
 
 @pytest.mark.slow
-def test_a_click_shows_the_pair_in_the_words_of_the_game(
-    browser: Browser, job: Job, tmp_path: Path
-) -> None:
+def test_a_click_shows_the_pair_in_the_words_of_the_game(browser, job, tmp_path):
     own = [job[name].path for name in ("words", "pictures", "silent")]
     hosts, parasites = job["words"].archive().values()
     page = explore(*own, file=tmp_path / "own.html").path

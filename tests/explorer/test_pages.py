@@ -7,7 +7,6 @@ import json
 import re
 import unicodedata
 from collections import Counter
-from collections.abc import Callable
 from html import unescape
 from os.path import relpath
 from pathlib import Path
@@ -17,7 +16,7 @@ import pytest
 from PIL import Image
 
 import matrixworld as mw
-from browser import DESKTOP, PHONE, Browser
+from browser import DESKTOP, PHONE
 from class_submissions import write_genomes
 from class_tournament import results
 from class_tournament.round_robin import play_class
@@ -39,19 +38,19 @@ NAME = "<img src=x> &amp; \"'"
 HOSTILE = "</script><script>document.title='owned'</script><img src=x onerror=alert(1)> & \u2028"
 
 
-def page_of_a_class(folder: Path) -> str:
+def page_of_a_class(folder):
     write_genomes(folder, 2)
     (folder / "genome 00.npz").rename(folder / f"{NAME}.npz")
     config = mw.WorldConfig("O", rows=9, cols=9, n_pursuers=3, n_evaders=2, max_steps=12)
     return results.class_page(play_class(folder, config, episodes=3, seed=1), title=NAME)
 
 
-def page_of_a_run(folder: Path) -> str:
+def page_of_a_run(folder):
     evolve(tiny_race(obstacles=0.15, max_steps=30), folder / NAME, threads=1)
     return explorer_page([open_run(folder / NAME)], note=f"Some runs are left out. {HOSTILE}")
 
 
-MADE: dict[str, Callable[[Path], str]] = {
+MADE = {
     "class": page_of_a_class,
     "evolve": lambda folder: evolve_page(NAME),
     "explorer": page_of_a_run,
@@ -69,7 +68,7 @@ TAB = "[...document.querySelectorAll('.tabs button')].find((b) => b.textContent 
 SCENE = TAB.format("Rules and conflicts") + "; "
 BUTTON = "[...document.querySelectorAll('.top button')].find((b) => b.textContent === '{}').click()"
 PRESS = "document.querySelector('{}').click()"
-OPENED: dict[str, list[str]] = {
+OPENED = {
     "evolve": [PRESS.format(".evolve"), "matrixworldEvolve.lanes[0].after.choose(0)"],
     "lesson": ["location.hash = '#votes'"],
     "explorer": [*(PRESS.format(name) for name in (".keys-button", ".to-play"))],
@@ -82,20 +81,44 @@ OPENED: dict[str, list[str]] = {
 """What opens the dialogs of a page."""
 
 
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """The pages, each made once."""
+    return {name: make(tmp_path_factory.mktemp(name)) for name, make in MADE.items()}
+
+
+GROUND = "getComputedStyle(document.body).getPropertyValue('--surface')"
+PRINTED = f"""addEventListener('beforeprint', () => {{
+  const boards = document.querySelectorAll('canvas.board');
+  const board = [...boards].find((each) => each.offsetParent);
+  const pixels = board?.getContext('2d').getImageData(0, 0, board.width, board.height).data;
+  const white = pixels?.filter((value, at) => at % 4 === 0 && value > 250).length;
+  window.printed = [{GROUND}, board ? white / (pixels.length / 4) : 1];
+}})"""
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("page", MADE)
-def test_a_page_opens_and_runs_no_script_but_its_own(
-    browser: Browser, page: str, tmp_path: Path
-) -> None:
-    """On a desktop and on a phone, light and dark; texts stay texts."""
-    html, file = MADE[page](tmp_path), tmp_path / "page.html"
+def test_a_page_opens_and_runs_no_script_but_its_own(browser, page, made, tmp_path):
+    """On a phone and a desktop, light and dark; paper is light, and texts stay texts."""
+    html, file = made[page], tmp_path / "page.html"
     write_page(file, html)
-    for size, scheme in ((DESKTOP, "light"), (PHONE, "dark")):
+    for size, scheme in ((PHONE, "light"), (DESKTOP, "dark")):
         browser.prefer(prefers_color_scheme=scheme)
         browser.open(file, size)
         assert browser.js("document.documentElement.scrollWidth") <= size[0]
     assert browser.js("document.images.length") == 0
     assert browser.js("document.title") != "owned"
+    dark = browser.js(GROUND)
+    browser.driver.execute_script(PRINTED)
+    browser.driver.execute_cdp_cmd("Page.printToPDF", {})
+    surface, white = browser.js("window.printed")
+    assert surface == "#ffffff"
+    assert white > 0.3
+    assert browser.js(GROUND) == dark
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    assert browser.js("document.querySelector('.top .tools').offsetParent") is None
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert browser.errors() == []
     assert "default-src 'none'" in unescape(html)  # nothing is loaded, and nothing sent
     added = "<script>document.title = 'owned'</script></body>"
@@ -103,33 +126,6 @@ def test_a_page_opens_and_runs_no_script_but_its_own(
     browser.open(file)
     assert browser.js("document.title") != "owned"
     assert any("Content Security Policy" in error for error in browser.errors())
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("page", MADE)
-def test_paper_is_light_with_nothing_to_press(browser: Browser, page: str, tmp_path: Path) -> None:
-    write_page(tmp_path / "page.html", MADE[page](tmp_path))
-    browser.prefer(prefers_color_scheme="dark")
-    browser.open(tmp_path / "page.html", DESKTOP)
-    ground = "getComputedStyle(document.body).getPropertyValue('--surface')"
-    dark = browser.js(ground)
-    browser.driver.execute_script(
-        f"""addEventListener('beforeprint', () => {{
-          const boards = document.querySelectorAll('canvas.board');
-          const board = [...boards].find((each) => each.offsetParent);
-          const pixels = board?.getContext('2d').getImageData(0, 0, board.width, board.height).data;
-          const white = pixels?.filter((value, at) => at % 4 === 0 && value > 250).length;
-          window.printed = [{ground}, board ? white / (pixels.length / 4) : 1];
-        }})"""
-    )
-    browser.driver.execute_cdp_cmd("Page.printToPDF", {})
-    surface, white = browser.js("window.printed")
-    assert surface == "#ffffff"
-    assert white > 0.3
-    assert browser.js(ground) == dark
-    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
-    assert browser.js("document.querySelector('.top .tools').offsetParent") is None
-    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
 
 SHEETS = sorted((REPOSITORY / "docs" / "class_material").glob("*.html"))
@@ -142,17 +138,16 @@ TEXT = """[...document.querySelectorAll("h1, h2, h3, p, li, td, th, figcaption, 
 """What a page tells: texts that are no buttons or choices, nor how they are used."""
 
 
-def words(text: str) -> Counter[str]:
+def words(text):
     return Counter(re.findall(r"[A-Za-z]{3,}", text.lower()))
 
 
 @pytest.mark.slow
-def test_paper_has_all_words_of_the_screen(browser: Browser, tmp_path: Path) -> None:
+def test_paper_has_all_words_of_the_screen(browser, made, tmp_path):
     """Of all pages, of the lesson with all predictions made, and of the sheets for a class."""
     pypdf = pytest.importorskip("pypdf")
-    for name, make in MADE.items():
-        (tmp_path / name).mkdir()
-        write_page(tmp_path / f"{name}.html", make(tmp_path / name))
+    for name, html in made.items():
+        write_page(tmp_path / f"{name}.html", html)
     for file in [*(tmp_path / f"{name}.html" for name in MADE), *SHEETS]:
         browser.resize(*DESKTOP)
         browser.driver.get(file.as_uri())
@@ -180,13 +175,13 @@ def test_paper_has_all_words_of_the_screen(browser: Browser, tmp_path: Path) -> 
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("page", MADE)
-def test_disabilities_hinder_no_reader(browser: Browser, page: str, tmp_path: Path) -> None:
+def test_disabilities_hinder_no_reader(browser, page, made, tmp_path):
     """Contrast, labels and landmarks of a page and of its dialogs."""
-    write_page(tmp_path / "page.html", MADE[page](tmp_path))
+    write_page(tmp_path / "page.html", made[page])
     assert browser.hindrances(tmp_path / "page.html", *OPENED.get(page, [])) == {}
 
 
-def test_built_files_are_of_the_present_sources() -> None:
+def test_built_files_are_of_the_present_sources():
     """If this fails, run ``npm ci && npm run build`` in web/."""
     assert tuple(sorted(main.parent.name for main in WEB.glob("src/*/main.ts"))) == PAGES
     paths = [file for source in SOURCES for file in [WEB / source, *(WEB / source).rglob("*")]]
@@ -201,14 +196,14 @@ def test_built_files_are_of_the_present_sources() -> None:
 
 
 @pytest.mark.parametrize("file", [*BUILT.iterdir(), *results.BUILT.iterdir()], ids=lambda p: p.name)
-def test_no_built_file_ends_its_element_or_evaluates_text(file: Path) -> None:
+def test_no_built_file_ends_its_element_or_evaluates_text(file):
     text = file.read_text(encoding="utf-8").lower()
     for ends in ("</script", "<script", "<!--", "</style", "eval(", "new function", "import.meta"):
         assert ends not in text
 
 
 @pytest.mark.parametrize("page", MADE)
-def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
+def test_data_are_read_as_they_were_and_become_no_markup(page):
     folder = FOLDERS[page]
     hostile = render_page(page, HOSTILE, {"name": HOSTILE}, folder=folder)
     found = re.search(r'<script type="application/json" id="data">(.*)</script>', hostile)
@@ -220,13 +215,13 @@ def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
         render_page(page, "title", {"rate": float("nan")}, folder=folder)
 
 
-def picture(bundle: dict[str, str]) -> np.ndarray:
+def picture(bundle):
     with Image.open(io.BytesIO(base64.b64decode(bundle["image/png"]))) as image:
         assert image.format == "PNG"
         return np.asarray(image.convert("RGB"))
 
 
-def test_a_notebook_shows_the_page_in_a_frame_and_as_a_picture_of_its_scene() -> None:
+def test_a_notebook_shows_the_page_in_a_frame_and_as_a_picture_of_its_scene():
     world = mw.World("SB", rows=3, cols=5, n_pursuers=2, n_evaders=1)
     world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[2, 4]])
     before = world.scene()

@@ -4,44 +4,40 @@ The match that a person plays is that of `World`, of the file, and of the link.
 """
 
 import dataclasses
-from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
 from urllib.parse import quote
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import matrixworld as mw
-from browser import Browser
 from command_line import matrixworld_command
 from matrixworld import Episode, Matches, World, WorldConfig, record, rollout
-from matrixworld.coevolution import TEAMS, SavedRun, Team
+from matrixworld.coevolution import TEAMS, SavedRun
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.playground import of_run, playground_page, scene_link, shipped
-from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.policy import Population
 from scripts import wait_until
 
 DOCS = Path(__file__).parents[2] / "docs"
 Job = dict[str, SavedRun]
 
 
-def small_world(rules: mw.Rules | str = "SB") -> mw.World:
+def small_world(rules="SB"):
     world = mw.World(rules, rows=2, cols=4, n_pursuers=2, n_evaders=1)
     world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[1, 3]])
     return world
 
 
-def test_defaults_are_left_out() -> None:
+def test_defaults_are_left_out():
     link = "rules=SB&size=2x4&pursuers=0.0_0.2&evaders=1.3"
     assert scene_link(small_world()) == link
     assert scene_link(small_world(), np.array([2, 4, 0])) == f"{link}&next=240"
 
 
-def test_all_settings_are_in_the_link() -> None:
+def test_all_settings_are_in_the_link():
     rules = mw.Rules(mw.Interaction.SWARM_TURNS, teammate=mw.Outcome.DISAPPEAR)
     rewards = mw.Rewards(pursuer_capture=0.1, pursuer_collide=(-1, -2.5, 0), capture_repeats=True)
     world = mw.World(
@@ -57,7 +53,7 @@ def test_all_settings_are_in_the_link() -> None:
     )
 
 
-def in_a_round() -> mw.World:
+def in_a_round():
     world = small_world("TO")
     world.play_turn([0, 0, 0])
     return world
@@ -75,12 +71,12 @@ def in_a_round() -> mw.World:
         (lambda: Playground(actions=[0]), "world"),
     ],
 )
-def test_bad_arguments_are_refused(call: Callable[[], object], field: str) -> None:
+def test_bad_arguments_are_refused(call, field):
     with pytest.raises((TypeError, ValueError), match=f"^{field}: expected"):
         call()
 
 
-def test_a_link_and_a_page_for_notebooks(tmp_path: Path) -> None:
+def test_a_link_and_a_page_for_notebooks(tmp_path):
     playground = Playground(small_world(), [2, 4, "fleer"])
     assert playground.url("docs/playground.html") == f"docs/playground.html#{playground.scene}"
     playground.save(tmp_path / "page.html")
@@ -90,7 +86,7 @@ def test_a_link_and_a_page_for_notebooks(tmp_path: Path) -> None:
         playground.save(tmp_path / "page.html")
 
 
-def test_the_page_in_docs_is_the_present_one() -> None:
+def test_the_page_in_docs_is_the_present_one():
     kept = (DOCS / "playground.html").read_text(encoding="utf-8")
     assert kept == Playground().html(), "run python docs/make_pages.py"
 
@@ -111,22 +107,22 @@ ENTER, BACKSPACE, HOME = "\ue007", "\ue003", "\ue011"
 
 
 class PlaygroundPage:
-    def __init__(self, browser: Browser, file: Path) -> None:
+    def __init__(self, browser, file):
         self.browser = browser
         browser.prefer(prefers_reduced_motion="reduce")
         Playground().save(file)
         browser.open(file)
 
-    def load(self, scene: str) -> None:
+    def load(self, scene):
         self.browser.driver.execute_async_script(SHOW, f"#{quote(scene, safe='=&._,x+-')}")
 
-    def text(self, selector: str) -> str:
+    def text(self, selector):
         return self.browser.js(f"document.querySelector('{selector}').textContent")
 
-    def scene(self, *names: str) -> Any:
+    def scene(self, *names):
         return self.browser.js(f"(s => [{', '.join(f's.{n}' for n in names)}])(playground.scene)")
 
-    def cells(self) -> list[list[int]]:
+    def cells(self):
         return self.browser.js(
             "playground.game.scene().pursuers.concat(playground.game.scene().evaders)"
             ".map(({ cell }) => cell)"
@@ -134,12 +130,12 @@ class PlaygroundPage:
 
 
 @pytest.fixture(scope="module")
-def opened(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> PlaygroundPage:
+def opened(browser, tmp_path_factory):
     return PlaygroundPage(browser, tmp_path_factory.mktemp("playground") / "playground.html")
 
 
 @pytest.fixture
-def page(opened: PlaygroundPage) -> Iterator[PlaygroundPage]:
+def page(opened):
     opened.load(SCENE)
     opened.browser.js("(playground.mode = 'act', playground.selected = 0)")
     yield opened
@@ -147,7 +143,7 @@ def page(opened: PlaygroundPage) -> Iterator[PlaygroundPage]:
 
 
 @pytest.mark.nightly
-def test_keys_move_step_and_change_the_rules(page: PlaygroundPage) -> None:
+def test_keys_move_step_and_change_the_rules(page):
     """Back and forth, and the same moves again under other rules."""
     press = page.browser.press
     press(DOWN, "n", LEFT, "n", UP)
@@ -188,7 +184,7 @@ def test_keys_move_step_and_change_the_rules(page: PlaygroundPage) -> None:
         "played=" + "9" * 30_000,
     ],
 )
-def test_bad_links_are_told_and_change_nothing(page: PlaygroundPage, scene: str) -> None:
+def test_bad_links_are_told_and_change_nothing(page, scene):
     page.browser.js("window.kept = playground.scene")
     page.load(scene)
     assert page.browser.js("playground.scene === window.kept")
@@ -205,18 +201,18 @@ ARROWS = {0: " ", 1: "\ue013", 2: "\ue014", 3: "\ue015", 4: "\ue012"}
 
 
 @pytest.fixture(scope="module")
-def races(job: Job) -> Path:
+def races(job):
     return explore(*(run.path for run in job.values())).path
 
 
 @pytest.fixture(scope="module")
-def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def own(tmp_path_factory):
     file = tmp_path_factory.mktemp("play") / "playground.html"
     write_page(file, playground_page("", shipped("SD")))
     return file
 
 
-def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int = 0) -> None:
+def take_over(browser, page, run, g, h, step=0):
     address = f"#run={run}&pursuers={g}&evaders={h}&step={step}"
     browser.open(page)
     browser.driver.execute_script(f"location.hash = '{address}'")
@@ -225,13 +221,13 @@ def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int 
     browser.wait(f"{IN_EXPLORER} && document.querySelector('.take-over').open")
 
 
-def play_on(browser: Browser, keys: dict[int, str], seed: int, view: str = IN_EXPLORER) -> None:
+def play_on(browser, keys, seed, view=IN_EXPLORER):
     rng = np.random.default_rng(seed)
     while browser.js(f"{view}.element.dataset.state") == "playing":
         browser.press(keys[int(rng.choice(list(keys)))])
 
 
-def shown(browser: Browser, view: str = IN_EXPLORER) -> dict[str, Any]:
+def shown(browser, view=IN_EXPLORER):
     return browser.js(
         f"(({{live, played}}) => ({{seat: played?.seat, moves: played?.moves,"
         " actions: live.actions.map((each) => Array.from(each)),"
@@ -240,9 +236,7 @@ def shown(browser: Browser, view: str = IN_EXPLORER) -> dict[str, Any]:
     )
 
 
-def decided(
-    world: World, policies: dict[Team, TeamPolicy], seat: int, hand: int | TeamPolicy
-) -> NDArray[np.int64]:
+def decided(world, policies, seat, hand):
     """Play a round turn by turn, slowly, and return the actions of all agents."""
     actions = np.zeros(world.config.n_agents, np.int64)
     first = world.config.n_pursuers
@@ -258,7 +252,7 @@ def decided(
             return actions
 
 
-def generation(run: SavedRun, team: Team, number: int) -> Population:
+def generation(run, team, number):
     population = run.teams[team]
     assert isinstance(population, Population)
     return Population(population.genomes[number], population.policy)
@@ -266,9 +260,7 @@ def generation(run: SavedRun, team: Team, number: int) -> Population:
 
 @pytest.mark.nightly
 @pytest.mark.parametrize(("number", "keys"), [(0, ARROWS), (1, LETTERS)])
-def test_a_match_played_by_keys_is_that_of_the_world(
-    browser: Browser, races: Path, job: Job, number: int, keys: dict[int, str]
-) -> None:
+def test_a_match_played_by_keys_is_that_of_the_world(browser, races, job, number, keys):
     """The person's keys are its actions; networks decide as `World.decide` does."""
     run, g, h, step = [*job.values()][number], 2, 1, 3
     take_over(browser, races, number, g, h, step)
@@ -279,9 +271,7 @@ def test_a_match_played_by_keys_is_that_of_the_world(
     before = run.record(g, h).actions[:step, played["seat"]]
     assert played["moves"][:step] == before.tolist()
     assert len(played["actions"]) == len(played["moves"]) > step
-    policies: dict[Team, TeamPolicy] = {
-        team: generation(run, team, of_team) for team, of_team in zip(TEAMS, (g, h), strict=True)
-    }
+    policies = {"pursuer": generation(run, "pursuer", g), "evader": generation(run, "evader", h)}
     for moment, move in enumerate(played["moves"]):
         alive = world.alive.copy()
         actions = decided(world, policies, played["seat"], move)
@@ -292,9 +282,7 @@ def test_a_match_played_by_keys_is_that_of_the_world(
 
 
 @pytest.mark.nightly
-def test_files_and_links_hold_the_match(
-    browser: Browser, races: Path, own: Path, job: Job, tmp_path: Path
-) -> None:
+def test_files_and_links_hold_the_match(browser, races, own, job, tmp_path):
     """And the page of its own opens files that it or Python saved, and no others."""
     allow = {"behavior": "allow", "downloadPath": str(tmp_path)}
     browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", allow)
@@ -332,11 +320,11 @@ def test_files_and_links_hold_the_match(
     assert browser.errors() == []
 
 
-def press_button(browser: Browser, text: str) -> None:
+def press_button(browser, text):
     browser.driver.find_element("xpath", f"//button[text()='{text}']").click()
 
 
-def test_rounds_are_harder_and_harder_and_standing_still_wins_none() -> None:
+def test_rounds_are_harder_and_harder_and_standing_still_wins_none():
     """What docs/pages.md says of "Can you escape it?", from any starts."""
     rates = {
         evader: [
@@ -350,7 +338,7 @@ def test_rounds_are_harder_and_harder_and_standing_still_wins_none() -> None:
     assert max(float(rate.mean()) for rate in rates["still"] + rates["random"]) < 0.1
 
 
-def test_a_run_gives_its_generations_to_the_page(job: Job) -> None:
+def test_a_run_gives_its_generations_to_the_page(job):
     opponents = of_run(job["race"])
     assert opponents.world == job["race"].settings.world
     for team in TEAMS:
@@ -361,7 +349,7 @@ def test_a_run_gives_its_generations_to_the_page(job: Job) -> None:
     assert '"usual":2' in playground_page("", opponents)
 
 
-def test_the_command_writes_it(job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_command_writes_it(job, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert matrixworld_command("playground", "sb", "--no-open").output == "playground.html\n"
     page = (tmp_path / "playground.html").read_text(encoding="utf-8")

@@ -7,19 +7,17 @@ import shlex
 import shutil
 import sys
 import zlib
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
-from browser import READY, Browser
-from command_line import matrixworld_command
+from browser import READY
 from matrixworld import INPUTS, World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
+from matrixworld.cli.evolve import evolve_command, job_of
+from matrixworld.cli.options import given
 from matrixworld.coevolution import TEAMS, SavedRun, create, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.storage import open_runs
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import explorer_page, run_data, runs_data
@@ -55,8 +53,7 @@ CELL = """(() => {
 
 
 @pytest.fixture
-def page(browser: Browser, job: Job, tmp_path: Path) -> Browser:
-    """The page of the runs, with its first match."""
+def page(browser, job, tmp_path):
     shown = explore(*(run.path for run in job.values()), file=tmp_path / "page.html")
     browser.open(shown.path)
     browser.wait(PLAYED)
@@ -67,7 +64,7 @@ def page(browser: Browser, job: Job, tmp_path: Path) -> Browser:
 
 
 @pytest.mark.nightly
-def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None:
+def test_the_page_plays_the_matches_of_the_runs(page, job):
     """Clicks show the package's steps and words for conflicts, and the page confirms the cell."""
     assert page.js("document.querySelector('h1').textContent") == "3 runs of pursuers and evaders"
     seen = 0
@@ -120,7 +117,7 @@ def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None
     assert page.errors() == []
 
 
-def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
+def _check_answers(page, run, g, h):
     """Compare what the page shows of a network's answers at the start of a match."""
     page.press(HOME, "a")
     assert page.js("document.querySelector('.inspector h3').textContent") == "pursuer_0"
@@ -136,7 +133,7 @@ def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
 
 
 @pytest.mark.nightly
-def test_a_step_opens_in_the_playground(page: Browser, job: Job) -> None:
+def test_a_step_opens_in_the_playground(page, job):
     page.js("location.hash = '#run=0&pursuers=1&evaders=2&episode=0&step=3'")
     page.wait(f"{PLAYED} === '0 1 2 0 ' && matrixworldExplorer.step === 3")
     page.press("g")
@@ -166,7 +163,7 @@ def test_a_step_opens_in_the_playground(page: Browser, job: Job) -> None:
 
 
 @pytest.fixture(scope="module")
-def rated(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
+def rated(tmp_path_factory):
     """Runs of policies that rate moves: weights of named inputs, and programs."""
     settings = [
         tiny_race(policy="rating", hidden=(), obstacles=0.15),
@@ -181,9 +178,7 @@ WHY = """Array.from(document.querySelectorAll('.why tr')).map((row) =>
 
 
 @pytest.mark.nightly
-def test_the_page_tells_why_an_agent_takes_its_move(
-    browser: Browser, rated: list[SavedRun], tmp_path: Path
-) -> None:
+def test_the_page_tells_why_an_agent_takes_its_move(browser, rated, tmp_path):
     browser.open(explore(*(run.path for run in rated), file=tmp_path / "page.html").path)
     for number, run in enumerate(rated):
         browser.js(f"location.hash = '#run={number}&pursuers=2&evaders=1&episode=0&step=3'")
@@ -218,9 +213,7 @@ def test_the_page_tells_why_an_agent_takes_its_move(
 
 @quickly("damage", ["missing", "cut", "no base64", "a NaN"], lambda damage: damage == "cut")
 @pytest.mark.slow
-def test_damaged_genomes_are_told_where_the_match_would_be(
-    browser: Browser, job: Job, tmp_path: Path, damage: str
-) -> None:
+def test_damaged_genomes_are_told_where_the_match_would_be(browser, job, tmp_path, damage):
     start, genomes, end = re.split(
         r'(?<=id="genomes-0-evader">)([^<]+)', explorer_page([job["race"]]), maxsplit=1
     )
@@ -242,17 +235,16 @@ def test_damaged_genomes_are_told_where_the_match_would_be(
 
 
 @pytest.fixture(scope="module")
-def race(job: Job) -> SavedRun:
+def race(job):
     return job["turns"]
 
 
-def as_read(run: SavedRun) -> dict[str, Any]:
+def as_read(run):
     """Return the data of a run as the page reads them."""
-    plain: dict[str, Any] = json.loads(json.dumps(run_data("a run", run), allow_nan=False))
-    return plain
+    return json.loads(json.dumps(run_data("a run", run), allow_nan=False))
 
 
-def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> None:
+def test_results_seeds_and_world_are_those_of_the_evaluation(race):
     data, payoff, settings = as_read(race), race.payoff(), race.settings
     assert data["payoff"]["first"] == [0, 0]
     assert data["payoff"]["capture_rate"] == payoff.matrix.tolist()
@@ -268,17 +260,17 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> 
     assert not {"learner", "seed"} & shown.keys()
 
 
-def test_the_command_of_the_settings_plays_the_same_race(job: Job, tmp_path: Path) -> None:
+def test_the_command_of_the_settings_plays_the_same_race(job):
     """Also of a team alone, and with values that a shell would split."""
-    for name, run in job.items():
-        program, *options = shlex.split(as_read(run)["command"])
-        assert program == "matrixworld"
-        matrixworld_command(*options, "--out", tmp_path / name, "--threads", "1")
-        [again] = open_runs(tmp_path / name)
-        assert again.settings == run.settings
+    for run in job.values():
+        program, command, *options = shlex.split(as_read(run)["command"])
+        assert (program, command) == ("matrixworld", "evolve")
+        with evolve_command.make_context("evolve", options) as context:
+            [settings] = job_of(given(context.params)).values()
+        assert settings == run.settings
 
 
-def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
+def test_verdicts_are_those_of_the_commands(race):
     found, rates = as_read(race)["findings"], race.payoff().scores
     judgement = analysis.judge(rates, per_episode=True)
     assert found["sentence"] == analysis.sentence(judgement)
@@ -288,7 +280,7 @@ def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     assert found["ratings"]["pursuers"]["high"] == ratings.high.tolist()
 
 
-def test_genomes_are_exact(race: SavedRun) -> None:
+def test_genomes_are_exact(race):
     runs, blobs = runs_data([("a", race), ("b", race)])
     for team in TEAMS:
         for number, run in enumerate(runs):
@@ -306,21 +298,18 @@ def test_genomes_are_exact(race: SavedRun) -> None:
     assert kept_generations(6, 2) == [0, 2, 4, 5]  # the last one, too
 
 
-def test_programs_are_there_as_expressions(rated: list[SavedRun]) -> None:
+def test_programs_are_there_as_expressions(rated):
     (weights, programs), _ = runs_data([("weights", rated[0]), ("programs", rated[1])])
     team = rated[1].teams["evader"]
     assert programs["teams"]["evader"]["expressions"] == [
         team.policy.expression(genome) for genome in team.genomes
     ]
     shape = weights["teams"]["pursuer"]["policy"]
-    assert (shape["kind"], shape["inputs"], shape["genome_size"]) == (
-        "rating",
-        [*INPUTS],
-        len(INPUTS),
-    )
+    found = [shape[name] for name in ("kind", "inputs", "genome_size")]
+    assert found == ["rating", [*INPUTS], len(INPUTS)]
 
 
-def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
+def test_a_single_team_has_one_cell_at_its_last_generation(job):
     data, payoff = as_read(job["single"]), job["single"].payoff()
     assert (data["payoff"]["shape"], data["payoff"]["first"]) == ([1, 4], [0, 3])
     assert data["payoff"]["capture_rate"] == payoff.matrix.tolist()
@@ -329,7 +318,7 @@ def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
     assert [run["teams"][team]["script"] for team in TEAMS] == ["chaser", None]
 
 
-def test_a_notebook_writes_and_shows_the_page(job: Job) -> None:
+def test_a_notebook_writes_and_shows_the_page(job):
     run = job["race"].path
     page = explore(run)
     assert page.path == run.absolute() / "explorer.html"
@@ -347,7 +336,7 @@ def test_a_notebook_writes_and_shows_the_page(job: Job) -> None:
             explore(*runs)
 
 
-def test_an_unfinished_or_damaged_run_leaves_no_page(job: Job, tmp_path: Path) -> None:
+def test_an_unfinished_or_damaged_run_leaves_no_page(job, tmp_path):
     create(tiny_race(), tmp_path / "unfinished")
     shutil.copytree(job["turns"].path, tmp_path / "damaged")
     genomes = tmp_path / "damaged" / "stage-0001.npz"
@@ -358,9 +347,7 @@ def test_an_unfinished_or_damaged_run_leaves_no_page(job: Job, tmp_path: Path) -
         assert not (tmp_path / name / "explorer.html").exists()
 
 
-def test_reading_a_run_imports_no_code_of_its_learner(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_reading_a_run_imports_no_code_of_its_learner(tmp_path, monkeypatch):
     settings = tiny_race(learner="own_code:HillClimber", **{"learner.settings": {"sigma": 0.2}})
     evolve(settings, tmp_path / "run", threads=1)
     monkeypatch.delitem(sys.modules, "own_code")

@@ -5,7 +5,6 @@ import signal
 import sys
 import threading
 import time
-from subprocess import Popen
 
 import pytest
 
@@ -17,7 +16,7 @@ SECONDS = 1.0
 """The engine looks for signals every 50 ms; a busy machine gets more time here."""
 
 
-def interrupt(process: Popen[str], after: float = 0.3) -> float:
+def interrupt(process, after=0.3):
     """Send Ctrl-C to a script that prints "begins", and return the seconds until it prints."""
     watch = threading.Timer(60, process.kill)  # the script may not listen
     watch.start()
@@ -31,7 +30,7 @@ def interrupt(process: Popen[str], after: float = 0.3) -> float:
     return time.perf_counter() - begin
 
 
-def test_a_rollout_ends_soon_and_leaves_all_as_it_was() -> None:
+def test_a_rollout_ends_soon_and_leaves_all_as_it_was():
     process = start("""
 network = mw.Network()
 genomes = [network.initial(np.random.default_rng(seed)) for seed in range(3)]
@@ -65,7 +64,7 @@ assert threading.active_count() == 1
     ],
     ids=["match", "recording"],
 )
-def test_one_long_episode_ends_soon(call: str) -> None:
+def test_one_long_episode_ends_soon(call):
     process = start(f"""
 still = "still", "still"
 world = mw.WorldConfig("SB", max_steps=2**22, n_pursuers=1, n_evaders=1)
@@ -103,7 +102,7 @@ def play_on(batch, first=0):
 """
 
 
-def test_a_child_steps_like_its_parent() -> None:
+def test_a_child_steps_like_its_parent():
     run(
         FORK
         + """

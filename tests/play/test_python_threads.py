@@ -4,25 +4,23 @@ import os
 import sys
 import threading
 import time
-from collections.abc import Callable
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld._util import checks
 from scripts import run
 
 ONE_CALL = "Batch or VectorEnv: expected one call at a time, got a second one"
 
 
-def busy_batch() -> mw.Batch:
+def busy_batch():
     """A batch whose steps take some milliseconds, nearly all of them without the GIL."""
     views = np.zeros((40, 38, 3, 61, 61), np.uint8)  # large views take most of the time of a step
     return mw.Batch(40, fov=61, threads=1, buffers={"views": views})
 
 
-CALLS: dict[str, Callable[[mw.Batch], object]] = {
+CALLS = {
     "step": lambda batch: batch.step(np.zeros((40, 38), np.uint8)),
     "reset": lambda batch: batch.reset(0),
     "decide": lambda batch: batch.decide(
@@ -32,7 +30,7 @@ CALLS: dict[str, Callable[[mw.Batch], object]] = {
 }
 
 
-def is_refused(call: Callable[[mw.Batch], object], batch: mw.Batch) -> bool:
+def is_refused(call, batch):
     try:
         call(batch)
     except RuntimeError as error:
@@ -43,11 +41,11 @@ def is_refused(call: Callable[[mw.Batch], object], batch: mw.Batch) -> bool:
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_a_second_caller_is_refused(name: str) -> None:
+def test_a_second_caller_is_refused(name):
     batch = busy_batch()
     done = threading.Event()
 
-    def step_until_done() -> None:
+    def step_until_done():
         while not done.is_set():
             if is_refused(CALLS["step"], batch):
                 time.sleep(0.001)  # the other thread was first
@@ -63,12 +61,12 @@ def test_a_second_caller_is_refused(name: str) -> None:
     assert not is_refused(CALLS[name], batch)
 
 
-def test_a_refused_call_changes_nothing() -> None:
+def test_a_refused_call_changes_nothing():
     """Whichever steps are refused, a batch is where one thread with the same steps would be."""
     batch = busy_batch()
-    played: list[bool] = []
+    played = []
 
-    def play() -> None:
+    def play():
         played.extend(not is_refused(CALLS["step"], batch) for _ in range(20))
 
     threads = [threading.Thread(target=play) for _ in range(3)]
@@ -84,7 +82,7 @@ def test_a_refused_call_changes_nothing() -> None:
 
 
 @pytest.mark.skipif(getattr(sys, "_is_gil_enabled", lambda: True)(), reason="this Python has a GIL")
-def test_the_engine_does_not_switch_the_gil_on() -> None:
+def test_the_engine_does_not_switch_the_gil_on():
     run("""
 world = mw.World()
 world.step([0] * 38)
@@ -94,7 +92,7 @@ assert not sys._is_gil_enabled()
 
 
 @pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="the system binds no processes")
-def test_the_default_follows_the_affinity() -> None:
+def test_the_default_follows_the_affinity():
     """A batch starts a thread for each core of the process but one; the caller works, too."""
     output = run("""
 from pathlib import Path
@@ -112,22 +110,3 @@ if len(cores) > 1:
     print(threads_of(*cores[:2]))
 """)
     assert output.splitlines() in ([str((0, 1))], [str((0, 1)), str((1, 2))])
-
-
-@pytest.mark.parametrize(
-    ("own", "limits", "cores"),
-    [
-        (None, {}, 1024),
-        ("0::/\n", {".": "150000 100000\n"}, 1.5),
-        ("1:cpu:/x\n0::/a/b\n", {"a": "400000 100000\n", "a/b": "max 100000\n"}, 4),
-    ],
-)
-def test_control_groups_limit_cores(own, limits, cores, tmp_path, monkeypatch):
-    monkeypatch.setattr(checks, "_OWN_GROUP", tmp_path / "own")
-    monkeypatch.setattr(checks, "_GROUPS", tmp_path / "groups")
-    if own is not None:
-        (tmp_path / "own").write_text(own)
-    for folder, limit in limits.items():
-        (tmp_path / "groups" / folder).mkdir(parents=True, exist_ok=True)
-        (tmp_path / "groups" / folder / "cpu.max").write_text(limit)
-    assert checks.control_group_cores.__wrapped__() == cores

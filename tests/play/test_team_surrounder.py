@@ -10,7 +10,7 @@ import matrixworld as mw
 NAME = "careful-team-surrounder"
 
 
-def world_of(rules: object = "SB", **changes: object) -> mw.WorldConfig:
+def world_of(rules="SB", **changes):
     usual = {"n_pursuers": 12, "n_evaders": 4, "max_steps": 60}
     usual |= {} if "size" in changes else {"rows": 12, "cols": 14}
     return mw.WorldConfig(rules, **(usual | changes))
@@ -37,7 +37,7 @@ at commit 9f2e3880, has chosen the same actions."""
 
 
 @pytest.mark.parametrize("digest", WORLDS)
-def test_choices_are_those_of_a_slow_reading(digest: str) -> None:
+def test_choices_are_those_of_a_slow_reading(digest):
     config, found = world_of(**WORLDS[digest]), hashlib.sha256()
     for seed in (0, 2**40 + 1):
         actions = mw.record(config, NAME, "random", seed=seed).actions[:, : config.n_pursuers]
@@ -45,7 +45,7 @@ def test_choices_are_those_of_a_slow_reading(digest: str) -> None:
     assert found.hexdigest()[:16] == digest
 
 
-@pytest.mark.parametrize("digest", WORLDS)
+@pytest.mark.parametrize("digest", [*WORLDS][1:])  # in the crowd, everybody sees somebody
 def test_who_sees_no_adversary_moves_as_the_input_search_says(digest: str) -> None:
     config, choices = world_of(**WORLDS[digest]), []
     team = range(config.n_pursuers)
@@ -67,7 +67,7 @@ def test_who_sees_no_adversary_moves_as_the_input_search_says(digest: str) -> No
 
 @pytest.mark.parametrize("diagonal", [False, True])
 @pytest.mark.parametrize("rules", ["D", "R", "B", "O", "S", "SB", "SD", "SDB", "TO"])
-def test_nobody_is_at_fault_in_any_variant(rules: str, diagonal: bool) -> None:
+def test_nobody_is_at_fault_in_any_variant(rules, diagonal):
     for fov, rows in ((5, 12), (11, 12), (15, 3)):
         config = world_of(
             rules, diagonal=diagonal, fov=fov, rows=rows, obstacles=0.05, n_pursuers=9 + rows
@@ -76,7 +76,7 @@ def test_nobody_is_at_fault_in_any_variant(rules: str, diagonal: bool) -> None:
         assert not played.faults.any()
 
 
-def test_it_captures_everybody_and_is_never_at_fault() -> None:
+def test_it_captures_everybody_and_is_never_at_fault():
     for pursuers, evaders in ((4, 1), (64, 16)):
         config = mw.WorldConfig("SB", rows=40, cols=40, n_pursuers=pursuers, n_evaders=evaders)
         played = mw.rollout(config, NAME, "random", mw.Matches.of(0, 0, range(10)))

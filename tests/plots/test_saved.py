@@ -9,16 +9,9 @@ from matplotlib.text import Text
 
 from command_line import matrixworld_command
 from matrixworld import analysis
-from matrixworld.cli.pages import FIGURES
 from matrixworld.coevolution import evolve, open_groups, open_run, open_runs
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.plots.saved import (
-    OF_GROUPS,
-    OF_PURSUIT,
-    OF_RUN,
-    collisions_per_1000,
-    figures_of,
-)  # fmt: skip
+from matrixworld.plots import saved
 from own_games import pictures, short_race, words
 from tiny_race import tiny_race, tiny_single
 
@@ -26,13 +19,12 @@ TOGETHER = ["seeds", "verdicts", "held_out"]
 
 
 @pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory."""
+def elsewhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture(scope="module")
-def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def runs(tmp_path_factory):
     """Two seeds of a race, and a baseline of each team: one for both seeds, one for each."""
     root = tmp_path_factory.mktemp("runs")
     for seed in (5, 6):
@@ -44,18 +36,14 @@ def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return root
 
 
-def files_of(root: Path, *places: str, **chosen: object) -> list[str]:
+def files_of(root, *places, **chosen):
     groups = open_groups(*(root / place for place in places))
-    figures = figures_of([group.inside(root) for group in groups], root, **chosen)
+    figures = saved.figures_of([group.inside(root) for group in groups], root, **chosen)
     return [file.relative_to(root).as_posix() for file in figures]
 
 
-def test_the_command_knows_the_names_of_all_figures():
-    assert [*FIGURES] == [*dict.fromkeys([*OF_RUN, *OF_GROUPS])]
-
-
 def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
-    of_run = [f"{name}.png" for name in OF_RUN]
+    of_run = [f"{name}.png" for name in saved.OF_RUN]
     assert files_of(runs, "hall") == [f"hall/{name}" for name in of_run]
     assert files_of(runs, "pursuers", suffix="pdf") == ["pursuers/training.pdf"]
     assert files_of(runs, "job") == [f"{name}.png" for name in TOGETHER]
@@ -73,7 +61,7 @@ def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
 
 def test_titles_name_the_run_its_seed_and_what_was_judged(runs):
     [group] = open_groups(runs / "hall")
-    figures = figures_of([group], runs)
+    figures = saved.figures_of([group], runs)
     for name in ("training", "payoff", "generalization", "lag_profile", "collisions"):
         figure = figures[runs / "hall" / f"{name}.png"]()
         title = figure.get_suptitle() or figure.axes[0].get_title()
@@ -88,21 +76,23 @@ def test_figures_of_your_own_game_have_its_words(tmp_path):
     evolve(short_race(pictures, schedule="alternating"), tmp_path / "pictures", threads=1)
     seen = []
     for places, each in ((("words",), True), (("pictures", "words/seed-0"), False)):
-        figures = figures_of(open_groups(*(tmp_path / p for p in places)), tmp_path, each=each)
+        figures = saved.figures_of(
+            open_groups(*(tmp_path / p for p in places)), tmp_path, each=each
+        )
         for file, draw in figures.items():
             texts = [t.get_text() for t in draw().findobj(Text)]
             assert not [t for t in texts if re.search("pursue|evade|captur|escap", t)], file
             assert any("hosts" in t for t in texts) or file.stem == "verdicts"
             seen.append(file.stem)
-    assert {*seen} == {*OF_RUN, "seeds", "verdicts", "comparison"} - {*OF_PURSUIT}
-    for name in OF_PURSUIT:
+    assert {*seen} == {*saved.OF_RUN, "seeds", "verdicts", "comparison"} - {*saved.OF_PURSUIT}
+    for name in saved.OF_PURSUIT:
         with pytest.raises(ValueError, match=f"expected one that all games have, got '{name}'"):
-            figures_of(open_groups(tmp_path / "words"), tmp_path, name=name)
+            saved.figures_of(open_groups(tmp_path / "words"), tmp_path, name=name)
 
 
 def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
     [group] = open_groups(race)
-    payoff, rates = group.runs[0].payoff(), collisions_per_1000(group)
+    payoff, rates = group.runs[0].payoff(), saved.collisions_per_1000(group)
     collisions, steps = (payoff.extras[name] for name in ("collisions", "agent_steps"))
     row = sum(collisions[1, h, 0, 0] for h in range(3))
     assert rates[1, 0, 0] == pytest.approx(1000 * row / steps[1, :, 0].sum())
@@ -110,15 +100,15 @@ def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
     assert rates[2, 1, 1] == pytest.approx(1000 * column / steps[:, 2, 1].sum())
 
 
-def levels(runs: Path, place: str, **baselines: str) -> tuple[dict[str, float], int]:
+def levels(runs, place, **baselines):
     groups = open_groups(runs / place)
     opened = {name: open_runs(runs / path) for name, path in baselines.items()}
-    [draw] = figures_of(groups, runs, name="generalization", baselines=opened).values()
+    [draw] = saved.figures_of(groups, runs, name="generalization", baselines=opened).values()
     (axes,) = draw().axes
     return {line.get_label(): line.get_ydata()[0] for line in axes.lines[2:]}, len(axes.patches)
 
 
-def mean_score(race: Path, baseline: Path) -> float:
+def mean_score(race, baseline):
     alone, settings = open_run(baseline), open_run(race).settings
     [team] = alone.settings.learning_teams
     sides = {**open_run(race).teams, team: alone.last(team)}
@@ -144,8 +134,9 @@ def test_baselines_are_level_lines_with_intervals_over_seeds(runs):
         levels(runs, "hall", x=str(Path("others").absolute()))
 
 
-def test_one_figure_in_a_format(runs):
-    race, file = runs / "job" / "seed-5", "here.pdf"
-    words = ["explore", race, "--figure", "collisions", "--out", file]
-    assert matrixworld_command(*words).output == f"{file}\n"
-    assert Path(file).read_bytes().startswith(b"%PDF-")
+def test_figures_in_a_format(runs):
+    race = runs / "job" / "seed-5"
+    told = matrixworld_command("explore", race, "--figures", "--format", "pdf").output
+    drawn = race / "collisions.pdf"
+    assert f"{drawn}\n" in told
+    assert drawn.read_bytes().startswith(b"%PDF-")

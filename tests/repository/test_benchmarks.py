@@ -18,13 +18,13 @@ FEW = {
 """Options of each script for a short run."""
 
 
-def test_all_benchmarks_are_tested() -> None:
+def test_all_benchmarks_are_tested():
     assert sorted(FEW) == sorted(path.stem for path in FOLDER.glob("bench_*.py"))
 
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", FEW)
-def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_benchmark_runs(name, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     module = import_module(name)
     monkeypatch.setattr(module, "bind", lambda cores: None, raising=False)

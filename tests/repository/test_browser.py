@@ -1,7 +1,5 @@
 """In a browser, without processes and threads, the package is imported and races run."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -25,7 +23,7 @@ with ProgressBar() as bar:
 """
 
 
-def test_races_run_as_elsewhere(tmp_path: Path) -> None:
+def test_races_run_as_elsewhere(tmp_path):
     code = EVOLVES.format(directory=str(tmp_path / "browser"))
     python = [sys.executable, "-W", "error", "-c", code]
     paths = os.pathsep.join([str(SUPPORT), *sys.path])

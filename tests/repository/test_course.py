@@ -23,11 +23,11 @@ each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for pa
 each_solution = pytest.mark.parametrize("path", SOLUTIONS, ids=[path.stem for path in SOLUTIONS])
 
 
-def chapter(path: Path) -> int:
+def chapter(path):
     return int(path.name[:2])
 
 
-def own(path: Path) -> dict[str, Exercise | Prediction]:
+def own(path):
     """Return what a notebook asks; two parts of a chapter share its exercises."""
     text = "\n".join(source(cell) for cell in cells(TUTORIALS / f"{path.stem}.ipynb", "code"))
     table = exercises(chapter(path))
@@ -37,13 +37,13 @@ def own(path: Path) -> dict[str, Exercise | Prediction]:
 RUN = runpy.run_path(str(TUTORIALS / "run.py"))
 
 
-def printed(cell: dict) -> str:
+def printed(cell):
     shown = [output.get("data", {}) | {"": output.get("text", "")} for output in cell["outputs"]]
     return " ".join("".join(text) for o in shown for kind, text in o.items() if "/png" not in kind)
 
 
 @each_notebook
-def test_what_a_student_s_notebook_shows_gives_no_answer(path: Path) -> None:
+def test_what_a_student_s_notebook_shows_gives_no_answer(path):
     """From the first prediction on there are no outputs; above it, none of the replies to one."""
     code = cells(path, "code")
     first = next(n for n, cell in enumerate(code) if source(cell).startswith("predict("))
@@ -68,9 +68,7 @@ def test_what_a_student_s_notebook_shows_gives_no_answer(path: Path) -> None:
     ],
 )
 @pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
-def test_a_notebook_runs_and_the_teacher_s_copy_has_all_outputs(
-    path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_notebook_runs_and_the_teacher_s_copy_has_all_outputs(path, tmp_path, monkeypatch):
     import nbformat
 
     monkeypatch.setenv("TMPDIR", str(tmp_path))
@@ -91,15 +89,13 @@ def test_a_notebook_runs_and_the_teacher_s_copy_has_all_outputs(
 
 
 @each_notebook
-def test_the_teacher_s_copy_is_the_notebook_with_solutions(path: Path, tmp_path: Path) -> None:
+def test_the_teacher_s_copy_is_the_notebook_with_solutions(path, tmp_path):
     import nbformat
 
     RUN["write"](RUN["for_teachers"](nbformat.read(path, 4), path.stem), tmp_path / path.name)
     asked = [source(cell) for cell in cells(path, "code")]
     moved = [source(cell) for cell in cells(tmp_path / path.name, "code")]
-    assert asked == [
-        text.replace('append("..")', 'append(".")').replace("../..", "..") for text in moved
-    ]
+    assert asked == [text.replace("%run ../", "%run ").replace("../..", "..") for text in moved]
     text = "\n".join(source(cell) for cell in cells(tmp_path / path.name))
     for name, each in own(path).items():
         if isinstance(each, Exercise):
@@ -109,7 +105,7 @@ def test_the_teacher_s_copy_is_the_notebook_with_solutions(path: Path, tmp_path:
 
 
 @pytest.mark.parametrize("number", CHAPTERS)
-def test_every_exercise_of_a_chapter_is_asked(number: int) -> None:
+def test_every_exercise_of_a_chapter_is_asked(number):
     parts = [own(path) for path in NOTEBOOKS if chapter(path) == number]
     table = exercises(number)
     assert [name for part in parts for name in part] == list(table)
@@ -119,7 +115,7 @@ def test_every_exercise_of_a_chapter_is_asked(number: int) -> None:
 
 
 @each_notebook
-def test_predictions_are_made_before_their_experiments(path: Path) -> None:
+def test_predictions_are_made_before_their_experiments(path):
     """The first line of an experiment is its prediction; the cells after it tell the outcome."""
     code = [source(cell) for cell in cells(path, "code")]
     asked = [text for text in code if "predict(" in text]
@@ -130,8 +126,28 @@ def test_predictions_are_made_before_their_experiments(path: Path) -> None:
     assert order == [(what, name) for name in names for what in ("predict", "outcome")]
 
 
+def minutes(path: Path) -> float:
+    """Return how long a notebook takes: 200 words a minute, and two lines of code."""
+    text = re.sub(r"\]\(.*?\)", "]", "\n".join(map(source, cells(path, "markdown"))), flags=re.S)
+    blocks = re.findall(r"^```.*\n((?:.*\n)*?)```", text, re.M)
+    code = [*map(source, cells(path, "code")), *blocks]
+    words = re.findall(r"\w[\w'.-]*", re.sub(r"^```.*\n(?:.*\n)*?```", "", text, flags=re.M))
+    lines = [line for each in code for line in each.splitlines() if line.strip()[:1] not in "#%"]
+    return len(words) / 200 + len(lines) / 2
+
+
+@each_notebook
+def test_a_notebook_says_how_long_it_takes(path: Path) -> None:
+    said = int(re.search(r"\*\*Time\*\* (\d+) minutes", source(cells(path)[0]))[1])
+    assert said - 5 <= minutes(path) <= said + 5
+    row = re.search(
+        rf"\({path.name}\) \| .+? \| (\d+) \|", (TUTORIALS / "README.md").read_text("utf-8")
+    )
+    assert int(row[1]) == said
+
+
 @each_solution
-def test_solutions_are_right(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_solutions_are_right(path, tmp_path, monkeypatch):
     """A file of solutions has one function or value ``exercise_<n>`` for each exercise."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setitem(os.environ, "MATRIXWORLD_QUICK", "1")
@@ -143,7 +159,7 @@ def test_solutions_are_right(path: Path, tmp_path: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("number", CHAPTERS)
-def test_replies_to_choices(number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_replies_to_choices(number, tmp_path, monkeypatch):
     """A choice is written down first; the reply is to the last one, and the file keeps all."""
     monkeypatch.chdir(tmp_path)
     for name, each in exercises(number).items():
@@ -173,7 +189,7 @@ def test_replies_to_choices(number: int, tmp_path: Path, monkeypatch: pytest.Mon
     assert {each["edition"] for each in lines} == {EDITION}
 
 
-def test_letters_of_an_edition_stay() -> None:
+def test_letters_of_an_edition_stay():
     """If this fails, raise the edition in ``exercises.toml``, and write down its digest here."""
     asked = [
         (name, each.options, each.outcome)
@@ -182,10 +198,10 @@ def test_letters_of_an_edition_stay() -> None:
         if isinstance(each, Prediction)
     ]
     digest = hashlib.sha256(json.dumps(asked).encode()).hexdigest()[:8]
-    assert (EDITION, digest) == (2, "4c8c5ae6")
+    assert (EDITION, digest) == (3, "cb55e099")
 
 
-def test_a_notebook_stops_at_an_open_question() -> None:
+def test_a_notebook_stops_at_an_open_question():
     """Its cell shows the text and no traceback, and Jupyter runs none of those below."""
     shell = pytest.importorskip("IPython.core.interactiveshell").InteractiveShell()
     cell = 'from course import predict\npredict("1.a", ...)\nseen = True'

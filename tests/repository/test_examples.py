@@ -13,13 +13,11 @@ import shlex
 import subprocess
 import sys
 import warnings
-from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
-from pathlib import Path
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import click
 import pytest
@@ -56,7 +54,7 @@ class Example(NamedTuple):
     shown: str
 
 
-def examples_of(page: str) -> list[Example]:
+def examples_of(page):
     return [
         Example(found["code"], tuple((found["needs"] or "").split()), found["shown"] or "")
         for found in FENCE.finditer(read(page))
@@ -64,12 +62,12 @@ def examples_of(page: str) -> list[Example]:
     ]
 
 
-def is_absent(need: str) -> bool:
+def is_absent(need):
     module, _, name = need.partition(".")
     return find_spec(module) is None or not (not name or hasattr(import_module(module), name))
 
 
-def check_nearly_same(printed: str, shown: str) -> None:
+def check_nearly_same(printed, shown):
     """Compare text exactly and numbers nearly: another SciPy may resample differently."""
     assert re.sub(NUMBER, "#", printed.strip()) == re.sub(NUMBER, "#", shown.strip())
     ours, theirs = ([*map(float, re.findall(NUMBER, text))] for text in (printed, shown))
@@ -80,13 +78,11 @@ WITH_EXAMPLES = [page_id(page) for page in PAGES if examples_of(page_id(page))]
 
 
 @pytest.mark.parametrize("page", sorted({*WITH_EXAMPLES} - {*ELSEWHERE}))
-def test_examples_run_and_print_what_is_shown(
-    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_examples_run_and_print_what_is_shown(page, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     script = ModuleType("__main__")  # as a program that runs
     monkeypatch.setitem(sys.modules, "__main__", script)
-    missing: set[str] = set()
+    missing = set()
     for example in examples_of(page):
         if absent := [*filter(is_absent, example.needs)]:
             missing |= {*absent}
@@ -108,7 +104,7 @@ def test_examples_run_and_print_what_is_shown(
 PROGRAMS = sorted((ROOT / "docs" / "clients").glob("learn_*.py"))
 
 
-def missing_modules(code: str) -> list[str]:
+def missing_modules(code):
     statements = [*ast.walk(ast.parse(code))]
     names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
     names += [each.module or "" for each in statements if isinstance(each, ast.ImportFrom)]
@@ -116,7 +112,7 @@ def missing_modules(code: str) -> list[str]:
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.stem)
-def test_learners_of_other_libraries_run_with_few_steps(program: Path, tmp_path: Path) -> None:
+def test_learners_of_other_libraries_run_with_few_steps(program, tmp_path):
     assert f"](clients/{program.name})" in read("docs/clients.md")
     code = program.read_text(encoding="utf-8")
     for module in missing_modules(code):
@@ -149,7 +145,7 @@ SHELL = re.compile(r"^```sh\n((?:.*\n)*?)```$", re.M)
 INLINE = re.compile(r"`(matrixworld [^`]+)`")
 
 
-def commands_of(page: Path) -> Iterator[str]:
+def commands_of(page):
     """Yield the commands of a page: lines of shell blocks, and code in sentences and tables."""
     text = page.read_text(encoding="utf-8")
     if page.suffix == ".ipynb":
@@ -160,7 +156,7 @@ def commands_of(page: Path) -> Iterator[str]:
     yield from INLINE.findall(re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S))
 
 
-def arguments_of(line: str) -> list[str] | None:
+def arguments_of(line):
     """Return the arguments that a line of a shell gives to the command; None for another one."""
     words = [*shlex.split(line.replace("|", " "), comments=True)]
     names = [n for n, word in enumerate(words) if word.rpartition("/")[2] == "matrixworld"]
@@ -169,7 +165,7 @@ def arguments_of(line: str) -> list[str] | None:
     return words[names[-1] + 1 :]
 
 
-def parse(line: str, arguments: list[str]) -> tuple[str, dict[str, Any]]:
+def parse(line, arguments):
     """Return the name of a command and its options, as click parses them; nothing runs."""
     if not arguments or arguments[0].startswith("-"):
         return "", {}
@@ -190,7 +186,7 @@ def parse(line: str, arguments: list[str]) -> tuple[str, dict[str, Any]]:
 
 
 @pytest.mark.parametrize("page", WITH_COMMANDS, ids=page_id)
-def test_commands_that_a_page_shows_exist(page: Path) -> None:
+def test_commands_that_a_page_shows_exist(page):
     for line in commands_of(page):
         arguments = arguments_of(line)
         if arguments is None:
@@ -214,30 +210,25 @@ NAMED = re.compile(r"`((?:policy|learner|schedule|fitness)\.[a-z_]+(?:\.[a-z_]+)
 
 
 @cache
-def paths() -> set[str]:
+def paths():
     told = CliRunner().invoke(main, ["evolve", "--help-all"], catch_exceptions=False).output
     told = told.partition("\nsettings:\n")[2]
-    return {
-        "policy",
-        "learner",
-        "schedule",
-        *re.findall(r"^  ([a-z_]+(?:\.[a-z_]+)*)(?: |$)", told, re.M),
-    }
+    return {"policy", "learner", "schedule", *re.findall(r"^  ([a-z_.]+)(?: |$)", told, re.M)}
 
 
-def exists(path: str) -> bool:
+def exists(path):
     known = {*paths(), *(path.replace("pursuers_meet", "evaders_meet") for path in paths())}
     return path in known or path.startswith(NESTED) or f"{path}.rule" in known
 
 
-def value_of(text: str) -> Any:
+def value_of(text):
     try:
         return json.loads(text)
     except ValueError:
         return text
 
 
-def check_settings(line: str, given: dict[str, Any]) -> None:
+def check_settings(line, given):
     """Check that settings of a command exist, and of a single race that it takes them."""
     sets = dict(text.split("=", 1) for text in given.get("sets") or ())
     assert [path for path in sets if not exists(path)] == [], line
@@ -249,7 +240,7 @@ def check_settings(line: str, given: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=page_id)
-def test_settings_that_a_page_names_exist(page: Path) -> None:
+def test_settings_that_a_page_names_exist(page):
     text = page.read_text(encoding="utf-8")
     named = {path for path in NAMED.findall(text) if not path.endswith(".py")}
     assert {path for path in named if not exists(path)} == set()

@@ -16,7 +16,6 @@ import shutil
 import subprocess
 import sys
 import sysconfig
-from operator import attrgetter
 from pathlib import Path
 from typing import NamedTuple
 
@@ -47,7 +46,7 @@ class Edit(NamedTuple):
     where: str | None
     line: str
 
-    def apply(self, root: Path) -> None:
+    def apply(self, root):
         file = root / self.path
         if self.where is None:
             assert not file.exists(), f"{self.path}: the recipe makes a new file, but it exists"
@@ -69,11 +68,11 @@ class Recipe(NamedTuple):
     edits: list[Edit]
     commands: list[str]
 
-    def edits_in(self, folder: str) -> bool:
+    def edits_in(self, folder):
         return any(edit.path.startswith(folder) for edit in self.edits)
 
 
-def read_recipes() -> list[Recipe]:
+def read_recipes():
     found = []
     for section in re.split(r"^## ", PAGE.read_text(encoding="utf-8"), flags=re.M)[1:]:
         recipe = Recipe(section.split("\n", 1)[0], [], [])
@@ -89,7 +88,7 @@ def read_recipes() -> list[Recipe]:
     return found
 
 
-def run(command: str, root: Path) -> None:
+def run(command, root):
     """Run a command of a recipe in the copy, with its package before the installed one."""
     environment = {**os.environ, "PYTHONPATH": str(root / "python")}
     folders = [Path(sys.executable).parent, NODE.parent, environment["PATH"]]
@@ -104,11 +103,11 @@ RECIPES = read_recipes()
 QUICK = ("A game of your own", "A measure", "A condition of the judgement")
 
 
-def test_every_kind_of_extension_has_a_recipe() -> None:
+def test_every_kind_of_extension_has_a_recipe():
     assert len({recipe.title for recipe in RECIPES}) == 9
 
 
-def follow(recipes: list[Recipe], root: Path) -> None:
+def follow(recipes, root):
     for recipe in recipes:
         for edit in recipe.edits:
             edit.apply(root)
@@ -119,7 +118,7 @@ def follow(recipes: list[Recipe], root: Path) -> None:
             run(command, root)
 
 
-def build(root: Path) -> None:
+def build(root):
     """Compile the copy's engine into the copy's package; fast code would take longer."""
     packages = sysconfig.get_path("purelib")
     jobs = os.cpu_count() or 1
@@ -136,7 +135,7 @@ def build(root: Path) -> None:
 
 
 @pytest.fixture
-def project(tmp_path: Path) -> Path:
+def project(tmp_path):
     """A copy of the project with the compiled extension."""
     for name in COPIED:
         if (ROOT / name).is_dir():
@@ -147,21 +146,21 @@ def project(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@quickly(
-    "recipe",
-    [each for each in RECIPES if not each.edits_in("cpp/")],
-    lambda recipe: recipe.title in QUICK,
-    attrgetter("title"),
-)
-def test_a_recipe_without_a_compiler(recipe: Recipe, project: Path) -> None:
-    if recipe.edits_in("web/"):
+PLAIN = [recipe for recipe in RECIPES if not recipe.edits_in("cpp/")]
+TOGETHER = [recipe for recipe in PLAIN if recipe.title in QUICK]
+ALONE = [[recipe] for recipe in PLAIN if recipe not in TOGETHER]
+
+
+@quickly("recipes", [TOGETHER, *ALONE], TOGETHER.__eq__, lambda recipes: recipes[0].title)
+def test_recipes_without_a_compiler(recipes, project):
+    if recipes[0].edits_in("web/"):
         if not MODULES.exists():
             pytest.skip("expected web/node_modules (npm ci in web/), found none")
         (project / "web" / "node_modules").symlink_to(MODULES)
-    follow([recipe], project)
+    follow(recipes, project)
 
 
 @pytest.mark.nightly
-def test_the_recipes_with_a_compiler(project: Path) -> None:
+def test_the_recipes_with_a_compiler(project):
     """All of them in one copy, so that the engine is compiled once."""
     follow([recipe for recipe in RECIPES if recipe.edits_in("cpp/")], project)

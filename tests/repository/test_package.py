@@ -7,10 +7,8 @@ import json
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
 from importlib import metadata
 from pathlib import Path
-from typing import Any
 
 import pettingzoo
 import pytest
@@ -27,7 +25,7 @@ ROOT = Path(__file__).parents[2]
 
 # Distribution
 
-PROJECT: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 HEAVY = ["click", "deap", "matplotlib", "scipy", "threadpoolctl", "tqdm"]
 LIBRARIES = [*HEAVY, "gymnasium", "numpy", "pettingzoo"]
 LEFT_OUT = {
@@ -49,7 +47,7 @@ OTHER_PROJECT = re.compile(
 
 
 @pytest.fixture
-def installed() -> metadata.Distribution:
+def installed():
     """The package as it is installed; absent where the tests import it from a folder."""
     try:
         return metadata.distribution(DISTRIBUTION)
@@ -57,7 +55,7 @@ def installed() -> metadata.Distribution:
         pytest.skip(f"{DISTRIBUTION} is not installed")
 
 
-def texts() -> list[Path]:
+def texts():
     """Files of the repository that tell a reader or a tool what to install."""
     folders = [".ci", ".github", "benchmarks", "docs", "evolution", "python", "tests", "tutorials"]
     inside = [path for folder in folders for path in (ROOT / folder).rglob("*")]
@@ -69,7 +67,7 @@ def texts() -> list[Path]:
     ]
 
 
-def test_no_file_installs_the_other_project() -> None:
+def test_no_file_installs_the_other_project():
     found = [
         f"{path.relative_to(ROOT)}: {match[0]}"
         for path in texts()
@@ -79,7 +77,7 @@ def test_no_file_installs_the_other_project() -> None:
     assert found == [], f"expected {DISTRIBUTION}"
 
 
-def test_the_package_knows_the_name_and_the_extras_of_its_distribution() -> None:
+def test_the_package_knows_the_name_and_the_extras_of_its_distribution():
     assert PROJECT["project"]["name"] == DISTRIBUTION
     assert install_hint("video") == "pip install 'matrixworld-pursuit[video]'"
     source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "python").rglob("*.py"))
@@ -88,7 +86,7 @@ def test_the_package_knows_the_name_and_the_extras_of_its_distribution() -> None
     assert named <= set(PROJECT["project"]["optional-dependencies"])
 
 
-def test_the_licence_names_those_of_all_compiled_code() -> None:
+def test_the_licence_names_those_of_all_compiled_code():
     bill = json.loads((ROOT / "licenses/sbom.cdx.json.in").read_text(encoding="utf-8"))
     given = [each for part in bill["components"] for each in part["licenses"]]
     texts = [each.get("expression") or each["license"]["id"] for each in given]
@@ -98,7 +96,7 @@ def test_the_licence_names_those_of_all_compiled_code() -> None:
     assert f"  license: {PROJECT['project']['license']}\n" in recipe
 
 
-def test_links_on_the_page_of_the_index_are_absolute(installed: metadata.Distribution) -> None:
+def test_links_on_the_page_of_the_index_are_absolute(installed):
     page = str(installed.metadata["Description"])
     assert page.startswith("# matrixworld")
     links = re.findall(r"\]\(([^)]*)\)", page)
@@ -107,9 +105,9 @@ def test_links_on_the_page_of_the_index_are_absolute(installed: metadata.Distrib
 
 
 @pytest.mark.parametrize(
-    "order", ["matrixworld, gymnasium, pettingzoo", "pettingzoo, gymnasium, matrixworld"]
+    "order", ["matrixworld.envs, gymnasium, pettingzoo", "pettingzoo, gymnasium, matrixworld"]
 )
-def test_environments_are_registered_in_any_order_of_imports(order: str) -> None:
+def test_environments_are_registered_with_the_package_or_its_environments(order):
     name, in_parallel = "'matrixworld/pursuit_evasion_o_v0'", hasattr(pettingzoo, "make")
     code = f"import {order}; gymnasium.make({name})"
     code += f"; pettingzoo.make('parallel', {name})" * in_parallel  # from PettingZoo 1.27 on
@@ -117,13 +115,13 @@ def test_environments_are_registered_in_any_order_of_imports(order: str) -> None
 
 
 @pytest.mark.parametrize("line", LEFT_OUT)
-def test_imports_leave_out_what_they_do_not_need(line: str) -> None:
+def test_imports_leave_out_what_they_do_not_need(line):
     found = f"found = sys.modules.keys() & {LEFT_OUT[line]}"
     code = f"import sys\n{line}\n{found}\nassert not found, found"
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
-def test_all_public_names_are_listed_and_can_be_used() -> None:
+def test_all_public_names_are_listed_and_can_be_used():
     names = {*matrixworld.__all__, "analysis", "coevolution", "envs", "plots", "solver"}
     assert names <= set(dir(matrixworld))
     assert [name for name in names if not hasattr(matrixworld, name)] == []
@@ -142,7 +140,7 @@ WITH_EXAMPLES = sorted(
 
 
 @pytest.mark.parametrize("name", WITH_EXAMPLES)
-def test_examples_in_docstrings_print_what_they_show(name: str) -> None:
+def test_examples_in_docstrings_print_what_they_show(name):
     result = doctest.testmod(importlib.import_module(name.removesuffix(".__init__")))
     assert result.attempted > 0  # `>>>` in another kind of text would be no example
     assert result.failed == 0
@@ -166,8 +164,7 @@ SECTION = re.compile(
 """A section of a docstring in numpydoc's form; each of its lines at the margin begins an entry."""
 
 
-def public_objects() -> Iterator[Any]:
-    """Yield each public function and class."""
+def public_objects():
     for module_name in PUBLIC:
         module = importlib.import_module(module_name)
         names = getattr(module, "__all__", [n for n in vars(module) if not n.startswith("_")])
@@ -179,7 +176,7 @@ def public_objects() -> Iterator[Any]:
                 yield found
 
 
-def parameters_of(found: Callable[..., Any]) -> set[str]:
+def parameters_of(found):
     if inspect.isclass(found) and issubclass(found, Exception):
         return set()
     if getattr(found, "_is_protocol", False):  # nobody calls it
@@ -187,7 +184,7 @@ def parameters_of(found: Callable[..., Any]) -> set[str]:
     return set(inspect.signature(found).parameters) - {"self", "args", "kwargs"}
 
 
-def documented_by(found: Callable[..., Any]) -> set[str]:
+def documented_by(found):
     """Return the parameters and attributes that one docstring describes, in a section or a text."""
     text = inspect.getdoc(found) or ""
     entries = re.findall(r"^\S.*", "".join(SECTION.findall(text)), re.M)
@@ -195,7 +192,7 @@ def documented_by(found: Callable[..., Any]) -> set[str]:
     return {*(name.strip().lstrip("*") for name in names), *re.findall(r"`(\w+)`", text)}
 
 
-def test_all_parameters_are_documented() -> None:
+def test_all_parameters_are_documented():
     missing = {}
     for found in public_objects():
         # A class may leave the parameters that it inherits to its base class.
@@ -222,15 +219,15 @@ ALLOWED = {
 INCLUDE = re.compile(r'^#include "(?:(\w+)/)?([\w.]+)"', re.MULTILINE)
 
 
-def includes(file: Path) -> list[tuple[str, str]]:
+def includes(file):
     """Return (room, header) of every quoted include; without a room it is the file's own."""
     own = file.relative_to(CPP).parts[0]
     return [(room or own, header) for room, header in INCLUDE.findall(file.read_text())]
 
 
-def test_includes_run_one_way() -> None:
+def test_includes_run_one_way():
     """grid <- game <- observe <- play <- solve <- bindings, with kernels beside game."""
-    found: dict[str, set[str]] = {path.name: set() for path in CPP.iterdir() if path.is_dir()}
+    found = {path.name: set() for path in CPP.iterdir() if path.is_dir()}
     for file in CPP.rglob("*.[ch]pp"):
         room = file.relative_to(CPP).parts[0]
         found[room] |= {other for other, _ in includes(file)} - {room}
@@ -238,7 +235,7 @@ def test_includes_run_one_way() -> None:
     assert {room: more for room in found if (more := found[room] - ALLOWED[room])} == {}
 
 
-def test_kernels_include_plain_data_only() -> None:
+def test_kernels_include_plain_data_only():
     """Inline functions in kernels.cpp could replace those of the base instruction set."""
     headers = {
         f"{room}/{header}"
@@ -252,7 +249,7 @@ def test_kernels_include_plain_data_only() -> None:
     assert "inline" not in re.sub(r"//.*", "", (CPP / "grid" / "positions.hpp").read_text())
 
 
-def test_one_header_knows_the_compiler() -> None:
+def test_one_header_knows_the_compiler():
     """All other files are standard C++, which Visual C++ compiles as well."""
     extension = re.compile(r"__(builtin|attribute|asm|extension|int128|restrict|BYTE_ORDER)")
     knowing = {file.name for file in CPP.rglob("*.?pp") if extension.search(file.read_text())}

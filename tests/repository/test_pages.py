@@ -2,7 +2,6 @@
 
 import json
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +19,7 @@ READMES += ROOT.glob("tutorials/*/README.md")
 ALL_PAGES = sorted({*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *READMES, *NOTEBOOKS})
 
 
-def prose(page: Path) -> str:
+def prose(page):
     text = page.read_text(encoding="utf-8")
     if page.suffix == ".ipynb":
         cells = [cell for cell in json.loads(text)["cells"] if cell["cell_type"] == "markdown"]
@@ -28,7 +27,7 @@ def prose(page: Path) -> str:
     return re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
 
 
-def anchors(page: Path) -> set[str]:
+def anchors(page):
     """Return the anchors of a page: headings as GitHub names them, and explicit ones."""
     headings = re.findall(r"^#+ (.+)$", prose(page), re.M)
     texts = (re.sub(r"\[([^]]+)\]\([^)]+\)", r"\1", heading).lower() for heading in headings)
@@ -37,7 +36,7 @@ def anchors(page: Path) -> set[str]:
 
 
 @pytest.mark.parametrize("page", ALL_PAGES, ids=page_id)
-def test_links_lead_somewhere(page: Path) -> None:
+def test_links_lead_somewhere(page):
     links = re.findall(r"\]\(([^)\s]+)\)", prose(page))
     if page in NOTEBOOKS:
         assert "../docs/glossary.md" in {link.partition("#")[0] for link in links}
@@ -49,7 +48,7 @@ def test_links_lead_somewhere(page: Path) -> None:
             assert not anchor or target.suffix != ".md" or anchor in anchors(target), link
 
 
-def test_each_picture_of_the_pages_is_shown() -> None:
+def test_each_picture_of_the_pages_is_shown():
     shown = {
         (page.parent / link).resolve()
         for page in ALL_PAGES
@@ -59,7 +58,7 @@ def test_each_picture_of_the_pages_is_shown() -> None:
     assert pictures - shown == set()
 
 
-def test_the_exercises_that_the_teachers_page_names_exist() -> None:
+def test_the_exercises_that_the_teachers_page_names_exist():
     named = re.findall(r"\b[1-9]\.[a-z1-9]\b", read("docs/teachers.md"))
     assert named
     for name in named:
@@ -72,7 +71,7 @@ def test_the_exercises_that_the_teachers_page_names_exist() -> None:
 FILES = read("docs/files.md")
 
 
-def named(heading: str) -> dict[str, str]:
+def named(heading):
     """Names in the first column of a section's table, and what stands in the second column."""
     section = FILES.split(f"{heading}\n")[1].split("\n#")[0]
     found = {}
@@ -82,11 +81,11 @@ def named(heading: str) -> dict[str, str]:
     return found
 
 
-def arrays_in(heading: str) -> set[str]:
+def arrays_in(heading):
     return {name for name in named(heading) if "." not in name}
 
 
-def test_the_files_of_a_run(tmp_path: Path) -> None:
+def test_the_files_of_a_run(tmp_path):
     columns = {**COLUMNS, **Pursuit.columns, **Game.columns}
     assert named("### `log.csv`") == {name: kind.__name__ for name, kind in columns.items()}
     run = tmp_path / "run"
@@ -107,7 +106,7 @@ def test_the_files_of_a_run(tmp_path: Path) -> None:
     assert {re.sub(r"\d{4}", "0007", name) for name in made} == set(stated) - by_command
 
 
-def test_each_promise_of_the_security_page_has_a_test() -> None:
+def test_each_promise_of_the_security_page_has_a_test():
     rows = re.findall(r"^\| .+$", read("SECURITY.md"), re.M)
     promises = [row for row in rows if not row.startswith(("| Promise", "| ---"))]
     assert promises

@@ -6,12 +6,10 @@ import inspect
 import io
 import pickle
 import pkgutil
-from collections.abc import Callable, Iterator
 from dataclasses import is_dataclass
 from enum import Enum
 from itertools import chain
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -33,14 +31,14 @@ NOT_COPIED = {
 """Public classes without a copy, each with the reason."""
 
 
-def pickled(value: Any) -> Any:
+def pickled(value):
     return pickle.loads(pickle.dumps(value))  # noqa: S301  (made by this test)
 
 
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3, "fov": 3, "max_steps": 8}
 
 
-def public_classes() -> dict[str, type]:
+def public_classes():
     found = pkgutil.walk_packages(mw.__path__, "matrixworld.")
     # Import neither the engine, which is compiled, nor the command, which would run.
     names = [each.name for each in found if not each.name.endswith(("_core", "__main__"))]
@@ -56,7 +54,7 @@ def public_classes() -> dict[str, type]:
     }
 
 
-def content(value: Any) -> bytes:
+def content(value):
     """Return what pickle keeps, whether or not equal parts are one object."""
     out = io.BytesIO()
     pickler = pickle.Pickler(out)
@@ -68,7 +66,7 @@ def content(value: Any) -> bytes:
 # Objects before and after their use; one that is yielded again has changed.
 
 
-def of_worlds() -> Iterator[Any]:
+def of_worlds():
     config = mw.WorldConfig("SB", **SMALL, obstacles=0.1)
     network = mw.Network.for_config(config, (4,))
     yield from (config, network)
@@ -96,7 +94,7 @@ def of_worlds() -> Iterator[Any]:
     yield from (env, env.status, aec.unwrapped)
 
 
-def of_runs(directory: Path) -> Iterator[Any]:
+def of_runs(directory):
     joint = tiny_race(schedule="hall-of-fame")
     for name, settings in (("single", tiny_single()), ("joint", joint), ("race", tiny_race())):
         create(settings, directory / name)
@@ -113,7 +111,7 @@ def of_runs(directory: Path) -> Iterator[Any]:
     yield coevolution.FailedRunsError({Path("seed-0"): OSError("full")}, [saved])
 
 
-def test_copies_are_equal(tmp_path: Path) -> None:
+def test_copies_are_equal(tmp_path):
     changed, classes = [], set()
     for each in chain(of_worlds(), of_runs(tmp_path)):
         classes |= {type(part).__name__ for part in (each if isinstance(each, list) else [each])}
@@ -124,7 +122,7 @@ def test_copies_are_equal(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("copied", [pickle.dumps, copy.deepcopy])
-def test_batches_say_why_they_are_not_copied(copied: Callable[[Any], Any]) -> None:
+def test_batches_say_why_they_are_not_copied(copied):
     for live in (mw.Batch(2), mw.VectorEnv(n_worlds=2)):
         with pytest.raises(TypeError, match="its buffers belong to the caller"):
             copied(live)

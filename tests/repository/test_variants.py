@@ -1,9 +1,7 @@
 """The pages of the variants: their tables are true, and the files on disk are up to date."""
 
 import importlib
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 from PIL import Image
@@ -11,34 +9,31 @@ from PIL import Image
 import matrixworld as mw
 
 DOCS = Path(__file__).parents[2] / "docs"
-MOVES = {
-    "SIMULTANEOUS": "all at once",
-    "SWARM_TURNS": "team by team",
-    "AGENT_TURNS": "one at a time",
-}
+TURNS = ("all at once", "team by team", "one at a time")
+MOVES = dict(zip(mw.Interaction, TURNS, strict=True))
 
 
 @pytest.fixture(scope="module")
-def make_pages() -> Iterator[Any]:
+def make_pages():
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(DOCS)
         yield importlib.import_module("make_pages")
 
 
-def test_the_readme_has_the_rules_of_each_variant() -> None:
+def test_the_readme_has_the_rules_of_each_variant():
     readme = (DOCS.parent / "README.md").read_text(encoding="utf-8")
     for name, rules in mw.VARIANTS.items():
         outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
         obstacle, teammate, evader, pursuer = (outcome.name[0] for outcome in outcomes)
         capture = "occupation" if rules.capture is mw.Capture.OCCUPATION else "surrounding"
         captured = "disappear" if rules.removes_captured else "stay"
-        cells = (name, MOVES[rules.interaction.name], obstacle, teammate, f"{evader}, {pursuer}")
+        cells = (name, MOVES[rules.interaction], obstacle, teammate, f"{evader}, {pursuer}")
         row = f"| {' | '.join((*cells, capture, captured))} |\n"
         assert row in readme, f"README.md, The games: add the row {row}"
 
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_pages_are_up_to_date(make_pages: Any, variant: str) -> None:
+def test_pages_are_up_to_date(make_pages, variant):
     file = DOCS / "variants" / f"{variant.lower()}.md"
     assert file.exists(), f"{file.name} is missing: run python docs/make_pages.py"
     assert file.read_text(encoding="utf-8") == make_pages.page(variant), (

@@ -1,19 +1,12 @@
 """A real browser without a window, for the pages: headless Chromium, driven by Selenium."""
 
-from __future__ import annotations
-
 import json
 import os
 import re
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 import pytest
-
-if TYPE_CHECKING:
-    from selenium.webdriver import Chrome
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 DRIVERS = ("chromedriver",)
@@ -25,47 +18,42 @@ READY = "document.body.dataset.ready === 'true'"
 """What the script of a page says when it is ready."""
 
 
-def data_of(page: Path) -> dict[str, Any]:
-    """Return the data that a page holds."""
+def data_of(page):
     found = re.search(r'id="data">(.*?)</script>', page.read_text(encoding="utf-8"))
     assert found
-    data: dict[str, Any] = json.loads(found[1])
-    return data
+    return json.loads(found[1])
 
 
 class Browser:
     """A browser with one tab; `errors` returns what its console reported as an error."""
 
-    def __init__(self, driver: Chrome) -> None:
+    def __init__(self, driver):
         self.driver = driver
 
-    def open(self, page: Path, size: tuple[int, int] = LAPTOP) -> None:
+    def open(self, page, size=LAPTOP):
         """Open a file and wait until its script says that it is ready."""
         self.resize(*size)
         self.driver.get(page.absolute().as_uri())
         self.wait(READY)
 
-    def reload(self) -> None:
-        """Load the page again, with its address."""
+    def reload(self):
         self.driver.refresh()
         self.wait(READY)
 
-    def resize(self, width: int, height: int) -> None:
+    def resize(self, width, height):
         """Set the size of the page. Windows cannot be narrower than 500 pixels; pages can."""
         metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500}
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
 
-    def prefer(self, **features: str) -> None:
+    def prefer(self, **features):
         """Set media features, such as ``prefers_color_scheme="dark"``."""
         named = [{"name": n.replace("_", "-"), "value": v} for n, v in features.items()]
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": named})
 
-    def js(self, expression: str, *args: Any) -> Any:
-        """Return the value of a JavaScript expression; ``arguments`` holds the others."""
+    def js(self, expression, *args):
         return self.driver.execute_script(f"return {expression}", *args)
 
-    def wait(self, expression: str, seconds: float = 20.0) -> Any:
-        """Wait until a JavaScript expression is true; returns its value."""
+    def wait(self, expression, seconds=20.0):
         from selenium.webdriver.support.wait import WebDriverWait
 
         condition = f"{expression} in {seconds} s; console: "
@@ -74,14 +62,13 @@ class Browser:
         except Exception as error:
             raise AssertionError(condition + str(self.errors())) from error
 
-    def press(self, *keys: str) -> None:
-        """Type keys, wherever the focus is."""
+    def press(self, *keys):
         from selenium.webdriver import ActionChains
 
         for key in keys:
             ActionChains(self.driver, duration=0).send_keys(key).perform()
 
-    def drag(self, *points: tuple[float, float]) -> None:
+    def drag(self, *points):
         """Press the pointer at a point of the window and let it go at the last one."""
         from selenium.webdriver import ActionChains
 
@@ -93,30 +80,28 @@ class Browser:
         mouse.w3c_actions.pointer_action.pointer_up()
         mouse.perform()
 
-    def click(self, selector: str) -> None:
-        """Click the first element that a CSS selector finds."""
+    def click(self, selector):
         from selenium.webdriver.common.by import By
 
         self.driver.find_element(By.CSS_SELECTOR, selector).click()
 
-    def errors(self) -> list[str]:
+    def errors(self):
         """Return the errors and warnings in the console since the last call."""
-        found: list[dict[str, Any]] = self.driver.get_log("browser")  # type: ignore[no-untyped-call]
+        found = self.driver.get_log("browser")
         return [each["message"] for each in found if each["level"] in ("SEVERE", "WARNING")]
 
-    def violations(self) -> list[str]:
+    def violations(self):
         """Return what hinders readers with disabilities, as axe-core finds it: rule and element."""
         if not AXE.exists():
             pytest.skip("expected axe-core in web/node_modules (npm ci in web/), found none")
         self.driver.execute_script(AXE.read_text(encoding="utf-8"))
-        found: list[str] = self.driver.execute_async_script(
+        return self.driver.execute_async_script(
             """const done = arguments[0];
             axe.run(document, {resultTypes: ["violations"]}).then(({ violations }) => done(
               violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`))));"""
         )
-        return found
 
-    def hindrances(self, page: Path, *dialogs: str) -> dict[tuple[str, ...], list[str]]:
+    def hindrances(self, page, *dialogs):
         """Return the violations of a page and of the dialogs that scripts open.
 
         Light on a laptop and dark on a phone; by width, scheme and script.
@@ -132,7 +117,7 @@ class Browser:
         return {where: violations for where, violations in found.items() if violations}
 
 
-def chromium() -> Browser:
+def chromium():
     """Start Chromium with a profile of its own; a test is skipped where there is none."""
     webdriver = pytest.importorskip("selenium.webdriver")
     program, driver = (next(filter(None, map(shutil.which, n)), None) for n in (NAMES, DRIVERS))
@@ -151,7 +136,7 @@ def chromium() -> Browser:
     return Browser(webdriver.Chrome(options=options, service=webdriver.ChromeService(driver)))
 
 
-def _started() -> Iterator[Browser]:
+def _started():
     started = chromium()
     try:
         yield started

@@ -2,8 +2,7 @@
 
 import re
 
-import click
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 
 from matrixworld.analysis import CONDITIONS
 from matrixworld.cli import main
@@ -11,7 +10,7 @@ from matrixworld.cli.options import option_name
 from matrixworld.coevolution.settings import paths_of
 from tiny_race import TINY
 
-WORLD: dict[str, object] = {**TINY, "hidden": "4"}
+WORLD = {**TINY, "hidden": "4"}
 RACE = {**WORLD, "generations": 2, "pursuer_epochs": 2, "evader_epochs": 3}
 JOB = {**RACE, "joint_epochs": 2}
 """Options of the main job, whose races have several schedules."""
@@ -33,7 +32,7 @@ READING = [
 PNG, GIF = b"\x89PNG", b"GIF89a"
 
 
-def words(options: dict[str, object]) -> list[str]:
+def words(options):
     """Settings by the names of their fields, as options of ``evolve``."""
     known = {option.name for option in main.commands["evolve"].params}
     typed = []
@@ -43,13 +42,11 @@ def words(options: dict[str, object]) -> list[str]:
     return typed
 
 
-def matrixworld_command(*args: object, code: int = 0) -> Result:
-    """Run ``matrixworld`` and check its exit code."""
+def matrixworld_command(*args, code=0):
     return run_command(main, *args, code=code)
 
 
-def run_command(command: click.Command, *args: object, code: int = 0) -> Result:
-    """Run a command and check its exit code."""
+def run_command(command, *args, code=0):
     result = CliRunner().invoke(command, [str(arg) for arg in args])
     # What click does with an error that it knows.
     unexpected = None if isinstance(result.exception, SystemExit) else result.exception
@@ -58,20 +55,18 @@ def run_command(command: click.Command, *args: object, code: int = 0) -> Result:
     return result
 
 
-def evolved(*args: object, code: int = 0) -> Result:
-    """Run ``matrixworld evolve``."""
+def evolved(*args, code=0):
     return matrixworld_command("evolve", *args, code=code)
 
 
-def run_together(output: str) -> str:
-    """Return an output without line breaks and indentation."""
+def run_together(output):
     return " ".join(output.split())
 
 
-def judged_in(output: str) -> dict[str, str]:
+def judged_in(output):
     """Return the verdicts in the table of a judgement: those of the first window."""
     row = re.compile(rf"({'|'.join(CONDITIONS)}) +(present|absent|cannot tell)")
-    verdicts: dict[str, str] = {}
+    verdicts = {}
     for match in filter(None, map(row.match, output.splitlines())):
         verdicts.setdefault(*match.groups())  # later tables are of other windows
     return verdicts

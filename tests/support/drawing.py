@@ -45,14 +45,14 @@ UNITS = mw.Rewards(
 
 
 def rules(
-    interaction: str = "simultaneous",
+    interaction="simultaneous",
     *,
-    obstacle: str = "B",
-    teammate: str = "R",
-    adversary: str = "BR",
-    capture: str = "surround",
-    disappear: bool = False,
-) -> mw.Rules:
+    obstacle="B",
+    teammate="R",
+    adversary="BR",
+    capture="surround",
+    disappear=False,
+):
     """Return a row of rules; ``adversary`` is the evader's outcome, then the pursuer's."""
     return mw.Rules(
         interaction=INTERACTIONS[interaction],
@@ -65,23 +65,14 @@ def rules(
     )
 
 
-def quiet_config(**fields: Any) -> mw.WorldConfig:
+def quiet_config(**fields):
     """Return a config with ``UNITS`` as rewards, without a warning if it cannot capture."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return mw.WorldConfig(**{"rewards": UNITS, **fields})
 
 
-def conflict(
-    kind_and_form: str,
-    agents: str,
-    cell: Cell,
-    *,
-    held: str = "",
-    doomed: str = "",
-    fault: str = "",
-    turn: int = 0,
-) -> tuple:
+def conflict(kind_and_form, agents, cell, *, held="", doomed="", fault="", turn=0):
     """Return an expected conflict; ``kind_and_form`` is like ``"teammate vertex"``."""
     kind, form = kind_and_form.split()
     return turn, kind, form, agents, cell, fault, held, doomed
@@ -110,8 +101,6 @@ class Play:
 
 @dataclass(frozen=True)
 class Case:
-    """A named start and the steps from it."""
-
     name: str
     rules: mw.Rules | str
     before: str
@@ -119,24 +108,22 @@ class Case:
     changes: dict[str, Any] = field(default_factory=dict)
 
 
-def case(name: str, rules: mw.Rules | str, before: str, *plays: Play, **changes: Any) -> Case:
-    """Return a case; ``changes`` are fields of ``mw.WorldConfig``."""
+def case(name, rules, before, *plays, **changes):
     return Case(name, rules, before, plays, changes)
 
 
-def table(*cases: Case) -> pytest.MarkDecorator:
-    """Parametrise a test with cases."""
+def table(*cases):
     return pytest.mark.parametrize("case", [pytest.param(c, id=c.name) for c in cases])
 
 
 class Drawing:
     """A parsed drawing: ``obstacles`` and the cell of each letter."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text):
         lines = text.replace("/", "\n").strip().splitlines()
         rows = [line.split() for line in lines]
         self.obstacles = np.array([["#" in token for token in row] for row in rows])
-        self.cells: dict[str, Cell] = {
+        self.cells = {
             letter: (r, c)
             for r, row in enumerate(rows)
             for c, token in enumerate(row)
@@ -148,12 +135,11 @@ class Drawing:
         self.pursuers = [self.cells[a] for a in self.letters if a.isupper()]
         self.evaders = [self.cells[a] for a in self.letters if a.islower()]
 
-    def __str__(self) -> str:
+    def __str__(self):
         return draw(self.cells, self.obstacles)
 
 
-def draw(cells: dict[str, Cell], obstacles: np.ndarray) -> str:
-    """Return the drawing of letters and obstacles, always in the same form."""
+def draw(cells, obstacles):
     rows = []
     for r, row in enumerate(obstacles):
         here = ["".join(sorted(a for a in cells if cells[a] == (r, c))) for c in range(len(row))]
@@ -162,15 +148,14 @@ def draw(cells: dict[str, Cell], obstacles: np.ndarray) -> str:
     return "\n" + "\n".join(rows)
 
 
-def actions_of(moves: str, letters: str) -> list[int]:
+def actions_of(moves, letters):
     """Return the actions of ``"A> b^"`` for all agents."""
     chosen = {move[0]: ARROWS[move[1:]] for move in moves.split()}
     assert set(chosen) <= set(letters), f"{moves} names an agent that is not in {letters}"
     return [chosen.get(letter, 0) for letter in letters]
 
 
-def begin(start: Start, case: Case) -> tuple[World, str]:
-    """Return the world of a case, and the letters of its agents."""
+def begin(start, case):
     drawing = Drawing(case.before)
     config = quiet_config(
         rules=case.rules,
@@ -184,7 +169,7 @@ def begin(start: Start, case: Case) -> tuple[World, str]:
     return world, drawing.letters
 
 
-def check(start: Start, case: Case) -> None:
+def check(start, case):
     """Play a case and compare the results with all that its plays state."""
     world, letters = begin(start, case)
     ever = ""
@@ -193,16 +178,12 @@ def check(start: Start, case: Case) -> None:
         ever = "".join(sorted(set(ever + play.captured))) if play.ever is None else play.ever
         seen = look(world, letters)
         wanted = expectation(play, letters, ever)
-        wrong = [
-            f"{what}: expected {value}, got {seen[what]}"
-            for what, value in wanted.items()
-            if seen[what] != value
-        ]
+        other = {what: seen[what] for what, value in wanted.items() if seen[what] != value}
+        wrong = [f"{what}: expected {wanted[what]}, got {got}" for what, got in other.items()]
         assert not wrong, "\n".join([f"{case.name}, {play.moves!r}:", *wrong])
 
 
-def expectation(play: Play, letters: str, ever: str) -> dict[str, Any]:
-    """Return what a play states, in the form of ``look``."""
+def expectation(play, letters, ever):
     pictured = Drawing(play.after)
     wanted = {
         "after": str(pictured),
@@ -219,8 +200,7 @@ def expectation(play: Play, letters: str, ever: str) -> dict[str, Any]:
     return {what: value for what, value in wanted.items() if value is not None}
 
 
-def look(world: World, letters: str) -> dict[str, Any]:
-    """Return all that a play can state, as the world reports it."""
+def look(world, letters):
     evaders = [letter for letter in letters if letter.islower()]
     cells = dict(zip(letters, map(tuple, np.asarray(world.positions).tolist()), strict=True))
     captors = zip(evaders, np.asarray(world.captors).tolist(), strict=True)
@@ -238,21 +218,21 @@ def look(world: World, letters: str) -> dict[str, Any]:
     }
 
 
-def pick(letters: str | list[str], chosen: np.ndarray) -> str:
+def pick(letters, chosen):
     return "".join(letter for letter, yes in zip(letters, chosen, strict=True) if yes)
 
 
-def marks(letters: str, table: np.ndarray) -> dict[str, str]:
+def marks(letters, table):
     """Return the letters of each kind, without kinds that have none."""
     found = {kind: pick(letters, np.asarray(table)[:, k]) for k, kind in enumerate(KINDS)}
     return {kind: who for kind, who in found.items() if who}
 
 
-def read_marks(text: str | None) -> dict[str, str] | None:
+def read_marks(text):
     return None if text is None else dict(part.split() for part in text.split(";") if part)
 
 
-def read_paid(text: str | None, letters: str) -> dict[str, float] | None:
+def read_paid(text, letters):
     if text is None:
         return None
     paid = Counter(dict.fromkeys(letters, 0.0))
@@ -263,7 +243,7 @@ def read_paid(text: str | None, letters: str) -> dict[str, float] | None:
     return dict(paid)
 
 
-def spell(record: tuple, letters: str) -> tuple:
+def spell(record, letters):
     """Return a record of a conflict with letters for agents."""
     turn, kind, form, agents, cell, *groups = record
     named = ("".join(letters[a] for a in group) for group in (agents, *groups))

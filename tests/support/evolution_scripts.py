@@ -8,18 +8,17 @@ SCRIPTS = Path(__file__).parents[2] / "evolution"
 RESULTS = SCRIPTS / "results"
 
 
-def run_script(name: str, place: Path, *options: str) -> subprocess.CompletedProcess[str]:
+def run_script(name, place, *options):
     """Run a script in a directory; warnings are errors."""
     command = [sys.executable, "-W", "error", SCRIPTS / f"{name}.py", *options]
     return subprocess.run(command, cwd=place, capture_output=True, text=True, timeout=300)
 
 
-def run_quickly(name: str, place: Path, *options: str) -> str:
-    """Return what a script prints with --quick."""
+def run_quickly(name, place, *options):
     done = run_script(name, place, "--quick", *options)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
 
-def read(path: Path) -> str:
+def read(path):
     return path.read_text(encoding="utf-8")

@@ -1,35 +1,30 @@
 """Executors that do their work in an order of their own, and threads in place of processes."""
 
 import threading
-from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
-from importlib import import_module
-from typing import Any
 
 import pytest
 
 
 @contextmanager
-def jobs_in_threads() -> Iterator[None]:
+def jobs_in_threads():
     """Play jobs in threads: a process takes a second to start, and has tests of its own."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(
-            import_module("matrixworld.coevolution.jobs"), "processes", ThreadPoolExecutor
-        )
+        patch.setattr("matrixworld.coevolution.jobs.processes", ThreadPoolExecutor)
         yield
 
 
 class Reversed(Executor):
     """Does its tasks in a thread when all are there, the last one first."""
 
-    def __init__(self, count: int) -> None:
-        self.tasks: list[tuple[Future[Any], Callable[[], Any]]] = []
+    def __init__(self, count):
+        self.tasks = []
         self.left = count
 
     def submit(self, fn, /, *args, **kwargs):
-        future: Future[Any] = Future()
+        future = Future()
         self.tasks.append((future, partial(fn, *args, **kwargs)))
         self.left -= 1
         if not self.left:
@@ -37,6 +32,6 @@ class Reversed(Executor):
             threading.Thread(target=self.work).start()
         return future
 
-    def work(self) -> None:
+    def work(self):
         for future, task in reversed(self.tasks):
             future.set_result(task())

@@ -3,19 +3,15 @@
 Debian has Firefox and no geckodriver, which Selenium would want.
 """
 
-from __future__ import annotations
-
 import json
 import re
 import shutil
 import subprocess
 import tempfile
 import time
-from collections.abc import Iterator
 from itertools import count
 from pathlib import Path
 from threading import Thread
-from typing import Any
 
 import pytest
 
@@ -26,7 +22,7 @@ LISTENS = re.compile(r"WebDriver BiDi listening on (ws://\S+)")
 class Firefox:
     """A browser with one tab and a profile of its own."""
 
-    def __init__(self, program: str, profile: Path) -> None:
+    def __init__(self, program, profile):
         import websocket
 
         command = [program, "--headless", "--profile", str(profile), "--remote-debugging-port", "0"]
@@ -40,7 +36,7 @@ class Firefox:
         self._ask("session.new", capabilities={})
         self._tab = self._ask("browsingContext.getTree")["contexts"][0]["context"]
 
-    def _ask(self, method: str, **params: Any) -> Any:
+    def _ask(self, method, **params):
         number = next(self._numbers)
         self._socket.send(json.dumps({"id": number, "method": method, "params": params}))
         while True:
@@ -49,13 +45,12 @@ class Firefox:
                 assert told["type"] == "success", told
                 return told["result"]
 
-    def open(self, address: str) -> None:
+    def open(self, address):
         """Load a page, as if it had not been loaded before."""
         self._ask("browsingContext.navigate", context=self._tab, url="about:blank", wait="complete")
         self._ask("browsingContext.navigate", context=self._tab, url=address, wait="complete")
 
-    def js(self, expression: str) -> Any:
-        """Return the value of a JavaScript expression, which JSON can hold."""
+    def js(self, expression):
         told = self._ask(
             "script.evaluate",
             expression=f"JSON.stringify({expression})",
@@ -65,22 +60,20 @@ class Firefox:
         assert told["type"] == "success", told
         return json.loads(told["result"].get("value", "null"))
 
-    def wait(self, expression: str, seconds: float = 60.0) -> None:
-        """Wait until a JavaScript expression is true."""
+    def wait(self, expression, seconds=60.0):
         until = time.monotonic() + seconds
         while not self.js(f"Boolean({expression})"):
             assert time.monotonic() < until, f"{expression} in {seconds} s"
             time.sleep(0.05)
 
-    def close(self) -> None:
-        """End the browser."""
+    def close(self):
         self._socket.close()
         self._process.terminate()
         self._process.communicate()
 
 
 @pytest.fixture(scope="module")
-def firefox() -> Iterator[Firefox]:
+def firefox():
     """Firefox for the tests of one file, which are skipped where there is none."""
     pytest.importorskip("websocket")  # which Selenium brings
     program = next(filter(None, map(shutil.which, NAMES)), None)

@@ -9,8 +9,6 @@ are printed with seed and number; the exit code is then 1. What was found become
 subject, by ``fuzz.step_of(seed, number)`` where nothing shorter shows it.
 """
 
-from __future__ import annotations
-
 import argparse
 import atexit
 import contextlib
@@ -22,11 +20,10 @@ import sys
 import time
 import traceback
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from tempfile import mkdtemp
-from typing import Any
 from unittest import mock
 
 import numpy as np
@@ -43,7 +40,7 @@ import matrixworld as mw  # noqa: E402
 from command_line import READING  # noqa: E402
 from killed import SETTINGS, play_run, run_until_killed  # noqa: E402
 from matrixworld.cli import main as command  # noqa: E402
-from matrixworld.coevolution import RaceSettings, Run, create, finish  # noqa: E402
+from matrixworld.coevolution import Run, create, finish  # noqa: E402
 from matrixworld.coevolution.learners.learner import DivergedError  # noqa: E402
 from right_of_way import play  # noqa: E402
 from rows import archive  # noqa: E402
@@ -62,7 +59,7 @@ Rng = np.random.Generator
 Step = Callable[[Rng, Path], None]
 
 
-def pick(rng: Rng, choices: Iterable[Any]) -> Any:
+def pick(rng, choices):
     found = [*choices]
     return found[rng.integers(len(found))]
 
@@ -70,7 +67,7 @@ def pick(rng: Rng, choices: Iterable[Any]) -> Any:
 # ---- Worlds and races ----------------------------------------------------------------------------
 
 
-def worlds(rng: Rng, place: Path) -> None:
+def worlds(rng, place):
     """Steps as in the slow world, rollouts as worlds one by one, and right of way without fault."""
     for _ in range(20):
         compare(random_scene({name: pick(rng, values) for name, values in FIELDS.items()}, rng))
@@ -86,7 +83,7 @@ def worlds(rng: Rng, place: Path) -> None:
     assert faults == 0, f"{faults} agents with right of way at fault"
 
 
-CHOICES: dict[str, tuple[Any, ...]] = {
+CHOICES = {
     "learner": ("es", "ga", "cma", "gp", "es"),
     "policy": ("cells", "rating", "program"),
     "schedule": ("specialist-specialist", "generalist-generalist", "hall-of-fame", "psro"),
@@ -108,7 +105,7 @@ CHOICES: dict[str, tuple[Any, ...]] = {
 }
 
 
-def races(rng: Rng, place: Path) -> None:
+def races(rng, place):
     """Settings are refused in a sentence, or the run ends with the same bytes by three ways."""
     drawn = {name: pick(rng, CHOICES[name]) for name in CHOICES if rng.random() < 0.3}
     make = tiny_single if rng.random() < 0.2 else tiny_race
@@ -126,7 +123,7 @@ def races(rng: Rng, place: Path) -> None:
     assert results(finish(create(settings, place / "three").path).path) == expected, drawn
 
 
-def begin(settings: RaceSettings, directory: Path) -> Run:
+def begin(settings, directory):
     create(settings, directory)
     return Run(directory, threads=1)
 
@@ -135,7 +132,7 @@ def begin(settings: RaceSettings, directory: Path) -> Run:
 
 
 @cache
-def template() -> Path:
+def template():
     """A directory with a finished race, and files that are none."""
     root = Path(mkdtemp(prefix="fuzz-"))
     atexit.register(shutil.rmtree, root)
@@ -145,7 +142,7 @@ def template() -> Path:
 
 
 @contextlib.contextmanager
-def here(place: Path) -> Iterator[Path]:
+def here(place):
     """Work in a copy of the template, inside of a directory that must not change, either."""
     root, before = place / "case", os.getcwd()
     shutil.copytree(template(), root / "here", symlinks=True)
@@ -157,7 +154,7 @@ def here(place: Path) -> Iterator[Path]:
         os.chdir(before)
 
 
-def commands(rng: Rng, place: Path) -> None:
+def commands(rng, place):
     """A command with a few words at the borders of what it takes."""
     with here(place) as root:
         chosen, first = CASES[rng.integers(len(CASES))]
@@ -169,7 +166,7 @@ def commands(rng: Rng, place: Path) -> None:
         assert not problem, f"{chosen.name} {words}: {problem}"
 
 
-def damaged(content: bytes, rng: Rng) -> bytes:
+def damaged(content, rng):
     """Return a content that is cut, altered, doubled or mixed up."""
     a, b = sorted(int(k) for k in rng.integers(0, len(content) + 1, 2))
     kind = rng.integers(6)
@@ -193,13 +190,13 @@ QUICK = [words for words in READING if words[0] != "explore"]
 
 
 @cache
-def said_of_whole(words: tuple[str, ...]) -> str:
+def said_of_whole(words):
     """Return what a command says of whole files."""
     with directory_in_memory() as place, here(place):
         return CliRunner().invoke(command, words).stdout
 
 
-def files(rng: Rng, place: Path) -> None:
+def files(rng, place):
     """A reader of a damaged file says so in a sentence, or what it said of the whole one."""
     words = pick(rng, READING if rng.random() < 0.1 else QUICK)
     expected = said_of_whole(tuple(words))
@@ -217,7 +214,7 @@ def files(rng: Rng, place: Path) -> None:
 # ---- Kills and clocks ----------------------------------------------------------------------------
 
 
-def kills(rng: Rng, place: Path) -> None:
+def kills(rng, place):
     """A run that is killed, at a write or at any moment, again and again, ends with equal bytes."""
     kind, run = pick(rng, sorted(SETTINGS)), place / "run"
     for _ in range(rng.integers(1, 4)):
@@ -239,20 +236,20 @@ def kills(rng: Rng, place: Path) -> None:
 
 
 @contextlib.contextmanager
-def jumping_clock(rng: Rng) -> Iterator[None]:
+def jumping_clock(rng):
     """Let all clocks of Python jump, by seconds or by years, and those of files lie, too."""
     plain = {name: getattr(time, name) for name in ("time", "monotonic", "perf_counter")}
     jumps = [float(pick(rng, (0, 1, -1, 3600, -3600, 1e8, -1e8, 0.5))) for _ in range(97)]
     calls = iter(range(10**9))
 
-    def jumps_of(read: Callable[[], float]) -> Callable[[], float]:
+    def jumps_of(read):
         return lambda: read() + jumps[next(calls) % len(jumps)]
 
     with mock.patch.multiple(time, **{name: jumps_of(read) for name, read in plain.items()}):
         yield
 
 
-def clocks(rng: Rng, place: Path) -> None:
+def clocks(rng, place):
     """Results do not depend on clocks, nor on the times of files."""
     kind = pick(rng, ("race", "single", "short hall-of-fame"))
     with jumping_clock(rng):
@@ -271,12 +268,10 @@ def clocks(rng: Rng, place: Path) -> None:
 
 # ---- The loop ------------------------------------------------------------------------------------
 
-KINDS: dict[str, Step] = {
-    each.__name__: each for each in (worlds, races, commands, files, kills, clocks)
-}
+KINDS = {each.__name__: each for each in (worlds, races, commands, files, kills, clocks)}
 
 
-def step_of(seed: int, number: int, kinds: Iterable[str] = KINDS) -> str:
+def step_of(seed, number, kinds=KINDS):
     """Do a step; return what is wrong, with the seed and the number, or nothing."""
     rng = np.random.default_rng([seed, number])
     kind = pick(rng, kinds)
@@ -291,9 +286,7 @@ def step_of(seed: int, number: int, kinds: Iterable[str] = KINDS) -> str:
     return ""
 
 
-def fuzz(
-    seed: int, *, minutes: float = np.inf, steps: int = 10**9, kinds: Iterable[str] = KINDS
-) -> str:
+def fuzz(seed, *, minutes=np.inf, steps=10**9, kinds=KINDS):
     """Do one step after the other; return what the first one that fails says, or nothing."""
     end = time.monotonic() + 60 * minutes
     for number in range(steps):
@@ -304,7 +297,7 @@ def fuzz(
     return ""
 
 
-def main() -> None:
+def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("seed", type=int)
     parser.add_argument("--minutes", type=float, default=10.0)

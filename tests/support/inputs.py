@@ -9,21 +9,20 @@ from reference import MOVES
 EVADERS, PURSUERS, OBSTACLES = range(3)
 
 
-def distance(a: tuple[int, int], b: tuple[int, int], diagonal: bool) -> int:
+def distance(a, b, diagonal):
     rows, cols = abs(a[0] - b[0]), abs(a[1] - b[1])
     return max(rows, cols) if diagonal else rows + cols
 
 
-def in_order(step: int, move: int, n_actions: int) -> int:
+def in_order(step, move, n_actions):
     """Return the place of a move in the order of right of way of a step; 0 goes first."""
     return (move + (step + step // 8) % 8) % (n_actions - 1)
 
 
-def contact(rules: mw.Rules, team: str) -> tuple[bool, bool]:
+def contact(rules, team):
     """Return whether it is safe to enter an adversary's cell, and to meet one in a free cell."""
-    own, foreign = (
-        (rules.pursuer, rules.evader) if team == "pursuer" else (rules.evader, rules.pursuer)
-    )
+    both = rules.pursuer, rules.evader
+    own, foreign = both if team == "pursuer" else both[::-1]
     bounce, occupation = mw.Outcome.BOUNCE, rules.capture is mw.Capture.OCCUPATION
     held = own is bounce or (own is mw.Outcome.REACH and foreign is bounce)
     enter = occupation and not held
@@ -32,7 +31,7 @@ def contact(rules: mw.Rules, team: str) -> tuple[bool, bool]:
     return enter, team == "pursuer" or enter
 
 
-def slow_inputs(config: mw.WorldConfig, view: np.ndarray, team: str, step: int, ahead: int) -> dict:
+def slow_inputs(config, view, team, step, ahead):
     """Return the inputs of an agent's moves by name, lists of numbers, from its view.
 
     `ahead` is the direction of its stride.
@@ -46,28 +45,28 @@ def slow_inputs(config: mw.WorldConfig, view: np.ndarray, team: str, step: int, 
     own, foreign = (PURSUERS, EVADERS) if team == "pursuer" else (EVADERS, PURSUERS)
     mates, adversaries, walls = cells[own], cells[foreign], set(cells[OBSTACLES])
 
-    def beside(cell: tuple[int, int]) -> list[tuple[int, int]]:
+    def beside(cell):
         return [(cell[0] + r, cell[1] + c) for r, c in moves[1:]]
 
     unit = np.float32(2) / np.float32(config.fov)  # half a view
 
-    def nearest(there: tuple[int, int], others: list[tuple[int, int]]) -> np.float32:
+    def nearest(there, others):
         each = (distance(there, other, diagonal) for other in others)
         return unit * np.float32(min(each, default=config.fov))
 
-    def push(there: tuple[int, int], others: list[tuple[int, int]]) -> float:
+    def push(there, others):
         each = (2**14 // (1 + distance(there, other, diagonal)) ** 2 for other in others)
         return sum(each) / 2**14
 
-    def is_mine(adversary: tuple[int, int]) -> bool:
+    def is_mine(adversary):
         own = distance((0, 0), adversary, diagonal)
         return all(distance(mate, adversary, diagonal) >= own for mate in mates)
 
-    def room(there: tuple[int, int]) -> int:
+    def room(there):
         rays = ([(there[0] + k * r, there[1] + k * c) for k in range(half)] for r, c in MOVES[1:5])
         return min(next((k for k, cell in enumerate(ray) if cell in walls), half) for ray in rays)
 
-    def forbidden(move: int) -> bool:
+    def forbidden(move):
         there = moves[move]
         may_enter, may_meet = contact(config.rules, team)
         answer = there in walls or there in mates
@@ -100,13 +99,13 @@ def slow_inputs(config: mw.WorldConfig, view: np.ndarray, team: str, step: int, 
     }
 
 
-def direction_of_stride(world: mw.World, agent: int) -> int:
+def direction_of_stride(world, agent):
     """Return the direction that an agent draws for the present 12 steps."""
     word = _core.philox([agent, world.steps // 12, 3, 0], [world.seed, world.episode])[0]
     return 1 + word * (world.config.n_actions - 1) // 2**64
 
 
-def all_slow_inputs(world: mw.World) -> np.ndarray:
+def all_slow_inputs(world):
     """Return what `World.inputs` returns but for the last input, search: (A, moves, inputs - 1)."""
     config, views = world.config, world.views()
     found = np.zeros((config.n_agents, config.n_actions, len(mw.Rating.inputs)), np.float32)

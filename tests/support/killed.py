@@ -3,24 +3,18 @@
 The server from which they are forked imports this module and finds its functions by name.
 """
 
-from __future__ import annotations
-
 import io
 import multiprocessing
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from multiprocessing import forkserver
-from pathlib import Path
-from typing import Any
 from unittest import mock
 
 from matrixworld._util import files
 from matrixworld.coevolution.jobs import create_job, job_of
-from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.storage import RunWriter
 from matrixworld.play.rollout import rollout
 from tiny_race import played, tiny_race, tiny_single
@@ -31,12 +25,8 @@ CONTEXT.set_forkserver_preload(["killed"])
 HALL = {"schedule": "hall-of-fame", "contemporaries": 1, "hall_sample": 1}
 # As many stages as epochs, so as many writes.
 SINGLE = {"team": "evader", "learner": "ga", "archive_every": 1}
-RUNS: dict[str, Any] = {
-    "race": tiny_race(),
-    "hall-of-fame": tiny_race(**HALL),
-    "single": tiny_single(**SINGLE),
-}
-SHORT_RUNS: dict[str, Any] = {
+RUNS = {"race": tiny_race(), "hall-of-fame": tiny_race(**HALL), "single": tiny_single(**SINGLE)}
+SHORT_RUNS = {
     "short race": tiny_race(generations=1, pursuer_epochs=1, evader_epochs=1),
     "short hall-of-fame": tiny_race(**HALL, generations=1, joint_epochs=1),
     "short single": tiny_single(**SINGLE, epochs=2),
@@ -45,20 +35,20 @@ SETTINGS = {**RUNS, **SHORT_RUNS}
 JOB = job_of([RUNS["single"], RUNS["race"]])
 
 
-def play_run(kind: str, directory: Path, play: Any = rollout) -> None:
+def play_run(kind, directory, play=rollout):
     """Make the run, unless it is there, and play it to its end."""
     played(SETTINGS[kind], directory, play=play)
 
 
 @cache
-def start_server() -> None:
+def start_server():
     """Start the server that forks. It needs the path of all modules, to import them only once."""
     found = {"PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"}
     with mock.patch.dict(os.environ, found):
         forkserver.ensure_running()
 
 
-def process(target: Callable[..., None], *args: Any) -> Any:
+def process(target, *args):
     start_server()
     child = CONTEXT.Process(target=target, args=args, daemon=True)
     child.start()
@@ -68,23 +58,22 @@ def process(target: Callable[..., None], *args: Any) -> Any:
 class Events:
     """Counts file operations and calls of `rollout` in a process; calls `then` at one of them."""
 
-    def __init__(self, at: int, then: Callable[[], None]) -> None:
+    def __init__(self, at, then):
         self.count, self.at, self.then = 0, at, then
 
-    def happen(self) -> None:
-        """Count one event, and call `then` if it is the chosen one."""
+    def happen(self):
         if self.count == self.at:
             self.then()
         self.count += 1
 
-    def before(self, function: Callable[..., Any]) -> Callable[..., Any]:
-        def counted(*args: Any, **options: Any) -> Any:
+    def before(self, function):
+        def counted(*args, **options):
             self.happen()
             return function(*args, **options)
 
         return counted
 
-    def open(self, path: Any, mode: str, **options: Any) -> Any:
+    def open(self, path, mode, **options):
         """Open a file; writing is an event that happens when half of the content is written."""
         self.happen()
         file = open(path, mode, **options)  # noqa: SIM115, the caller closes it
@@ -94,14 +83,14 @@ class Events:
 class HalfWritten(io.BytesIO):
     """Content that goes to a file in two halves when it is flushed, with an event between them."""
 
-    def __init__(self, file: Any, events: Events) -> None:
+    def __init__(self, file, events):
         super().__init__()
         self.file, self.events, self.fileno = file, events, file.fileno
 
-    def __exit__(self, *error: Any) -> None:
+    def __exit__(self, *error):
         self.file.close()
 
-    def flush(self) -> None:
+    def flush(self):
         content = self.getvalue()[self.file.tell() :]
         if content:
             half = len(content) // 2  # a kill between the halves leaves a cut file
@@ -113,39 +102,33 @@ class HalfWritten(io.BytesIO):
 
 
 @contextmanager
-def watched(events: Events) -> Iterator[None]:
+def watched(events):
     """Make every operation of this process on files of runs an event, but for removals."""
     plain = os.replace, os.fsync
-    os.replace, os.fsync = map(events.before, plain)  # type: ignore[assignment]
-    files.open = events.open  # type: ignore[attr-defined]
+    os.replace, os.fsync = map(events.before, plain)
+    files.open = events.open
     try:
         yield
     finally:
         os.replace, os.fsync = plain
-        del files.open  # type: ignore[attr-defined]
+        del files.open
 
 
 @contextmanager
-def killed(at: int) -> Iterator[Events]:
+def killed(at):
     """Kill this process at one of the file operations in the block, removals among them."""
     events = Events(at, lambda: os.kill(os.getpid(), signal.SIGKILL))
     with watched(events), mock.patch.object(os, "unlink", events.before(os.unlink)):
         yield events
 
 
-def run_until_killed(kind: str, directory: Path, at: int) -> None:
+def run_until_killed(kind, directory, at):
     """As `play_run`, but killed at an event; exit code 0 if there are fewer events."""
     with killed(at) as events:
         play_run(kind, directory, play=events.before(rollout))
 
 
-def finish_until_killed(directory: Path, at: int) -> None:
-    """Go on with a run, but killed at a file operation; exit code 0 if there are fewer."""
-    with killed(at):
-        finish(directory, threads=1)
-
-
-def create_until_killed(directory: Path, at: int) -> None:
+def create_until_killed(directory, at):
     """Make a job, but killed at an event."""
     with killed(at) as events:
         plain = {"rename": os.rename, "rmdir": os.rmdir}
@@ -153,7 +136,7 @@ def create_until_killed(directory: Path, at: int) -> None:
             create_job(JOB, directory)
 
 
-def hold(directory: Path, held: Path) -> None:
+def hold(directory, held):
     """Hold the lock of a run until killed; make the file `held` when the lock is held."""
     with RunWriter(directory).lock():
         held.touch()

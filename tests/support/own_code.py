@@ -73,8 +73,6 @@ class Oldest(Opponents):
 
 @dataclass(frozen=True)
 class InPlace(HillClimber):
-    """It changes the genome of the state that it gets."""
-
     def tell(self, state, results):
         before, after = state["genome"], super().tell(state, results)
         before[:] = after["genome"]
@@ -96,16 +94,12 @@ class Fails(HillClimber):
 
 @dataclass(frozen=True)
 class Exits(HillClimber):
-    """It ends the program."""
-
     def ask(self, state, rng):
         raise SystemExit
 
 
 @dataclass(frozen=True)
 class TooFew(HillClimber):
-    """It returns a candidate less than its population."""
-
     def ask(self, state, rng):
         candidates, asked = super().ask(state, rng)
         return candidates[1:], asked

@@ -43,9 +43,7 @@ pictures = Game(higher, genes=3, teams=HOSTS, deterministic=True, show=drawn)
 silent = Game(toss, genes=3, teams=HOSTS)
 
 
-def short_race(
-    game: Game, generations: int = 3, schedule: str = "hall-of-fame", **changes: object
-) -> RaceSettings:
+def short_race(game, generations=3, schedule="hall-of-fame", **changes):
     """Return the settings of a race that takes a fraction of a second."""
     race = RaceSettings(game=game, schedule=schedule, learner="ga")
     epochs = ("joint",) if schedule == "hall-of-fame" else ("pursuer", "evader")

@@ -6,9 +6,9 @@ ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 
 
-def read(name: str) -> str:
+def read(name):
     return (ROOT / name).read_text(encoding="utf-8")
 
 
-def page_id(page: Path) -> str:
+def page_id(page):
     return page.relative_to(ROOT).as_posix()

@@ -8,8 +8,6 @@ flush, in their order. A cut keeps all writes before the last flush. Of those af
 that the disk may have had in its cache, the last one perhaps in part. The run then goes on.
 """
 
-from __future__ import annotations
-
 import argparse
 import contextlib
 import os
@@ -18,7 +16,6 @@ import struct
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -41,7 +38,7 @@ Event = tuple[int, bytes] | None
 """Offset and content of a write; None: a flush."""
 
 
-def attributes(node: int) -> bytes:
+def attributes(node):
     size, mode = (0, stat.S_IFDIR | 0o755) if node == ROOT else (SIZE, stat.S_IFREG | 0o644)
     return struct.pack(
         "<6Q10I", node, size, size // SECTOR, 0, 0, 0, 0, 0, 0, mode, 1, 0, 0, 0, 4096, 0
@@ -51,15 +48,15 @@ def attributes(node: int) -> bytes:
 class Disk:
     """A file ``disk`` in a directory, which writes down what it is asked to write."""
 
-    def __init__(self, place: Path, content: bytes) -> None:
-        self.content, self.events, self.place = bytearray(content), list[Event](), place
+    def __init__(self, place, content):
+        self.content, self.events, self.place = bytearray(content), [], place
         self.handle = os.open("/dev/fuse", os.O_RDWR)
         options = f"fd={self.handle},rootmode=40000,user_id=0,group_id=0"
         mount = ["mount", "-i", "-t", "fuse", "-o", options, "disk", str(place)]
         subprocess.run(mount, check=True, pass_fds=[self.handle])
         threading.Thread(target=self.serve, daemon=True).start()
 
-    def serve(self) -> None:
+    def serve(self):
         while True:
             try:
                 request = os.read(self.handle, 2**20)
@@ -73,7 +70,7 @@ class Disk:
             body = answer or b""
             os.write(self.handle, struct.pack("<IiQ", 16 + len(body), error, number) + body)
 
-    def answer(self, operation: int, node: int, given: bytes) -> bytes | None:
+    def answer(self, operation, node, given):
         if operation == INIT:
             return struct.pack("<4I2H2I2H8I", 7, 31, 2**17, 0, 16, 12, 2**17, 1, 32, 0, *[0] * 8)
         if operation == LOOKUP:
@@ -97,13 +94,13 @@ class Disk:
             return struct.pack("<5Q4I24x", 2**20, 2**20, 2**20, 2**10, 2**10, 4096, 255, 4096, 0)
         return b"" if operation in (FLUSH, RELEASE, RELEASEDIR) else None
 
-    def close(self) -> None:
+    def close(self):
         subprocess.run(["umount", str(self.place)], check=True)
         os.close(self.handle)
 
 
 @contextlib.contextmanager
-def mounted(disk: Path, place: Path) -> Iterator[Path]:
+def mounted(disk, place):
     place.mkdir(exist_ok=True)
     subprocess.run(["mount", "-o", "loop", str(disk), str(place)], check=True)
     try:
@@ -112,7 +109,7 @@ def mounted(disk: Path, place: Path) -> Iterator[Path]:
         subprocess.run(["umount", str(place)], check=True)
 
 
-def in_child(kind: str, run: Path) -> int:
+def in_child(kind, run):
     """Play a run to its end in another process; return 0, or 3 if it named what is damaged."""
     child = os.fork()
     if child == 0:
@@ -128,7 +125,7 @@ def in_child(kind: str, run: Path) -> int:
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 
-def recorded(kind: str, empty: bytes, root: Path) -> list[Event]:
+def recorded(kind, empty, root):
     """Return the writes and flushes of a run on a new disk."""
     (root / "fuse").mkdir(exist_ok=True)
     disk = Disk(root / "fuse", empty)
@@ -142,7 +139,7 @@ def recorded(kind: str, empty: bytes, root: Path) -> list[Event]:
     return events
 
 
-def cut(content: bytes, events: list[Event], rng: np.random.Generator) -> bytes:
+def cut(content, events, rng):
     """Return what a disk holds after a cut at a random event."""
     at = int(rng.integers(len(events) + 1))
     flushed = max((i for i in range(at) if events[i] is None), default=0)
@@ -157,7 +154,7 @@ def cut(content: bytes, events: list[Event], rng: np.random.Generator) -> bytes:
     return bytes(disk)
 
 
-def tries(seed: int, count: int, root: Path) -> dict[str, int]:
+def tries(seed, count, root):
     """Return how many cut runs ended in what way; AssertionError for one that ended in none."""
     rng, ends = np.random.default_rng(seed), dict.fromkeys(("equal bytes", "named damage"), 0)
     image = root / "image"

@@ -25,13 +25,13 @@ ROWS = [
 """All 972 rows of rules."""
 
 
-def from_the_right(own: tuple[int, int], other: tuple[int, int]) -> bool:
+def from_the_right(own, other):
     """Return whether a traveller by the move `other` meets one by `own` from its right."""
     right = np.array([own[1], -own[0]])  # of north (-1, 0) it is east (0, 1)
     return bool(np.dot(other, -right) > 0)
 
 
-def forbidden_in_s(view: np.ndarray, team: str, n_actions: int) -> list[bool]:
+def forbidden_in_s(view, team, n_actions):
     """Return which actions right of way forbids in S, from one view (3, fov, fov)."""
     own, foreign = (PURSUERS, EVADERS) if team == "pursuer" else (EVADERS, PURSUERS)
     middle = view.shape[-1] // 2
@@ -54,9 +54,7 @@ def forbidden_in_s(view: np.ndarray, team: str, n_actions: int) -> list[bool]:
     return found
 
 
-def random_teams(
-    config: mw.WorldConfig, rng: np.random.Generator, genomes: int, **shape: object
-) -> list[mw.Population]:
+def random_teams(config, rng, genomes, **shape):
     """Return both teams with random networks that have the mask."""
     network = masked_network(mw.Network.for_config(config, **shape))
     teams = []
@@ -67,7 +65,7 @@ def random_teams(
     return teams
 
 
-def play(agent_steps: float, seed: int = 0) -> tuple[int, int, int]:
+def play(agent_steps, seed=0):
     """Play dense worlds of random rows and networks; return agent-steps, faults, captures."""
     rng, played, faults, captures = np.random.default_rng(seed), 0, 0, 0
     while played < agent_steps:

@@ -1,15 +1,15 @@
 """Numbers of the package `rliable` 1.2.0 for the scores below, to compare ours with.
 
 The tests do not install it, because it needs pandas, seaborn and an old arch, which fails to import
-beside pandas 3. ``iqm`` is `metrics.aggregate_iqm` of ONE, OTHER and TASK, ``improvement`` is
-`metrics.probability_of_improvement` of ONE and OTHER, and ``iqm_ends`` are those of
-`library.get_interval_estimates` of TASK with 200,000 samples, `RandomState(0)` and this LEVEL.
+beside pandas 3. ``iqm`` is `metrics.aggregate_iqm` of ONE, OTHER and TASK, and ``iqm_ends`` are
+those of `library.get_interval_estimates` of TASK with 200,000 samples, `RandomState(0)` and this
+LEVEL.
 """
 
 import numpy as np
 
 
-def scores(runs: int, tasks: int, seed: int) -> np.ndarray:
+def scores(runs, tasks, seed):
     """Scores (runs, tasks) in [0, 1] with two decimals, so that some are equal."""
     rng = np.random.default_rng(seed)
     values = np.linspace(0.2, 0.8, tasks) + rng.normal(0, 0.15, (runs, 1))
@@ -23,5 +23,4 @@ LEVEL = 0.978486770166895
 NUMBERS = {
     "iqm": [0.5243478260869565, 0.4989473684210526, 0.135],
     "iqm_ends": [0.06333333333333334, 0.32],
-    "improvement": 0.5492063492063493,
 }

@@ -3,9 +3,7 @@
 import io
 import warnings
 import zipfile
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -35,7 +33,7 @@ CUSTOM = {
 NAMES = [*mw.VARIANTS, *CUSTOM]
 
 
-def config_of(name: str, **changes: Any) -> mw.WorldConfig:
+def config_of(name, **changes):
     """Return the settings of a small, dense world with a variant or a row above."""
     surround = (CUSTOM | dict(mw.VARIANTS))[name].capture is SURROUND
     small = {
@@ -51,18 +49,18 @@ def config_of(name: str, **changes: Any) -> mw.WorldConfig:
         return mw.WorldConfig(CUSTOM.get(name, name), **(small | changes))
 
 
-def raw_numbers(seed: int, *shape: int) -> np.ndarray:
+def raw_numbers(seed, *shape):
     """Return random 64-bit numbers; unlike those of a Generator they never change with NumPy."""
     raw = np.random.Philox(key=[seed, 0]).random_raw(int(np.prod(shape)))
     return np.asarray(raw, np.uint64).reshape(shape)
 
 
-def random_actions(seed: int, n_actions: int, *shape: int) -> np.ndarray:
+def random_actions(seed, n_actions, *shape):
     """Return random actions, the same with every version of NumPy."""
     return (raw_numbers(seed, *shape) >> np.uint64(32)).astype(np.int64) % n_actions
 
 
-def random_genome(network: mw.Network, seed: int, scale: float = 0.3) -> np.ndarray:
+def random_genome(network, seed, scale=0.3):
     """Return uniform numbers in [-scale, scale), the same with every version of NumPy."""
     # 24 bits: all that a float32 holds exactly.
     bits = raw_numbers(seed, network.genome_size) >> np.uint64(40)
@@ -70,17 +68,13 @@ def random_genome(network: mw.Network, seed: int, scale: float = 0.3) -> np.ndar
     return (scale * (2 * units - 1)).astype(np.float32)
 
 
-def random_team(
-    config: mw.WorldConfig, *seeds: int, hidden: tuple[int, ...] = (8,), **fields: Any
-) -> mw.Population:
+def random_team(config, *seeds, hidden=(8,), **fields):
     """Return a population for a world with one random genome for each seed."""
     network = mw.Network.for_config(config, hidden, **fields)
     return mw.Population(np.stack([random_genome(network, seed, 0.7) for seed in seeds]), network)
 
 
-def random_walks(
-    rows: int = 12, cols: int = 16, pursuers: int = 5, evaders: int = 7, steps: int = 30
-) -> mw.Episode:
+def random_walks(rows=12, cols=16, pursuers=5, evaders=7, steps=30):
     """Return an episode in which met evaders disappear, recorded without conflicts."""
     rules = mw.Rules(TOGETHER, B, R, D, R, OCCUPATION)
     config = mw.WorldConfig(
@@ -91,13 +85,13 @@ def random_walks(
     return replace(episode, conflict_table=None)
 
 
-def by_name(env: Any, row: np.ndarray) -> dict[str, int]:
+def by_name(env, row):
     """Return the actions of a parallel environment's living agents, from those of all agents."""
     actions = dict(zip(env.possible_agents, row.tolist(), strict=True))
     return {agent: actions[agent] for agent in env.agents}
 
 
-def play_turns(env: Any, choose: Callable[[str, dict[str, Any]], int]) -> dict[str, float]:
+def play_turns(env, choose):
     """Play an episode of an AEC environment, and return what each agent was paid.
 
     `choose` gets the agent and its info.
@@ -110,15 +104,14 @@ def play_turns(env: Any, choose: Callable[[str, dict[str, Any]], int]) -> dict[s
     return paid
 
 
-def assert_same_worlds(one: mw.World, other: mw.World) -> None:
+def assert_same_worlds(one, other):
     """Compare all arrays of two worlds, and whose turn it is."""
     for name, value in one.read(*mw.array_specs(one.config)).items():
         np.testing.assert_array_equal(value, other.read(name)[name], name)
     assert one.turn == other.turn
 
 
-def archive(parts: dict[str, bytes], *, method: int = zipfile.ZIP_DEFLATED) -> bytes:
-    """Return a zip archive of some parts."""
+def archive(parts, *, method=zipfile.ZIP_DEFLATED):
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", method) as made:
         for name, content in parts.items():

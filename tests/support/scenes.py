@@ -1,7 +1,6 @@
 """Small dense worlds with the actions of a few steps, for random tests."""
 
 import string
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,7 +12,7 @@ from drawing import ARROWS, CAPTURES, INTERACTIONS, OUTCOMES, UNITS, draw, quiet
 from reference import Cell, ReferenceWorld
 
 MAX_SIDE, MAX_AGENTS, MAX_STEPS = 6, 10, 6
-FIELDS: dict[str, list[Any]] = {
+FIELDS = {
     "interaction": list(INTERACTIONS),
     "obstacle": list(OUTCOMES),
     "teammate": list(OUTCOMES),
@@ -35,19 +34,17 @@ class Scene:
     obstacles: np.ndarray
     actions: list[list[int]]
 
-    def reference(self) -> ReferenceWorld:
-        """Return the reference world at the start of the scene."""
+    def reference(self):
         world = ReferenceWorld(self.config)
         world.place(self.pursuers, self.evaders, self.obstacles)
         return world
 
-    def engine(self) -> mw.World:
-        """Return the engine's world at the start of the scene."""
+    def engine(self):
         world = mw.World(self.config)
         world.reset(seed=0, pursuers=self.pursuers, evaders=self.evaders, obstacles=self.obstacles)
         return world
 
-    def __str__(self) -> str:
+    def __str__(self):
         """Return the scene in the form of a hand-written case."""
         letters = [*string.ascii_uppercase[: len(self.pursuers)]]
         letters += string.ascii_lowercase[: len(self.evaders)]
@@ -60,16 +57,7 @@ class Scene:
         return f"rules(**{self.fields})\n{self.config}{draw(cells, self.obstacles)}\n{moves}"
 
 
-def scene(
-    fields: dict[str, Any],
-    shape: Cell,
-    cells: Sequence[Cell],
-    n_pursuers: int,
-    n_agents: int,
-    n_obstacles: int,
-    actions: list[list[int]],
-    **changes: Any,
-) -> Scene:
+def scene(fields, shape, cells, n_pursuers, n_agents, n_obstacles, actions, **changes):
     """Return a scene; the first of the shuffled cells are for agents, the next for obstacles."""
     obstacles = np.zeros(shape, bool)
     for cell in cells[n_agents : n_agents + n_obstacles]:
@@ -86,7 +74,7 @@ def scene(
     return Scene(fields, config, pursuers, evaders, obstacles, actions)
 
 
-def any_rules(**limits: list[Any]) -> st.SearchStrategy[dict[str, Any]]:
+def any_rules(**limits):
     """Return a strategy for rows of rules within ``limits``."""
     return st.fixed_dictionaries(
         {name: st.sampled_from(values) for name, values in {**FIELDS, **limits}.items()}
@@ -94,7 +82,7 @@ def any_rules(**limits: list[Any]) -> st.SearchStrategy[dict[str, Any]]:
 
 
 @st.composite
-def scenes(pick: Callable[..., Any], **limits: list[Any]) -> Scene:
+def scenes(pick, **limits):
     """Draw a scene on a grid of 1 x 2 to 6 x 6, with rules within ``limits``."""
     rows = pick(st.integers(1, MAX_SIDE))
     cols = pick(st.integers(2 if rows == 1 else 1, MAX_SIDE))
@@ -119,7 +107,7 @@ def scenes(pick: Callable[..., Any], **limits: list[Any]) -> Scene:
     )
 
 
-def random_scene(fields: dict[str, Any], rng: np.random.Generator) -> Scene:
+def random_scene(fields, rng):
     """Return a scene of given rules that is often nearly full, without Hypothesis."""
     rows, cols = (int(side) for side in rng.integers(1, 5, size=2))
     rows += rows * cols == 1  # two agents need two cells

@@ -6,7 +6,6 @@ import subprocess
 import sys
 import textwrap
 import time
-from collections.abc import Callable
 
 PREAMBLE = """
 import os, signal, sys, threading, time, warnings
@@ -18,7 +17,7 @@ SECONDS = 60
 """A script that hangs is ended after this time."""
 
 
-def start(script: str, *options: str) -> subprocess.Popen[str]:
+def start(script, *options):
     """Start a script; `np`, `mw` and usual modules are imported already."""
     return subprocess.Popen(
         [sys.executable, *options, "-c", PREAMBLE + textwrap.dedent(script)],
@@ -32,7 +31,7 @@ def start(script: str, *options: str) -> subprocess.Popen[str]:
     )
 
 
-def finish(process: subprocess.Popen[str]) -> str:
+def finish(process):
     """Return the output of a script; fail if it hangs or ends with an error."""
     try:
         output, errors = process.communicate(timeout=SECONDS)
@@ -44,21 +43,19 @@ def finish(process: subprocess.Popen[str]) -> str:
     return output
 
 
-def run(script: str, *options: str) -> str:
+def run(script, *options):
     """Run a script to its end and return its output."""
     return finish(start(script, *options))
 
 
-def wait_until(happened: Callable[[], object], what: str, seconds: float = 120.0) -> None:
-    """Wait for something, or fail."""
+def wait_until(happened, what, seconds=120.0):
     end = time.monotonic() + seconds
     while not happened():
         assert time.monotonic() < end, f"{what}: did not happen within {seconds} s"
         time.sleep(0.02)
 
 
-def group_lives(leader: int) -> bool:
-    """Return whether a process group has members."""
+def group_lives(leader):
     try:
         os.killpg(leader, 0)
     except ProcessLookupError:

@@ -1,7 +1,6 @@
 """For all folders of tests: options for slow ones, settings of random ones, a finished race."""
 
 import os
-from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -25,12 +24,12 @@ settings.register_profile(
 )
 
 
-def pytest_addoption(parser: pytest.Parser) -> None:
+def pytest_addoption(parser):
     parser.addoption("--slow", action="store_true", help="run the tests that are marked as slow")
     parser.addoption("--nightly", action="store_true", help="run all tests")
 
 
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config, items):
     nightly = config.getoption("--nightly", False)
     run = {"nightly": nightly, "slow": nightly or config.getoption("--slow", False)}
     for item in items:
@@ -39,7 +38,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
                 item.add_marker(pytest.mark.skip(reason=f"{mark}: give --{mark}"))
 
 
-def pytest_configure(config: pytest.Config) -> None:
+def pytest_configure(config):
     if not config.getoption("--hypothesis-profile"):
         settings.load_profile("ci")
     # The root of all `tmp_path`: files of runs are synced, which takes milliseconds on a disk.
@@ -51,7 +50,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.fixture(scope="session")
-def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def race(tmp_path_factory):
     """A finished race; not to be changed."""
     directory = tmp_path_factory.mktemp("race") / "run"
     played(tiny_race(), directory)
@@ -59,7 +58,7 @@ def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def seeds(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def seeds(tmp_path_factory):
     """A job of two schedules with seeds 0 to 3, of which 3 has not begun; not to be changed."""
     root = tmp_path_factory.mktemp("seeds") / "job"
     job = job_of([tiny_race(**LONG, schedule=name, seed=n) for name in SCHEDULES for n in range(4)])

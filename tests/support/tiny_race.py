@@ -3,19 +3,17 @@
 import os
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from matrixworld.coevolution import RaceSettings, Run, SavedRun, create, finish
+from matrixworld.coevolution import RaceSettings, Run, create, finish
 from matrixworld.play.rollout import Matches, rollout
 
-TINY: dict[str, Any] = {
+TINY = {
     "rows": 6,
     "cols": 6,
     "n_pursuers": 2,
@@ -44,7 +42,7 @@ RESULTS = ("config.json", *GENOMES, "log.csv", "payoff.npz", "summary.json")
 STAGES = ("stage-*.npz", "checkpoint-*.npz")
 
 
-def settings_of(**values: Any) -> RaceSettings:
+def settings_of(**values):
     """Return settings from values by the names of their fields, wherever these stand."""
     named = {"learner": "es", "schedule": "generalist-generalist", **values}
     if named.get("policy") == "program":
@@ -54,50 +52,42 @@ def settings_of(**values: Any) -> RaceSettings:
     return RaceSettings.of(**named)
 
 
-def tiny_race(**changes: Any) -> RaceSettings:
+def tiny_race(**changes):
     """Return settings of two generations: 2 pursuer and 3 evader epochs, or 2 joint ones."""
     joint = changes.get("schedule") == "hall-of-fame"
     epochs = {"joint_epochs": 2} if joint else {"pursuer_epochs": 2, "evader_epochs": 3}
     return settings_of(**{**TINY, "generations": 2, **epochs, **changes})
 
 
-def tiny_single(**changes: Any) -> RaceSettings:
+def tiny_single(**changes):
     """Return settings of one team alone: five epochs, with an entry of the archive every two."""
     alone = {"schedule": "against", "epochs": 5, "archive_every": 2}
     return settings_of(**{**TINY, **alone, **changes})
 
 
-def alternating(sampler: Any = None, **changes: Any) -> RaceSettings:
+def alternating(sampler=None, **changes):
     """Return a race whose teams meet two opponents of a sampler in every epoch."""
     usual = {"schedule": "alternating", "opponents": 2, "generations": 4, **_meeting(sampler)}
     return tiny_race(**{**usual, **changes})
 
 
-def hall_of_fame(sampler: Any = None, **changes: Any) -> RaceSettings:
+def hall_of_fame(sampler=None, **changes):
     """Return a race with halls of fame: two contemporaries and two older ones in every epoch."""
     usual = {"contemporaries": 2, "hall_sample": 2, "generations": 3, **_meeting(sampler)}
     return tiny_race(schedule="hall-of-fame", **{**usual, **changes})
 
 
-def _meeting(sampler: Any) -> dict[str, Any]:
+def _meeting(sampler):
     return {} if sampler is None else {"pursuers_meet": sampler, "evaders_meet": sampler}
 
 
-def begun(
-    settings: RaceSettings,
-    directory: Path,
-    *,
-    opponents: Any = None,
-    start: Any = None,
-    play: Any = rollout,
-    **options: Any,
-) -> Run:
+def begun(settings, directory, *, opponents=None, start=None, play=rollout, **options):
     """Make a run, or take the one that is there; return it before it goes on."""
     create(settings, directory, opponents=opponents, start=start)
     return playing(Run(directory, **options), play)
 
 
-def playing(run: Run, play: Any) -> Run:
+def playing(run, play):
     """Let a function with the arguments of `rollout` play all matches of a run."""
     run.game = replace(run.game, play=play)
     evaluation = replace(run.settings.evaluation_game, play=play)
@@ -105,9 +95,7 @@ def playing(run: Run, play: Any) -> Run:
     return run
 
 
-def played(
-    settings: RaceSettings, directory: Path, play: Any = rollout, **options: Any
-) -> SavedRun:
+def played(settings, directory, play=rollout, **options):
     """Make a run and play it to its end, or to that of the one that is there."""
     create(settings, directory)
     if play is rollout:
@@ -116,7 +104,7 @@ def played(
     return playing(Run(directory, threads=threads), play).run(**options)
 
 
-def results(directory: Path) -> dict[str, bytes]:
+def results(directory):
     """Return all files that must be equal for a resumed run and for one that was never stopped."""
     # A team that a script plays has no genomes.
     found = [name for name in RESULTS if (directory / name).exists() or name not in GENOMES]
@@ -125,7 +113,7 @@ def results(directory: Path) -> dict[str, bytes]:
 
 
 @contextmanager
-def directory_in_memory() -> Iterator[Path]:
+def directory_in_memory():
     """Yield a temporary directory, in memory if possible, where syncing costs nothing."""
     with tempfile.TemporaryDirectory(dir=MEMORY) as directory:
         yield Path(directory)
@@ -134,10 +122,10 @@ def directory_in_memory() -> Iterator[Path]:
 class Listening:
     """Plays matches like `rollout`, and keeps what it was asked for, and the scores."""
 
-    def __init__(self) -> None:
-        self.calls: list[Any] = []
+    def __init__(self):
+        self.calls = []
 
-    def __call__(self, config: Any, pursuers: Any, evaders: Any, matches: Any, **more: Any) -> Any:
+    def __call__(self, config, pursuers, evaders, matches, **more):
         scores = rollout(config, pursuers, evaders, matches, **more)
         self.calls.append((config, pursuers, evaders, Matches.of(*matches), scores))
         return scores
@@ -146,10 +134,10 @@ class Listening:
 class StopAt:
     """Plays matches like `rollout`, but raises KeyboardInterrupt at a given call."""
 
-    def __init__(self, call: int) -> None:
+    def __init__(self, call):
         self.left = call
 
-    def __call__(self, *args: Any, **options: Any) -> Any:
+    def __call__(self, *args, **options):
         self.left -= 1
         if self.left < 0:
             raise KeyboardInterrupt
@@ -157,18 +145,18 @@ class StopAt:
 
 
 @cache
-def straight(settings: RaceSettings) -> dict[str, bytes]:
+def straight(settings):
     with directory_in_memory() as directory:
         return results(played(settings, directory / "run", threads=2).path)
 
 
-def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
+def check_resumes(settings, call, directory):
     """Stop a run at a call of `rollout`, continue it, and compare it with one never stopped."""
     stop_and_continue(partial(begun, settings), call, directory)
     assert results(directory) == straight(settings)
 
 
-def stop_and_continue(make: Callable[..., Run], call: int, directory: Path) -> None:
+def stop_and_continue(make, call, directory):
     """Stop a run at a call of `rollout`, and continue it."""
     run = playing(make(directory, threads=1), StopAt(call))
     with pytest.raises(KeyboardInterrupt):

@@ -4,7 +4,6 @@ import base64
 from collections import defaultdict
 from functools import partialmethod
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,14 +18,14 @@ from matrixworld.coevolution.evaluation.explanation import PHRASES, WORDS, sente
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners import learner as learner_module
 from matrixworld.coevolution.storage import FORMAT
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.evolve_page import masks_of
 from matrixworld.explorer.runs_page import explorer_page
 from matrixworld.version import __version__
 from node import run_node
 from page_races import against_scripts
 
-SMALL: dict[str, Any] = {
+SMALL = {
     "world.rows": 7,
     "world.cols": 8,
     "world.n_pursuers": 2,
@@ -42,7 +41,7 @@ SMALL: dict[str, Any] = {
 TURNS = {"schedule.pursuer_epochs": 3, "schedule.evader_epochs": 4}
 SPECIALISTS = {"schedule": "specialist-specialist", **TURNS}
 HALL = {"schedule": "hall-of-fame", "schedule.joint_epochs": 3}
-RACES: dict[str, dict[str, Any]] = {
+RACES = {
     "es": {"schedule": "generalist-generalist", "policy.hidden": [6], **TURNS},
     "ga": {"schedule": "generalist-specialist", "learner": "ga", "policy.hidden": [], **TURNS},
     "mask": {**SPECIALISTS, "policy.mask": "right-of-way", "policy.hidden": [5]},
@@ -63,11 +62,11 @@ needs_packages = pytest.mark.skipif(
 class Recorder(np.random.Generator):
     """A generator that keeps what it gives, by the names of its methods."""
 
-    def __init__(self, rng: np.random.Generator, given: dict[str, list[Any]]) -> None:
+    def __init__(self, rng, given):
         super().__init__(rng.bit_generator)
         self._given = given
 
-    def _kept(self, name: str, *args: Any, **options: Any) -> Any:
+    def _kept(self, name, *args, **options):
         found = getattr(np.random.Generator, name)(self, *args, **options)
         self._given[name].append(np.ravel(found).tolist())
         return found
@@ -80,11 +79,11 @@ class Recorder(np.random.Generator):
 
 @pytest.mark.parametrize("changes", RACES.values(), ids=RACES)
 def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
-    changes: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    draws: defaultdict[str, defaultdict[str, list[Any]]] = defaultdict(lambda: defaultdict(list))
+    changes, tmp_path, monkeypatch
+):
+    draws = defaultdict(lambda: defaultdict(list))
 
-    def recorded(seed: int, purpose: seeding.Purpose, *key: int) -> Any:
+    def recorded(seed, purpose, *key):
         name = " ".join([purpose.name.lower(), *map(str, key)])
         return Recorder(seeding.keyed_generator(seed, purpose, *key), draws[name])
 
@@ -103,10 +102,7 @@ def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
         place = cell["pursuer"], cell["evader"]
         assert cell["capture_rates"] == payoff.scores[place].tolist()
         assert cell["lengths"] == payoff.extras["lengths"][place].tolist()
-        assert (
-            np.reshape(cell["means"]["faults"], (2, 3)).tolist()
-            == payoff.extras["faults"][place].tolist()
-        )
+        assert cell["means"]["faults"] == payoff.extras["faults"][place].ravel().tolist()
     log = run.log()
     for name in ("opponent", "matches", "steps"):
         assert [row[name] for row in told["rows"]] == log[name].tolist()
@@ -114,7 +110,7 @@ def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
 
 
 MAP = ["........", ".##.....", "........", "...#....", "...#....", ".....#..", "........"]
-SAVED: dict[str, list[dict[str, Any]]] = {
+SAVED = {
     "as it began": [{}],
     "in another world": [{"policy.hidden": [4]}, {"world.obstacles": MAP, "world.n_pursuers": 3}],
     "with other eyes": [{"world.fov": 7}, {"world.fov": 5, "policy.mask": "right-of-way"}],
@@ -130,9 +126,7 @@ SAVED: dict[str, list[dict[str, Any]]] = {
 @pytest.mark.slow
 @needs_packages
 @pytest.mark.parametrize("parts", SAVED.values(), ids=SAVED)
-def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
-    parts: list[dict[str, Any]], tmp_path: Path
-) -> None:
+def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(parts, tmp_path):
     """Also of a race whose settings changed on the way: its matches are those of the last ones."""
     turns = [{} if "schedule" in part else TURNS for part in parts]
     each = [RaceSettings.of({**SMALL, **a, **b}) for a, b in zip(turns, parts, strict=True)]
@@ -163,13 +157,13 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
     log = run.log()
     assert len(log["epoch"]) == len(told["rows"])
     assert run.newest() == log["stage"].max() == last.schedule.n_stages
-    assert run.matches() == log["matches"][-1]
-    assert evolve(last, unpacked(archive), threads=1).matches() == run.matches()  # as it is
+    assert run.summary()["training_matches"] == log["matches"][-1]
+    assert evolve(last, unpacked(archive), threads=1).summary() == run.summary()  # as it is
 
 
 @pytest.mark.slow
 @needs_packages
-def test_commands_read_a_saved_race(tmp_path: Path) -> None:
+def test_commands_read_a_saved_race(tmp_path):
     settings = RaceSettings.of({**SMALL, **TURNS}).to_json()
     masks = masks_of(RaceSettings.of(SMALL).world)
     given = {"settings": settings, "masks": masks, "format": {"format": FORMAT, "version": "1"}}
@@ -183,7 +177,7 @@ def test_commands_read_a_saved_race(tmp_path: Path) -> None:
     assert data_of(page)["runs"][0]["schedule"] == "generalist-generalist"
     (tmp_path / "race" / "payoff.npz").unlink()
     told = matrixworld_command("judge", archive, code=2).output
-    assert "got another payoff.npz there, or none" in run_together(told)
+    assert "got other files" in run_together(told)
     assert not (tmp_path / "race" / "payoff.npz").exists()  # the directory is not changed
     (tmp_path / "race" / "config.json").write_text("{}")
     assert "config.json" in matrixworld_command("judge", archive, code=2).output
@@ -192,7 +186,7 @@ def test_commands_read_a_saved_race(tmp_path: Path) -> None:
 UP = ("arms race", "one-sided progress", "rise")
 
 
-def courses(kind: int, rng: np.random.Generator, n: int) -> tuple[np.ndarray, np.ndarray, float]:
+def courses(kind, rng, n):
     """Return strengths of both teams by generation, and how far they turn in a circle."""
     t = np.linspace(0.0, 1.0, n)
     walks = rng.normal(0.0, 0.5, (2, n)).cumsum(axis=1)
@@ -205,10 +199,11 @@ def courses(kind: int, rng: np.random.Generator, n: int) -> tuple[np.ndarray, np
 
 
 @pytest.mark.slow
-def test_the_sentence_of_a_race_never_contradicts_its_judgement() -> None:
-    """The page says that a team became better, or weaker; 200 races, of every verdict."""
+@pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.nightly)])
+def test_the_sentence_of_a_race_never_contradicts_its_judgement(count):
+    """The page says that a team became better, or weaker; in races of every verdict."""
     rng, n, races = np.random.default_rng(0), 14, []
-    for kind in range(200):
+    for kind in range(count):
         pursuers, evaders, circle = courses(kind, rng, n)
         one_sided = kind % 10 in (1, 2)  # which takes many matches to tell
         strength = rng.normal(0.0, 0.0 if one_sided else 0.15, (2, n))
@@ -238,9 +233,9 @@ def test_the_sentence_of_a_race_never_contradicts_its_judgement() -> None:
     assert said == {"better", "better by a jump", "weaker", "cannot tell"}
 
 
-def test_what_agents_do_is_told_as_by_explain() -> None:
+def test_what_agents_do_is_told_as_by_explain():
     rng = np.random.default_rng(1)
-    told: list[tuple[Team, dict[str, float]]] = [
+    told = [
         (team, dict(zip(PHRASES, (rng.normal(size=len(PHRASES)) ** 3).tolist(), strict=True)))
         for team in TEAMS
         for _ in range(20)

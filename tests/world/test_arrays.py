@@ -2,13 +2,12 @@
 
 import inspect
 import re
-from collections.abc import Callable
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.world.arrays import BATCH_FIELDS, WORLD_FIELDS, OutputField, Specs
+from matrixworld.world.arrays import BATCH_FIELDS, WORLD_FIELDS
 from rows import config_of, random_actions
 
 SIZES = {"agents": "A", "evaders": "E", "kinds": "3", "teams": "2", "row_col": "2", "channels": "3"}
@@ -19,7 +18,7 @@ N_WORLDS = 3
 @pytest.mark.parametrize(
     ("specs", "table"), [(mw.array_specs, WORLD_FIELDS), (mw.episode_specs, BATCH_FIELDS)]
 )
-def test_fields_are_described(specs: Callable[..., Specs], table: dict[str, OutputField]) -> None:
+def test_fields_are_described(specs, table):
     described = {name: rest for name, *rest in ROW.findall(inspect.getdoc(specs) or "")}
     assert list(described) == list(table)
     for name, (shape, dtype) in described.items():
@@ -29,7 +28,7 @@ def test_fields_are_described(specs: Callable[..., Specs], table: dict[str, Outp
 
 
 @pytest.mark.parametrize("views", [np.uint8, np.float32])
-def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
+def test_arrays_are_written_in_full_and_nothing_else_is(views):
     config = config_of("SB", obstacles=0.1, max_steps=3)
     specs = mw.array_specs(config) | mw.episode_specs(config)
     written = []
@@ -54,13 +53,13 @@ def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
         np.testing.assert_array_equal(array, written[1][name], name)
 
 
-def test_every_output_is_in_infos() -> None:
+def test_every_output_is_in_infos():
     """In infos under its own name, or one of the arrays that environments return otherwise."""
-    env = mw.VectorEnv(config_of("O"), 2, state=True)
+    env = mw.VectorEnv(config_of("O"), 2)
     returned = {"rewards", "terminations", "truncations", "views", "last_positions"}
     renamed = {"steps", "ended", "final_views"}
     statistics = {name for name in BATCH_FIELDS if name.startswith("episode_")}
     assert {name.removeprefix("episode_") for name in statistics} == set(env.infos["episode"])
-    observed = {"inputs", "final_inputs"}  # as observations only
+    observed = {"inputs", "final_inputs", "state"}  # as observations, or of a world, only
     named = {*WORLD_FIELDS, *BATCH_FIELDS} - returned - renamed - statistics - observed
     assert named <= set(env.infos)

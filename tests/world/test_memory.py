@@ -5,8 +5,6 @@ After a change of what they compute, run
 ``PYTHONPATH=tests/support python tests/world/test_memory.py`` to write the golden file anew.
 """
 
-from __future__ import annotations
-
 import copy
 import pickle
 from pathlib import Path
@@ -20,7 +18,7 @@ from rows import config_of, random_genome, random_team
 GOLDEN = Path(__file__).parent / "golden_memory.txt"
 
 
-def decide(world: mw.World, team: mw.Population) -> np.ndarray:
+def decide(world, team):
     actions = np.zeros(world.config.n_agents, np.int64)
     for agents in (range(world.config.n_pursuers), range(world.config.n_pursuers, len(actions))):
         world.decide(team, agents, actions)
@@ -28,7 +26,7 @@ def decide(world: mw.World, team: mw.Population) -> np.ndarray:
 
 
 @pytest.mark.parametrize("hidden", [(1,), (5, 3), (20,), (33, 4)])
-def test_the_engine_agrees_with_numpy(hidden: tuple[int, ...]) -> None:
+def test_the_engine_agrees_with_numpy(hidden):
     """Each agent's state, along an episode in which agents disappear."""
     config = config_of("D", n_pursuers=4, n_evaders=4, max_steps=9, obstacles=0.1)
     team = random_team(config, 3, hidden=hidden, memory="gru")
@@ -46,7 +44,7 @@ def test_the_engine_agrees_with_numpy(hidden: tuple[int, ...]) -> None:
     assert not world.alive.all()
 
 
-def remembered(world: mw.World, size: int) -> np.ndarray:
+def remembered(world, size):
     """Return what is kept for each agent, (A, 2, size): before and after its last decision."""
     snapshot = world._core.snapshot()
     kept = np.zeros((world.config.n_agents, 2, size), np.float32)
@@ -54,7 +52,7 @@ def remembered(world: mw.World, size: int) -> np.ndarray:
     return kept
 
 
-def test_memory_belongs_to_the_agents_of_a_world() -> None:
+def test_memory_belongs_to_the_agents_of_a_world():
     config = config_of("D", rows=12, cols=12, max_steps=40)
     team = random_team(config, 5, hidden=(8,), memory="gru")
     world = mw.World(config)
@@ -85,7 +83,7 @@ def test_memory_belongs_to_the_agents_of_a_world() -> None:
     assert set(kept[3:][world.alive[3:]]) == {8}
 
 
-def golden() -> str:
+def golden():
     config = config_of("O", max_steps=8)
     network = mw.Network.for_config(config, (3,), memory="gru")
     team = mw.Population(random_genome(network, 2, 0.9), network)
@@ -101,7 +99,7 @@ def golden() -> str:
     return text
 
 
-def test_golden_playthroughs() -> None:
+def test_golden_playthroughs():
     assert golden() == GOLDEN.read_text(encoding="utf-8")
 
 

@@ -19,7 +19,7 @@ HIDDEN = [(), (1,), (7,), (16,), (32,), (64, 64), (40, 30, 20)]
 LEVELS = {"base": "kernels_base", "x86-64-v3": "kernels_v3", "x86-64-v4": "kernels_v4"}
 
 
-def assert_agrees(world: mw.World, network: mw.Network, seed: int) -> None:
+def assert_agrees(world, network, seed):
     genome = random_genome(network, seed)
     expected = network.logits(genome, world.views()[world.alive])
     found = world._core.logits(network.core, genome)
@@ -30,7 +30,7 @@ def assert_agrees(world: mw.World, network: mw.Network, seed: int) -> None:
 
 @pytest.mark.parametrize("activation", ["relu", "tanh"])
 @pytest.mark.parametrize("hidden", HIDDEN)
-def test_shapes(hidden: tuple[int, ...], activation: str) -> None:
+def test_shapes(hidden, activation):
     for number, (fov, diagonal) in enumerate([(5, False), (11, True), (13, False)]):
         world = mw.World(rows=9, cols=14, fov=fov, diagonal=diagonal, obstacles=0.2)
         network = mw.Network.for_config(world.config, hidden, activation=activation)
@@ -40,7 +40,7 @@ def test_shapes(hidden: tuple[int, ...], activation: str) -> None:
 # Up to views much larger than the grid.
 @pytest.mark.parametrize("fov", [1, 5, 11, 15, 57, 61])
 @pytest.mark.parametrize("shape", [(7, 6), (1, 40), (33, 2), (20, 24)])
-def test_every_place_in_every_view(shape: tuple[int, int], fov: int) -> None:
+def test_every_place_in_every_view(shape, fov):
     """Wherever an agent stands, it sees the border that belongs to that place."""
     rows, cols = shape
     n_evaders = rows * cols // 3  # the grid is full: somebody stands on each cell
@@ -52,7 +52,7 @@ def test_every_place_in_every_view(shape: tuple[int, int], fov: int) -> None:
 @pytest.mark.parametrize(
     ("name", "side", "n"), [("D", 8, 15), ("R", 8, 20), ("R", 12, 50), ("R", 18, 100)]
 )
-def test_after_deaths_and_with_shared_cells(name: str, side: int, n: int) -> None:
+def test_after_deaths_and_with_shared_cells(name, side, n):
     config = {"rows": side, "cols": side, "n_pursuers": n, "n_evaders": n}
     world = mw.World(name, fov=7, obstacles=0.1, **config)
     network = mw.Network.for_config(world.config, (12, 12))
@@ -65,7 +65,7 @@ def test_after_deaths_and_with_shared_cells(name: str, side: int, n: int) -> Non
     assert name == "D" or len(np.unique(living, axis=0)) < len(living)
 
 
-def test_a_genome_is_read_layer_by_layer() -> None:
+def test_a_genome_is_read_layer_by_layer():
     network = mw.Network((4,), fov=1, n_actions=5)
     genome = np.arange(network.genome_size, dtype=np.float32)
     (first, bias), (last, head) = network.layers(genome)
@@ -79,20 +79,7 @@ def test_a_genome_is_read_layer_by_layer() -> None:
     assert np.shares_memory(last, genome)
 
 
-def test_initial_genomes() -> None:
-    network = mw.Network((50, 40), fov=11)
-    genome = network.initial(np.random.default_rng(0), weight=0.05, head=0.1)
-    assert genome.dtype == np.float32
-    *hidden, head = network.layers(genome)
-    for weights, _ in hidden:
-        assert weights.std() == pytest.approx(0.05, rel=0.1)
-    assert head[0].std() == pytest.approx(0.1, rel=0.2)
-    assert not np.concatenate([bias for _, bias in network.layers(genome)]).any()
-    again = network.initial(np.random.default_rng(0), weight=0.05, head=0.1)
-    np.testing.assert_array_equal(genome, again)
-
-
-def sealed(steps: int, *, diagonal: bool = False) -> mw.WorldConfig:
+def sealed(steps, *, diagonal=False):
     cells = ["##########", "#.##.#.###", "##########", "#.###.####", "##########"]
     return mw.WorldConfig(
         "SB", obstacles=cells, n_pursuers=4, n_evaders=1, fov=5, diagonal=diagonal, max_steps=steps
@@ -101,7 +88,7 @@ def sealed(steps: int, *, diagonal: bool = False) -> mw.WorldConfig:
 
 @pytest.mark.parametrize("diagonal", [False, True])
 @pytest.mark.parametrize("activation", ["relu", "tanh"])
-def test_sampled_actions_follow_the_softmax(activation: str, diagonal: bool) -> None:
+def test_sampled_actions_follow_the_softmax(activation, diagonal):
     steps = 4000  # so many that a wrong share of some percent shows
     config = sealed(steps, diagonal=diagonal)
     network = mw.Network.for_config(config, (8,), activation=activation)
@@ -123,7 +110,7 @@ def test_sampled_actions_follow_the_softmax(activation: str, diagonal: bool) -> 
         ([0, 1, 0, 1, 1], False, {1}),  # the first of the largest
     ],
 )
-def test_extreme_and_equal_outputs(outputs: list[float], sampled: bool, taken: set[int]) -> None:
+def test_extreme_and_equal_outputs(outputs, sampled, taken):
     config = sealed(300)
     network = mw.Network.for_config(config, (), sampled=sampled)
     genome = np.zeros(network.genome_size, np.float32)
@@ -132,13 +119,13 @@ def test_extreme_and_equal_outputs(outputs: list[float], sampled: bool, taken: s
     assert set(np.unique(actions)) == taken
 
 
-def test_kernels_are_those_that_are_asked_for() -> None:
+def test_kernels_are_those_that_are_asked_for():
     asked = os.environ.get("MATRIXWORLD_KERNELS")
     assert asked is None or _core.kernel_level() == LEVELS[asked]
 
 
 @pytest.mark.slow
-def test_every_instruction_set_gives_the_same_bits() -> None:
+def test_every_instruction_set_gives_the_same_bits():
     """The fingerprint of play and golden states of memory; networks as NumPy computes them."""
     levels, folder = list(LEVELS.values()), Path(__file__).parents[1]
     files = ("contract/test_fingerprint.py", "world/test_memory.py", "world/test_network.py")
@@ -150,7 +137,7 @@ def test_every_instruction_set_gives_the_same_bits() -> None:
         assert done.returncode == 0, done.stdout
 
 
-def test_other_floats_are_copied_to_float32() -> None:
+def test_other_floats_are_copied_to_float32():
     network = mw.Network((4,), fov=3)
     double = np.random.default_rng(0).normal(size=(2, network.genome_size))
     found = mw.Population(double, network).genomes

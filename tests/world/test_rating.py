@@ -2,8 +2,6 @@
 
 import copy
 import warnings
-from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 import pytest
@@ -21,7 +19,7 @@ VIEWS = (1, 3, 5, 7, 9, 11)
 
 @pytest.mark.parametrize("obstacles", [0.0, 0.15])
 @pytest.mark.parametrize("name", NAMES)
-def test_inputs_are_those_of_the_slow_version(name: str, obstacles: float) -> None:
+def test_inputs_are_those_of_the_slow_version(name, obstacles):
     """In all variants, with and without diagonal moves, in views of all sizes."""
     for number, fov in enumerate(VIEWS):
         config = config_of(name, obstacles=obstacles, fov=fov, diagonal=number % 2 == 0)
@@ -34,7 +32,7 @@ def test_inputs_are_those_of_the_slow_version(name: str, obstacles: float) -> No
             world.step(actions)
 
 
-def test_inputs_among_many_agents() -> None:
+def test_inputs_among_many_agents():
     """More agents than a view is compared with at once, and than fit two words of bits."""
     for name, n in (("R", 40), ("B", 30), ("S", 90)):
         config = config_of(name, rows=20, cols=21, n_pursuers=n, n_evaders=60, obstacles=0.1, fov=7)
@@ -44,13 +42,13 @@ def test_inputs_among_many_agents() -> None:
             world.step(actions)
 
 
-def drawn(world: mw.World, agent: int) -> int:
+def drawn(world, agent):
     """Return the 32 random bits with which an agent decides in this step."""
     block = _core.philox([agent // 8, world.steps, 2, 0], [world.seed, world.episode])
     return (block[agent % 8 // 2] >> 32 * (agent % 2)) % 2**32
 
 
-def allowed_moves(world: mw.World, mask: str) -> np.ndarray:
+def allowed_moves(world, mask):
     """Return which moves a mask allows, bool (A, moves)."""
     config, inputs = world.config, named(world.inputs())
     allowed = np.ones((config.n_agents, config.n_actions), bool)
@@ -64,11 +62,11 @@ def allowed_moves(world: mw.World, mask: str) -> np.ndarray:
     return allowed
 
 
-def named(inputs: np.ndarray) -> dict[str, np.ndarray]:
+def named(inputs):
     return {name: inputs[..., i] for i, name in enumerate(mw.INPUTS)}
 
 
-def random_policies(config: mw.WorldConfig, mask: Any) -> Iterator[mw.Population]:
+def random_policies(config, mask):
     """Yield policies of both kinds and several shapes, one random genome each."""
     rng = np.random.default_rng(config.fov)
     some = tuple(rng.permutation(list(mw.INPUTS))[:5].tolist())
@@ -88,13 +86,13 @@ def random_policies(config: mw.WorldConfig, mask: Any) -> Iterator[mw.Population
 
 @pytest.mark.parametrize("mask", ["none", "obstacles", "right-of-way"])
 @pytest.mark.parametrize("name", ["O", "SB", "TO", "D", "wall-R"])
-def test_choices_are_those_of_python(name: str, mask: str) -> None:
+def test_choices_are_those_of_python(name, mask):
     """Ratings in NumPy and in the text of `to_python`, and the engine's choice of the best."""
     config = config_of(name, obstacles=0.1, diagonal=name in ("O", "TO"))
     world = mw.World(config)
     for number, team in enumerate(random_policies(config, mask)):
         world.reset(number)
-        spoken: dict[str, Any] = {}
+        spoken = {}
         exec(team.policy.to_python(team.genomes[0]), spoken)
         for actions in random_actions(number, config.n_actions, 4, config.n_agents):
             if world.terminated:
@@ -113,7 +111,7 @@ def test_choices_are_those_of_python(name: str, mask: str) -> None:
             world.step(actions)
 
 
-def test_scripts_written_as_ratings() -> None:
+def test_scripts_written_as_ratings():
     """The chaser, the fleer and the dodger as weights play the very same matches."""
     config = mw.WorldConfig("O", rows=20, cols=20, n_pursuers=4, n_evaders=8, max_steps=60)
     matches = mw.Matches.of(0, 0, range(20))
@@ -130,7 +128,7 @@ def test_scripts_written_as_ratings() -> None:
                 np.testing.assert_array_equal(found.pursuer_return, played[0].pursuer_return)
 
 
-def test_right_of_way_keeps_ratings_from_fault() -> None:
+def test_right_of_way_keeps_ratings_from_fault():
     """In dense worlds of many rules, with any weights and any programs."""
     steps = 0
     for number, rules in enumerate(ROWS[::12]):
@@ -148,7 +146,7 @@ def test_right_of_way_keeps_ratings_from_fault() -> None:
     assert steps > 1e5
 
 
-def test_what_is_no_policy_is_refused() -> None:
+def test_what_is_no_policy_is_refused():
     program = mw.Program(length=3, inputs=("room", "exits"))
     for code, told in (
         ([[1, 2], [0, 0], [0, 0]], "genome 0, program: expected an input from 0 to 1"),
@@ -175,7 +173,7 @@ def test_what_is_no_policy_is_refused() -> None:
         mw.rollout("O", wide, "random", mw.Matches.of(0, 0, 0))
 
 
-def test_programs_as_text_are_the_same_programs() -> None:
+def test_programs_as_text_are_the_same_programs():
     program, rng = mw.Program(), np.random.default_rng(4)
     for _ in range(200):
         genome = program.initial(rng, depth=4)
@@ -187,7 +185,7 @@ def test_programs_as_text_are_the_same_programs() -> None:
         np.testing.assert_array_equal(called, again)
 
 
-def test_solved_worlds_take_ratings() -> None:
+def test_solved_worlds_take_ratings():
     """The value of a game of ratings is the mean of their matches."""
     config = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=4, fov=5)
     inputs = ("adversary", "teammate", "room", "exits")
@@ -206,7 +204,7 @@ def test_solved_worlds_take_ratings() -> None:
             expected_payoff(config, mw.Population(weights, counts), "random")
 
 
-def test_policies_play_wherever_teams_play() -> None:
+def test_policies_play_wherever_teams_play():
     """Recorded, in batches, as the team of an environment, and as copies."""
     config = config_of("O")
     rating = mw.Rating.for_config(config, hidden=(3,), mask="right-of-way")

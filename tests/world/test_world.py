@@ -1,12 +1,13 @@
-"""One world: starts, seeds, settings, maps, text, penalties, rounds turn by turn, and copies."""
+"""Worlds and batches: starts, seeds, settings, maps, text, penalties, turn by turn, and copies.
+
+That a batch plays as single worlds do, by any number of threads, is shown in ``cpp/tests``.
+"""
 
 import copy
 import dataclasses
 import itertools
 import json
 import pickle
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,11 +19,11 @@ from matrixworld.world.arrays import array_specs, new_arrays
 from rows import NAMES, assert_same_worlds, config_of, random_actions
 
 
-def small(**changes: object) -> mw.World:
+def small(**changes):
     return mw.World(**({"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1} | changes))
 
 
-def test_the_same_seed_gives_the_same_episode_whatever_was_played_before() -> None:
+def test_the_same_seed_gives_the_same_episode_whatever_was_played_before():
     config = config_of("SDB", obstacles=0.1, max_steps=3)
     new, played = mw.World(config), mw.World(config)
     first = played.positions
@@ -40,7 +41,7 @@ def test_the_same_seed_gives_the_same_episode_whatever_was_played_before() -> No
 
 
 @pytest.mark.parametrize(("always", "count"), [(["....", ".##.", "...."], 2), (0.5, 6)])
-def test_obstacles_for_one_episode(always: object, count: int) -> None:
+def test_obstacles_for_one_episode(always, count):
     world = small(obstacles=always)
     for once in (["#...", "....", "...."], np.zeros((3, 4), bool)):
         assert world.map.sum() == count
@@ -50,7 +51,7 @@ def test_obstacles_for_one_episode(always: object, count: int) -> None:
     assert world.map.sum() == count
 
 
-def test_text() -> None:
+def test_text():
     world = mw.World("R", obstacles=["....#", ".....", "....."], n_pursuers=4, n_evaders=3)
     world.reset(pursuers=[[0, 0], [2, 0], [2, 1], [1, 4]], evaders=[[1, 2], [0, 2], [2, 4]])
     assert str(world) == "P.E.#\n..E.P\nPP..E"
@@ -59,7 +60,7 @@ def test_text() -> None:
     assert str(world) == "P...#\n..2.X\n.2..."
 
 
-def test_conflicts_are_kept_only_with_explain() -> None:
+def test_conflicts_are_kept_only_with_explain():
     world = small()
     world.step([0, 0, 0], explain=True)
     assert world.conflicts == []
@@ -70,7 +71,7 @@ def test_conflicts_are_kept_only_with_explain() -> None:
 
 
 @pytest.mark.parametrize("of", [list, tuple, mw.read_map])
-def test_a_map_gives_the_size_and_is_the_config_s_own(of: Callable[..., Any]) -> None:
+def test_a_map_gives_the_size_and_is_the_config_s_own(of):
     ground = of(["..#..", "....."])
     config = mw.WorldConfig("SB", obstacles=ground, n_pursuers=2, n_evaders=2)
     assert (config.rows, config.cols, config.density) == (2, 5, 0)
@@ -89,7 +90,7 @@ def test_a_map_gives_the_size_and_is_the_config_s_own(of: Callable[..., Any]) ->
         mw.WorldConfig("TO", rewards=mw.Rewards(evader_step=np.float32(0.5), capture_repeats=True)),
     ],
 )
-def test_json(config: mw.WorldConfig) -> None:
+def test_json(config):
     plain = json.loads(json.dumps(config.to_json()))
     assert set(plain) == {item.name for item in dataclasses.fields(config)}
     assert plain["rules"]["capture"] == config.rules.capture.name
@@ -99,7 +100,7 @@ def test_json(config: mw.WorldConfig) -> None:
     assert again.to_json() == config.to_json()
 
 
-def penalties_only(**changes: object) -> mw.Rewards:
+def penalties_only(**changes):
     names = ("capture", "neighbor", "step")
     zero = {f"{team}_{name}": 0.0 for team in ("pursuer", "evader") for name in names}
     return mw.Rewards(**(zero | changes))
@@ -107,7 +108,7 @@ def penalties_only(**changes: object) -> mw.Rewards:
 
 @pytest.mark.parametrize("name", ["D", "S", "SDB", "swarm-S", "agents-R"])
 @pytest.mark.parametrize("blame", list(mw.Blame))
-def test_penalties_agree_with_reported_fault_and_involvement(name: str, blame: mw.Blame) -> None:
+def test_penalties_agree_with_reported_fault_and_involvement(name, blame):
     by_kind = {"pursuer_collide": (-1, -20, -300), "evader_collide": [-2, -40, -600]}
     config = config_of(name, obstacles=0.1, rewards=penalties_only(**by_kind, blame=blame))
     world = mw.World(config)
@@ -121,7 +122,7 @@ def test_penalties_agree_with_reported_fault_and_involvement(name: str, blame: m
         np.testing.assert_array_equal(rewards, (tariff * to_blame).sum(axis=1))
 
 
-def test_equal_dtypes_are_one() -> None:
+def test_equal_dtypes_are_one():
     """As those of arrays from a pickle, or of another integer of C of the same size."""
     world, batch = small(), mw.Batch(1, small().config)
     stay = np.zeros(3, np.int64)
@@ -136,7 +137,7 @@ KEYS = [(0, 0), (1, 0), (0, 1), (2**64 - 1, 2**63), (0x123456789ABCDEF, 0xFEDCBA
 COUNTERS = [(1, 0, 0, 0), (0, 1, 0, 0), (7, 500, 2, 0), (3, 2, 1, 2**64 - 1), (0, 0, 0, 0)]
 
 
-def by_numpy(counter: tuple[int, ...], key: tuple[int, ...]) -> list[int]:
+def by_numpy(counter, key):
     """NumPy counts up before its first block."""
     number = sum(word * WORD**i for i, word in enumerate(counter)) - 1
     before = [(number % WORD**4) // WORD**i % WORD for i in range(4)]
@@ -146,25 +147,25 @@ def by_numpy(counter: tuple[int, ...], key: tuple[int, ...]) -> list[int]:
 
 @pytest.mark.parametrize("key", KEYS)
 @pytest.mark.parametrize("counter", COUNTERS)
-def test_philox_is_that_of_numpy(counter: tuple[int, ...], key: tuple[int, ...]) -> None:
+def test_philox_is_that_of_numpy(counter, key):
     assert _core.philox(counter, key) == by_numpy(counter, key)
 
 
 N_WORLDS = 6000
 
 
-def starts(config: mw.WorldConfig, *buffers: str) -> dict[str, np.ndarray]:
+def starts(config, *buffers):
     """Buffers of many worlds after a reset, of neighbouring seeds."""
     specs = mw.array_specs(config)
     arrays = {name: np.zeros((N_WORLDS, *specs[name][0]), specs[name][1]) for name in buffers}
     return mw.Batch(N_WORLDS, config, buffers=arrays).reset(11)
 
 
-def is_uniform(numbers: np.ndarray, n: int) -> bool:
+def is_uniform(numbers, n):
     return bool(stats.chisquare(np.bincount(numbers, minlength=n)).pvalue > 1e-3)
 
 
-def test_agents_start_apart_and_know_nothing_of_each_other() -> None:
+def test_agents_start_apart_and_know_nothing_of_each_other():
     """Ordered pairs of distinct cells are equally likely, so each agent starts anywhere, too."""
     config = mw.WorldConfig(rows=2, cols=4, n_pursuers=2, n_evaders=2)
     places = starts(config, "positions")["positions"] @ [config.cols, 1]
@@ -176,7 +177,7 @@ def test_agents_start_apart_and_know_nothing_of_each_other() -> None:
             assert is_uniform(first * 7 + rank, 56)
 
 
-def test_obstacles_of_a_density_lie_anywhere() -> None:
+def test_obstacles_of_a_density_lie_anywhere():
     config = mw.WorldConfig(rows=4, cols=5, n_pursuers=1, n_evaders=1, obstacles=0.25)
     arrays = starts(config, "positions", "state")
     ground = arrays["state"][:, 2].reshape(N_WORLDS, 20)
@@ -186,7 +187,7 @@ def test_obstacles_of_a_density_lie_anywhere() -> None:
     assert not np.take_along_axis(ground, places, axis=1).any()
 
 
-def test_seeds_and_episodes_are_told_apart() -> None:
+def test_seeds_and_episodes_are_told_apart():
     world = mw.World(rows=40, cols=40)
     drawn = set()
     for seed, episode in itertools.product((0, 1, 2**32, 2**64 - 1), repeat=2):
@@ -199,7 +200,7 @@ OF_TURNS = {"SIMULTANEOUS": 1, "SWARM_TURNS": 2}
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_round_by_turns_is_a_step(name: str) -> None:
+def test_a_round_by_turns_is_a_step(name):
     config = config_of(name, obstacles=0.1)
     whole, by_turns = mw.World(config), mw.World(config)
     assert whole.n_turns == OF_TURNS.get(config.rules.interaction.name, config.n_agents)
@@ -207,7 +208,7 @@ def test_a_round_by_turns_is_a_step(name: str) -> None:
         if whole.terminated or whole.truncated:
             break
         whole.step(actions, explain=True)
-        acted: list[int] = []
+        acted = []
         for turn in range(by_turns.n_turns):
             assert by_turns.turn == turn
             acted += by_turns.actors
@@ -217,7 +218,7 @@ def test_a_round_by_turns_is_a_step(name: str) -> None:
         assert whole.conflicts == by_turns.conflicts
 
 
-def test_a_round_is_finished_as_it_was_begun() -> None:
+def test_a_round_is_finished_as_it_was_begun():
     world = mw.World(config_of("TO"))
     stay = np.zeros(world.config.n_agents, int)
     world.play_turn([0, *[99] * (len(stay) - 1)])  # only actions of those that act are read
@@ -229,7 +230,7 @@ def test_a_round_is_finished_as_it_was_begun() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_batch_by_turns_writes_what_its_worlds_would(name: str) -> None:
+def test_a_batch_by_turns_writes_what_its_worlds_would(name):
     """After each turn, also of rounds in whose middle some worlds end, and of none."""
     config, n = config_of(name, obstacles=0.1, max_steps=6), 5
     buffers = new_arrays(array_specs(config), n)
@@ -251,7 +252,7 @@ def test_a_batch_by_turns_writes_what_its_worlds_would(name: str) -> None:
         order.reset(0)
 
 
-def test_a_batch_finishes_its_round() -> None:
+def test_a_batch_finishes_its_round():
     batch = mw.Batch(3, config_of("TO"))
     stay = np.zeros((3, batch.config.n_agents), int)
     batch.play_turn(stay)
@@ -265,23 +266,49 @@ def test_a_batch_finishes_its_round() -> None:
         mw.Batch(3, autoreset=mw.Autoreset.SAME_STEP).play_turn(np.zeros((3, 38), int))
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_copies_continue_independently_and_identically(name: str) -> None:
-    config = config_of(name, obstacles=0.15, max_steps=40)
+def test_a_mask_selects_the_worlds_to_reset():
+    config = config_of("O")
+    batch = mw.Batch(4, config)
+    batch.reset(7)
+    for actions in random_actions(1, 5, 3, 4, config.n_agents):
+        batch.step(actions)
+    before = {name: array.copy() for name, array in batch.buffers.items()}
+    batch.reset(mask=np.array([False, True, False, True]))
     world = mw.World(config)
+    for w in range(4):
+        for name, array in batch.buffers.items():
+            if w % 2:
+                world.reset(7 + w, episode=1)
+                np.testing.assert_array_equal(array[w], world.read(name)[name])
+            else:
+                np.testing.assert_array_equal(array[w], before[name][w])
+
+
+def test_an_int_seeds_consecutive_worlds():
+    config = config_of("O")
+    one, other, new = (mw.Batch(4, config) for _ in range(3))
+    for seed, seeds in (
+        (7, np.array([7, 8, 9, 10], np.int32)),
+        (2**64 - 2, [2**64 - 2, 2**64 - 1, 0, 1]),  # wraps
+        (0, range(4)),
+    ):
+        one.reset(seed)
+        other.reset(seeds)
+        np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
+    np.testing.assert_array_equal(new.buffers["positions"], one.buffers["positions"])
+
+
+@pytest.mark.parametrize("name", ["SDB", "TO", "swarm-SD"])
+def test_copies_continue_as_the_world_does(name):
+    world = mw.World(config_of(name, obstacles=0.15, max_steps=40))
     world.reset(11, episode=4)
-    turns = random_actions(6, config.n_actions, 60, config.n_agents)
-    for actions in turns[:5]:
-        if world.turn or not (world.terminated or world.truncated):
-            world.play_turn(actions)
-    twins = copy.deepcopy(world), pickle.loads(pickle.dumps(world))  # noqa: S301
-    left_behind = copy.deepcopy(world)
-    for actions in turns[5:]:
-        if not world.turn and (world.terminated or world.truncated):
-            for each in (world, *twins):
+    twins = []
+    for number, actions in enumerate(random_actions(6, 5, 60, world.config.n_agents)):
+        if number in (1, 5, 17):  # also in the middle of a round
+            twins += copy.deepcopy(world), pickle.loads(pickle.dumps(world))  # noqa: S301
+        for each in (world, *twins):
+            if not each.turn and (each.terminated or each.truncated):
                 each.reset()
-        world.play_turn(actions)
+            each.play_turn(actions)
         for twin in twins:
-            twin.play_turn(actions)
             assert_same_worlds(world, twin)
-    assert left_behind.turn == 5 % world.n_turns or left_behind.terminated

@@ -40,6 +40,7 @@ from class_tournament.policy_process import (
 from class_tournament.policy_server import FUNCTIONS
 from class_tournament.results import ClassResult
 from class_tournament.submissions import Entry, Refusal, Submission
+from class_tournament.votes import count_votes
 from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
@@ -114,8 +115,6 @@ def _votes(files: Sequence[Submission]) -> tuple[dict[str, dict[str, int]], list
     """Return the votes on predictions of the course, and the files that do not count."""
     if not files:
         return {}, []
-    from course.votes import count_votes  # the course imports Matplotlib, which takes a second
-
     known = [(submissions.folded(file.name), file.file, file.content) for file in files]
     votes, reasons = count_votes(known)
     return votes, [Refusal(f.name, f.file, reasons[f.file]) for f in files if f.file in reasons]

@@ -26,8 +26,8 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from matrixworld._util.files import UNREADABLE, DamagedFileError, check_regular, one_line
-from matrixworld.play.policies import parse_genome
+from matrixworld._util.files import DamagedFileError, check_regular, one_line
+from matrixworld.play import policies
 from matrixworld.world.policy import Population, Team, TeamPolicy
 
 FileKind: TypeAlias = Literal["program", "genome", "predictions"]
@@ -254,9 +254,9 @@ def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
     """
     try:
         _check_archive(content)
-    except UNREADABLE as error:
+    except Exception as error:
         raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
-    return parse_genome(path, content)
+    return policies.read_genome(path, content)
 
 
 def _check_archive(content: bytes) -> None:

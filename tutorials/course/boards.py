@@ -1,4 +1,4 @@
-"""Small worlds: a step as a picture, pursuers alone on a square, and maps of walls."""
+"""Small worlds: a step as a picture, and pursuers alone on a square."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from PIL import Image, ImageDraw
-from scipy import ndimage
 
 from matrixworld import Action, Recorder, Rules, World, colors, render
 from matrixworld.world.arrays import MOVES
@@ -66,15 +65,19 @@ def _draw_arrow(draw: ImageDraw.ImageDraw, centre: tuple[float, float], move: Ce
     draw.polygon(head, fill=colors.INK, outline=colors.PAPER)
 
 
+def after(world: World, actions: ArrayLike) -> Picture:
+    """Play a step of a world, and draw what came of it."""
+    recorder = Recorder(world)
+    world.step(actions, explain=True)
+    recorder.note(actions)
+    scene = replace(recorder.scene(trail=0), title="what happened")
+    return Picture(render.rgb(scene, cell=CELL, numbers=True))
+
+
 def before_and_after(world: World, actions: ArrayLike) -> Picture:
     """Play a step of a world, and draw the planned moves and what came of them."""
-    before = plan(world, actions)
-    recorder = Recorder(world)
-    world.step(actions)
-    recorder.note(actions)
-    after = replace(recorder.scene(trail=0), title="what happened")
-    pixels = [before.pixels, render.rgb(after, cell=CELL, numbers=True)]
-    return Picture(np.concatenate(pixels, axis=1))
+    pictures = plan(world, actions), after(world, actions)
+    return Picture(np.concatenate([each.pixels for each in pictures], axis=1))
 
 
 # ---- Pursuers alone ------------------------------------------------------------------------------
@@ -125,24 +128,3 @@ SITUATIONS: list[Situation] = [
     *(random_pack(_rng, 4, count) for count in range(2, 15) for _ in range(8)),
 ]
 """Of 2 to 14 pursuers on 4 x 4 cells: those at first that are easy to tell, then random ones."""
-
-
-def playable(walls: NDArray[np.bool_], least: int) -> bool:
-    """Return whether at least so many cells are free, and all free cells are connected."""
-    return bool((~walls).sum() >= least and ndimage.label(~walls)[1] == 1)
-
-
-def random_map(
-    shape: tuple[int, int], share: float, least: int, rng: np.random.Generator
-) -> NDArray[np.bool_]:
-    """Return a map on whose cells a share of walls was placed one by one, wherever it fits."""
-    walls, left = np.zeros(shape, bool), round(share * shape[0] * shape[1])
-    for cell in rng.permutation(walls.size):
-        if not left:
-            break
-        walls.flat[cell] = True
-        if playable(walls, least):
-            left -= 1
-        else:
-            walls.flat[cell] = False
-    return walls

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
-from itertools import permutations
 from typing import Any
 
+import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.figure import Figure
 from scipy.stats import spearmanr
 
-from course.boards import playable
-from course.checks import Mistake, array, comparison, described, function, near, number
-from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.types import BoolArray, FloatArray
-from matrixworld.solver import States, best_response, solve
-from matrixworld.world.config import WorldConfig, read_map
+from course.checks import Mistake, array, comparison, near, number
+from course.toys import PAYOFF, replicators
+from matrixworld.coevolution.types import FloatArray
 
 STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])
 """Rock, paper, scissors: rock always beats scissors, and the other winners win 3 of 4 matches."""
@@ -35,11 +32,42 @@ def agreement(stored: Mapping[str, FloatArray], team: str, measure: str) -> list
     ]
 
 
+def draw_shares(rock: float) -> tuple[Figure, str]:
+    """Draw two populations that play rock-paper-scissors, with so much rock in the first one."""
+    times, first = replicators(PAYOFF, (rock, *[(1 - rock) / 2] * 2), time=100, points=801)
+    means = first.cumsum(axis=0) / np.arange(1, 802)[:, None]
+    figure, (above, below) = plt.subplots(2, figsize=(7, 4.5), sharex=True, layout="constrained")
+    for hand, shares, line in zip(("rock", "paper", "scissors"), first.T, "-:-", strict=True):
+        above.plot(times, shares, line, label=hand)
+    for name, shares, line in (("now", first, "-"), ("mean so far", means, "--")):
+        below.plot(times, 0.5 - (shares @ PAYOFF).min(axis=1), line, label=name)
+    above.set(ylabel="share", ylim=(0, 1), title="first population")
+    below.set(xlabel="time", ylabel="exploitability", ylim=(0, 0.5))
+    for axes in (above, below):
+        axes.legend(loc="upper right", ncols=3)
+    return figure, f"Rock begins at {rock:.0%}: shares rise and fall, the mean falls towards 0"
+
+
+# ---- Exercises -----------------------------------------------------------------------------------
+
+exercise_1 = comparison(
+    lambda stones, most: stones % (most + 1),
+    [(stones, most) for most in (3, 1, 2, 5) for stones in range(1, 18)],
+    case="With {stones} stones, and at most {most} in a move,",
+    clues={
+        "That is a move; but does it leave what loses for the other player?": (
+            lambda stones, most: min(stones, most)
+        )
+    },
+    otherwise="Go backwards: which numbers of stones lose for who is to move?",
+)
+"""Play Nim perfectly."""
+
 _rng = np.random.default_rng(101)
 SHAPES = ((3, 3), (2, 5), (6, 4))
 DRAWN = [(_rng.random(shape), _rng.dirichlet(np.ones(shape[0]))) for shape in SHAPES]
 
-exercise_1 = comparison(
+exercise_2 = comparison(
     lambda payoff, mixture: float((mixture @ payoff).min()),
     [(STAKES, np.full(3, 1 / 3)), *DRAWN],
     clues={
@@ -57,7 +85,7 @@ exercise_1 = comparison(
 """Compute what a mixture guarantees."""
 
 
-def exercise_2(answer: Any) -> None:
+def exercise_3(answer: Any) -> None:
     """Find a safe mixture of rock, paper and scissors with stakes."""
     shares = array(answer, "the shares of rock, paper and scissors", 3)
     if min(shares) < 0.0 or abs(sum(shares) - 1.0) > 1e-6:
@@ -70,7 +98,7 @@ def exercise_2(answer: Any) -> None:
         )
 
 
-def exercise_3(answer: Any) -> None:
+def exercise_4(answer: Any) -> None:
     """Compute the NashConv of races with halls of fame."""
     near(
         number(answer),
@@ -83,78 +111,3 @@ def exercise_3(answer: Any) -> None:
         low="Best responses gain more. The exploitabilities of both teams are added.",
         high="A team falls short of what perfect play guarantees: of the value or of 1 - value.",
     )
-
-
-CELLS, STEPS = 13, 23
-"""Of the corridor; the slowest search that goes to one end and then to the other takes 22 steps."""
-CORRIDOR = RaceSettings.of(
-    {
-        "world": {"rules": "R", "rows": 1, "cols": CELLS, "fov": 3, "max_steps": STEPS},
-        "world.n_pursuers": 1,
-        "world.n_evaders": 1,
-        "schedule": {"kind": "against", "opponent": "still", "epochs": 300, "archive_every": 300},
-        "fitness.measure": "capture-rate",
-        # Larger steps than the defaults, with which memory does not always learn the search.
-        "learner": {"population": 64, "sigma": 0.2, "learning_rate": 0.1},
-        "policy.hidden": (16,),
-        "train_steps": STEPS,
-        "match_episodes": 16,
-        "evaluation_episodes": 2000,
-    }
-)
-"""A pursuer that sees one cell to each side evolves there, and an evader stands still."""
-WAYS = {"west": -1, "east": 1}
-
-
-def exercise_4(answer: Any) -> None:
-    """Write a search of the corridor that remembers."""
-    search = function(answer)
-    for start, evader in permutations(range(CELLS), 2):
-        cell, memory = start, None
-        path: list[int] = []
-        while abs(cell - evader) > 1 and len(path) < STEPS - 1:  # the last step captures
-            found = search(cell == 0, cell == CELLS - 1, memory)
-            if not isinstance(found, tuple) or len(found) != 2 or found[0] not in WAYS:
-                raise Mistake(
-                    f'Expected a pair of "west" or "east" and a memory, got {described(found)}.'
-                )
-            cell = min(max(cell + WAYS[found[0]], 0), CELLS - 1)
-            memory = found[1]
-            path.append(cell)
-        if abs(cell - evader) > 1:
-            raise Mistake(
-                f"From cell {start} it does not find the evader in cell {evader} (the westernmost "
-                f"cell is 0). These are the cells that it visits: {', '.join(map(str, path))}."
-            )
-
-
-BOARD = WorldConfig("TO", rows=6, cols=6, n_pursuers=2, n_evaders=1, max_steps=5)
-"""The world of the notebook, on any map."""
-HIGH = 0.3
-"""Regret that a drawn map has to have."""
-
-
-def regret(walls: BoolArray) -> float:
-    """Return by how much chasers fall short of perfect play on a map, True where a wall is."""
-    there = States(replace(BOARD, obstacles=walls))
-    return solve(there).value - best_response(there, "chaser", "pursuer").value
-
-
-def exercise_5(answer: Any) -> None:
-    """Draw a map on which chasers are far from perfect."""
-    try:
-        walls = read_map(answer)
-        if walls.shape != (BOARD.rows, BOARD.cols):
-            raise ValueError
-    except (OSError, TypeError, ValueError):
-        raise Mistake(
-            f"Expected six texts of six characters, . or #, got {described(answer)}."
-        ) from None
-    if not playable(walls, BOARD.n_agents):
-        raise Mistake(
-            "All free cells have to be connected by steps to the four sides, and three agents "
-            "need room."
-        )
-    found = regret(walls)
-    if found < HIGH:
-        raise Mistake(f"On this map the regret of chasers is {found:.3f}, less than {HIGH}.")

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from itertools import permutations
 from operator import index
 from typing import Any
 
-from course.boards import SITUATIONS, Cell, after_step
+import numpy as np
+
+from course.boards import SITUATIONS, Cell, after_step, random_pack
 from course.checks import Mistake, about, actions, array, comparison, near, whole
 from matrixworld import Action
 from matrixworld.explorer.playground import drawn_world
@@ -79,6 +83,39 @@ def true_cells(cells: list[Cell], targets: list[Cell], side: int = 4) -> list[Ce
     """Return the cells of a pack on a square after a step under SB; no target is outside."""
     world = after_step((cells, targets), side)
     return [(row, col) for row, col in world.positions[:-1].tolist()]
+
+
+def all_at_once(cells: list[Cell], targets: list[Cell]) -> list[Cell]:
+    """Return the cells of pursuers on 10 x 10 cells after a step of the world, under SB."""
+    return true_cells(cells, targets, side=10)
+
+
+def share_of_changes(
+    rule: Callable[..., Any], crowd: int, seed: int, *, steps: int = 25, renumber: bool = True
+) -> float:
+    """Return the share of steps that have another result when they are played again.
+
+    A rule takes cells and targets, and returns cells. Agents get other numbers before the second
+    time, unless they are not renumbered.
+    """
+    rng, changes = np.random.default_rng([seed, crowd]), 0
+    for _ in range(steps):
+        cells, targets = random_pack(rng, 10, crowd)
+        order = rng.permutation(crowd) if renumber else np.arange(crowd)
+        first = rule(cells, targets)
+        again = rule([cells[agent] for agent in order], [targets[agent] for agent in order])
+        changes += again != [first[agent] for agent in order]
+    return changes / steps
+
+
+def in_conflict(cells: list[Cell], targets: list[Cell]) -> set[int]:
+    """Return the numbers of all agents in a vertex or an edge conflict: exercise 1.4."""
+    found = set()
+    for a, b in permutations(range(len(cells)), 2):
+        swap = targets[a] == cells[b] and targets[b] == cells[a]
+        if targets[a] == targets[b] or swap:
+            found.add(a)
+    return found
 
 
 def _cells(value: Any) -> list[Cell]:

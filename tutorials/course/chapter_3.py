@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 from deap import base
 
-from course.checks import Mistake, about, array, comparison, function, whole
-from matrixworld import EpisodeStatistics, Matches, Network, Population, WorldConfig, rollout
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes
+from course.checks import Mistake, about, array, comparison, described, whole
+from matrixworld import EpisodeStatistics, Game, Matches, Network, Population, WorldConfig, rollout
+from matrixworld.coevolution import check_game
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes
 
 # ---- A race by hand ------------------------------------------------------------------------------
 
@@ -240,52 +241,29 @@ def _why_other(archives: Archives, seed: int, generation: int, side: int) -> str
     )
 
 
-GENES, ASKED, NOISE = 60, 200, 0.01
-ENOUGH = 1 / 3
-"""Share of the distance to the optimum that a learner has to cover."""
-MOST_CANDIDATES = 200
+DRAWN = 64
+"""Random pairs of genomes of which not all may have the same score."""
 
 
 def exercise_4(answer: Any) -> None:
-    """Write a learner: a class with `ask` and `tell`."""
-    if not isinstance(answer, type):
-        raise Mistake("Expected a class: write `class Climber:` and then `answer = Climber`.")
-    for name in ("ask", "tell"):
-        if not callable(getattr(answer, name, None)):
-            raise Mistake(f"The class has no method {name!r}.")
-    least = min(_gain(answer, seed) for seed in range(3))
-    if least < ENOUGH:
+    """Write a game of one's own: `check_game` says which of its promises is broken."""
+    if not isinstance(answer, Game):
+        raise Mistake(f"Expected a game: `mw.Game(play, genes=...)`, got {described(answer)}.")
+    try:
+        check_game(answer)
+    except ValueError as error:
+        if str(error).startswith(("play:", "scores of the game:", "initial:")):
+            raise Mistake(f"A promise is broken. {error}.") from None
+        raise
+    rng = np.random.default_rng(0)
+    first, second = (
+        answer.population(team, np.stack([answer.untrained(team, rng) for _ in range(DRAWN)]))
+        for team in TEAMS
+    )
+    matches = Matches.of(range(DRAWN), range(DRAWN), range(DRAWN))
+    scores = answer.scores(first, second, matches, episodes=1, threads=1).of("pursuer")
+    if np.ptp(scores) == 0.0:
         raise Mistake(
-            f"It ran without an error. After {ASKED} epochs it had covered {least:.0%} of "
-            "the distance to the optimum; expected at least a third. Does `genome` move to the "
-            "best candidate? Are the steps neither tiny nor huge?"
+            f"All of {DRAWN} matches between random genomes have the score {scores.flat[0]:g}, so "
+            "selection has nothing to choose from."
         )
-
-
-def _gain(make: Any, seed: int) -> float:
-    """Return the share of the distance to an optimum that a learner covers."""
-    rng = np.random.default_rng(seed)
-    start = rng.standard_normal(GENES).astype(np.float32) * np.float32(0.1)
-    target = start + rng.standard_normal(GENES).astype(np.float32) * np.float32(0.5)
-    # A copy: the start must stay what it is, even if a learner changes its genome in place.
-    learner = function(make)(start.copy(), np.random.default_rng(seed))
-    if not hasattr(learner, "genome"):
-        raise Mistake("The learner has no attribute `genome`; set it in `__init__`.")
-    begin = float(np.linalg.norm(start - target))
-    for _ in range(ASKED):
-        candidates = _candidates(function(learner.ask)(rng))
-        distances = np.linalg.norm(candidates - target, axis=1) / begin
-        function(learner.tell)(-distances + NOISE * rng.standard_normal(len(candidates)))
-    with about("genome"):
-        genome = array(learner.genome, f"{GENES} numbers", GENES)
-    return 1.0 - float(np.linalg.norm(np.float32(genome) - target)) / begin
-
-
-def _candidates(given: Any) -> np.ndarray:
-    with about("ask"):
-        array(given, f"numbers of shape (n, {GENES})", ..., GENES)
-        if not isinstance(given, np.ndarray) or given.dtype != np.float32:
-            raise Mistake("Expected an array of the dtype float32; `.astype(np.float32)` makes it.")
-        if not 1 <= len(given) <= MOST_CANDIDATES:
-            raise Mistake(f"Expected 1 to {MOST_CANDIDATES} candidates here, got {len(given)}.")
-    return given

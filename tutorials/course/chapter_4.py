@@ -15,9 +15,6 @@ from course.shown import film
 from course.toys import BITS, GAMES, beats
 from matrixworld import colors, replay
 
-UNNAMED = {"game A": "intransitive", "game B": "scalar", "game C": "focusing"}
-"""How prediction 4.b names the games."""
-
 
 def film_of_hands(hands: Mapping[str, NDArray[np.int_]]) -> replay.Animation:
     """Show the hands of both teams after each turn: first the pursuers learn, then the evaders."""

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from scipy.special import expit
 
 from course.checks import Mistake, array, choices, comparison, function, whole
 from course.questions import kept
-from course.synthetic_races import play_episodes, synthetic_race
 from matrixworld import analysis
-from matrixworld.coevolution.types import FloatArray
+from matrixworld.coevolution.types import FloatArray, Rng
 
 ENDINGS = {"A": "one side only", "B": "cycle", "C": "arms race", "D": "equilibrium"}
 """What happens in the four races of the first exercise."""
@@ -18,10 +19,40 @@ SHOWN = {"A": "only evaders rise", "B": "cycle", "C": "pure race", "D": "early s
 """Kinds of these races."""
 
 
+def _times(t: FloatArray, rng: Rng) -> FloatArray:
+    """Return a rise of both teams, at a pace of their own."""
+    return t * rng.uniform(0.8, 1.2, (2, 1))
+
+
+KINDS: dict[str, Callable[[FloatArray, Rng], FloatArray]] = {
+    "pure race": lambda t, rng: _times(4.0 * t, rng),
+    "slow race": lambda t, rng: _times(rng.uniform(0.03, 0.1) * len(t) * t, rng),
+    "early stagnation": lambda t, rng: _times(4.0 * np.minimum(3.0 * t, 1.0), rng),
+    "only pursuers rise": lambda t, rng: np.outer((rng.uniform(2.0, 4.0), 0.0), t - 0.5),
+    "only evaders rise": lambda t, rng: np.outer((0.0, rng.uniform(2.0, 4.0)), t - 0.5),
+    "drift": lambda t, rng: rng.normal(size=(2, len(t))).cumsum(axis=1) / np.sqrt(len(t)),
+    "cycle": lambda t, rng: np.zeros((2, len(t))),
+    "noise only, .5": lambda t, rng: np.zeros((2, len(t))),
+}
+"""Strengths of both teams (2, n), in logits, at times t (n,) from 0 to 1.
+
+`evolution/validation/synthetic_races.py` has more kinds, with which the judgement is measured.
+"""
+
+
 def noisy_race(kind: str, seed: int, *, generations: int = 20) -> FloatArray:
     """Return the captured shares of 30 evaders in a race whose truth is known, (n, n, 10)."""
-    rates = synthetic_race(kind, generations, seed).rates
-    return play_episodes(rates, 10, np.random.default_rng([5, seed]), evaders=30)
+    rng, t = np.random.default_rng([7, seed]), np.linspace(0.0, 1.0, generations)
+    pursuers, evaders = KINDS[kind](t, rng)
+    logits = pursuers[:, None] - evaders
+    if kind != "noise only, .5":
+        logits += rng.normal(0.0, 0.4)
+    if kind == "cycle":
+        angle, lag = 2.0 * np.pi * rng.integers(2, 5) * t, np.pi * rng.uniform(0.25, 0.75)
+        logits += rng.uniform(1.5, 3.0) * np.cos(angle[:, None] - angle + lag)
+    # Evaders of an episode share their fate: their correlation is 1 / 5.
+    expected = np.repeat(4.0 * expit(logits)[..., None], 10, axis=2)
+    return np.asarray(rng.binomial(30, rng.beta(expected, 4.0 - expected)) / 30)
 
 
 def four_races() -> dict[str, FloatArray]:

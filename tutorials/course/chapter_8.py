@@ -1,131 +1,165 @@
-"""Exercises of notebook 8, "Who learns more from the race?"."""
+"""Exercises of notebook 8, "Read what evolution wrote", and its evolved teams."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from course.checks import Mistake, array, choices, comparison, near, one_of
-from matrixworld import analysis
-from matrixworld.coevolution.types import FloatArray
+from course.checks import Mistake, comparison, described
+from matrixworld import Matches, Population, Program, WorldConfig, rollout
+from matrixworld.coevolution import RaceSettings, Results, Task
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes
+from matrixworld.world.policy import Policy
 
-EXAMINERS = ("scripts", "evolved strangers", "co-evolved rivals")
+WORLD = WorldConfig("S", rows=10, cols=10, n_pursuers=6, n_evaders=1, max_steps=60)
+"""Six pursuers have to surround a fleer, as in notebook 9."""
+PROGRAM = Program(fov=WORLD.fov)
+LEARNERS = {"program": {"kind": "gp", "population": 48}, "rating": {"kind": "es", "population": 32}}
+"""Learners by kind of policy."""
+MATCHES = 4
+"""Matches of each candidate in an epoch."""
 
 
-def examined(stored: Mapping[str, Any], team: str) -> dict[str, dict[str, FloatArray]]:
-    """Return the scores (seeds,) of a team's schools, by examiner and school."""
-    schools = stored[f"{team}: kinds"].tolist()
-    return {
-        examiner: dict(zip(schools, stored[f"{team}: {examiner}"], strict=True))
-        for examiner in EXAMINERS
-    }
+def score(teams: Genomes, seeds: Iterable[int], policy: Policy = PROGRAM) -> FloatArray:
+    """Return the captured share, a mean over steps and matches, of each team (n, genes)."""
+    luck = np.array([*seeds])
+    who, each = np.repeat(range(len(teams)), len(luck)), np.tile(luck, len(teams))
+    played = rollout(WORLD, Population(teams, policy), "fleer", Matches.of(who, 0, each))
+    return np.asarray(played.captured_fraction.reshape(len(teams), -1).mean(axis=1))
+
+
+def evolve(
+    seed: int, kind: str = "program", *, epochs: int = 32
+) -> tuple[Any, Genome, list[tuple[Genomes, FloatArray]]]:
+    """Return a policy of a kind, the genome that it learned, and the candidates of each epoch.
+
+    Candidates are genomes and their scores.
+    """
+    settings = RaceSettings.of({"world": WORLD, "policy": kind, "learner": LEARNERS[kind]})
+    game, learner, rng = settings.training_game, settings.learner, np.random.default_rng(seed)
+    state = learner.start(
+        Task(seed, 0, epochs, lambda rng: game.untrained("pursuer", rng), None, game)
+    )
+    history = []
+    for _ in range(epochs):
+        candidates, state = learner.ask(state, rng)
+        found = score(candidates, rng.integers(2**62, size=MATCHES), game.policy)
+        state = learner.tell(state, Results(found))
+        history.append((candidates, found))
+    return game.policy, learner.genome(state), history
+
+
+def lengths(history: list[tuple[Genomes, FloatArray]]) -> list[float]:
+    """Return the mean number of tokens of the programs of each epoch."""
+    return [float(np.mean([len(PROGRAM.tokens(each)) for each in found])) for found, _ in history]
 
 
 # ---- Exercises -----------------------------------------------------------------------------------
 
-POPULATION, GENERATIONS, EPOCHS, STAGES = 32, 20, 50, 4
-"""Of the races and curricula that the notebook keeps."""
+MEANINGS: dict[str, Callable[[float, float], float]] = {
+    "add": lambda a, b: a + b,
+    "subtract": lambda a, b: a - b,
+    "multiply": lambda a, b: a * b,
+    "min": min,
+    "max": max,
+}
+"""Operations of the first exercise."""
 
 
-def exercise_1(answer: Any) -> None:
-    """Compute the budgets of a race and of a curriculum."""
-    kind = "a pair of numbers: (matches of the evaders, epochs of a stage)"
-    matches, epochs = array(answer, kind, 2)
-    budget = GENERATIONS * EPOCHS
-    near(
-        matches,
-        budget * POPULATION,
-        0,
-        clues={
-            2 * budget * POPULATION: "These are the matches of both teams. In half of them the "
-            "evaders do not learn.",
-            budget: "These are epochs. In each epoch every candidate plays one match.",
-        },
-        low=f"The evaders learn in {GENERATIONS} generations. How many epochs, how many matches?",
-    )
-    whole = f"So many epochs are the whole curriculum; it has {STAGES} stages."
-    near(epochs, budget / STAGES, 0, clues={budget: whole}, low="The stages are equally long.")
+def _rated(tokens: Sequence[str | float], inputs: Mapping[str, float]) -> float:
+    stack: list[float] = []
+    for token in tokens:
+        if token in MEANINGS:
+            b, a = stack.pop(), stack.pop()
+            stack.append(MEANINGS[str(token)](a, b))
+        else:
+            stack.append(inputs[token] if isinstance(token, str) else token)
+    return stack[0]
 
 
-def _without_own(rates: FloatArray) -> FloatArray:
-    return rates * ~np.eye(len(rates), dtype=bool)
+INPUTS = {"room": 0.8, "adversary": 0.6, "teammate": 1.4, "exits": 0.25}
+TEXTS = (
+    "room",
+    "room + 0.5",
+    "room - adversary",
+    "room - 2 * adversary",
+    "min(exits, room - 2 * adversary) + teammate",
+    "max(room * teammate, exits) - (adversary - 0.1 * teammate)",
+)
+
+exercise_1 = comparison(
+    _rated,
+    [(PROGRAM.tokens(PROGRAM.genome(text)), INPUTS) for text in TEXTS],
+    case="For the tokens {tokens}",
+    otherwise="Expected the number that is left on the stack at the end.",
+)
+"""Run a program."""
+
+
+def _shortened(
+    program: Any,
+    shorter: Callable[[Any], Iterable[Any]],
+    score: Callable[[Any], float],
+    least: float,
+) -> Any:
+    for other in shorter(program):
+        if score(other) >= least:
+            return _shortened(other, shorter, score, least)
+    return program
+
+
+def _without_a_letter(word: str) -> list[str]:
+    return [word[:place] + word[place + 1 :] for place in range(len(word))]
+
+
+def _count_of_a(word: str) -> int:
+    return word.count("a")
 
 
 exercise_2 = comparison(
-    lambda rates: _without_own(rates).sum(axis=1) / 5.0,
-    [(np.random.default_rng(83).random((6, 6)),)],
-    lambda value: array(value, "one number for each of 6 seeds", 6),
+    _shortened,
+    [(word, _without_a_letter, _count_of_a, least) for word, least in
+     (("aa", 2), ("xa", 1), ("xxa", 1), ("axbxa", 2), ("bananas", 2), ("xyz", 0))],
+    lambda value: value,
+    case="For the word {program!r}, words without one of its letters, the number of a as score and "
+    "least = {least}",
     clues={
-        "That is the mean over all races, the own one included.": lambda rates: rates.mean(axis=1),
-        "These are the scores in the own race: those to leave out.": np.diag,
-        "You divide by 6, but only 5 numbers are left in each row.": (
-            lambda rates: _without_own(rates).mean(axis=1)
-        ),
-        "These are the means of the columns. Rows are the seeds of your team.": (
-            lambda rates: _without_own(rates).sum(axis=0) / 5.0
+        "That is one step. Begin again with the shorter program, until none is left.": (
+            lambda program, shorter, score, least: next(
+                (other for other in shorter(program) if score(other) >= least), program
+            )
         ),
     },
-    otherwise="Row i without its i-th number; then the mean.",
-)
-"""Score teams against strangers."""
+    otherwise="Expected the word that is left when no shorter one has the score `least`.",
+)  # fmt: skip
+"""Shorten a program as long as it plays as well."""
+
+MOST_TOKENS, FEWEST_CAPTURED = 7, 0.85
+TRIALS = range(2_000, 3_000)
 
 
-BETTER, WORSE, OPEN = "better", "worse", "cannot tell"
-
-
-def verdict_on(one: Any, other: Any) -> str:
-    """Return whether the first kind of training is better; entry i of both has the same seed."""
-    return (OPEN, BETTER, WORSE)[analysis.difference_of_runs(one, other, paired=True).sign]
-
-
-def _scores() -> list[tuple[FloatArray, FloatArray]]:
-    """Return scores of two kinds of training that share the luck of each seed."""
-    cases = []
-    for shift in (0.3, -0.3, 0.07, -0.07, 0.005):
-        rng = np.random.default_rng([85, 10, int(100 * shift) + 100])
-        luck = rng.normal(0.5, 0.15, 10)
-        one = luck + rng.normal(shift, 0.03, 10)
-        cases.append((one, luck + rng.normal(0.0, 0.03, 10)))
-    return cases
-
-
-def _why_verdict(found: str, right: str, one: FloatArray, other: FloatArray) -> str:
-    if {found, right} == {BETTER, WORSE}:
-        return "Better and worse are swapped."
-    if right == OPEN:
-        return f"The interval contains 0 there, and your function says '{found}'."
-    return (
-        f"The difference is the same in nearly all seeds there, and your function says '{found}'. "
-        "Entries with the same seed belong together."
+def exercise_3(answer: Any) -> None:
+    """Write a short program that is fast and never at fault."""
+    if not isinstance(answer, str):
+        raise Mistake(f"Expected a text such as '-adversary', got {described(answer)}.")
+    try:
+        genome = PROGRAM.genome(answer)
+    except ValueError as error:
+        raise Mistake(f"This is no program. {error}.") from None
+    tokens = PROGRAM.tokens(genome)
+    if len(tokens) > MOST_TOKENS:
+        raise Mistake(f"It has {len(tokens)} tokens, and at most {MOST_TOKENS} are allowed.")
+    matches = Matches.of(0, 0, TRIALS)
+    played = rollout(WORLD, Population(genome, PROGRAM), "fleer", matches)
+    share = float(played.captured_fraction.mean())
+    faults = 1000 * played.faults[:, :, 0].sum() / played.agent_steps[:, :, 0].sum()
+    told = (
+        f"In {len(TRIALS)} new matches it scores {share:.3f}, and is at fault in {faults:.1f} of "
     )
-
-
-exercise_3 = comparison(
-    verdict_on,
-    _scores(),
-    lambda value: one_of(value, (BETTER, WORSE, OPEN)),
-    otherwise=_why_verdict,
-)
-"""Write a rule that says which of two kinds of training is better."""
-
-
-WORDS = ("co-evolution", "autocurriculum", "curriculum by hand", "none of these")
-CASES = {
-    "A": ("none of these", "does the classifier learn while the pictures are searched?"),
-    "B": ("curriculum by hand", "who decides which pursuers come next, and do they learn?"),
-    "C": ("autocurriculum", "who sets the tasks of each copy?"),
-    "D": ("co-evolution", "both learn, and depend on each other. Are they rivals?"),
-    "E": ("autocurriculum", "both teams learn. Who sets the tasks of the evaders?"),
-}
-"""Which word fits best, by case, and what to ask where another one is given."""
-
-
-def exercise_4(answer: Any) -> None:
-    """Say which word fits which case."""
-    if wrong := choices(answer, {case: word for case, (word, _) in CASES.items()}, WORDS):
-        raise Mistake(
-            f"{len(wrong)} of {len(CASES)} do not fit. Think again about {wrong[0]}: "
-            f"{CASES[wrong[0]][1]}"
-        )
+    told += "1000 agent-steps."
+    if faults > 0.0:
+        raise Mistake(f"{told} One input knows who has to give way.")
+    if share < FEWEST_CAPTURED:
+        raise Mistake(f"{told} Nobody collides. Now spread the team: not all from one side.")

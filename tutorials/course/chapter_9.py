@@ -57,8 +57,10 @@ def pack(weights: ArrayLike) -> mw.Population:
 
 def idle_pack(learner: EvolutionStrategy, seed: int) -> State:
     """Return the state of a learner whose six weights are 0, with the noise of a seed."""
-    network, weights = mw.Network.for_config(WORLD, hidden=()), np.zeros(len(WEIGHTS), np.float32)
-    return learner.start(Task(seed, 0, 0, lambda rng: weights, weights, WORLD, network))
+    weights = np.zeros(len(WEIGHTS), np.float32)
+    # Of the game a learner wants to know how long genomes are; who plays it scores them.
+    game = mw.Game(np.subtract, len(WEIGHTS), ("packs", "evaders"))
+    return learner.start(Task(seed, 0, 0, lambda rng: weights, weights, game))
 
 
 def _genomes(network: mw.Network) -> NDArray[np.float32]:

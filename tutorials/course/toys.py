@@ -136,6 +136,59 @@ def replicators(
     return times, shares(x, solved.y[:n].T)
 
 
+# ---- Nim -----------------------------------------------------------------------------------------
+
+STONES, MOST = 13, 3
+"""Players take 1 to 3 of 13 stones in turn; who takes the last one wins.
+
+A genome has a preference for each move, by the stones that are left. Perfect play leaves a multiple
+of four, so that the first player can win against everybody.
+"""
+
+
+def taken(genomes: Genomes, left: IntArray) -> IntArray:
+    """Return how many stones genomes (M, genes) take of those that are left (M,)."""
+    preferences = genomes.reshape(-1, STONES, MOST)[np.arange(len(genomes)), left - 1]
+    allowed = np.arange(1, MOST + 1) <= left[:, np.newaxis]
+    return np.asarray(1 + np.argmax(np.where(allowed, preferences, -np.inf), axis=1))
+
+
+def _play_nim(a: Genomes, b: Genomes, rng: Rng) -> FloatArray:
+    left, scores = np.full(len(a), STONES), np.empty(len(a))
+    for turn in range(STONES):
+        going = np.flatnonzero(left)
+        left[going] -= taken((a, b)[turn % 2][going], left[going])
+        scores[going] = 1 - turn % 2  # the last one who moves wins
+    return scores
+
+
+NIM = Game(_play_nim, STONES * MOST, ("first", "second"), deterministic=True)
+
+
+def race_of_nim(seed: int, generations: int = 20) -> list[Genomes]:
+    """Play a race of generalists, and return the champions of both players by generation."""
+    schedule = {"kind": "generalist-generalist", "generations": generations}
+    race = RunInMemory(RaceSettings.of(game=NIM, learner="ga", schedule=schedule, seed=seed))
+    race.train()
+    return [np.array(race.archive[team]) for team in TEAMS]
+
+
+def all_against_all(game: Game, first: Genomes, second: Genomes) -> FloatArray:
+    """Return the scores (n, m) of genomes of the first team against those of the second one."""
+    i, j = np.indices((len(first), len(second)))
+    scores = game.play(first[i.ravel()], second[j.ravel()], np.random.default_rng(0))
+    return np.asarray(scores).reshape(i.shape)
+
+
+def perfect_players(count: int) -> Genomes:
+    """Return players of Nim that leave multiples of four, and move at random where they cannot."""
+    genomes = np.random.default_rng(0).random((count, STONES, MOST), dtype=np.float32)
+    for left in range(1, STONES + 1):
+        if left % 4:
+            genomes[:, left - 1, left % 4 - 1] += 1.0
+    return genomes.reshape(count, -1)
+
+
 # ---- Populations of bits -------------------------------------------------------------------------
 
 BITS = 100

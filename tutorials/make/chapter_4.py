@@ -1,7 +1,6 @@
 """The results that notebook 4 shows: ten small races of specialists, and their held-out scores.
 
-    python tutorials/make/chapter_4.py            about 3 minutes on two idle cores
-    python tutorials/make/chapter_4.py DIRECTORY  keeps the races there, and continues them
+    python tutorials/make/chapter_4.py      about 3 minutes on two idle cores; can be interrupted
 
 Writes ``chapter_4.npz`` into ``tutorials/course/data``:
 
@@ -13,8 +12,6 @@ Writes ``chapter_4.npz`` into ``tutorials/course/data``:
 
 from __future__ import annotations
 
-import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +22,7 @@ from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score_policy
 
 DATA = Path(__file__).parents[1] / "course" / "data"
+RUNS = Path("runs/chapter_4")
 SEEDS = range(10)
 EVERY = 3  # generations from one that is scored to the next
 EPISODES = 40  # of each generation against each held-out opponent
@@ -70,31 +68,20 @@ def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:
     return found
 
 
-def main(directory: Path) -> None:
+def main() -> None:
     counts, held_out = [], []
     for seed in SEEDS:
         print(f"seed {seed}", flush=True)
-        run = finish(settings(seed), directory / str(seed))
+        run = finish(settings(seed), RUNS / str(seed))
         generations = np.arange(0, run.settings.schedule.generations + 1, EVERY)
         counts.append(captured(run))
         held_out.append(scores(run, generations))
     pursuer, evader = np.array(held_out).swapaxes(0, 1)
     met = run.settings.evaluation_episodes * run.settings.world.n_evaders
-    save_arrays(
-        DATA / "chapter_4.npz",
-        {
-            "captured": np.array(counts),
-            "evaders_met": np.array(met),
-            "generations": generations,
-            "pursuer": pursuer,
-            "evader": evader,
-        },
-    )
+    arrays = {"captured": np.array(counts), "evaders_met": np.array(met)}
+    arrays |= {"generations": generations, "pursuer": pursuer, "evader": evader}
+    save_arrays(DATA / "chapter_4.npz", arrays)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        main(Path(sys.argv[1]))
-    else:
-        with tempfile.TemporaryDirectory() as temporary:
-            main(Path(temporary))
+    main()

@@ -12,7 +12,6 @@ samplers, seeds) the evaders that the last pursuers captured from the last evade
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 
@@ -30,6 +29,7 @@ from penalised import finish
 from course.questions import DATA
 
 SAMPLERS = ("latest", "round-robin", "uniform")
+RUNS = Path("runs/chapter_6")
 SEEDS = range(10)
 SMALL = RaceSettings.of(
     {
@@ -60,10 +60,10 @@ def race(sampler: str, seed: int) -> RaceSettings:
     )
 
 
-def races(directory: Path, threads: int | None) -> list[SavedRun]:
+def races() -> list[SavedRun]:
     """Return the finished races, sampler by sampler; play the missing ones."""
     return [
-        finish(race(name, seed), directory / name / f"seed-{seed}", threads=threads)
+        finish(race(name, seed), RUNS / name / f"seed-{seed}")
         for name in SAMPLERS
         for seed in tqdm(SEEDS, desc=name)
     ]
@@ -105,15 +105,5 @@ def counts(rates: np.ndarray, evaders: int) -> np.ndarray:
     return np.rint(rates * evaders).astype(np.uint8)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
-    parser.add_argument("--runs", type=Path, default=Path("runs/chapter_6"))
-    parser.add_argument("--threads", type=int, help="default: one for each core")
-    args = parser.parse_args()
-    path = DATA / "cures.npz"
-    save_arrays(path, numbers_of(races(args.runs, args.threads)))
-    print(f"Written: {path}, {path.stat().st_size / 1e3:.0f} kB")
-
-
 if __name__ == "__main__":
-    main()
+    save_arrays(DATA / "cures.npz", numbers_of(races()))

@@ -1,9 +1,8 @@
 """Make the kept results of notebook 7: races in which one team may give up.
 
-    python tutorials/make/chapter_7.py RUNS
+    python tutorials/make/chapter_7.py      2 minutes of one core; can be interrupted
 
-Plays three kinds of races of ten seeds each in the directory RUNS (about 2 minutes of one core),
-and writes ``tutorials/course/data/chapter_7.npz``. Finished races are not played again.
+Plays three kinds of races of ten seeds each, and writes ``tutorials/course/data/chapter_7.npz``.
 """
 
 from __future__ import annotations
@@ -27,6 +26,7 @@ from penalised import Penalised
 from course.toys import reduced_virulence
 
 DATA = Path(__file__).parents[1] / "course" / "data"
+RUNS = Path("runs/chapter_7")
 SEEDS = range(10)
 EPISODES = 30
 """Episodes of each pair that are kept, of 40, so that the file stays small."""
@@ -92,14 +92,14 @@ def captures(run: SavedRun) -> np.ndarray:
     return np.rint(rates * EVEN.world.n_evaders).astype(np.uint8)
 
 
-def main(runs: Path) -> None:
+def main() -> None:
     arrays: dict[str, np.ndarray] = {"evaders": np.array(EVEN.world.n_evaders)}
     for name in RACES:
-        played = [race(name, seed, runs) for seed in tqdm(SEEDS, desc=name)]
+        played = [race(name, seed, RUNS) for seed in tqdm(SEEDS, desc=name)]
         arrays[f"captured: {name}"] = np.stack([captures(run) for run in played])
         arrays[f"spread of fitness: {name}"] = np.stack([spread(run) for run in played])
     save_arrays(DATA / "chapter_7.npz", arrays)
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    main()

@@ -1,4 +1,4 @@
-"""Evolve the packs of notebook 9: penalties, a limit, a mask; twenty seeds each.
+"""Evolve the packs of notebook 9: penalties, and a mask; twenty seeds each.
 
     python tutorials/make/chapter_9.py      eight minutes on one core; goes on after an interruption
 
@@ -6,7 +6,6 @@ Writes `safe_packs.npz` to the folder of kept results. Every pack has six weight
 the same number of matches in the same world (`course.chapter_9`):
 
 - penalties: a fixed penalty for each collision at fault, with the paper's other rewards;
-- limit: the penalty rises while a pack collides more often than a limit, and falls below it;
 - mask: no penalty at all, but the mask right-of-way.
 """
 
@@ -34,8 +33,6 @@ from course.chapter_9 import WORLD, idle_pack, pack, play_masked
 from course.questions import DATA
 
 PENALTIES = (0.0, 0.1, 0.3, 1.0, 3.0, 12.0, 40.0)
-LIMIT = 20.0  # agent-steps at fault of 1000
-RISE = 0.002  # of the penalty in each epoch, for each agent-step above the limit
 SEEDS = 20
 EPOCHS, SAMPLES, WORLDS = 60, 32, 8
 EPISODES = 400  # of each final test
@@ -55,31 +52,15 @@ def with_penalty(penalty: float) -> mw.WorldConfig:
     return replace(WORLD, rewards=mw.Rewards(pursuer_collide=-penalty))
 
 
-def fault_rate(faults: NDArray[np.int32], agent_steps: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Return the pursuers' agent-steps at fault of 1000, by kind."""
-    return 1000 * faults[:, :, 0].sum(axis=(0, 1)) / agent_steps[:, :, 0].sum()
-
-
-def evolve(seed: int, penalty: float, limit: float | None = None) -> Row:
-    """Evolve a pack on rewards; with a limit, the penalty is adapted to it."""
+def evolve(seed: int, penalty: float) -> Row:
+    """Evolve a pack on rewards."""
     rng = np.random.default_rng(seed)
-    state = idle_pack(LEARNER, seed)
-    curve, faults = [], np.zeros(3, np.int64)
+    state, world = idle_pack(LEARNER, seed), with_penalty(penalty)
     for _ in range(EPOCHS):
         candidates, state = LEARNER.ask(state, rng)
-        played = mw.rollout(
-            with_penalty(penalty), pack(candidates), "random", matches(rng), episodes=WORLDS
-        )
+        played = mw.rollout(world, pack(candidates), "random", matches(rng), episodes=WORLDS)
         state = LEARNER.tell(state, Results(played.pursuer_return.mean(axis=1)))
-        rate = fault_rate(played.faults, played.agent_steps)
-        faults += played.faults[:, :, 0].sum(axis=(0, 1))
-        curve.append((played.capture_rate.mean(), rate.sum(), penalty))
-        if limit is not None:
-            penalty = max(0.0, penalty + RISE * (rate.sum() - limit))
-    return tested(LEARNER.genome(state), seed) | {
-        "curve": np.array(curve),
-        "training_faults": faults,
-    }
+    return tested(LEARNER.genome(state), seed)
 
 
 def tested(weights: NDArray[np.float32], seed: int) -> Row:
@@ -91,8 +72,6 @@ def tested(weights: NDArray[np.float32], seed: int) -> Row:
         "weights": weights,
         "captured": played.capture_rate.sum(),
         "steps": played.length.sum(),
-        "faults": played.faults[:, :, 0].sum(axis=(0, 1)),
-        "agent_steps": played.agent_steps[:, :, 0].sum(),
         "safe": (played.faults[:, :, 0].sum(axis=2) == 0).sum(),
     }
 
@@ -110,20 +89,12 @@ def evolve_masked(seed: int) -> Row:
     envs = mw.VectorEnv(
         world, n_worlds=SAMPLES * WORLDS, copy=False, autoreset_mode="Disabled", threads=1
     )
-    curve, faults = [], np.zeros(3, np.int64)
     for _ in range(EPOCHS):
         candidates, state = LEARNER.ask(state, rng)
         played = masked_epoch(envs, pack(candidates), rng)
         earned = played["return"][:, 0].reshape(SAMPLES, WORLDS).mean(axis=1)
         state = LEARNER.tell(state, Results(earned))
-        at_fault = played["faults"][:, 0].sum(axis=0)
-        rate = 1000 * at_fault.sum() / played["agent_steps"][:, 0].sum()
-        faults += at_fault
-        curve.append((played["capture_rate"].mean(), rate, 0.0))
-    return tested_masked(LEARNER.genome(state), seed) | {
-        "curve": np.array(curve),
-        "training_faults": faults,
-    }
+    return tested_masked(LEARNER.genome(state), seed)
 
 
 def masked_epoch(
@@ -157,8 +128,6 @@ def tested_masked(weights: NDArray[np.float32], seed: int) -> Row:
         "weights": weights,
         "captured": round(EPISODES * summary.capture_rate),  # there is one evader
         "steps": steps.sum(),
-        "faults": np.rint(summary.fault_mean[0] * EPISODES),
-        "agent_steps": summary.agent_steps[0],
         "safe": np.rint(EPISODES * summary.safe_share[0].min()),
     }
 
@@ -180,7 +149,6 @@ def main(path: Path) -> None:
         f"penalty{number}": partial(evolve, penalty=penalty)
         for number, penalty in enumerate(PENALTIES)
     }
-    groups["limit"] = partial(evolve, penalty=0.0, limit=LIMIT)
     groups["mask"] = evolve_masked
     # The packs that evolved without a penalty, tested under the mask.
     groups["late_mask"] = lambda seed: tested_masked(arrays["penalty0_weights"][seed], seed)

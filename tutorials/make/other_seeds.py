@@ -6,9 +6,6 @@ A claim names an effect, which has a sign; `SOURCES` measure effects, one number
 takes long is played here, in ``runs/other_seeds``, and kept in ``tutorials/course/data`` as
 ``other_seeds.npz``: for each effect an array (seeds,). The rest is played by the test
 ``tests/course/test_other_seeds.py``, which asks for the sign of each claim.
-
-The paper's larger races of notebook 8 are not tested: new seeds would take longer than all the
-rest.
 """
 
 from __future__ import annotations
@@ -17,13 +14,11 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
-from itertools import combinations
 from pathlib import Path
 
 import chapter_4
 import chapter_6
 import chapter_7
-import chapter_8
 import numpy as np
 from chapter_9 import EPISODES, evolve, evolve_masked, tested_masked
 from penalised import finish
@@ -32,18 +27,14 @@ from tqdm import tqdm
 import matrixworld as mw
 from matrixworld import analysis, coevolution
 from matrixworld._util.files import load_arrays, save_arrays
-from matrixworld.analysis.cycles import transitive_share_over_episodes
 from matrixworld.coevolution import SavedRun
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
 
+
 from course import chapter_3, toys
-from course import chapter_6 as toy_of_6
 from course.chapter_5 import noisy_race
-from course.chapter_8 import examined
-from course.chapter_9 import WORLD, pack, play_masked
 from course.questions import DATA
-from course.synthetic_races import play_episodes
 
 KEPT = DATA / "other_seeds.npz"
 NOTEBOOKS = Path(__file__).parents[1]
@@ -84,13 +75,18 @@ SHOWN = np.arange(0, 601, 20)
 
 
 def numbers_games(seed: int) -> Effects:
-    scalar, focusing, intransitive = (
-        toys.numbers_game(name, seed).final_objective[0] for name in toys.GAMES
+    scalar, intransitive = (
+        toys.numbers_game(name, seed).final_objective[0] for name in ("scalar", "intransitive")
     )
-    return {
-        "scalar minus focusing": scalar - focusing,
-        "focusing minus intransitive": focusing - intransitive,
-    }
+    return {"scalar minus intransitive": scalar - intransitive}
+
+
+def nim(seed: int) -> Effects:
+    """What the last first player scores in its race, and against perfect play."""
+    first, second = toys.race_of_nim(seed)
+    rivals = second, toys.perfect_players(100)
+    inside, outside = (toys.all_against_all(toys.NIM, first[-1:], r).mean() for r in rivals)
+    return {"in the race minus outside": inside - outside}
 
 
 def tournament_gain(seed: int) -> Effects:
@@ -156,31 +152,7 @@ def noise(seed: int) -> Effects:
     return {"false alarm, less one in ten": alarm - 0.1, "four in ten, less it": 0.4 - alarm}
 
 
-def chance(seed: int) -> Effects:
-    """What notebook 6 measures of an ordered race, with 1 and with 10 matches in a cell."""
-    strength = np.linspace(-1, 1, 16)
-    truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
-    one, ten = (play_episodes(truth, n, np.random.default_rng(seed)) for n in (1, 10))
-    boards = analysis.checkerboards(one.mean(axis=2), margin=0.15, level=None).share
-    corrected = transitive_share_over_episodes(ten).value
-    return {
-        "one half minus the share of one match": 0.5 - analysis.transitive_share(one.mean(axis=2)),
-        "checkerboards of one match": boards,
-        "correction of ten matches": corrected - analysis.transitive_share(ten.mean(axis=2)),
-    }
-
-
 # ---- Notebook 6: cures ---------------------------------------------------------------------------
-
-
-def toy_cures(seed: int) -> Effects:
-    """Return how far races of three hands end from the limit of the prediction."""
-    latest, hall, nash = (toy_of_6.race(name, 300, seed)[-1, 1] for name in toy_of_6.SOURCES)
-    return {
-        "latest, less 0.2": latest - 0.2,
-        "0.2 less hall": 0.2 - hall,
-        "hall less Nash": hall - nash,
-    }
 
 
 @cache
@@ -259,54 +231,7 @@ def restraint(seed: int) -> Effects:
     }
 
 
-def hosts(seed: int) -> Effects:
-    greedy, early, middle, restrained = (
-        toys.hosts_and_parasites(v, seed).final_objective for v in (1.0, 0.95, 0.85, 0.75)
-    )
-    return {
-        "hosts, restrained minus greedy": restrained[0] - greedy[0],
-        "parasites, restrained minus greedy": restrained[1] - greedy[1],
-        "60 minus the hosts of greedy ones": 60 - greedy[0],
-        "hosts, 0.85 minus 0.95": middle[0] - early[0],
-    }
-
-
-# ---- Notebook 8 ----------------------------------------------------------------------------------
-
-
-def schools(seed: int) -> Effects:
-    """Return differences between schools. Races of all other seeds are the co-evolved examiners."""
-    runs, race = RUNS / "chapter_8", chapter_8.RACE
-    races = {
-        each: finish(
-            replace(race, seed=each), runs / "races" / str(each), race.training_game.penalty
-        )
-        for each in SOURCES["schools"].others
-    }
-    own, effects = races.pop(seed), {}
-    for team, ladder in chapter_8.LADDERS.items():
-        learned = {
-            name: chapter_8.taught(team, name, seed, runs) for name in chapter_8.orders(team)
-        }
-        last = {name: genomes[-1:] for name, genomes in learned.items()}
-        last["co-evolution"] = own.teams[team].genomes[-1:]
-        strangers = np.ones((1, len(races)), bool)
-        stored = chapter_8.examined(team, last, [*races.values()], strangers)
-        for examiner, scores in examined(stored, f"{team}s").items():
-            effects |= {
-                f"{team}s, {examiner}: {one} minus {other}": float(scores[one] - scores[other])
-                for one, other in combinations(("co-evolution", "easy to hard", "random only"), 2)
-            }
-        climbed = chapter_8.tested(team, learned["easy to hard"], ladder[0], chapter_8.EPISODES)
-        effects[f"{team}s, random: last stage minus first"] = (
-            float(climbed[-1]) - climbed[1]
-        ) / 1000
-    return effects
-
-
 # ---- Notebook 9 ----------------------------------------------------------------------------------
-
-GREEDY = [6, 20, 0, 0, 0, 0]
 
 
 def penalty(seed: int) -> Effects:
@@ -331,27 +256,6 @@ def masks(seed: int) -> Effects:
     }
 
 
-def masked(seed: int) -> Effects:
-    """The greedy pack under the first mask: agent-steps at fault with teammates, of 1000."""
-
-    def free_cells(views: np.ndarray) -> np.ndarray:
-        free = ~views[:, :, [4, 5, 6, 5], [5, 6, 5, 4]].any(axis=1)  # north, east, south, west
-        return np.insert(free, 0, True, axis=1)
-
-    free, under = (
-        play_masked(GREEDY, mask, episodes=40, seed=seed)[0].summary().fault_rate[0, 1]
-        for mask in (lambda views: np.ones((len(views), 5), bool), free_cells)
-    )
-    return {"left": under, "left, minus without a mask": under - free}
-
-
-def polite(seed: int) -> Effects:
-    packs = pack([GREEDY, [6, 20, -10, -10, -2, 0]])
-    matches = mw.Matches.of(range(2), 0, seed)
-    lengths = mw.rollout(WORLD, packs, "random", matches, episodes=40).length
-    return {"steps, polite minus greedy": float(np.subtract(*lengths.mean(axis=1)[::-1]))}
-
-
 # ---- Claims --------------------------------------------------------------------------------------
 
 
@@ -374,18 +278,13 @@ SOURCES = {
     "cures": Source(cures, range(10, 20), kept=True),
     "halls": Source(halls, range(10, 20), kept=True),
     "restraint": Source(restraint, range(10, 50), kept=True),
-    "schools": Source(schools, range(10, 20), kept=True),
     "chosen": Source(chosen, range(100, 106)),
     "race by hand": Source(race_by_hand, range(100, 110)),
     "numbers games": Source(numbers_games, range(200, 210)),
+    "nim": Source(nim, range(100, 120)),
     "tournament": Source(tournament_gain, range(120, 200)),
     "paper": Source(paper_race, range(10, 20)),
     "noise": Source(noise, range(200, 400)),
-    "chance": Source(chance, range(20, 40)),
-    "toy cures": Source(toy_cures, range(20, 40)),
-    "hosts": Source(hosts, range(10, 15)),
-    "masked": Source(masked, range(1, 11)),
-    "polite": Source(polite, range(2, 12)),
 }
 
 

@@ -17,9 +17,7 @@ class Penalised(Run):
         self.game = replace(self.game, penalty=penalty)
 
 
-def finish(
-    settings: RaceSettings, directory: Path, penalty: float = 0.5, *, threads: int | None = 1
-) -> SavedRun:
+def finish(settings: RaceSettings, directory: Path, penalty: float = 0.5) -> SavedRun:
     """Return the finished run of these settings, with a penalty on evaders that share cells."""
     create(settings, directory)
-    return Penalised(directory, penalty, threads=threads).run()
+    return Penalised(directory, penalty, threads=1).run()

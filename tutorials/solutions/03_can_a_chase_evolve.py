@@ -87,27 +87,16 @@ pursuers, evaders = race(SEED, 3)  # the notebook asks for 12
 exercise_3 = SEED, pursuers, evaders, all_against_all((pursuers, evaders))
 
 
-# 3.4  A learner: ask and tell.
+# 3.4  A game of your own.
 #
-# This one makes 30 mutants and moves to the mean of the best eight. A mean of several forgets the
-# luck of a single one. The step becomes smaller with time.
+# Three auctions: a genome is three bids. The higher bid wins a prize of 1 and pays what it bids.
+# Any game that keeps the promises is right.
 
 
-class Climber:
-    """A hill climber that moves to the mean of its best candidates."""
-
-    def __init__(self, genome: np.ndarray, rng: np.random.Generator) -> None:
-        self.genome, self.sigma = genome, 0.2
-
-    def ask(self, rng: np.random.Generator) -> np.ndarray:
-        noise = rng.standard_normal((30, len(self.genome)), dtype=np.float32)
-        self.candidates = self.genome + np.float32(self.sigma) * noise
-        return self.candidates
-
-    def tell(self, fitness: np.ndarray) -> None:
-        best = np.argsort(fitness)[-8:]
-        self.genome = self.candidates[best].mean(axis=0)
-        self.sigma *= 0.99
+def play(a, b, rng):
+    bids, others = (1 / (1 + np.exp(-genes)) for genes in (a, b))
+    profit = np.where(bids > others, 1 - bids, 0) - np.where(others > bids, 1 - others, 0)
+    return (1 + profit.mean(axis=1)) / 2
 
 
-exercise_4 = Climber
+exercise_4 = mw.Game(play, genes=3, teams=("buyers", "rivals"), deterministic=True)

@@ -9,11 +9,9 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Set
 from contextlib import suppress
 from difflib import get_close_matches
-from functools import cache
-from math import ceil
 from numbers import Real
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,8 +26,7 @@ MOST_THREADS = 1024
 """The most threads that anything may use."""
 
 _LONGEST = 100  # characters of a value in a message
-_OWN_GROUP = Path("/proc/self/cgroup")
-_GROUPS = Path("/sys/fs/cgroup")  # control groups (Linux, version 2)
+_GROUP = Path("/sys/fs/cgroup")  # of a container (Linux, version 2)
 
 
 class OutOfMemoryError(ValueError):
@@ -87,30 +84,20 @@ def check_number(
 def check_floats(
     name: str, given: ArrayLike, dtype: type[np.floating[Any]] = np.float64
 ) -> NDArray[Any]:
-    """Return real numbers as a new array of a float dtype.
-
-    Refused are text, complex numbers, rows of different lengths, masked cells, sets and mappings.
-    """
+    """Return real numbers as a new array of a float dtype; no text and no masked cells."""
     expected = f"{name}: expected an array of numbers, got"
-    if isinstance(given, Set | Mapping):
-        raise TypeError(f"{expected} {shown(given)}")
-    if callable(cast(object, given)):
-        call = f"{getattr(given, '__name__', 'it')}()"
-        raise TypeError(f"{expected} a function; did you mean {call}?")
     try:
-        array = np.asarray(given)
-        # What a mask hides is no number, and `asarray` returns it.
-        mask = False if array is given else np.ma.getmask(np.ma.asarray(given))
-        kept = np.array(array, dtype) if array.dtype.kind in "biufO" else None
+        array: Any = np.ma.asarray(given)
+        kept = np.array(array.data, dtype) if array.dtype.kind in "biufO" else None
     except OverflowError:
         raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None
     except (TypeError, ValueError) as error:
         raise type(error)(f"{expected} {_no_number(given)}") from None
-    if np.any(mask):
-        where = ", ".join(map(str, np.argwhere(mask)[0]))
-        raise ValueError(f"{expected} a masked cell at ({where})")
     if kept is None:
         raise TypeError(f"{expected} {shown(given)}")
+    if np.any(array.mask):
+        where = ", ".join(map(str, np.argwhere(array.mask)[0]))
+        raise ValueError(f"{expected} a masked cell at ({where})")
     return kept
 
 
@@ -173,6 +160,7 @@ ELSEWHERE = {
     "n_envs": ("num_envs", "n_worlds"),
     "n_worlds": ("num_envs",),
     "max_cycles": ("max_steps",),
+    "max_episode_steps": ("max_steps",),
     "opponent": ("evaders",),
 }
 """What other libraries call keyword arguments, and what they are called here."""
@@ -220,26 +208,10 @@ def check_integers(
 
 
 def usable_cores() -> int:
-    """Return the number of cores that this process may use, the default number of threads.
-
-    These are the cores of its CPU affinity, or fewer in a container with a limit of CPU time.
-    """
+    """Return the number of cores that this process may use, the default number of threads."""
     has_affinity = hasattr(os, "sched_getaffinity")
     cores = len(os.sched_getaffinity(0)) if has_affinity else os.cpu_count() or 1
-    return max(1, min(cores, MOST_THREADS, ceil(control_group_cores())))
-
-
-@cache
-def control_group_cores() -> float:
-    """Return how many cores' time the control groups of this process allow."""
-    own = re.search(r"^0::/(.*)$", _text(_OWN_GROUP), re.MULTILINE)
-    group = _GROUPS / own[1] if own else _GROUPS
-    # "150000 100000": 150 ms in every 100 ms. Without a limit: "max 100000", or no file.
-    limits = (
-        re.match(r"(\d+) (\d+)", _text(folder / "cpu.max")) for folder in (group, *group.parents)
-    )
-    cores = (int(limit[1]) / int(limit[2]) for limit in limits if limit)
-    return min(cores, default=float(MOST_THREADS))
+    return min(cores, MOST_THREADS)
 
 
 def check_memory(what: str, **parts: float) -> None:
@@ -260,8 +232,8 @@ def available_memory() -> int | None:
     if free := re.search(r"^MemAvailable: *(\d+) kB", _text(Path("/proc/meminfo")), re.MULTILINE):
         limits.append(1024 * int(free[1]))
     # What is left to a container. Not memory.current, which counts files in the cache.
-    limit = re.match(r"\d+", _text(_GROUPS / "memory.max"))  # or the word "max"
-    held = re.search(r"^anon (\d+)$", _text(_GROUPS / "memory.stat"), re.MULTILINE)
+    limit = re.match(r"\d+", _text(_GROUP / "memory.max"))  # or the word "max"
+    held = re.search(r"^anon (\d+)$", _text(_GROUP / "memory.stat"), re.MULTILINE)
     if limit and held:
         limits.append(int(limit[0]) - int(held[1]))
     return max(0, min(limits)) if limits else None

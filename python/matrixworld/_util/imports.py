@@ -1,4 +1,4 @@
-"""Imports: what waits for its first use, what follows another import, stand-ins in a browser.
+"""Imports: what waits for its first use, and stand-ins in a browser.
 
 A browser (Pyodide) has no processes, and so no locks or memory between them, which Gymnasium and
 `concurrent.futures` import. DEAP imports a compiled package for several objectives. Stand-ins make
@@ -11,8 +11,6 @@ import ast
 import sys
 from collections.abc import Callable, Mapping
 from importlib import import_module
-from importlib.abc import MetaPathFinder
-from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
@@ -63,37 +61,3 @@ def no_attribute(owner: Any, what: str, name: str, meant: Mapping[str, str]) -> 
     """Return the error of a name that `owner` lacks, with the right call for it if one is known."""
     hint = f"; did you mean {meant[name]}?" if name in meant else ""
     return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name, obj=owner)
-
-
-class ImportedWith(MetaPathFinder):
-    """Imports a module when one of some libraries is imported, or at once if one has been."""
-
-    def __init__(self, libraries: set[str], module: str) -> None:
-        self.libraries = libraries
-        self.module = module
-        if libraries & sys.modules.keys():
-            import_module(module)
-        else:
-            sys.meta_path.insert(0, self)
-
-    def find_spec(
-        self, fullname: str, path: Any = None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
-        """Return the specification of a library, whose loader also imports the module."""
-        if fullname not in self.libraries:
-            return None
-        finders = [finder for finder in sys.meta_path if finder is not self]
-        found = (finder.find_spec(fullname, path, target) for finder in finders)
-        spec = next(filter(None, found), None)
-        if spec is not None and spec.loader is not None:
-            load = spec.loader.exec_module
-
-            def execute(module: ModuleType) -> None:
-                # Once, and before the library is there: it may import another one.
-                if self in sys.meta_path:
-                    sys.meta_path.remove(self)
-                load(module)
-                import_module(self.module)
-
-            spec.loader.exec_module = execute  # type: ignore[method-assign]
-        return spec

@@ -22,6 +22,7 @@ from matrixworld.analysis.intervals import (
     Estimate,
     band_over_runs,
     difference_of_runs,
+    interquartile_mean,
     interval_over_runs,
     mean_over_episodes,
 )
@@ -37,7 +38,6 @@ from matrixworld.analysis.progress import (
     team_phase_rates,
 )
 from matrixworld.analysis.ratings import elo, elo_over_episodes
-from matrixworld.analysis.runs import interquartile_mean, probability_of_improvement
 from matrixworld.analysis.strength import forgetting
 
 __all__ = [
@@ -66,7 +66,6 @@ __all__ = [
     "measure_all",
     "measure_table",
     "nash_averaging",
-    "probability_of_improvement",
     "read_payoffs",
     "sentence",
     "team_phase_rates",

@@ -28,8 +28,7 @@ MOST_GENERATIONS = 40
 """More generations of a team are thinned out evenly, which keeps a fit below a second."""
 SORTING = 1.5
 """Share of the noise that sorting hides, in units of (n + m) / (n m). Simulated: 1 to 1.3."""
-BLOCKS = 8
-"""Most blocks of episodes in each half from which recurrence is estimated."""
+BLOCKS = 8  # most blocks of episodes in each half from which recurrence is estimated
 TOO_FEW_TO_RECUR = (
     f"it takes the single episodes of each pair, at least {EPISODES_TO_RECUR}, to see whether "
     "strategies return"
@@ -62,19 +61,13 @@ class Checkerboard:
 
 
 def transitive_share(payoff: ArrayLike) -> float:
-    """Return the share of the variance that each generation's own strength explains, in [0, 1].
+    """Return the share of the variance of `payoff` (n, m) that generations' own strengths explain.
 
     1: the strengths of both generations add up to the capture rate. 0: only the pairing matters.
     NaN for a constant matrix. Noise alone gives about ``(n + m - 2) / (n m - 1)``, so a low value
     is no proof of cycles: look at `checkerboards`, too; ``MEASURES["transitive_share"]`` subtracts
     the noise of single episodes.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-
-    References
-    ----------
     Fisher (1925), "Statistical methods for research workers": two-way analysis of variance.
     Candogan et al. (2011), "Flows and decompositions of games: harmonic and potential games".
     """
@@ -87,10 +80,8 @@ def transitive_share(payoff: ArrayLike) -> float:
 
 
 def transitive_share_over_episodes(scores: Rates) -> Estimate:
-    """Return the transitive share of what is behind episodes (n, m, episodes), without interval.
-
-    Products of different episodes of a cell hold no noise (U statistics, Hoeffding 1948).
-    """
+    """Return the transitive share of what is behind episodes (n, m, episodes), without interval."""
+    # Products of different episodes of a cell hold no noise (U statistics, Hoeffding 1948).
     measured, episodes = transitive_share(scores.mean(axis=2)), scores.shape[2]
     if episodes < EPISODES_TO_SUBTRACT_NOISE:
         note = f"{BIASED} below {EPISODES_TO_SUBTRACT_NOISE} episodes"
@@ -117,12 +108,11 @@ def checkerboards(
 ) -> Checkerboards:
     """Count checkerboards: pursuers p1 beat e1 but not e2, and p2 beat e2 but not e1.
 
-    Counted over unordered pairs of rows and of columns, in time O(n^2 m^2) and memory O(n m^2). A
-    staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
+    Counted over pairs of rows and of columns of `payoff` (n, m), in time O(n^2 m^2) and memory
+    O(n m^2). A staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
 
     Parameters
     ----------
-    payoff : array_like of float, shape (n, m)
     margin : float, optional
         Each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of ``M[p1, e2]`` and ``M[p2, e1]`` by
         more than this, in [0, 1).
@@ -155,10 +145,7 @@ def checkerboards(
 def strongest_checkerboards(
     matrix: Rates, *, count: int = 12, margin: float = 0.0
 ) -> tuple[Checkerboard, ...]:
-    """Return checkerboards with large margins, in descending order, that differ from each other.
-
-    The strongest one of two pursuers counts; no two have more than two generations in common.
-    """
+    """Return the largest checkerboards, of which no two have three generations in common."""
     # Of two rows, no margin exceeds what one gains over the other in some column, and loses in
     # another. In the order of these bounds, some dozens of pairs have to be looked at.
     pairs: list[tuple[float, int, int, Checkerboard | None]] = []
@@ -191,10 +178,7 @@ def _in_common(one: Checkerboard, other: Checkerboard) -> int:
 
 
 def transitive_fit(matrix: Rates) -> Rates:
-    """Return the nearest matrix that never falls along both teams, sorted by mean capture rate.
-
-    Isotonic regression in both directions by alternating projections (Dykstra and Robertson 1982).
-    """
+    """Return the nearest matrix that never falls along both teams, sorted by mean capture rate."""
     order = np.ix_(*(np.argsort(matrix.mean(axis=axis), kind="stable") for axis in (1, 0)))
     fit = np.empty_like(matrix)
     fit[order] = _monotone(matrix[order])
@@ -204,8 +188,7 @@ def transitive_fit(matrix: Rates) -> Rates:
 def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the mean squared residual of `transitive_fit` minus the mean noise (n, m).
 
-    A test of lack of fit with an order of strength as the null hypothesis (Robertson, Wright and
-    Dykstra 1988); `biased_high` and `high` allow for what the fit hides.
+    `biased_high` and `high` allow for what the fit hides (Robertson, Wright and Dykstra 1988).
     """
     matrix, noise = thinned(matrix), thinned(noise)
     fit, share = transitive_fit(matrix), 1.0 / matrix.size
@@ -235,7 +218,8 @@ def _leverages(fit: Rates) -> Rates:
 
 def _monotone(matrix: Rates) -> Rates:
     """Return the least-squares fit that does not fall along rows and columns."""
-    # Dykstra: each projection starts from the last one plus its own correction.
+    # Alternating projections (Dykstra and Robertson 1982): each starts from the last one plus its
+    # own correction.
     fit, along_rows, along_columns = matrix, np.zeros_like(matrix), np.zeros_like(matrix)
     for _ in range(_ITERATIONS):
         start = fit + along_rows
@@ -260,12 +244,10 @@ def _isotonic_rows(values: Rates) -> Rates:
 
 
 def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
-    """Return how similar the row team becomes to its own past again, with an interval.
-
-    c(d) is the mean product of the cyclic parts of generations that are d apart, divided by c(0).
-    Where c falls below 0, the team has left its old strategies; the largest c(d) after that is the
-    recurrence. One half of the episodes (n, m, episodes) chooses d, the other one measures c(d).
-    """
+    """Return how similar the row team becomes to its past again, of scores (n, m, episodes)."""
+    # c(d) is the mean product of the cyclic parts of generations that are d apart, divided by c(0).
+    # Where c falls below 0, the team has left its old strategies; the largest c(d) after that is
+    # the recurrence. One half of the episodes chooses d, the other one measures c(d).
     # The interval inverts a t test, as Fieller's theorem (1954) does for a ratio, with the standard
     # errors of the jackknife over episodes (Efron and Stein 1981).
     if scores.shape[2] < EPISODES_TO_RECUR:
@@ -304,10 +286,8 @@ def _returned(chooses: Rates, measures: Rates, level: float) -> tuple[float, flo
 
 
 def _without_noise(products: Rates) -> tuple[Rates, Rates]:
-    """Return sums from products (k, episodes, episodes), and their jackknife covariance (k, k).
-
-    Products of an episode with itself hold the noise, so only those of two episodes count.
-    """
+    """Return sums from products (k, episodes, episodes), and their jackknife covariance (k, k)."""
+    # Products of an episode with itself hold the noise, so only those of two episodes count.
     episodes = products.shape[1]
     of_episode = products.sum(axis=2) - np.diagonal(products, axis1=1, axis2=2)
     everything = of_episode.sum(axis=1)
@@ -319,10 +299,8 @@ def _without_noise(products: Rates) -> tuple[Rates, Rates]:
 
 
 def _ratio(sums: Rates, covariance: Rates, t: float) -> tuple[float, float, float] | None:
-    """Return the ratio q of two sums, its largest and smallest value; None if the total may be 0.
-
-    The ends solve ``(residual - q total)^2 = t^2 variance(residual - q total)``.
-    """
+    """Return the ratio q of two sums, its largest and smallest value; None if one may be 0."""
+    # The ends solve ``(residual - q total)^2 = t^2 variance(residual - q total)``.
     residual, total = sums.tolist()
     a = total**2 - t**2 * covariance[1, 1]
     b = residual * total - t**2 * covariance[0, 1]

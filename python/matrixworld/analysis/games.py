@@ -28,9 +28,7 @@ _MOST_STEPS = 200
 class Nash(Readable):
     """The maximum-entropy Nash equilibrium of a payoff matrix, and payoffs against it.
 
-    `value`: capture rate when both teams play their mixtures, the weights `pursuers` (n,) and
-    `evaders` (m,). `pursuer_averages` and `evader_averages`, the Nash averages: capture rate, and
-    escape rate, of each generation against the mixture of the other team.
+    The averages are capture rates, and escape rates, against the mixture of the other team.
     """
 
     value: float
@@ -47,8 +45,6 @@ def nash_averaging(payoff: ArrayLike) -> Nash:
     polytope; the one of maximum entropy is unique. Copies of a generation share its weight and
     change neither the value nor the averages. Payoffs closer than 1e-7 count as equal.
 
-    References
-    ----------
     Balduzzi et al. (2018), "Re-evaluating evaluation": the case of agents against tasks. Dantzig
     (1951), "A proof of the equivalence of the programming problem and the game problem".
     """
@@ -85,11 +81,9 @@ def _optimal(matrix: Rates) -> Rates:
 
 
 def _inner(matrix: Rates, value: float, start: Rates, answer: Rates) -> Rates:
-    """Return an optimal mixture of all rows that have a weight in any optimal mixture.
-
-    It is the mean of ``start`` and of others with the most weight, up to ``1 / rows`` each, on rows
-    unused so far. Rows that get less than the value against the optimal ``answer`` have none.
-    """
+    """Return an optimal mixture of all rows that have a weight in any optimal mixture."""
+    # The mean of `start` and of others with the most weight, up to 1 / rows each, on rows unused so
+    # far. Rows that get less than the value against the optimal `answer` have none.
     rows, columns = matrix.shape
     kept = np.block([[-matrix.T, np.zeros((columns, rows))], [-np.eye(rows), np.eye(rows)]])
     limits = np.append(np.full(columns, -value), np.zeros(rows))
@@ -136,9 +130,9 @@ def _mixture(weights: Rates) -> Rates:
 
 
 def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: NDArray[np.bool_]) -> Rates:
-    """Return the optimal mixture of maximum entropy, of the rows in the support of ``inner``.
+    """Return the optimal mixture of maximum entropy, of the rows in the support of `inner`.
 
-    Columns that the opponent may play are ``tight``: they give exactly ``value``, others more.
+    Columns that the opponent may play are `tight`: they give exactly `value`, others more.
     """
     used = inner > 0.0
     margins = (matrix - value)[used]
@@ -150,7 +144,9 @@ def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: NDArray[np.bo
     )
     if (start <= 0.0).any():  # weights close to the tolerance: keep those of the programme
         start = inner[used]
-    directions = _null_space(equations)
+    _, sizes, right = np.linalg.svd(equations)
+    # Orthonormal directions (rows, d) that keep all equations.
+    directions = right[int(np.sum(sizes > _RANK * sizes[0])) :].T
     # Inequalities rarely bind, so Newton's method first tries without them.
     best = _newton(start, directions)
     slack = margins[:, ~tight].T
@@ -160,13 +156,6 @@ def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: NDArray[np.bo
     mixture = np.zeros(len(matrix))
     mixture[used] = best
     return _mixture(mixture)
-
-
-def _null_space(equations: Rates) -> Rates:
-    """Return orthonormal directions, shape (rows, d), that keep all equations."""
-    _, sizes, right = np.linalg.svd(equations)
-    directions: Rates = right[int(np.sum(sizes > _RANK * sizes[0])) :].T
-    return directions
 
 
 def _newton(start: Rates, directions: Rates) -> Rates:
@@ -230,17 +219,10 @@ class Exploitability(NamedTuple):
 def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -> Exploitability:
     """Return the gains of the best generations of the matrix against two mixtures.
 
-    They are ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders.
-    Opponents outside the matrix may gain more: see `coevolution.best_responses`.
+    They are ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders:
+    in `payoff` M (n, m), with the mixtures `pursuers` p (n,) and `evaders` q (m,), weights of at
+    least 0 with sum 1. Opponents outside the matrix may gain more: see `solver.best_response`.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    pursuers, evaders : array_like of float, shapes (n,) and (m,)
-        Mixtures p and q: weights of at least 0 with sum 1.
-
-    References
-    ----------
     Lanctot et al. (2017), "A unified game-theoretic approach to multiagent reinforcement learning",
     where the sum is called NashConv.
     """

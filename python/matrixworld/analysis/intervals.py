@@ -14,16 +14,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_bool, check_floats, check_real, shown
+from matrixworld._util.checks import check_bool, check_floats, check_integer, check_real, shown
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 
-LEVEL = 0.95
-"""Default confidence level: share of intervals that should contain the true value."""
+LEVEL = 0.95  # default confidence level: share of intervals that should contain the true value
 FEW_RUNS = 5
 """With fewer runs an interval is wide, since the variation between runs is hardly known."""
-RUNS_FOR_T = 4
-"""Fewest runs of which a judgement takes the mean: of fewer, one run decides."""
+RUNS_FOR_T = 4  # fewest runs of which a judgement takes the mean: of fewer, one run decides
 SINGLE_RUN = "a single run has no interval over runs"
 BIASED = "biased by episode noise: no interval"
 """Note of numbers that noise shifts by an unknown amount, such as maxima of cells."""
@@ -32,11 +30,13 @@ DRAWS = 10_000
 EPISODES_FOR_RATES = 20
 """Fewest episodes for the interval of a collision rate; with less, uneven rates are covered too
 rarely."""
-COLLIDING_FOR_RATES = 5
-"""Fewest episodes with a collision of the kind for an interval of its rate."""
+COLLIDING_FOR_RATES = 5  # fewest episodes with a collision of the kind for an interval of its rate
 RESAMPLES_OF_RATES = 1000
-Bounds = tuple[float, float]
-"""Smallest and largest possible value."""
+RESAMPLES = 2000
+"""Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of
+its width."""
+TRIMMED = 0.25  # share of the scores that an interquartile mean leaves out at each end
+Bounds = tuple[float, float]  # smallest and largest possible value
 UNBOUNDED: Bounds = (-math.inf, math.inf)
 UNIT: Bounds = (0.0, 1.0)
 
@@ -124,12 +124,9 @@ def interval_over_runs(
     Parameters
     ----------
     values : array_like of float, shape (runs,)
-        One finite number for each independent run. Episodes or generations of one run do not
-        replace runs, because a method that is tried again gives another run.
-    level : float, optional
-        Confidence level, in (0, 1).
-    bounds : tuple of float, optional
-        Smallest and largest possible value; the interval is clipped to them.
+        One finite number for each independent run, which episodes or generations do not replace.
+    level, bounds : optional
+        Confidence level, in (0, 1); smallest and largest possible value, to which ends are clipped.
     """
     array = _check_values(values)
     check_level(level)
@@ -190,9 +187,7 @@ def band_over_runs(
     level: float = LEVEL,
     bounds: Bounds = UNBOUNDED,
 ) -> Band:
-    """Return the mean curve over training runs with Student's t interval at each point.
-
-    The interval is NaN at points of a single run, and where all runs are equal.
+    """Return the mean curve over training runs with Student's t interval at each point, or NaN.
 
     Parameters
     ----------
@@ -200,10 +195,8 @@ def band_over_runs(
         One curve for each run; NaN where a run has no value. Every point needs a run.
     places : array_like of float, shape (k,), optional
         Where the points lie. The default is 0, 1, ...
-    level : float, optional
-        Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
-    bounds : tuple of float, optional
-        Smallest and largest possible value; the band is clipped to them.
+    level, bounds : optional
+        As for `interval_over_runs`, at each point: a whole curve leaves the band more often.
     """
     array = check_finite(curves, "curves (runs, k)", ndim=2, gaps=True)
     known = ~np.isnan(array)
@@ -234,18 +227,69 @@ def around(singles: Sequence[Estimate]) -> Estimate:
     return Estimate(float(np.mean([each.value for each in singles])), low, high, "runs")
 
 
+# ---- Scores of several runs ---------------------------------------------------------------------
+
+
+def fewest_runs(level: float = LEVEL) -> int:
+    """Return the fewest runs with which intervals of scores are given: 6 at a level of 95 %."""
+    check_level(level)
+    # All n runs lie on the same side of the median with probability ``2 ** (1 - n)``, so a
+    # bootstrap interval of fewer runs cannot reach the level, whatever its method.
+    return max(2, math.ceil(1.0 - math.log2(1.0 - level)))
+
+
+def interquartile_mean(scores: ArrayLike, *, level: float = LEVEL, seed: int = 0) -> Estimate:
+    """Return the mean of the middle half of `scores` (runs, opponents), with a bootstrap interval.
+
+    Single runs that fail and single opponents that are easy count less than in the mean. There is
+    no interval, of a `level` in (0, 1), below 6 runs (at 95 %), and if all runs are equal. The
+    bootstrap samples have a `seed`.
+
+    Notes
+    -----
+    Whole runs are resampled, because scores of one run against several opponents depend on each
+    other. The interval is an expanded percentile interval (Hesterberg), since plain percentiles are
+    too narrow for few runs.
+
+    References
+    ----------
+    Agarwal et al. (2021), "Deep reinforcement learning at the edge of the statistical precipice",
+    NeurIPS. Hesterberg (2015), "What teachers should know about the bootstrap", The American
+    Statistician 69(4).
+    """
+    array = check_finite(scores, "scores (runs, opponents)", ndim=2)
+    value, runs, fewest = _middle_mean(array), len(array), fewest_runs(level)
+    if runs < fewest:
+        return Estimate(value, samples=runs, note=f"no interval below {fewest} runs")
+    if np.ptp(array, axis=0).max() == 0.0:
+        return Estimate(value, samples=runs, note=f"no interval: all {runs} runs are equal")
+    rng = np.random.default_rng(check_integer("seed", seed, 0))
+    drawn = [_middle_mean(array[rng.integers(runs, size=runs)]) for _ in range(RESAMPLES)]
+    tail = expanded_tail(runs, level)
+    low, high = np.quantile(drawn, [tail, 1.0 - tail])
+    return Estimate(value, float(low), float(high), "runs", runs)
+
+
+def expanded_tail(runs: int, level: float) -> float:
+    """Return the probability below the lower end of an expanded percentile interval."""
+    from scipy.special import ndtr
+
+    return float(ndtr(-math.sqrt(runs / (runs - 1)) * float(t_quantile(level, runs - 1))))
+
+
+def _middle_mean(scores: Rates) -> float:
+    ordered = np.sort(scores, axis=None)
+    cut = int(TRIMMED * len(ordered))
+    return float(ordered[cut : len(ordered) - cut].mean())
+
+
 # ---- Over the episodes of one run ---------------------------------------------------------------
 
 
 def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
-    """Return the mean of scores in [0, 1] with an interval that needs no other assumption.
+    """Return the mean of `scores` in [0, 1] with an interval that needs no other assumption.
 
-    Parameters
-    ----------
-    scores : array_like of float, shape (episodes,)
-        Scores in [0, 1] of independent episodes, at least two.
-    level : float, optional
-        Confidence level, in (0, 1).
+    They are those of at least two independent episodes. The interval has a `level` in (0, 1).
 
     Notes
     -----
@@ -267,8 +311,7 @@ def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
 def difference_over_episodes(one: ArrayLike, other: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the difference of two means of scores in [0, 1] with an interval over episodes.
 
-    The squared distances of both means from the ends of their own intervals are added, which keeps
-    the asymmetry of the two intervals (Newcombe 1998, Zou and Donner 2008).
+    Squared distances from the ends of both own intervals are added (Newcombe 1998).
     """
     first, second = _check_scores(one, level), _check_scores(other, level)
     means = float(first.mean()), float(second.mean())
@@ -287,11 +330,9 @@ def linear_over_episodes(
     level: float = LEVEL,
     bounds: Bounds = UNBOUNDED,
 ) -> Estimate:
-    """Return a sum of cells of the payoff matrix with a t interval over episodes.
+    """Return a sum of cells of the payoff matrix with a t interval over episodes (n, m, episodes).
 
-    Episode e of all cells of the scores (n, m, episodes) is one measurement of the whole matrix, so
-    the interval is that of a mean; there is none if all episodes are equal. Cells may share the
-    seeds of their episodes.
+    Episode e of all cells, which may share its seed, is one measurement of the whole matrix.
     """
     array = check_cells(scores, level)
     episodes = array.shape[2]
@@ -304,12 +345,11 @@ def linear_over_episodes(
     return Estimate(value, *t_ends(each, level, bounds), "episodes", episodes)
 
 
-def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> tuple[Band, Band]:
+def generalization_over_episodes(scores: ArrayLike) -> tuple[Band, Band]:
     """Return `generalization` of both teams with t intervals over episodes (n, m, episodes)."""
-    array = check_cells(scores, level)
+    array = check_cells(scores, LEVEL)
     captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T
-    pursuers = band_over_runs(captured, level=level, bounds=UNIT)
-    return pursuers, band_over_runs(escaped, level=level, bounds=UNIT)
+    return band_over_runs(captured, bounds=UNIT), band_over_runs(escaped, bounds=UNIT)
 
 
 def _ends_of_mean(scores: Rates, level: float) -> tuple[float, float]:
@@ -346,16 +386,13 @@ def check_cells(scores: ArrayLike, level: float) -> Rates:
 def rate_intervals(
     counts: NDArray[np.int64], agent_steps: NDArray[np.int64], seed: int = 0
 ) -> NDArray[np.float64]:
-    """Return bootstrap-t intervals (..., 2, 3, 2) of rates per 1000 agent-steps.
+    """Return bootstrap-t intervals (..., 2, 3, 2) of rates per 1000 agent-steps (Hall 1988).
 
-    Counts have the shape (episodes, ..., 2, 3): agent-steps in collision by team and kind;
-    agent-steps have the shape (episodes, 2). NaN with too few episodes, or too few with a
-    collision.
-
-    Episodes are resampled. Each resample gives the distance of its rate from the rate of all
-    episodes in standard errors of a ratio; quantiles of this distance replace those of Student's
-    t, which covers skewed counts better (Hall 1988).
+    Counts are (episodes, ..., 2, 3), agent-steps in collision by team and kind; agent-steps are
+    (episodes, 2). NaN with too few episodes, or too few with a collision.
     """
+    # Each resample of episodes gives the distance of its rate from the rate of all in standard
+    # errors of a ratio; its quantiles replace those of Student's t: counts are skewed.
     n, rng = len(counts), np.random.default_rng(seed)
     c = counts.reshape(n, -1).astype(float)
     # Agent-steps lack the other axes and the kinds: a length of 1 there.

@@ -48,11 +48,9 @@ circle and do not only forget."""
 LEAST_RECURRENCE = 0.15
 """Cycling: a team becomes this similar to its past again. New styles in each generation are similar
 by .03 to .12, by chance."""
-LEAST_FORGETTING = 0.05
-"""Forgetting: mean drop below the best ancestors above this."""
+LEAST_FORGETTING = 0.05  # Forgetting: mean drop below the best ancestors above this
 
-CLOSE = 0.2
-"""Capture rates so close to 1 or 0 over a window say which team wins nearly all matches."""
+CLOSE = 0.2  # capture rates so close to 1 or 0 over a window say which team wins nearly all matches
 
 HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")

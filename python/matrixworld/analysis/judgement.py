@@ -20,40 +20,22 @@ Findings = Mapping[str, "Finding"]
 
 @dataclass(frozen=True)
 class Finding:
-    """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``.
-
-    The `reason` is a clause after "because". The `estimates` are the numbers that decide, by their
-    names in `MEASURES`; none if some are not known. `teams`: those of which a condition is present.
-    `by_run`: verdict on each single run.
-    """
+    """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``."""
 
     verdict: str
-    reason: str
-    teams: tuple[str, ...] = ()
-    estimates: Estimates = field(default_factory=dict)
-    by_run: tuple[str, ...] = ()
+    reason: str  # a clause after "because"
+    teams: tuple[str, ...] = ()  # those of which a condition is present
+    estimates: Estimates = field(default_factory=dict)  # the numbers that decide, if all are known
+    by_run: tuple[str, ...] = ()  # verdict on each single run
 
 
 @dataclass(frozen=True, repr=False)
 class Judgement(Readable):
-    """What happened in a race, or in several with the same settings.
+    """What happened in a race, or in several `runs` with the same settings.
 
-    Parameters
-    ----------
-    runs : int
-        Number of runs.
-    shape : tuple of int
-        Pursuer and evader generations of each run.
-    episodes : int or None
-        Episodes behind each cell; None if unknown.
-    level : float
-        Level of the intervals.
-    windows : mapping of str to mapping of str to Finding
-        Findings on the whole race, its first half and its last half, by condition.
-    teams : tuple of str, optional
-        What the teams are called.
-    exact : bool, optional
-        Whether the game has no chance: then the episodes are equal.
+    In `windows`, the whole race and its halves, are findings by condition, with intervals of a
+    `level`. A run has generations of both `teams` (`shape`), and so many `episodes` behind each
+    cell, if known; they are equal in an `exact` game, without chance.
     """
 
     runs: int
@@ -85,11 +67,7 @@ class Judgement(Readable):
 
 
 class Words(NamedTuple):
-    """What is told of a condition that is present: who `did` what, of its ``{teams}``.
-
-    ``{sizes}`` are those of the teams, ``{doubt}`` says which of them have no trend. A sentence
-    leaves out the condition that this one `implies`.
-    """
+    """What is told of a condition that is present: who `did` what; it `implies` another one."""
 
     who: str
     did: str
@@ -119,15 +97,11 @@ WHOLE, *HALVES = ("whole", "first half", "last half")
 
 
 def sentence(judgement: Judgement) -> str:
-    """Return what happened in plain words: who improved, and what was lost.
+    """Return what happened by a `judgement` in plain words: who improved, and what was lost.
 
     Such as ``"Both teams improved. From generation 15 on, the pursuers lost old skills (0.06)."``.
     It speaks of the whole race, and of a half where that surely differs. Terminal, page, figures
     and reports all print it.
-
-    Parameters
-    ----------
-    judgement : Judgement
     """
     check_instance("judgement", judgement, Judgement)
     if judgement.findings["arms race"].reason == TOO_SHORT:
@@ -242,16 +216,20 @@ def _no_progress(judgement: Judgement) -> str:
 
 
 def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
-    """Return the rows of a table: condition, verdict, numbers with intervals, window.
+    """Return the rows of a table of a `judgement`: condition, verdict, intervals, window.
 
     After the heads all findings on the whole race, then those that are present in a half only.
-
-    Parameters
-    ----------
-    judgement : Judgement
     """
-    rows = [_row(judgement, *told) for told in _rows(judgement)]
-    return [("condition", "verdict", f"{judgement.level:.0%} interval", "window"), *rows]
+    told = _rows(judgement)
+    rows = [("condition", "verdict", f"{judgement.level:.0%} interval", "window")]
+    for name, finding, window in told:
+        numbers = ", ".join(
+            f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
+            for key, estimate in finding.estimates.items()
+        )
+        numbers = in_words_of(judgement.teams, numbers)
+        rows.append((name, finding.verdict, numbers, "whole race" if window == WHOLE else window))
+    return rows
 
 
 def _rows(judgement: Judgement) -> list[tuple[str, Finding, str]]:
@@ -277,28 +255,8 @@ def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
     return rows
 
 
-def _row(
-    judgement: Judgement, condition: str, finding: Finding, window: str
-) -> tuple[str, str, str, str]:
-    numbers = ", ".join(
-        f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
-        for key, estimate in finding.estimates.items()
-    )
-    return (
-        condition,
-        finding.verdict,
-        in_words_of(judgement.teams, numbers),
-        "whole race" if window == WHOLE else window,
-    )
-
-
 def explain(judgement: Judgement) -> str:
-    """Return the findings of `judgement_table` as sentences with reasons, a line for each.
-
-    Parameters
-    ----------
-    judgement : Judgement
-    """
+    """Return the rows of `judgement_table` of a `judgement` as sentences, with reasons."""
     lines = "\n".join(
         f"{name.capitalize()}{'' if window == WHOLE else f' ({window})'}: "
         f"{finding.verdict}, because {finding.reason}.{_counts(finding.by_run)}"

@@ -17,14 +17,7 @@ import numpy as np
 from matrixworld._util.checks import check_choice
 from matrixworld.analysis import cycles, games, intervals, progress, ratings, strength
 from matrixworld.analysis import payoffs as payoff_module
-from matrixworld.analysis.intervals import (
-    LEVEL,
-    UNBOUNDED,
-    UNIT,
-    Bounds,
-    Estimate,
-    linear_over_episodes,
-)
+from matrixworld.analysis.intervals import LEVEL, UNIT, Bounds, Estimate
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, Window, require
 
 TOO_SHORT = f"it takes at least {payoff_module.GENERATIONS_TO_JUDGE} generations of each team"
@@ -35,26 +28,20 @@ NO_EPISODES = (
 NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
 FALLS_BACK = "loses again, against some opponents, what it had gained"
 
-GAIN: Bounds = (-1.0, 1.0)
-"""Bounds of a difference of two rates."""
+GAIN: Bounds = (-1.0, 1.0)  # bounds of a difference of two rates
 
 
 @dataclass(frozen=True)
 class Measure:
-    """A named number of a race, in a row of `MEASURES`; use `of`.
-
-    `label` names it in tables, and `short` in the table of a judgement. `late`: tables of measures
-    show it in the last half, and not of the whole race. `form`: how it is printed, as in
-    an f-string. `squared`: it is a square, whose root is printed.
-    """
+    """A named number of a race, in a row of `MEASURES`; use `of`."""
 
     name: str
-    label: str
+    label: str  # in tables of measures
     estimate: Callable[[Payoffs, Window, float], Estimate]
-    short: str = ""
-    late: bool = False
-    form: str = ".3f"
-    squared: bool = False
+    short: str = ""  # in the table of a judgement
+    late: bool = False  # whether tables show it in the last half, not of the whole race
+    form: str = ".3f"  # as in an f-string
+    squared: bool = False  # whether its root is shown
 
     def of(self, source: Source, window: str | None = None, *, level: float = LEVEL) -> Estimate:
         """Return the number of one run or several in a window, by default that of tables.
@@ -90,14 +77,8 @@ class Measure:
 def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[str, Estimate]:
     """Return all measures by name, each in the window in which tables show it; see `Measure.of`.
 
-    Parameters
-    ----------
-    source : array_like, path, list of paths or Payoffs
-        Payoffs of at least 2 x 2 generations.
-    level : float, optional
-        Confidence level of the intervals, in (0, 1).
-    **known
-        Other arguments of `read_payoffs`.
+    Of a `source` of at least 2 x 2 generations, with `known` arguments of `read_payoffs`; intervals
+    have a `level` in (0, 1).
     """
     payoffs = payoff_module.read_payoffs(source, **known)
     require(min(payoffs.shape) >= 2, "at least 2 x 2 generations", payoffs.shape)
@@ -105,15 +86,7 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
 
 
 def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
-    """Return all measures of one run or several as text, by window.
-
-    Notes say why a measure has no interval.
-
-    Parameters
-    ----------
-    source, level, **known
-        As for `measure_all`.
-    """
+    """Return all measures as text, by window; `source`, `level`, `known` as for `measure_all`."""
     payoffs = payoff_module.read_payoffs(source, **known)
     estimates = measure_all(payoffs, level=level)
     notes = _footnotes(payoffs, estimates)
@@ -156,23 +129,21 @@ def _of_matrix(
     payoffs: Payoffs,
     window: Window,
     level: float,
-    of_episodes: Callable[[Rates], Estimate],
     *,
     number: Number,
     bounds: Bounds = UNIT,
+    of_episodes: Callable[[Rates], Estimate] | None = None,
 ) -> Estimate:
-    """Estimate a number by the episodes (n, m, episodes) of a single run, else by the matrices."""
+    """Estimate a number by the episodes (n, m, episodes) of a single run, else by the matrices.
+
+    Without `of_episodes` it is a sum of cells, which episode noise does not shift.
+    """
     if len(payoffs) == 1 and payoffs.scores is not None and payoffs.has_episodes:
-        return of_episodes(payoffs.scores[0][window.cells])
+        scores = payoffs.scores[0][window.cells]
+        if of_episodes is not None:
+            return of_episodes(scores)
+        return intervals.linear_over_episodes(scores, number, level=level, bounds=bounds)
     return _mean_of((number(each[window.cells]) for each in payoffs.matrices), level, bounds)
-
-
-def _linear(
-    payoffs: Payoffs, window: Window, level: float, *, number: Number, bounds: Bounds = UNIT
-) -> Estimate:
-    """Estimate a sum of cells, which episode noise does not shift."""
-    of_episodes = partial(linear_over_episodes, measure=number, level=level, bounds=bounds)
-    return _of_matrix(payoffs, window, level, of_episodes, number=number, bounds=bounds)
 
 
 def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -> Estimate:
@@ -181,12 +152,7 @@ def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -
     def of_episodes(scores: Rates) -> Estimate:
         return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=intervals.BIASED)
 
-    return _of_matrix(payoffs, window, level, of_episodes, number=number)
-
-
-def _transitive_share(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-    of_episodes = cycles.transitive_share_over_episodes
-    return _of_matrix(payoffs, window, level, of_episodes, number=cycles.transitive_share)
+    return _of_matrix(payoffs, window, level, number=number, of_episodes=of_episodes)
 
 
 def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
@@ -197,8 +163,9 @@ def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Est
             return Estimate(value, note="no interval: all episodes are equal")
         return Estimate(value, low, high, "episodes", scores.shape[2])
 
+    options: Any = {"bounds": intervals.UNBOUNDED, "of_episodes": of_episodes}
     number = partial(_last_rating, team=team)
-    return _of_matrix(payoffs, window, level, of_episodes, number=number, bounds=UNBOUNDED)
+    return _of_matrix(payoffs, window, level, number=number, **options)
 
 
 def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
@@ -411,23 +378,30 @@ ROWS = (
     ),
     *_of_teams("forgetting", "forgetting of the {team}s", _forgetting, short="{team}s", late=True),
     # Early generations mix untrained and trained teams.
-    Measure("transitive_share", "transitive share", _transitive_share, late=True),
+    Measure(
+        "transitive_share", "transitive share",
+        partial(
+            _of_matrix, number=cycles.transitive_share,
+            of_episodes=cycles.transitive_share_over_episodes,
+        ),
+        late=True,
+    ),
     # Of the whole race.
-    Measure("capture_rate", "mean capture rate", partial(_linear, number=np.mean)),
+    Measure("capture_rate", "mean capture rate", partial(_of_matrix, number=np.mean)),
     Measure(
         "lag_rise", "gain of later over earlier pursuers",
-        partial(_linear, number=progress.lag_rise, bounds=GAIN),
+        partial(_of_matrix, number=progress.lag_rise, bounds=GAIN),
     ),
     Measure(
         "pursuer_generalization", "last pursuers against all evaders, capture",
-        partial(_linear, number=partial(_last_score, team="pursuers")),
+        partial(_of_matrix, number=partial(_last_score, team="pursuers")),
     ),
     Measure(
         "evader_generalization", "last evaders against all pursuers, escape",
-        partial(_linear, number=partial(_last_score, team="evaders")),
+        partial(_of_matrix, number=partial(_last_score, team="evaders")),
     ),
     *_of_teams(
-        "fading", "CIAO, fading of the {team}s", partial(_linear, bounds=GAIN),
+        "fading", "CIAO, fading of the {team}s", partial(_of_matrix, bounds=GAIN),
         number=partial(_of_triangle, number="fading"),
     ),
     *_of_teams(

@@ -23,18 +23,13 @@ from matrixworld._util.checks import check_bool, check_floats, check_integer
 from matrixworld._util.files import DamagedFileError, load_arrays, read_text
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
-Rates = NDArray[np.float64]
-"""Capture rates, or other float64 numbers of the analysis."""
+Rates = NDArray[np.float64]  # capture rates, or other float64 numbers of the analysis
 OfTeam = TypeVar("OfTeam")
 
-ROUNDING = 1e-9
-"""Sums of rates may leave [0, 1] by this."""
-GENERATIONS_TO_JUDGE = 6
-"""Fewest generations of each team in a window that is judged."""
-EPISODES_TO_JUDGE = 4
-"""Fewest episodes of each cell that show their noise: two in each half."""
-EPISODES_TO_RECUR = 6
-"""Fewest episodes for recurrence: three in each half, for a jackknife."""
+ROUNDING = 1e-9  # sums of rates may leave [0, 1] by this
+GENERATIONS_TO_JUDGE = 6  # fewest generations of each team in a window that is judged
+EPISODES_TO_JUDGE = 4  # fewest episodes of each cell that show their noise: two in each half
+EPISODES_TO_RECUR = 6  # fewest episodes for recurrence: three in each half, for a jackknife
 
 TEAMS = ("pursuers", "evaders")
 """What the teams are called, unless a game has other names."""
@@ -76,18 +71,13 @@ class Window:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Payoffs(Readable):
-    """Payoff matrices (runs, n, m) of independent runs, and their episodes if known.
-
-    `scores` (runs, n, m, episodes): the capture rate of each of the `episodes` behind each cell.
-    `teams`: what the teams are called in words. `exact`: all episodes are equal, as in a game
-    without chance.
-    """
+    """Payoff matrices (runs, n, m) of independent runs, and their episodes if known."""
 
     matrices: Rates
-    scores: Rates | None = None
+    scores: Rates | None = None  # (runs, n, m, episodes), capture rates of single episodes
     episodes: int | None = None
     teams: tuple[str, str] = TEAMS
-    exact: bool = False
+    exact: bool = False  # whether all episodes are equal, as in a game without chance
 
     def __len__(self) -> int:
         return len(self.matrices)
@@ -260,8 +250,7 @@ def read_payoffs(
     ----------
     source : array_like, path, list of paths or Payoffs
         An array of shape (n, m) or (runs, n, m); a ``.csv`` or ``.npz`` file, or a list of such
-        files, one for each run; the payoff of a saved run, with its episodes; or payoffs, which are
-        returned as they are.
+        files, one for each run; or the payoff of a saved run, with its episodes.
     per_episode : bool, optional
         Whether the last dimension of an array holds the episodes of each cell: shape
         (n, m, episodes) or (runs, n, m, episodes).
@@ -276,14 +265,11 @@ def read_payoffs(
     Notes
     -----
     A CSV file holds a matrix: line g has the capture rates of pursuers g against evaders 0, 1, ...;
-    a first line of names is a header. If it begins with an empty cell or ``pursuer``, the others
-    are names or numbers of evaders, and the first column is left out. Or the file holds one line
-    for each pair: a header with ``pursuer, evader, capture_rate`` in any order, and ``run`` or
-    ``episode`` if there are several; every combination of these numbers has one line. Other
-    columns, empty lines and lines that begin with ``#`` are ignored. Cells are separated by commas,
-    semicolons or tabs; beside the latter two a comma is a decimal comma. Per cent are read, too. Of
-    several arrays in an .npz file ``scores`` is taken, which holds episodes, or else ``mean``,
-    ``capture_rate``, ``payoff`` or ``payoffs``.
+    there may be a header, and a column of names. Or it holds one line for each pair: a header with
+    ``pursuer, evader, capture_rate`` in any order, and ``run`` or ``episode`` if there are several.
+    Empty lines and lines that begin with ``#`` are ignored. Cells are separated by commas,
+    semicolons or tabs. Of several arrays in an .npz file ``scores`` is taken, which holds episodes,
+    or else ``mean``, ``capture_rate``, ``payoff`` or ``payoffs``.
     """
     check_bool("per_episode", per_episode)
     if isinstance(source, Payoffs):
@@ -381,8 +367,7 @@ _PAIR, _RATE = ("pursuer", "evader"), "capture_rate"
 _KEYS = ("run", *_PAIR, "episode")
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
 
-Line: TypeAlias = tuple[str, list[str]]
-"""A line of a table: where it is, and its cells."""
+Line: TypeAlias = tuple[str, list[str]]  # a line of a table: where it is, and its cells
 
 
 def _read_table(path: Path) -> tuple[Rates, bool]:
@@ -410,10 +395,7 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
 
 
 def _lines(path: Path) -> list[Line]:
-    """Return the lines of a CSV file without comments; cells are between tabs, semicolons, commas.
-
-    A comma beside a tab or a semicolon is a decimal comma.
-    """
+    """Return the lines of a CSV file without comments."""
     # A comment becomes an empty line, so that the numbers of lines stay.
     text = read_text(path, "CSV").split("\n")
     raw = ["" if line.lstrip().startswith("#") else line.strip(" ") for line in text]
@@ -470,14 +452,13 @@ def _count_up(cells: list[str]) -> bool:
 
 
 def _is_number(cell: str) -> bool:
-    return _NUMBER.fullmatch(cell.rstrip("% ")) is not None
+    return _NUMBER.fullmatch(cell) is not None
 
 
 def _rate(where: str, cell: str) -> float:
     # Checked here as well as in `check_rates`, where the line number is not known any more.
     if _is_number(cell):
-        percent = 100.0 if cell.endswith("%") else 1.0
-        rate = float(cell.rstrip("% ").replace(",", ".")) / percent
+        rate = float(cell.replace(",", "."))
         if -ROUNDING <= rate <= 1.0 + ROUNDING:
             return rate
     raise ValueError(f"{where}: expected a capture rate in [0, 1], got {cell!r}")

@@ -20,8 +20,6 @@ def generalization(payoff: ArrayLike) -> payoffs.ByTeam[payoffs.Rates]:
 
     Capture rates of the pursuers, row means of `payoff` (n, m), and escape rates of the evaders.
 
-    References
-    ----------
     Floreano and Nolfi (1997), "Adaptive behavior in competing co-evolving species": the master
     tournament. Sun et al. (2023), "MatrixWorld", arXiv:2307.14854: the figure of generalization.
     """
@@ -31,10 +29,7 @@ def generalization(payoff: ArrayLike) -> payoffs.ByTeam[payoffs.Rates]:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LagProfile(Readable):
-    """Mean capture rate by lag, pursuer minus evader generation, from ``-(m - 1)`` to ``n - 1``.
-
-    `means` are those over k of ``M[k + lag, k]``; `cells` is the number of cells in each mean.
-    """
+    """Means over k of ``M[k + lag, k]`` by lag, ``1 - m`` to ``n - 1``, of so many cells."""
 
     lags: NDArray[np.int64]
     means: payoffs.Rates
@@ -85,10 +80,7 @@ PATIENCE = 3
 
 @dataclass(frozen=True)
 class Disengagement:
-    """Generations `first` to `last`, included, in which the `winner` won both team phases.
-
-    The winner is ``"pursuers"`` or ``"evaders"``.
-    """
+    """Generations `first` to `last`, included, in which the `winner` won both team phases."""
 
     winner: str
     first: int
@@ -134,12 +126,9 @@ def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
 
 
 def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimate:
-    """Return the largest mean payoff of the winning team over half of the K generations in a row.
-
-    From `rates` (K, 2) as for `disengagements`. The interval is that of Clopper and Pearson (1934)
-    for as many wins and losses as have the variance of each rate (Korn and Graubard 1998); there
-    are infinitely many if the rates are exact.
-    """
+    """Return the largest mean payoff of the winning team over half of the generations in a row."""
+    # The interval is that of Clopper and Pearson (1934) for as many wins and losses as have the
+    # variance of each rate (Korn and Graubard 1998): infinitely many if the rates are exact.
     from scipy.special import betaincinv
 
     array = _check_team_phases(rates)
@@ -178,24 +167,16 @@ _FEWEST_PAIRS = 6
 
 @dataclass(frozen=True, eq=False)
 class Triangle:
-    """One team's half of a CIAO plot, measured by its own payoff: higher is better.
-
-    `payoff` (n, m): of generation g against opponents of generation ``h <= g``; NaN where these are
-    newer. `by_age` (n,): mean payoff by age ``g - h`` of the opponent.
-
-    `fading`: mean payoff against the newer half of the ancestral opponents minus that against the
-    older half. Positive: old opponents are forgotten. Negative: new opponents are harder.
-
-    `stripes`: regularity with which wins and losses come back with the age of the opponent: the
-    first peak of the autocorrelation along the rows after it has been negative, in [0, 1]; 0
-    without one, and up to about .2 of noise. `period`: the lag of that peak.
-    """
+    """One team's half of a CIAO plot: its payoffs (n, m), NaN for opponents newer than itself."""
 
     payoff: payoffs.Rates
-    by_age: payoffs.Rates
+    by_age: payoffs.Rates  # mean payoff (n,) by age ``g - h`` of the opponent
     fading: float
+    """Against the newer half of the opponents minus the older: if positive, these are forgotten."""
     stripes: float
-    period: int | None
+    """Regularity, in [0, 1], with which wins and losses come back with the age of the opponent: the
+    first peak of the autocorrelation after it has been negative; up to about .2 by noise."""
+    period: int | None  # lag of that peak
 
 
 def ciao(payoff: ArrayLike) -> payoffs.ByTeam[Triangle]:
@@ -205,8 +186,6 @@ def ciao(payoff: ArrayLike) -> payoffs.ByTeam[Triangle]:
     team loses to opponents that it once beat. A race in which both teams keep improving shows
     neither. Of team and opponents in `payoff` (n, m).
 
-    References
-    ----------
     Cliff and Miller (1995), "Tracking the Red Queen: measurements of adaptive progress in
     co-evolutionary simulations".
     """

@@ -14,10 +14,8 @@ from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff
 
 ELO_POINTS = 400.0 / math.log(10.0)
 """Points of the chess scale for one unit of these ratings, a natural logit."""
-SHRINKAGE = 0.01
-"""Shrinkage of rates towards 1/2: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
-RIDGE = 1e-3
-"""Weight of the squared ratings in the fit."""
+SHRINKAGE = 0.01  # shrinkage of rates towards 1/2: 0 and 1 become .01 and .99, logits -4.6 and 4.6
+RIDGE = 1e-3  # weight of the squared ratings in the fit
 
 _MOST_STEPS = 100
 _TOLERANCE = 1e-9  # of the gradient, a sum of differences of rates
@@ -37,14 +35,7 @@ class Elo(Readable):
 
 
 def elo(payoff: ArrayLike) -> Elo:
-    """Fit Elo ratings of both teams to a payoff matrix.
-
-    All matches enter at once, so their order does not matter.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Capture rates in [0, 1].
+    """Fit Elo ratings of both teams to `payoff` (n, m): all matches at once, in no order.
 
     Notes
     -----
@@ -52,8 +43,6 @@ def elo(payoff: ArrayLike) -> Elo:
     ``r / 2`` times the sum of the squared ratings. The shrinkage s = .01 keeps the ratings of
     generations finite that win or lose all matches, and the ridge r = .001 those of others unique.
 
-    References
-    ----------
     Elo (1978), "The rating of chessplayers, past and present". Balduzzi et al. (2018),
     "Re-evaluating evaluation": the batch form.
     """
@@ -62,16 +51,9 @@ def elo(payoff: ArrayLike) -> Elo:
 
 
 def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Band]:
-    """Return the Elo ratings of a run in points, with intervals over its episodes.
+    """Return the Elo ratings of `scores` (n, m, episodes) in points, with intervals of a `level`.
 
-    The ends are NaN where all episodes are equal.
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Scores in [0, 1] of independent episodes, at least two of each cell.
-    level : float, optional
-        Confidence level of each interval, in (0, 1).
+    Of each cell there are at least two independent episodes. The ends are NaN where all are equal.
 
     Notes
     -----

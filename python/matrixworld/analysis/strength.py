@@ -12,24 +12,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.intervals import (
-    LEVEL,
-    RUNS_FOR_T,
-    Estimate,
-    around,
-    normal_quantile,
-    t_ends,
-    t_quantile,
-)
+from matrixworld.analysis import intervals
+from matrixworld.analysis.intervals import LEVEL, Estimate, t_ends, t_quantile
 from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, swap_teams
 
-GRID = 40
-"""Values of each standard deviation over which the posterior is summed."""
+GRID = 40  # values of each standard deviation over which the posterior is summed
 WIDEST = (4.0, 3.0)
 """Largest standard deviations of steps and of fluctuation on the grid, in units of that of the
 observed steps."""
-PARTS = 5
-"""Parts of a course, none of which may fall back, and of the opponents."""
+PARTS = 5  # parts of a course, none of which may fall back, and of the opponents
 SETBACK, OF_GAIN = 0.25, 0.05
 """Share of its change by which a sustained course goes back at most, and the course of a gain."""
 _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
@@ -66,15 +57,15 @@ def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estim
 def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the gain of a team over several runs; scores and noise have the shape (runs, k).
 
-    It is that of their mean course if this never falls back (a smooth curve may rise by chance, and
-    then falls), and if runs also gain without the tenth in which each would have jumped: of runs
-    that jump once, each at its own time, the mean rises evenly. Otherwise the interval reaches to
-    0, or to what is left. Runs that are too few for a mean have the interval that contains those
-    of all of them.
+    Runs that are too few for a mean have the interval that contains those of all of them.
     """
-    if 1 < len(scores) < RUNS_FOR_T:
+    # It is that of their mean course if this never falls back (a smooth curve may rise by chance,
+    # and then falls), and if runs also gain without the tenth in which each would have jumped: of
+    # runs that jump once, each at its own time, the mean rises evenly. Otherwise the interval
+    # reaches to 0, or to what is left.
+    if 1 < len(scores) < intervals.RUNS_FOR_T:
         courses = zip(scores[:, np.newaxis], noise[:, np.newaxis], strict=True)
-        return around([gain_of_runs(*each, level=level) for each in courses])
+        return intervals.around([gain_of_runs(*each, level=level) for each in courses])
     found = _gain_of_mean_course(scores, noise, level)
     sign = 1.0 if found.value > 0.0 else -1.0
     least = 1.0 if setback(scores.mean(axis=0)) < OF_GAIN else 0.0
@@ -91,11 +82,9 @@ def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estima
 
 
 def _without_jumps(scores: Rates) -> Rates:
-    """Return courses (runs, k) without the tenth around the time that best divides each in two.
-
-    Its place is that of the largest difference of means, weighted by the generations before and
-    after it: unlike the steepest tenth it is not chosen by the noise of single generations.
-    """
+    """Return courses (runs, k) without the tenth around the time that best divides each in two."""
+    # It divides where the means, weighted by the generations before and after, differ most: unlike
+    # the steepest tenth this is not chosen by the noise of single generations.
     steps, (_, k) = np.diff(scores, axis=1), scores.shape
     before = np.arange(1, k)
     sums = np.cumsum(scores, axis=1)
@@ -108,13 +97,10 @@ def _without_jumps(scores: Rates) -> Rates:
 
 
 def _gain_of_mean_course(scores: Rates, noise: Rates, level: float) -> Estimate:
-    """Return the `strength_gain` of the mean course of several runs.
-
-    Several runs have a second interval, Student's t over the runs' linear changes, which becomes
-    narrower with each run; it counts if the mean course is sustained, because a jump in the same
-    generation of all runs is no trend. Both then have half of the error, and what both contain
-    remains.
-    """
+    """Return the `strength_gain` of the mean course of several runs."""
+    # Several runs have a second interval, Student's t over the runs' linear changes, which becomes
+    # narrower with each run; it counts if the mean course is sustained, because a jump in the same
+    # generation of all runs is no trend. Both have half of the error; what both contain remains.
     runs, course, errors = len(scores), scores.mean(axis=0), noise.mean(axis=0) / len(scores)
     changes = scores @ _slope_weights(scores.shape[1])
     if runs == 1 or not is_sustained(course):
@@ -128,11 +114,8 @@ def _gain_of_mean_course(scores: Rates, noise: Rates, level: float) -> Estimate:
 
 
 def is_sustained(course: Rates) -> bool:
-    """Return whether a course keeps its direction: that of its linear change.
-
-    No tenth of the course, and no two steps, make half of the change, and from part to part it goes
-    back by a quarter at most. It may rest: a late onset and an early plateau are sustained.
-    """
+    """Return whether a course keeps its direction: that of its linear change. It may rest."""
+    # No tenth of it, and no two steps, make half of the change; it goes back by a quarter at most.
     change = float(_slope_weights(len(course)) @ course)
     forward, tenth = course * np.sign(change), _tenth(len(course))
     jump = (forward[tenth:] - forward[:-tenth]).max()
@@ -147,12 +130,8 @@ def setback(course: Rates) -> float:
 
 
 def falls_back(scores: Rates) -> bool:
-    """Return whether a team loses again, against some opponents, what it had gained.
-
-    From the mean scores (k, m) of its generations against all opponents, in parts of both: a team
-    falls back if its mean against a part of the opponents falls by more than a quarter of its
-    change, and by more than noise.
-    """
+    """Return whether a team of scores (k, m) loses again, against some, what it had gained."""
+    # Its mean against a part of the opponents falls by more than a quarter of its change and noise.
     change = float(_slope_weights(len(scores)) @ scores.mean(axis=1))
     rows = (part.mean(axis=0) for part in np.array_split(scores, PARTS))
     parts = np.array([[c.mean() for c in np.array_split(row, PARTS)] for row in rows])
@@ -178,8 +157,7 @@ def _slope_weights(generations: int) -> Rates:
 def strength_change(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the linear change of strength: ``k - 1`` times the slope of a regression line.
 
-    Arguments are those of `strength_gain`. The interval is normal with the known noise. If all
-    noise is 0, which means unknown, it is Student's t interval with the scatter about the line.
+    The interval is normal with the known noise, or Student's t with the scatter if all noise is 0.
     """
     y, variances, weights, freedom = scores, noise, _slope_weights(len(scores)), np.inf
     value = float(weights @ y)
@@ -234,8 +212,6 @@ def forgetting(payoff: ArrayLike) -> ByTeam[Rates]:
     for evaders the same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a
     few hundredths mean nothing; ``MEASURES["pursuer_forgetting"]`` allows for it.
 
-    References
-    ----------
     Chaudhry et al. (2018), "Riemannian walk for incremental learning", where forgetting is measured
     at the end of training only.
     """
@@ -245,10 +221,7 @@ def forgetting(payoff: ArrayLike) -> ByTeam[Rates]:
 
 
 def late_forgetting(payoff: Rates, generations: slice) -> float:
-    """Return the mean `forgetting` of the row team over the later half of some generations.
-
-    Early generations have few ancestors, so they have little to forget.
-    """
+    """Return the mean `forgetting` of the row team over the later half of some generations."""
     return float(_drops(payoff, payoff)[_later_half(generations)].mean())
 
 
@@ -257,17 +230,17 @@ def late_forgetting_over_episodes(
 ) -> Estimate:
     """Return `late_forgetting` without selection bias, with an interval over episodes.
 
-    The halves (n, m) are payoffs of the row team in two sets of episodes of equal size, the noise
-    (n, m) is the variance of the mean of both. One set chooses the best ancestors and the other one
-    measures, then they change roles: the number is not too high on average. `biased_high` is
-    `late_forgetting`, which is not too low. The interval reaches from below the first to above the
-    second.
+    The halves (n, m) are payoffs in two sets of equally many episodes, the noise (n, m) the
+    variance of the mean of both. `biased_high` is `late_forgetting`, which is not too low.
     """
+    # One set chooses the best ancestors and the other one measures, then they change roles: the
+    # number is not too high on average. The interval reaches from below the first to above the
+    # second.
     (first, second), late = halves, _later_half(generations)
     value = float(((_drops(first, second) + _drops(second, first)) / 2.0)[late].mean())
     both = (first + second) / 2.0
     naive = late_forgetting(both, generations)
-    reach = normal_quantile(level)
+    reach = intervals.normal_quantile(level)
     # The two directions share episodes; the mean of their errors holds for any correlation.
     errors = [_error(chooses, 2.0 * noise, late) for chooses in (first, second)]
     low = value - reach * float(np.mean(errors))

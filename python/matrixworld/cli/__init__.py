@@ -6,9 +6,7 @@ a `matrixworld.coevolution.RunGroup`.
 
 from __future__ import annotations
 
-import sys
 from collections import UserDict
-from contextlib import suppress
 from importlib import import_module
 from typing import Any
 
@@ -21,7 +19,7 @@ __all__ = ["main"]
 
 COMMANDS = {
     "evolve": ("evolve", "Start races, or continue them."),
-    "explain": ("explain", "Say what teams do, input by input."),
+    "explain": ("evaluate", "Say what teams do, input by input."),
     "explore": ("pages", "Show runs as a page or as figures."),
     "judge": ("evaluate", "Say what happened in races."),
     "playground": ("pages", "Play an agent or conflicts on a page."),
@@ -71,22 +69,6 @@ class Commands(click.Group):
             raise click.ClickException(problem) from error
         except options.FAILURES as error:
             raise click.ClickException(printable(sentence_of(error))) from error
-
-    def main(self, *args: Any, **options: Any) -> Any:
-        """Run the command, and fail if standard output cannot take all that was printed."""
-        try:
-            try:
-                return super().main(*args, **options)
-            finally:
-                if sys.stdout is not None:  # it may be closed
-                    sys.stdout.flush()
-        except OSError as error:
-            from matrixworld._util.files import sentence_of
-
-            with suppress(OSError):  # or Python would try once more at its end
-                sys.stdout.close()
-            click.echo(f"Error: standard output: {sentence_of(error)}", err=True)
-            sys.exit(1)
 
 
 @click.group(

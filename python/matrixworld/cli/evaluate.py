@@ -1,9 +1,8 @@
-"""``matrixworld judge``, ``score`` and ``tournament``: what finished runs are worth."""
+"""``matrixworld judge``, ``score``, ``tournament`` and ``explain``: what has evolved."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -14,19 +13,17 @@ from matrixworld import analysis
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import judgement as judgements
+from matrixworld.analysis.intervals import fewest_runs
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, TEAMS, Payoffs
-from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli import console, options
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import Progress, ProgressBar, SavedRun, open_run, tournament
+from matrixworld.coevolution import Progress, ProgressBar, open_run, tournament, types
 from matrixworld.coevolution.evaluation import scores as held_out
-from matrixworld.coevolution.evaluation.tournament import team_size
-from matrixworld.coevolution.groups import RunGroup, by_clarity, job_directory
-from matrixworld.coevolution.pursuit import Pursuit
+from matrixworld.coevolution.evaluation.explanation import EPISODES
+from matrixworld.coevolution.groups import RunGroup, by_clarity
 from matrixworld.coevolution.storage import find_runs
-from matrixworld.coevolution.types import Team
-from matrixworld.world.config import WorldConfig
+from matrixworld.coevolution.types import team_size
 
 # Judgements:
 
@@ -191,11 +188,9 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
     metavar="NUMBER|all",
     help="which one, negative numbers from the last; all: means of every one  [default: the last]",
 )
-@click.option("--training-worlds", "trained", is_flag=True, help="in each world of training, too")
-@options.shared("episodes", "steps", "seed", "json", "force", "threads", "cluster")
+@options.shared("episodes", "seed", "json", "force", "threads", "cluster")
 def score_command(
     runs: list[Path],
-    trained: bool,
     json_file: Path | None,
     force: bool,
     threads: int | None,
@@ -209,7 +204,8 @@ def score_command(
     all runs meet them in the same episodes: runs can be compared.
 
     RUN is the directory of a job or of a run. A single run need not be finished. Of runs that
-    differ in their seed only the table shows mean and interval over the seeds.
+    differ in their seed only the table shows mean and interval over the seeds. Runs with
+    training_worlds are also scored in each of these.
 
     With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
     --generation all and many episodes. The workers need not see RUN.
@@ -217,45 +213,42 @@ def score_command(
     options.check_outputs(json_file, force=force)
     with usage_errors():
         groups = options.finished_groups(runs, unfinished=True)
-        places = [(group, world) for group in groups for world in _worlds(group, trained)]
-        every = [(run, world) for group, world in places for run in group.runs]
+        every = [run for group in groups for run in group.runs]
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
-            played = held_out.score_runs(
-                every, threads=threads, executor=executor, report=bar, **chosen
-            )
-    matches = sum(each.matches for of_run in played for each in of_run.values())
+            play = {"threads": threads, "executor": executor, "report": bar, **chosen}
+            played = held_out.score_runs(every, **play)
+            trained = [
+                (group, world, held_out.score_runs(group.runs, world=world, **play))
+                for group in groups
+                for world in group.runs[0].settings.training_worlds
+            ]
+    of_worlds = [played, *(scores for _, _, scores in trained)]
+    matches = sum(each.matches for runs in of_worlds for run in runs for each in run.values())
     found: dict[str, Any] = {}
-    for group, world in places:
-        of_runs = [played.pop(0) for _ in group.runs]
-        if world is None:
-            finished = f": {console.seeds_finished(group)}" if group.several else ""
-            console.print_head(f"{group.name}{finished}")
-            found[group.name] = {
-                "seeds": list(group.seeds),
-                "missing": list(group.missing),
-                "held_out": held_out.HELD_OUT_VERSION,
-                **_print_scores(group, of_runs),
-            }
-            console.print_missing(group)
-        else:
-            size = f"{world.rows} x {world.cols}, {world.n_pursuers} v {world.n_evaders}"
-            walls = ", with obstacles" if world.density or world.map is not None else ""
-            console.print_head(f"{group.name} in a world of training: {size}{walls}")
-            in_world = {"world": world.to_json(), **_print_scores(group, of_runs)}
-            found[group.name].setdefault("training_worlds", []).append(in_world)
+    for group in groups:
+        finished = f": {console.seeds_finished(group)}" if group.several else ""
+        console.print_head(f"{group.name}{finished}")
+        found[group.name] = {
+            "seeds": list(group.seeds),
+            "missing": list(group.missing),
+            "held_out": held_out.HELD_OUT_VERSION,
+            **_print_scores(group, [played.pop(0) for _ in group.runs]),
+        }
+        console.print_missing(group)
+    for group, world, scores in trained:
+        size = f"{world.rows} x {world.cols}, {world.n_pursuers} v {world.n_evaders}"
+        walls = ", with obstacles" if world.density or world.map is not None else ""
+        console.print_head(f"{group.name} in a world of training: {size}{walls}")
+        in_world = {"world": world.to_json(), **_print_scores(group, scores)}
+        found[group.name].setdefault("training_worlds", []).append(in_world)
     console.say()
     console.print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
     console.say(f"{matches:,} matches were played.")
     options.write_json(json_file, {"seed": chosen["seed"], "groups": found})
 
 
-def _worlds(group: RunGroup, trained: bool) -> list[WorldConfig | None]:
-    """Return the worlds in which the runs of a group are scored; None is their own."""
-    return [None, *(group.runs[0].settings.training_worlds if trained else ())]
-
-
 def _print_scores(
-    group: RunGroup, of_runs: Sequence[Mapping[Team, held_out.HeldOutScores]]
+    group: RunGroup, of_runs: Sequence[Mapping[types.Team, held_out.HeldOutScores]]
 ) -> dict[str, Any]:
     """Print the scores of the runs of a group, and return them as values of JSON by team."""
     plain = {}
@@ -276,22 +269,15 @@ def _print_scores(
 
 # Tournaments:
 
-SUFFIX = ".npz"
-
 
 @click.command("tournament")
 @click.argument("run", type=click.Path(path_type=Path))
-@click.argument("other", required=False, metavar="[RUN2]")
-@options.shared("race", "episodes", "steps", "seed")
-@options.out("the payoff, .npz  [default: in RUN, named after the options]")
+@options.shared("race", "episodes", "seed")
 @options.shared("force", "threads", "cluster")
 def tournament_command(
     run: Path,
-    other: str | None,
     race: str | None,
-    out: Path | None,
     episodes: int,
-    steps: int | None,
     seed: int,
     force: bool,
     threads: int | None,
@@ -299,62 +285,36 @@ def tournament_command(
 ) -> None:
     """Play every generation against every other.
 
-    The pursuers are those of RUN, the evaders those of RUN or, if given, of RUN2. If RUN holds
-    several races, each has its tournament, or --race chooses one. RUN need not be
+    If RUN holds several races, each has its tournament, or --race chooses one. RUN need not be
     finished: the generations that it has are played. Its own files stay as they are.
 
-    The payoff is written to an .npz file, and a heat map beside it (.png). With the seed and the
-    evaluation steps of RUN the first episodes of each pair are those of RUN's own payoff. The race
-    of a single run is judged.
+    The payoff is written into RUN (.npz, named after the options), and a heat map (.png). With the
+    seed of RUN the first episodes of each pair are those of RUN's own payoff. The race is judged.
 
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
     from matrixworld import plots
 
     runs = (find_runs(run) if race is None else []) or [options.run_in(run, race)]
-    for option, given in (("RUN2", other), ("--out", out)):
-        if given is not None and len(runs) > 1:
-            got = f"{len(runs)}; --race NAME chooses one"
-            raise click.UsageError(f"{option}: expected one race in RUN, got {got}")
-    rival = None if other is None else open_run(options.run_in(other, race))
-    for ours in map(open_run, runs):
-        theirs = rival or ours
-        _check_worlds(ours, theirs)
-        game, length = ours.game, ""
-        if isinstance(game, Pursuit):
-            world = replace(game.world, max_steps=steps or game.world.max_steps)
-            game, length = replace(game, world=world), f"x{world.max_steps}"
-        elif steps is not None:
-            raise click.UsageError(f"--steps: expected no value, {ours.path} is no run of pursuit")
-        against = f"-against-{_dashed_name(rival.path)}" if rival else ""
-        name = f"tournament{against}-{episodes}{length}-seed{seed}{SUFFIX}"
-        target = out or ours.path / name
-        # With another suffix the figure could have the payoff's own name.
-        if target.suffix.lower() != SUFFIX:
-            raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
+    for played in map(open_run, runs):
+        target = played.path / f"tournament-{episodes}-seed{seed}.npz"
         figure = target.with_suffix(".png")
         options.check_outputs(target, figure, force=force)
-        (first, _), (_, second) = ours.teams.values(), theirs.teams.values()
-        teams = first, second
-        total = team_size(teams[0]) * team_size(teams[1]) * episodes
+        first, second = teams = [*played.teams.values()]
+        total = team_size(first) * team_size(second) * episodes
         with on_cluster(where, threads) as executor, ProgressBar() as bar:
             on_row = partial(_tell, bar, total)
             on_row(0)  # the first row may take minutes, and the bar should be there before
             play: Any = {"episodes": episodes, "threads": threads, "executor": executor}
-            payoff = tournament(game, *teams, seed=seed, on_row=on_row, **play)
-        # Generations of two runs have no common order in time, and are not judged.
-        judgement = None if rival else analysis.judge(payoff.payoffs())
-        first, second = payoff.teams
-        shown = analysis.sentence(judgement) if judgement else f"against {second} of {theirs.title}"
-        title = f"{f'{first} of ' if rival else ''}{ours.title}\n{shown}"
+            payoff = tournament(played.game, *teams, seed=seed, on_row=on_row, **play)
+        judgement = analysis.judge(payoff.payoffs())
+        title = f"{played.title}\n{analysis.sentence(judgement)}"
         save_arrays(target, payoff.arrays())
         plots.save_figure(plots.payoff_heatmap(payoff.matrix, title=title), figure)
-        console.print_head(str(ours.path))
-        console.say(payoff)
-        if judgement:
-            console.say()
-            print_judgement(judgement)
-            console.say(f"\n{console.TERMS}")
+        console.print_head(str(played.path))
+        console.say(f"{payoff}\n")
+        print_judgement(judgement)
+        console.say(f"\n{console.TERMS}")
         console.say(f"\nWritten: {target}, {figure.name}")
 
 
@@ -362,19 +322,48 @@ def _tell(bar: ProgressBar, total: int, played: int) -> None:
     bar(Progress("tournament", played, total))
 
 
-def _check_worlds(ours: SavedRun, theirs: SavedRun) -> None:
-    mine, other = ({"game": run.settings.game and run.settings.game.code} for run in (ours, theirs))
-    # The limit of steps may differ between the runs.
-    for plain, run in ((mine, ours), (other, theirs)):
-        if run.settings.world:
-            plain |= replace(run.settings.world, max_steps=1).to_json()
-    for name, value in mine.items():
-        if other.get(name) != value:
-            got = f"{name} {value!r} and {other.get(name)!r}"
-            raise click.UsageError(f"expected two runs in the same world, got {got}")
+# Explanations:
 
 
-def _dashed_name(run: Path) -> str:
-    """Return a name of a run for files: that of its job, and its own in the job."""
-    path, job = run.absolute(), job_directory(run).absolute()
-    return "-".join([job.name, *path.relative_to(job).parts])
+@click.command("explain")
+@click.argument("run", type=click.Path(path_type=Path))
+@options.shared("race")
+@click.option(
+    "--team",
+    type=click.Choice(types.TEAMS),
+    metavar="TEAM",
+    help="pursuer or evader  [default: each that learned]",
+)
+@click.option("--generation", default=-1, metavar="NUMBER", help="which one  [default: the last]")
+@options.integer("--episodes", "episodes against each opponent", least=2, default=EPISODES)
+@options.shared("seed", "json", "force", "threads")
+def explain_command(
+    run: Path,
+    race: str | None,
+    team: types.Team | None,
+    json_file: Path | None,
+    force: bool,
+    **chosen: Any,
+) -> None:
+    """Say what teams do.
+
+    Policies that rate moves by named inputs: a sentence, how far each input moves the rating, and
+    what leaving it out costs in matches. Networks over cells: a decision tree that imitates them,
+    with its own score beside theirs, since trees that mostly agree may still play badly. Trees need
+    the extra `explain`.
+
+    RUN is the directory of a run, or of a job of one, which need not be finished. Scores are
+    against held-out opponents, in episodes that no other command plays.
+    """
+    options.check_outputs(json_file, force=force)
+    found: dict[str, Any] = {}
+    with usage_errors():
+        saved = open_run(options.run_in(run, race))
+        _ = saved.pursuit  # games of your own have other policies
+        for each in [team] if team else saved.settings.learning_teams:
+            with ProgressBar() as bar:
+                explanation = saved.explain(each, **chosen, report=bar)
+            console.print_head(f"{saved.path}: {each}s of generation {explanation.generation}")
+            console.say(explanation)
+            found[f"{each}s"] = explanation.to_json()
+    options.write_json(json_file, {"run": str(saved.path), "seed": chosen["seed"], **found})

@@ -186,14 +186,9 @@ def evolve_command(
     script, or the last generation of a run. With --seeds there is a run of each seed.
 
     The directory of --out receives one run directory for each run: SCHEDULE/seed-NUMBER. A run that
-    exists is never replaced.
-
-    Several runs play side by side, as many as --threads; threads that are left over are shared
-    among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
-    Results do not depend on --threads.
-
-    explorer.html in the directory shows matrices, curves and matches of the first runs while they
-    go on: it is written anew with the generations, and loads itself again in a browser.
+    exists is never replaced. Several runs play side by side, as many as --threads, on which results
+    do not depend. Ctrl-C stops; --resume continues from the last checkpoint, with the same results.
+    explorer.html in the directory shows the first runs while they go on.
 
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
@@ -326,18 +321,11 @@ def play(
 
     The page shows the runs while they go on. The error of a single run is raised.
     """
-    page, told = GrowingPage(root, shown(job)), len(job) == 1
-    own = any(each.game for each in job.values())
+    page = GrowingPage(root, shown(job))
 
     def tell(progress: Progress) -> None:
-        nonlocal told
         bar(progress)
         page.write()
-        if not (told or own or progress.what.startswith("0 of ")):
-            told, runs = True, (root / name for name in job)
-            first = next(path for path in runs if SavedRun(path).finished)
-            typed = console.command("replay", first)
-            console.note(f"The first run has ended. A match of it: {typed}")
 
     with ProgressBar() as bar:
         errors = jobs.play_job(job, root, executor=executor, threads=threads, report=tell)

@@ -54,7 +54,7 @@ def option_name(field_name: str) -> str:
 
 def refuse_beside(option: str, names: Iterable[str], why: str = "") -> None:
     """Raise click.UsageError if settings of these names are given beside an option."""
-    if named := ", ".join(map(option_name, names)):
+    if named := ", ".join(map(option_name, sorted(names))):
         raise click.UsageError(f"{option}: expected no {named} beside it{why}")
 
 
@@ -148,11 +148,7 @@ SHARED: dict[str, Option] = {
     "episodes": integer(
         "--episodes", "fresh episodes of each pair of opponents", least=2, default=100
     ),
-    "steps": integer(
-        "--steps",
-        "most steps of an episode  [default: as in the evaluation of RUN; without RUN 500, in "
-        "solve 20]",
-    ),
+    "steps": integer("--steps", "most steps of an episode  [default: 500, in solve 20]"),
     "threads": integer(
         "--threads",
         "threads that play matches  [default: one per usable core]",
@@ -270,12 +266,9 @@ def unpacked(path: Path) -> Path:
         with storage.new_directory(directory) as place:
             for name, content in parts.items():
                 (place / name).write_bytes(content)
-    for name, content in parts.items():
-        file = directory / name
-        if not (file.is_file() and file.read_bytes() == content):
-            raise click.BadParameter(
-                f"{path}: expected its own run in {directory}, got another {name} there, or none"
-            )
+    own = {name: directory / name for name in parts}
+    if any(not (f.is_file() and f.read_bytes() == parts[name]) for name, f in own.items()):
+        raise click.BadParameter(f"{path}: expected its own run in {directory}, got other files")
     return directory
 
 
@@ -368,18 +361,10 @@ def check_outputs(*outputs: Path | None, force: bool, redraws: bool = True) -> N
         except OSError as error:
             expected = f"a directory in which files can be made, got {str(file.parent)!r}"
             raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
-        if file.exists() and not (force or (redraws and _is_drawn(file))):
-            raise click.UsageError(f"{file}: exists; give --force to replace it")
-
-
-def _is_drawn(file: Path) -> bool:
-    # A film has its comment behind a table of its frames.
-    size, part = file.stat().st_size, 1 << 16
-    with file.open("rb") as stream:
-        ends = stream.read(part)
-        stream.seek(max(0, size - part))
-        ends += stream.read()
-    return any(mark in ends for mark in DRAWN)
+        if file.exists() and not force:
+            content = file.read_bytes() if redraws else b""
+            if not any(mark in content for mark in DRAWN):
+                raise click.UsageError(f"{file}: exists; give --force to replace it")
 
 
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:

@@ -25,13 +25,6 @@ from matrixworld.world.rules import Rules
 Run = TypeVar("Run")
 
 FORMATS = ("png", "pdf", "svg")
-# Matplotlib takes half a second to import: the names of figures stand here, and a test compares.
-FIGURES = (
-    "training", "payoff", "generalization", "lag_profile", "collisions", "comparison", "seeds",
-    "verdicts", "held_out",
-)  # fmt: skip
-"""Figures of runs: the functions of `matrixworld.plots.saved` that draw them."""
-
 # \b keeps click from wrapping the lines.
 PLAYGROUND_EXAMPLES = """\b
 Examples:
@@ -69,18 +62,15 @@ def _baselines(
 @click.command("explore")
 @options.runs()
 @options.out(
-    f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all of the "
-    "runs]; with --figure, the file of the figure"
+    f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all runs]"
 )
 @options.shared("open")
 @click.option("--figures", is_flag=True, help="draw figures, and write no page")
-@click.option("--figure", type=click.Choice(FIGURES), help="only this figure")
 @click.option(
     "--format",
     "suffix",
     type=click.Choice(FORMATS),
-    help="format of the figures; pdf and svg are vector graphics  "
-    "[default: that of --out, else png]",
+    help="format of the figures; pdf and svg are vector graphics  [default: png]",
 )
 @click.option(
     "--baseline",
@@ -99,7 +89,6 @@ def explore_command(
     out: Path | None,
     opens: bool,
     figures: bool,
-    figure: str | None,
     suffix: str | None,
     baselines: dict[str, list[SavedRun]],
     each: bool,
@@ -107,10 +96,9 @@ def explore_command(
 ) -> None:
     """Write one page that shows runs and plays their matches, and open it; or draw figures.
 
-    RUN is the directory of a job or of a run. The page is a single file that needs no network and
-    no installation. It holds the genomes and the engine: a click on a cell of the payoff matrix
-    plays that very match. Of a game of your own it holds what the game shows of some matches. Of
-    many runs, the page shows the first seeds of each group.
+    RUN is the directory of a job or of a run. The page is a single file that needs no network. It
+    holds the genomes and the engine: a click on a cell of the payoff matrix plays that very match.
+    Of many runs, the page shows the first seeds of each group.
 
     With --figures the figures of each run go into its directory. Races of one seed are also drawn
     side by side; of several seeds all are drawn together, and single runs only with --each.
@@ -121,11 +109,11 @@ def explore_command(
     if len(runs) > 1:
         root = Path(os.path.commonpath([path.absolute() for path in runs]))
         root = root if runs[0].is_absolute() else Path(os.path.relpath(root))
-    if not (figures or figure):
+    if not figures:
         given = {"--format": suffix, "--baseline": baselines, "--each": each}
         for option, value in given.items():
             if value:
-                raise click.UsageError(f"{option}: expected --figures or --figure beside it")
+                raise click.UsageError(f"{option}: expected --figures beside it")
         page = out or root / PAGE
         options.check_outputs(page, force=force)
         with warnings_as_notes(), usage_errors():
@@ -133,27 +121,14 @@ def explore_command(
         say(page)
         open_page(page, opens)
         return
+    if out is not None:
+        raise click.UsageError("--out: expected no --figures beside it: they have their places")
     from matrixworld import plots
     from matrixworld.plots.saved import figures_of
 
-    if out is not None:
-        forms = [suffix] if suffix else FORMATS
-        suffix = out.suffix.lower().removeprefix(".")
-        if suffix not in forms:
-            names = ", ".join(f".{form}" for form in forms)
-            raise click.UsageError(f"--out: expected a name that ends in {names}, got {out}")
-    for group in groups:
-        if figure not in (None, "training") and not group.is_race:
-            expected = "expected a race, got a run of one team"
-            raise click.UsageError(f"--figure {figure}: {expected}: {group.name}")
-    chosen: Any = {"name": figure, "suffix": suffix or "png", "baselines": baselines, "each": each}
+    chosen: Any = {"suffix": suffix or "png", "baselines": baselines, "each": each}
     with usage_errors():
         files = figures_of([group.inside(root) for group in groups], root, **chosen)
-    if out is not None:
-        if figure is None or len(files) != 1:
-            got = f"{len(files)} figures" if figure else "no --figure"
-            raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
-        files = dict.fromkeys([out], *files.values())
     # All files are checked before the first is drawn.
     options.check_outputs(*files, force=force)
     for file, drawn in files.items():
@@ -193,16 +168,13 @@ def playground_command(
 ) -> None:
     """Write a page on which you play, and open it.
 
-    "Can you escape it?" is a game of three rounds: you are the only evader, and each round has
-    stronger pursuers. In one match you play any agent: with RUN against its generations, in its
-    world; with VARIANT (default O) against scripts and the evolved opponents that come with the
-    package, in a small world. The page keeps a played match as a file; matrixworld replay FILE
-    shows it, and --out of that command makes a GIF of it.
+    You are the only evader in three rounds against ever stronger pursuers, or any agent in one
+    match: with RUN against its generations, in its world; with VARIANT (default O) against scripts
+    and the evolved opponents that come with the package, in a small world. Or choose rules, place
+    agents and obstacles, and read every conflict of a step in words.
 
-    Rules and conflicts: choose a variant or rules of your own, place agents and obstacles, give
-    each agent a move or a script, and read every conflict of a step in words.
-
-    The page is a single file that needs no network and no installation; it holds the engine.
+    The page is a single file that needs no network. It keeps a played match as a file, which
+    matrixworld replay FILE shows.
     """
     title = "matrixworld playground"
     if isinstance(source, Rules):

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import click
 
@@ -25,14 +25,12 @@ from matrixworld.episodes.record import record
 from matrixworld.play import read_genome
 from matrixworld.solver import States, solve
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, EnginePolicy, Script
+from matrixworld.world.policy import SCRIPTS, EnginePolicy
 from matrixworld.world.rules import VARIANTS, Rules, rules_of
 
-SLOWEST, FASTEST = 0.1, 50.0
-"""Frames a second that a GIF can show: it holds delays in hundredths of a second."""
 SUFFIXES = (".gif", ".mp4", ".png", ".npz")
-SHOWN_SECONDS = 10
-"""About how long a GIF or film takes for which nothing else is asked."""
+FRAMES = 100
+"""About how many frames a GIF or film has: as many as are shown in 10 seconds."""
 CHASER, FLEER = "chaser", "fleer"
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -44,11 +42,10 @@ Examples:
 """
 
 
-def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) -> tuple[Path, ...]:
-    for path in value:
-        if path.suffix.lower() not in SUFFIXES:
-            raise click.BadParameter(f"expected a name that ends in {', '.join(SUFFIXES)}: {path}")
-    return value
+def _out(ctx: click.Context, param: click.Parameter, path: Path | None) -> Path | None:
+    if path is not None and path.suffix.lower() not in SUFFIXES:
+        raise click.BadParameter(f"expected a name that ends in {', '.join(SUFFIXES)}: {path}")
+    return path
 
 
 def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
@@ -81,30 +78,12 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     "--episode", "which episode of the match, or of the seed", least=0, most=SEED_MAX, default=0
 )
 @options.shared("seed", "steps")
-@click.option(
-    "--out",
-    "-o",
-    type=click.Path(path_type=Path),
-    multiple=True,
+@options.out(
+    "write the episode to a file instead of showing it: .gif, .mp4 (of a long episode some steps), "
+    ".png (one moment: --step) or .npz (its data)",
     callback=_out,
-    metavar="FILE",
-    help="write the episode to a file instead of showing it: .gif, .mp4, .png (one moment: --step) "
-    "or .npz (its data); may be given several times",
 )
 @options.shared("force")
-@click.option(
-    "--fps",
-    type=click.FloatRange(SLOWEST, FASTEST),
-    default=10.0,
-    show_default=True,
-    metavar="NUMBER",
-    help="frames a second",
-)
-@options.integer(
-    "--every",
-    "steps from one frame to the next  [default: 1; of a .gif or .mp4 as many as make about "
-    f"{SHOWN_SECONDS} seconds]",
-)
 @click.option(
     "--step",
     type=int,
@@ -119,23 +98,14 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     "--step",
 )
 @click.option("--numbers", is_flag=True, help="agents carry their numbers in pictures")
-@click.option(
-    "--view",
-    multiple=True,
-    metavar="AGENT",
-    help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
-)
 @options.shared("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
-    out: tuple[Path, ...],
+    out: Path | None,
     force: bool,
-    fps: float,
-    every: int | None,
     step: int | None,
     explain: bool,
     numbers: bool,
-    view: tuple[str, ...],
     **game: Any,
 ) -> None:
     """Watch an episode in the terminal, or write it to files.
@@ -154,12 +124,12 @@ def replay_command(
         if run.settings.game:
             show_match(run, given, out, force=force)
             return
-    suffixes = {path.suffix.lower() for path in out}
-    if not suffixes - {".npz"}:  # the terminal shows neither fields of view nor numbers
-        _refuse(given.keys() & {"view", "numbers"}, "--out writes no picture")
-    if out and ".png" not in suffixes:
-        _refuse(given.keys() & {"step"}, "--out writes no .png")
-    options.check_outputs(*out, force=force)
+    suffix = out.suffix.lower() if out else ""
+    if suffix in ("", ".npz"):  # the terminal shows no numbers
+        options.refuse_beside("--out writes no picture", given.keys() & {"numbers"})
+    if suffix not in ("", ".png"):
+        options.refuse_beside("--out writes no .png", given.keys() & {"step"})
+    options.check_outputs(out, force=force)
     with usage_errors():
         played = _match(source, options.given(game))(episode=game["episode"])
         step = None if step is None else step_number(step, played.length)
@@ -167,41 +137,32 @@ def replay_command(
         lines = [f"step {now}  {why}" for now in steps if explain for why in played.explain(now)]
     if explain and not lines:
         lines = ["no conflicts" if step is None else f"step {step}  no conflicts"]
-    if every is None and suffixes & {".gif", ".mp4"}:
-        every = max(1, round(played.length / (SHOWN_SECONDS * fps)))
-        if every > 1:
-            say(f"Every {every} steps are a frame, so that it takes about {SHOWN_SECONDS} seconds.")
-    moment = -1 if step is None else step
-    look: dict[str, Any] = {"fps": fps, "step": moment, "numbers": numbers, "viewers": view}
-    for path in out:
-        if path.suffix.lower() == ".npz":
-            played.save(path)
-            continue
-        try:
-            replay.save(played, path, every=every or 1, **look)
-        except ValueError as error:
-            raise click.ClickException(str(error)) from error
+    every = max(1, round(played.length / FRAMES))
+    if out and suffix == ".npz":
+        played.save(out)
+    elif out:
+        moment = -1 if step is None else step
+        replay.save(played, out, every=every, step=moment, numbers=numbers)
+    if every > 1 and suffix in (".gif", ".mp4"):
+        say(f"Every {every} steps are a frame.")
     if not out and step is not None:
         replay.print_moment(played, step=step)
     elif not (out or explain):
-        replay.animate_terminal(played, fps=fps, every=every or 1)
+        replay.animate_terminal(played)
     for line in lines:
         say(line)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
-    written = ", ".join(map(str, out))
-    say(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
+    say(f"{caught} of {of} evaders captured, {played.length} steps  {out or ''}".rstrip())
 
 
 # The match of a game of your own:
 
 
-def show_match(
-    run: SavedRun, given: Mapping[str, Any], out: Sequence[Path], *, force: bool
-) -> None:
+def show_match(run: SavedRun, given: Mapping[str, Any], out: Path | None, *, force: bool) -> None:
     """Print or write what the game of a run shows of two genomes."""
     known = {"source", "race", "out", "force", *TEAMS}
-    _refuse(given.keys() - known, f"{run.path} is a run of a game of your own")
-    options.check_outputs(*out, force=force)
+    options.refuse_beside(f"{run.path} is a run of a game of your own", given.keys() - known)
+    options.check_outputs(out, force=force)
     with warnings_as_notes(), usage_errors():
         genomes = []
         for team, key in zip(TEAMS, run.settings.keys, strict=True):
@@ -211,17 +172,16 @@ def show_match(
             genomes.append(run.teams[key].genomes[run.generation(key, int(who), team)])
         shown = run.settings.evaluation_game.shown(*genomes)
     if isinstance(shown, str):
-        _refuse({"out"} & given.keys(), "the game shows text")
+        options.refuse_beside("the game shows text", {"out"} & given.keys())
         say(shown)
         return
     if not out:
         raise click.UsageError("--out: expected a .png, because the game shows an image")
-    for path in out:
-        if path.suffix.lower() != ".png":
-            raise click.UsageError(f"--out: expected a name that ends in .png, got {path}")
-        with replacing(path) as file:
-            file.write(shown)
-        say(path)
+    if out.suffix.lower() != ".png":
+        raise click.UsageError(f"--out: expected a name that ends in .png, got {out}")
+    with replacing(out) as file:
+        file.write(shown)
+    say(out)
 
 
 # The match of a source:
@@ -230,7 +190,7 @@ def show_match(
 def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
     """Return `record` for the episodes of a source; refuse options that say nothing about it."""
     if isinstance(source, Path) and source.is_file():
-        _refuse(given, f"{source} is a single episode")
+        options.refuse_beside(f"{source} is a single episode", given)
         return lambda episode: Episode.load(source)
     given.pop("episode", None)
     race = given.pop("race", None)
@@ -243,7 +203,7 @@ def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
         named = {"pursuer": CHASER, "evader": FLEER, **named}
     else:
         run = open_run(options.run_in(source, race))
-        _refuse(given, f"{run.path} is a run")
+        options.refuse_beside(f"{run.path} is a run", given)
         config = run.settings.world
         named = {"pursuer": "-1", "evader": "-1", **named}
     pursuers, g = _player(config, run, "pursuer", named["pursuer"])
@@ -251,12 +211,6 @@ def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
     if run is not None:
         seed = evaluation_seed(run.settings.seed, g, h)
     return partial(record, config, pursuers, evaders, seed=seed, pursuer=g, evader=h)
-
-
-def _refuse(names: Iterable[str], reason: str) -> None:
-    refused = ", ".join(map(options.option_name, sorted(names)))
-    if refused:
-        raise click.UsageError(f"{reason}: expected no {refused} with it")
 
 
 def _player(
@@ -273,7 +227,7 @@ def _player(
         return population, 0
     if run is None:
         check_choice(team, who, (*SCRIPTS, SOLVED))
-        return cast(Script, who), 0
+        return who, 0
     try:
         generation = int(who)
     except ValueError:

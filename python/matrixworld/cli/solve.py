@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Mapping
 from pathlib import Path
@@ -57,9 +56,7 @@ def solve_command(
     """Solve a small world exactly.
 
     The value is the capture rate after the last step when both teams play perfectly, as a mean over
-    all starts on distinct free cells. Where the teams take turns, the capture time is printed, too:
-    the rounds that the pursuers need when they choose their cells first and the evaders then
-    theirs, for as long as it takes.
+    all starts on distinct free cells.
 
     By default 2 pursuers play against 1 evader on 6 x 6 cells. All states must fit into memory:
     about 3 pursuers and 2 evaders on a small board.
@@ -94,12 +91,12 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
     began = time.perf_counter()
     with ProgressBar(after=1.0) as bar:
         solution = solve(States(config, threads=threads, report=bar.share))
-        needed = solution.capture_time if solution.states.n_turns > 1 else None
     seconds = time.perf_counter() - began
     size = f"{config.rows} x {config.cols} cells"
     print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
     say(solution)
-    numbers: dict[str, Any] = {
+    say(f"It took {seconds:.2f} seconds.\n")
+    return {
         "world": config.to_json(),
         "value": solution.value,
         "value_by_step": solution.means.tolist(),
@@ -107,13 +104,6 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
         "gap": solution.gap,
         "seconds": seconds,
     }
-    if needed is not None:
-        rounds = None if math.isinf(needed) else int(needed)
-        told = "never: the evaders can escape" if rounds is None else rounds
-        say(f"rounds to capture from the best start: {told}")
-        numbers["capture_time"] = rounds
-    say(f"It took {seconds:.2f} seconds.\n")
-    return numbers
 
 
 def _solve_runs(group: RunGroup, threads: int | None, bar: ProgressBar) -> dict[str, Any]:

@@ -23,18 +23,16 @@ from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.fitness import FitnessSettings, competitive_sharing
+from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game as Game  # `matrixworld.Game`
 from matrixworld.coevolution.game import check_game
 from matrixworld.coevolution.groups import Comparison, RunGroup, compare, judge, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
-from matrixworld.coevolution.learners import (
-    ActorCritic,
-    CmaEs,
-    EvolutionStrategy,
-    GeneticAlgorithm,
-    GeneticProgramming,
-)
+from matrixworld.coevolution.learners import ActorCritic
+from matrixworld.coevolution.learners.cma_es import CmaEs
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
+from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
+from matrixworld.coevolution.learners.genetic_programming import GeneticProgramming
 from matrixworld.coevolution.learners.learner import Learner, Results, Task
 from matrixworld.coevolution.own_code import check_learner, check_sampler
 from matrixworld.coevolution.progress import Progress, ProgressBar, StopRun
@@ -87,7 +85,6 @@ __all__ = [
     "check_learner",
     "check_sampler",
     "compare",
-    "competitive_sharing",
     "create",
     "evolve",
     "finish",

@@ -10,9 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats
 from matrixworld.coevolution.game import Game, Scores
 from matrixworld.coevolution.pursuit import FITNESS
 from matrixworld.coevolution.sections import Section, documented, setting
@@ -60,20 +58,14 @@ class FitnessSettings(Section):
         return feasible_first(found, excess)
 
 
-def feasible_first(fitness: ArrayLike, violation: ArrayLike) -> FloatArray:
-    """Return a fitness (n,) that ranks candidates within a limit before all others.
+def feasible_first(fitness: FloatArray, violation: FloatArray) -> FloatArray:
+    """Return a fitness (n,) that ranks candidates with no `violation` (n,) of a limit first.
 
-    `violation` (n,) is by how much each exceeds the limit; within it 0 or less. Of two candidates
-    within the limit, the fitter one is better; of two beyond it, the one with the smaller
-    violation.
-
-    Deb 2000, "An efficient constraint handling method for genetic algorithms", Computer Methods in
-    Applied Mechanics and Engineering 186, equation 5.
+    Others rank by their violation alone (Deb 2000, "An efficient constraint handling method").
     """
-    values, beyond = check_floats("fitness", fitness), check_floats("violation", violation)
-    within = beyond <= 0.0
-    worst = values[within].min() if within.any() else 0.0
-    return np.where(within, values, worst - beyond)
+    within = violation <= 0.0
+    worst = fitness[within].min() if within.any() else 0.0
+    return np.where(within, fitness, worst - violation)
 
 
 def mean_over_opponents(values: FloatArray) -> FloatArray:
@@ -84,36 +76,14 @@ def mean_over_opponents(values: FloatArray) -> FloatArray:
 
 
 def shared_fitness(payoff: FloatArray) -> FloatArray:
-    """Return `competitive_sharing` of payoffs (n, m); NaN marks opponents that were not met.
+    """Return competitive fitness sharing (n,) of payoffs (n, m): Rosin & Belew 1997.
 
-    It is scaled by n / m: a population that beats every opponent then has a mean fitness of 1,
-    whatever its size.
+    An opponent is worth 1 in total, shared by those that beat it; NaN where it was not met. By
+    n / m times: a population that beats every opponent has a mean of 1, whatever its size.
     """
     n, m = len(payoff), np.count_nonzero(~np.isnan(payoff).all(axis=0))
-    return competitive_sharing(np.nan_to_num(payoff)) * (n / m)
-
-
-def competitive_sharing(wins: ArrayLike) -> FloatArray:
-    """Return the fitness (n,) float64 by competitive fitness sharing.
-
-    Each opponent is worth 1 in total, shared by the individuals that beat it. A rare win therefore
-    counts for more: ``f_i = sum_j w_ij / sum_k w_kj``, over the opponents j that at least one
-    individual beats, whose number is the sum of the fitness.
-
-    Parameters
-    ----------
-    wins : array_like of float, shape (n, m)
-        How surely individual i beats opponent j; ValueError unless all are finite and at least 0.
-
-    References
-    ----------
-    Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
-    """
-    # Not only zeros and ones: a mean over episodes is a share of a win.
-    matrix = check_floats("wins", wins)
-    if matrix.ndim != 2 or not ((matrix >= 0.0) & (matrix < np.inf)).all():
-        raise ValueError(f"wins: expected (n, m) numbers >= 0, got shape {matrix.shape}: {matrix}")
+    wins = np.nan_to_num(payoff)
     # An opponent that no individual beats is worth nothing, and would divide by zero.
-    beaten = matrix[:, matrix.sum(axis=0) > 0.0]
-    fitness: FloatArray = (beaten / beaten.sum(axis=0)).sum(axis=1)
-    return fitness
+    beaten = wins[:, wins.sum(axis=0) > 0.0]
+    shares: FloatArray = (beaten / beaten.sum(axis=0)).sum(axis=1)
+    return shares * (n / m)

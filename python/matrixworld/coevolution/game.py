@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from hashlib import sha256
+from itertools import product
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, ClassVar
@@ -30,14 +31,9 @@ Play = Callable[[Genomes, Genomes, Rng], ArrayLike]
 
 @dataclass(frozen=True, eq=False)
 class Scores:
-    """Results of M matches with N episodes each.
+    """Scores (M, N) of the first team, in [0, 1], in M matches of N episodes; the other has 1 - s.
 
-    Parameters
-    ----------
-    scores : ndarray of float, shape (M, N)
-        Scores of the first team, in [0, 1]; the second team has 1 - score.
-    extras : mapping of str to ndarray, each (M, N, ...)
-        What else the game tells, by name. By default nothing.
+    What else the game tells are `extras`, by name, each (M, N, ...).
     """
 
     scores: NDArray[Any]
@@ -54,11 +50,6 @@ class Strategies:
     """Genomes (n, genes) of a team, which can play."""
 
     genomes: Genomes
-
-
-def generator_of(seed: int, episode: int) -> Rng:
-    """Return the generator of one episode of a match."""
-    return np.random.Generator(np.random.Philox(key=[seed, episode]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,8 +109,7 @@ class Game:
     single: ClassVar[tuple[str, ...]] = ()
     means: ClassVar[tuple[str, ...]] = ()
     """Extras that a payoff holds: those of single episodes, and those of which it holds means."""
-    counters: ClassVar[tuple[str, ...]] = ()
-    """What a run counts beside its matches."""
+    counters: ClassVar[tuple[str, ...]] = ()  # what a run counts beside its matches
 
     def __post_init__(self) -> None:
         for name in ("play", "initial", "show"):
@@ -148,16 +138,6 @@ class Game:
             if not (low < high).all():
                 raise ValueError(f"bounds: expected least < largest value, got {low} and {high}")
             object.__setattr__(self, "bounds", (low, high))
-
-    @classmethod
-    def payoff_extras(cls) -> tuple[str, ...]:
-        """Return the names of the extras in a payoff."""
-        return (*(f"{name}s" for name in cls.single), *cls.means)
-
-    @property
-    def keys(self) -> tuple[str, str]:
-        """Names of the teams in logs and mappings."""
-        return self.teams
 
     # What a run asks for:
 
@@ -194,24 +174,17 @@ class Game:
     def scores(
         self, first: Any, second: Any, matches: Matches, *, episodes: int, threads: int | None
     ) -> Scores:
-        """Play M matches, each a number of the first team, one of the second, and a seed.
-
-        ValueError if the game returns anything but scores in [0, 1].
-        """
+        """Play M matches, each a number of the first team, one of the second, and a seed."""
         a, b, seeds = matches
         one, other = first.genomes[a], second.genomes[b]
         if self.deterministic:
             found = self._checked([self.play(one, other, np.random.default_rng(0))], len(a))
             return Scores(np.repeat(found[:, np.newaxis], episodes, axis=1))
-        found = self._checked(
-            [
-                self.play(one[m : m + 1], other[m : m + 1], generator_of(seed, episode))
-                for m, seed in enumerate(seeds.tolist())
-                for episode in range(episodes)
-            ],
-            1,
-        )
-        return Scores(found.reshape(len(a), episodes))
+        calls = []
+        for (m, seed), episode in product(enumerate(seeds.tolist()), range(episodes)):
+            rng = np.random.Generator(np.random.Philox(key=[seed, episode]))
+            calls.append(self.play(one[m : m + 1], other[m : m + 1], rng))
+        return Scores(self._checked(calls, 1).reshape(len(a), episodes))
 
     def _checked(self, calls: list[ArrayLike], matches: int) -> NDArray[np.float32]:
         """Return the scores of all calls, each of so many matches."""
@@ -227,10 +200,7 @@ class Game:
         return scores
 
     def values(self, scores: Scores, team: Team, measure: str, *, raw: bool = False) -> FloatArray:
-        """Return what a team is selected by, (M, N), of a measure of `FITNESS`.
-
-        With `raw` in [0, 1], without any penalty.
-        """
+        """Return what a team is selected by, (M, N); with `raw` in [0, 1], without any penalty."""
         return scores.of(team)
 
     def costs(self, scores: Scores, team: Team) -> FloatArray:
@@ -247,10 +217,7 @@ class Game:
 
     @no_exit("show")
     def shown(self, a: Genome, b: Genome) -> str | bytes:
-        """Return what the game shows of two genomes: text, or the bytes of a PNG file.
-
-        ValueError if it shows nothing, or something else.
-        """
+        """Return what the game shows of two genomes: text, or the bytes of a PNG file."""
         if self.show is None:
             raise ValueError("show: expected a function of the game that shows a match, got none")
         shown = self.show(a, b)
@@ -308,10 +275,7 @@ class OwnGame(Section):
 
     @classmethod
     def named(cls, game: Game) -> dict[str, Any]:
-        """Return the fields of a game, a global of the module of its function.
-
-        ValueError if it is none.
-        """
+        """Return the fields of a game, a global of the module of its function."""
         module = sys.modules.get(getattr(game.play, "__module__", ""))
         names = [name for name, value in vars(module).items() if value is game] if module else []
         if module is None or not names:
@@ -338,10 +302,7 @@ class OwnGame(Section):
         return Game(_not_imported, (one, other), (first, second), deterministic=self.deterministic)
 
     def load(self) -> Game:
-        """Return the game.
-
-        ValueError if there is none of this name, or another one; PluginError if its module fails.
-        """
+        """Return the game; ValueError if there is none of this name, or another one."""
         game = self._imported()
         for name in ("genes", "teams", "deterministic"):
             expected, found = getattr(self, name), getattr(game, name)
@@ -356,11 +317,6 @@ class OwnGame(Section):
         if digest_of(self.load()) == self.digest:
             return ""
         return f"{self.code}: expected the source of the game as it was, got a changed one"
-
-    @property
-    def is_here_alone(self) -> bool:
-        """Whether no other process can import it, such as that of a notebook."""
-        return self.code.startswith("__main__:")
 
     def _imported(self) -> Game:
         module, _, name = self.code.partition(":")
@@ -391,10 +347,7 @@ MAIN = ("__main__", "__mp_main__")
 
 
 def digest_of(game: Game) -> str:
-    """Return a digest of what a game is: its fields, and the source of its functions.
-
-    With what these name in their modules: functions, numbers, text, arrays and what holds them.
-    """
+    """Return a digest of a game's fields, and of the source of its functions and what they name."""
     parts: dict[str, str] = {}
     fields = {name: getattr(game, name) for name in ("genes", "teams", "bounds", "deterministic")}
     for name in ("play", "initial", "show"):
@@ -406,10 +359,7 @@ def digest_of(game: Game) -> str:
 
 
 def _text_of(value: Any, module: str, parts: dict[str, str]) -> str:
-    """Return a text of a value, the same in every process.
-
-    The source of functions of the module, and what they name in it, is added to `parts`.
-    """
+    """Return a text of a value, the same in every process; sources go to `parts`."""
     if isinstance(value, np.ndarray | np.generic):
         value = value.tolist()
     if isinstance(value, Mapping):
@@ -450,28 +400,17 @@ def _names(code: CodeType) -> Iterator[str]:
             yield from _names(constant)
 
 
-CHECKED = 64
-"""Matches of a check."""
+CHECKED = 64  # matches of a check
 
 
 @no_exit("check_game")
 def check_game(game: Game) -> None:
-    """Check that a game keeps the promises of `Game`.
+    """Check that a `game` keeps the promises of `Game`.
 
     Untrained genomes have their shape and lie within the bounds; scores are finite numbers in
     [0, 1], one of each match; they do not depend on the order of the matches, nor on which others
     are played; equal generators give equal scores, whatever other random numbers are drawn
-    meanwhile. An error in the game's own code is raised as it is.
-
-    Parameters
-    ----------
-    game : Game
-        The game.
-
-    Raises
-    ------
-    ValueError
-        If a promise is broken; the message says which.
+    meanwhile. ValueError says which is broken; an error in the game's own code is raised as it is.
 
     Examples
     --------

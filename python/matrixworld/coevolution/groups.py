@@ -25,16 +25,10 @@ from matrixworld.coevolution.types import TEAMS, Team, payoffs_of
 
 @dataclass(frozen=True)
 class RunGroup:
-    """Finished runs that differ in their seed only; a single run is a group of one.
+    """Finished `runs` by their seeds, in which alone they differ; a single run is a group of one.
 
-    Parameters
-    ----------
-    paths : tuple of Path
-        What names it: the directory of all seeds, or those of the runs.
-    runs : tuple of SavedRun
-        The runs, in the order of their seeds.
-    missing : tuple of int, optional
-        Seeds of the same job that are not finished.
+    It is named by `paths`: the directory of all seeds, or those of the runs. Seeds of the same job
+    that are not finished are `missing`.
     """
 
     paths: tuple[Path, ...]
@@ -151,22 +145,14 @@ class RunGroup:
 
 
 def open_groups(*directories: str | Path) -> list[RunGroup]:
-    """Return the runs of jobs, or of any directories, in groups that differ in their seed only.
+    """Return the runs in `directories`, or up to two levels below, in groups of different seeds.
 
-    Runs in such a directory that are not finished are `RunGroup.missing`; a group may have no other
-    ones.
-
-    Parameters
-    ----------
-    *directories : str or Path
-        Directories of runs, or with runs one or two levels below.
+    Those that are not finished are `RunGroup.missing`; a group may have no other ones.
 
     Raises
     ------
-    FileNotFoundError
-        If a directory holds no run; other errors are those of `open_run`.
-    ValueError
-        If the same run is there twice, which is no independent observation.
+    FileNotFoundError, ValueError
+        If a directory holds no run, or the same run is there twice.
     """
     runs: dict[Path, RaceSettings] = {}
     for directory in map(Path, directories):
@@ -240,15 +226,7 @@ def judge(source: Any, **known: Any) -> Judgement:
 
 @dataclass(frozen=True, repr=False)
 class Comparison(Readable):
-    """What tells one group of runs from another one, by what was measured.
-
-    Parameters
-    ----------
-    means : dict of str to tuple of float
-        Means of the first and of the second group.
-    differences : dict of str to Estimate
-        The first mean minus the second, with its interval.
-    """
+    """What tells one group of runs from another one: `means` of both, and their `differences`."""
 
     means: dict[str, tuple[float, float]]
     differences: dict[str, Estimate]
@@ -338,12 +316,3 @@ def _group_of(name: str, source: Any) -> RunGroup | None:
             f"{name}: expected finished runs that differ in their seed only, got {got}"
         )
     return groups[0]
-
-
-# Directories of jobs:
-
-
-def job_directory(path: Path) -> Path:
-    """Return the directory of the job that a run belongs to: its own, if it is no run of a seed."""
-    folder = path.absolute()
-    return path / ".." / ".." if SEED.fullmatch(folder.name) else path

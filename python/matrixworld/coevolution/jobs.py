@@ -25,13 +25,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util.checks import (
-    check_instance,
-    check_memory,
-    check_sequence,
-    check_threads,
-    shown,
-)
+from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, sentence_of
 from matrixworld._util.imports import HAS_PROCESSES
 from matrixworld.coevolution import progress, run, storage, types
@@ -43,42 +37,35 @@ from matrixworld.coevolution.settings import RaceSettings
 
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
 """Names of runs: relative paths of one or two parts that every system accepts."""
-ITSELF = "."
-"""Name of the only run of a job whose directory is that of the run."""
+ITSELF = "."  # name of the only run of a job whose directory is that of the run
 FEW = 3
 """Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
 
-RUNS = Path("runs")
-"""Parent directory of runs for which no directory is given."""
-MOST_NAMED = 5
-"""Most seeds that such a directory names one by one."""
+RUNS = Path("runs")  # parent directory of runs for which no directory is given
+MOST_NAMED = 5  # most seeds that such a directory names one by one
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""
 
 
 def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings]) -> Job:
-    """Return the job of these settings, perhaps by name; of several each gets a name.
-
-    Raises TypeError or ValueError if there are no settings, two runs have the same name or the same
-    settings, or a name is not the path of a directory.
-    """
+    """Return the job of these settings, perhaps by name; of several each gets a name."""
     if isinstance(settings, RaceSettings):
         return {ITSELF: _from_anywhere(settings)}
     given: Any = settings
     if not isinstance(given, Sequence | Mapping):  # a set has no order
         expected = "RaceSettings, or a sequence or mapping of them"
-        raise TypeError(f"settings: expected {expected}, got {shown(given)}")
+        raise TypeError(f"settings: expected {expected}, got {checks.shown(given)}")
     named = given.items() if isinstance(given, Mapping) else ((None, each) for each in given)
     runs: dict[str, RaceSettings] = {}
     names: dict[RaceSettings, str] = {}
     for key, each in named:
         if not isinstance(each, RaceSettings):
-            raise TypeError(f"settings: expected RaceSettings, got {shown(each)}")
+            raise TypeError(f"settings: expected RaceSettings, got {checks.shown(each)}")
         name = f"{each.schedule.name}/seed-{each.seed}" if key is None else key
         if not isinstance(name, str) or not NAME.fullmatch(name):
             expected = "names such as sigma-0.1 or sigma-0.1/seed-3"
-            raise ValueError(f"settings: expected {expected}, got {shown(name)}")
+            raise ValueError(f"settings: expected {expected}, got {checks.shown(name)}")
         if name in runs:
             raise ValueError(
                 f"settings: expected runs of different schedules or seeds, or a name for each, "
@@ -106,10 +93,7 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
 
 
 def default_directory(job: Job) -> Path:
-    """Return a new directory named after a job's world and seeds, such as ``runs/O-seeds0-9``.
-
-    If there is one already, a number follows: ``runs/O-seeds0-9-2``.
-    """
+    """Return a new directory named after a job, such as ``runs/O-seeds0-9`` or ``...-9-2``."""
     settings = next(iter(job.values()))
     seeds = [*dict.fromkeys(each.seed for each in job.values())]
     named = f"{seeds[0]}-{seeds[-1]}"
@@ -130,10 +114,7 @@ def found_job(root: Path) -> Job:
 
 
 def change(root: Path, *, generations: int | None = None, force: bool = False) -> None:
-    """Let the races of a job become longer, and accept the changed source of their game by force.
-
-    Errors are those of `run.lengthen`; of several races none is changed then.
-    """
+    """Let the races of a job become longer, all or none, and accept a changed game by force."""
     paths = storage.find_runs(root)
     if force:
         for path in paths:
@@ -199,10 +180,9 @@ def evolve(
     Parameters
     ----------
     settings : RaceSettings, or a sequence or mapping of them; or str, optional
-        Settings of a run, which is then made in `out` itself; or of each run, by the names of the
-        directories that they get in it, such as ``sigma-0.1/seed-3``. Without names these are
-        ``<schedule>/seed-<n>``, and ``<team>-against-<opponent>/seed-<n>`` for one team alone.
-        By default the run has the settings that are `named`; a text is then its variant.
+        Settings of a run, which is then made in `out` itself; or of each run, by the names of their
+        directories in it, such as ``sigma-0.1/seed-3``, without names ``<schedule>/seed-<n>``. By
+        default the run has the settings that are `named`; a text is then its variant.
     out : str or Path, optional
         A new or empty directory, or that of the same runs, which are continued. By default one in
         ``runs/`` that is named after variant and seeds.
@@ -210,18 +190,16 @@ def evolve(
         Seeds, of each of which there is a run of the same settings.
     executor : concurrent.futures.Executor, optional
         Plays the runs, one thread each, wherever the directory has the same path:
-        `concurrent.futures`, MPI (``mpi4py.futures.MPIPoolExecutor``), loky and Dask
-        (``Client.get_executor(pure=False)``) serve. By default the runs have processes of this
-        machine; a single run, and in a browser any run, is played in this process.
+        `concurrent.futures`, MPI, loky and Dask (``Client.get_executor(pure=False)``) serve. By
+        default the runs have processes of this machine; a single run is played in this one.
     threads : int, optional
         Threads in all, without an executor. By default one per usable core.
     report : callable, optional
         Called often with a `Progress`, such as a `ProgressBar`.
     on_epoch : callable, optional
-        Called in this process after each epoch with a dict: the columns of ``log.csv`` (numbers,
-        and the name of the ``team``), ``run`` (its name in the job, or that of the directory) and
-        ``seed``. With several runs the rows of a stage come when it has been saved. The files of a
-        run are the same with and without it. What it raises ends this call.
+        Called in this process after each epoch with a dict: the columns of ``log.csv``, ``run``
+        (its name in the job, or that of the directory) and ``seed``. With several runs the rows of
+        a stage come when it has been saved. What it raises, such as `StopRun`, ends this call.
     **named
         Settings by the last part of their path, such as ``learner="ga"`` or ``population=32``; see
         `RaceSettings.of`.
@@ -236,17 +214,13 @@ def evolve(
     FileExistsError, TypeError, ValueError
         If settings are bad or need too much memory, two runs have the same name, or the directory
         holds something else, such as other runs. Nothing is written then.
-    FailedRunsError
-        If runs failed, after all others have ended. A single run raises its own error.
-    BrokenExecutor
-        If a process or worker has died, for example for lack of memory.
-    StopRun
-        If `on_epoch` raises it. The runs have stopped then; those that an executor has begun end.
+    FailedRunsError, BrokenExecutor
+        If runs failed, after all others have ended, or a process or worker has died.
     """
     job = job_of(_asked(settings, seeds, named))
     root = default_directory(job) if out is None else Path(out)
     if executor is not None:
-        check_instance("executor", executor, Executor)
+        checks.check_instance("executor", executor, Executor)
         if threads is not None:
             raise ValueError(f"threads: expected None with an executor, got {threads}")
     check_job(job, root, threads, elsewhere=executor is not None)
@@ -274,16 +248,15 @@ def _asked(settings: Any, seeds: Sequence[int] | None, named: Mapping[str, Any])
         raise TypeError(f"settings: expected {expected}, got both: {', '.join(named)}")
     if seeds is None:
         return settings
-    check_instance("settings", settings, RaceSettings)
-    return [replace(settings, seed=seed) for seed in check_sequence("seeds", seeds, "integers")]
+    checks.check_instance("settings", settings, RaceSettings)
+    return [
+        replace(settings, seed=seed) for seed in checks.check_sequence("seeds", seeds, "integers")
+    ]
 
 
 def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = False) -> None:
-    """Raise an error if a job cannot be made or played in a directory; nothing is written.
-
-    `elsewhere` says whether other machines play it.
-    """
-    check_threads(threads)
+    """Raise an error if a job cannot be made, or played here if not `elsewhere`."""
+    checks.check_threads(threads)
     found = found_job(root)
     if not found:
         storage.check_empty(root)
@@ -302,7 +275,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     if not elsewhere:
         at_once = shares(len(left), threads)[0]
         needed = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
-        check_memory(
+        checks.check_memory(
             f"{at_once} runs at one time" if at_once > 1 else "run",
             **{f"run {i + 1}": size for i, size in enumerate(needed[:at_once])},
         )
@@ -353,7 +326,7 @@ def create_job(job: Job, root: Path) -> None:
 
 def shares(runs: int, threads: int | None) -> tuple[int, int]:
     """Return how many runs play at one time, and the threads of each."""
-    cores = check_threads(threads)
+    cores = checks.check_threads(threads)
     # A few runs more than cores share them from the beginning: the last one would play alone.
     workers = max(1, runs if runs < 2 * cores else cores)
     if runs <= FEW:  # two threads each lose little, and the first run is there in half the time
@@ -374,7 +347,8 @@ def play_job(
     watch = _Watch(job, root, report, on_epoch)
     # If the job is stopped, its groups have about equally many seeds.
     left = sorted((n for n in job if n not in watch.ended), key=lambda n: job[n].seed)
-    here = any(each.game and each.game.is_here_alone for each in job.values())
+    # No other process can import what is in a notebook.
+    here = any(each.game and each.game.code.startswith("__main__:") for each in job.values())
     if executor is None and (len(left) == 1 or here or not HAS_PROCESSES):
         for name in left:
             _play_here(watch, name, threads)
@@ -393,10 +367,7 @@ def play_job(
 
 
 def _play_here(watch: _Watch, name: str, threads: int | None) -> None:
-    """Play a run in this process, the only one that is left or where there are no others.
-
-    Another process would take half a second to start, and hide where an error came from.
-    """
+    """Play a run in this process: another one takes half a second to start, and hides errors."""
     on_epoch = watch.on_epoch if len(watch.job) == 1 else None  # the watch tells of several runs
     called = {} if name == ITSELF else {"run": name}
     try:
@@ -491,8 +462,8 @@ class _Watch:
         """Take what a run has saved since the last look, and tell its epochs."""
         saved, settings = storage.SavedRun(self.root / name), self.job[name]
         stage, stages = saved.newest(), settings.schedule.n_stages
-        total = run.total_matches(settings, settings.schedule.entries**2 if settings.is_race else 1)
-        done = total if saved.finished else min(settings.counted(saved.matches(), 0), total)
+        total = run.total_epochs(settings)
+        done = total if saved.finished else settings.schedule.epochs_until(stage)
         before = self._work[name].before if name in self._work else done
         what = f"stage {stage} of {stages}" if stage < stages else "tournament"
         self._work[name] = Progress(what, done, total, before)
@@ -545,10 +516,7 @@ def processes(count: int) -> Iterator[Executor]:
 
 @contextmanager
 def without_interrupts() -> Iterator[None]:
-    """Keep Ctrl-C from the processes that are started here.
-
-    A terminal sends it to all processes. Only this one must act: it ends the others.
-    """
+    """Keep Ctrl-C, which a terminal sends to all, from processes that are started here."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return

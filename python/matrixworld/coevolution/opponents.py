@@ -1,8 +1,7 @@
 """Which archived opponents a team meets in an epoch.
 
 Opponents are numbered from the oldest, 0: they are generations of the other team. A team does not
-know which one it is: if the teams are swapped, so is the result. Values out of range, and scores or
-payoffs of another shape, raise a ValueError that names them.
+know which one it is: if the teams are swapped, so is the result.
 """
 
 from __future__ import annotations
@@ -15,7 +14,6 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, check_integers
 from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
@@ -36,8 +34,7 @@ PayoffFunction = Callable[[Indices, Indices], ArrayLike]
 
 One pair always has the same payoff.
 """
-UNKNOWN = 0.5
-"""Assumed win rate against an opponent without games."""
+UNKNOWN = 0.5  # assumed win rate against an opponent without games
 WEIGHT_DECIMALS = 6
 """Decimals of the weights of a mixture: the last bits differ from processor to processor."""
 
@@ -53,10 +50,9 @@ class Opponents(Section):
             opponents = sampler.sample(state, available, count, epoch, rng)
             state = sampler.tell(state, opponents, scores)
 
-    No method changes the arrays that it gets. Random numbers come only from the generator of
-    `sample`, so that a sampler continues from a saved state bit for bit. A sampler of your own is a
-    frozen dataclass with this base, in the settings itself or by its name ``module:object``. Its
-    fields are its settings: numbers, text, true or false. `check_sampler` checks it.
+    No method changes the arrays that it gets; random numbers come only from the generator of
+    `sample`. A sampler of your own is a frozen dataclass with this base, in the settings itself or
+    by its name ``module:object``, with fields of numbers, text, true or false: see `check_sampler`.
     """
 
     def start(self) -> State:
@@ -116,8 +112,6 @@ class Uniform(Opponents):
 class RoundRobin(Opponents):
     """All opponents in turn: ``epoch mod available``, as the paper's generalists.
 
-    References
-    ----------
     Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
     """
 
@@ -137,8 +131,6 @@ class NewestAndOlder(Opponents):
 
     With one opponent it is drawn from all, as `Uniform` does.
 
-    References
-    ----------
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
 
@@ -151,17 +143,6 @@ class NewestAndOlder(Opponents):
         newest = np.arange(older, available)[::-1]
         drawn = rng.choice(older, size=min(count - count // 2, older), replace=False)
         return np.append(newest, drawn)
-
-
-def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, FloatArray]:
-    """Return opponents (c,) and scores (n, c); ValueError unless they fit and are in [0, 1]."""
-    index, values = check_integers("opponents", opponents, np.intp), check_floats("scores", scores)
-    if values.ndim != 2 or index.shape != values.shape[1:] or not values.size:
-        expected = f"shape (n, {index.size}), at least one each"
-        raise ValueError(f"scores: expected {expected}, got {values.shape}")
-    if not ((values >= 0.0) & (values <= 1.0)).all():
-        raise ValueError(f"scores: expected numbers in [0, 1], got {values}")
-    return index, values
 
 
 def _padded(values: FloatArray, size: int) -> FloatArray:
@@ -189,8 +170,6 @@ class Prioritized(Opponents):
 
     Opponents of weight 0 are drawn, evenly, only if those of positive weight do not suffice.
 
-    References
-    ----------
     Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
     learning", Nature 575, "prioritized fictitious self-play".
     """
@@ -239,31 +218,22 @@ class Prioritized(Opponents):
 
     def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
         """Count one game against each opponent, won by the mean of its scores."""
-        index, values = checked_scores(opponents, scores)
         # The archive grows during a run, and so do the counts.
-        size = int(index.max()) + 1
+        size = int(opponents.max()) + 1
         wins, games = (_padded(state[name], size) for name in ("wins", "games"))
-        wins[index] = self.decay * wins[index] + values.mean(axis=0)
-        games[index] = self.decay * games[index] + 1.0
+        wins[opponents] = self.decay * wins[opponents] + scores.mean(axis=0)
+        games[opponents] = self.decay * games[opponents] + 1.0
         return {"wins": wins, "games": games}
 
 
 def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
     """Return a greedy sample of opponents, each of which beats what few others in it beat.
 
-    ::
-
-        covered[k] = 0 for every individual k
-        repeat count times:
-            choose the j not yet chosen with the most  sum_k beats[j, k] / (1 + covered[k]);
-            decide ties at random
-            covered[k] += beats[j, k]
-
     `beats` (m, n) says how surely opponent j beats individual k of the last epoch, in [0, 1].
-
-    Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
-    matrix = check_floats("beats", beats)
+    # Chosen is the j with the most ``sum_k beats[j, k] / (1 + covered[k])``, where covered[k] sums
+    # beats[., k] of those chosen before (Rosin & Belew 1997); ties are decided at random.
+    matrix = np.asarray(beats, np.float64)
     # argmax takes the first of equals, so a random order of the rows decides ties at random.
     order = rng.permutation(len(matrix))
     shuffled, covered = matrix[order], np.zeros(matrix.shape[1])
@@ -298,13 +268,12 @@ class SharedSampling(Opponents):
 
     def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
         """Record one minus the scores for each opponent."""
-        index, values = checked_scores(opponents, scores)
         beats = state["beats"]
         # Columns are candidates; with another number of them old scores fit none.
-        if beats.shape[1] != len(values):
-            beats = np.ones((0, len(values)))
-        beats = _known(beats, int(index.max()) + 1)
-        beats[index] = 1.0 - values.T
+        if beats.shape[1] != len(scores):
+            beats = np.ones((0, len(scores)))
+        beats = _known(beats, int(opponents.max()) + 1)
+        beats[opponents] = 1.0 - scores.T
         return {"beats": beats}
 
 
@@ -327,8 +296,6 @@ class NashOpponents(Opponents):
     With several opponents an epoch they are drawn without replacement, so that all have a more
     equal share than their weights say. Before the first update the newest opponent is met.
 
-    References
-    ----------
     Lanctot et al. 2017, "A unified game-theoretic approach to multiagent reinforcement learning",
     NeurIPS 30.
     """
@@ -346,10 +313,12 @@ class NashOpponents(Opponents):
         known = state["payoffs"]
         rows, columns = np.arange(own), np.arange(available)
         n, m = known.shape
-        payoffs = np.block([
-            [known, _checked(payoff, rows[:n], columns[m:])],
-            [_checked(payoff, rows[n:], columns)],
-        ])  # fmt: skip
+
+        def played(rows: Indices, columns: Indices) -> FloatArray:
+            pairs = len(rows), len(columns)
+            return np.asarray(payoff(rows, columns)) if all(pairs) else np.zeros(pairs)
+
+        payoffs = np.block([[known, played(rows[:n], columns[m:])], [played(rows[n:], columns)]])
         # The opponents' own mixture: the game as they see it has their payoffs.
         rounded = np.round(nash_averaging(payoffs).evaders, WEIGHT_DECIMALS)
         return {"payoffs": payoffs, "weights": rounded / rounded.sum()}
@@ -359,22 +328,9 @@ class NashOpponents(Opponents):
         weights = state["weights"]
         if not len(weights):
             return np.array([available - 1], dtype=np.intp)
-        if len(weights) != available:
-            raise ValueError(f"available: expected {len(weights)} opponents, got {available}")
         support = np.flatnonzero(weights)
         size = min(count, len(support))
         return rng.choice(support, size=size, replace=False, p=weights[support])
-
-
-def _checked(payoff: PayoffFunction, rows: Indices, columns: Indices) -> FloatArray:
-    """Return payoffs (n, m), which are not played for no pairs; ValueError for another shape."""
-    shape = len(rows), len(columns)
-    if 0 in shape:
-        return np.zeros(shape)
-    values = check_floats("payoff", payoff(rows, columns))
-    if values.shape != shape or not np.isfinite(values).all():
-        raise ValueError(f"payoff: expected {shape} finite numbers, got {values}")
-    return values
 
 
 @documented

@@ -19,29 +19,18 @@ from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.sections import PluginError, no_exit
 from matrixworld.coevolution.types import TEAMS, State
 
-EPOCHS, GENES = 6, 140
-"""Epochs of a check, and length of its genomes."""
+EPOCHS, GENES = 6, 140  # epochs of a check, and length of its genomes
 Step = Callable[[State, int], tuple[list[NDArray[Any]], State]]
 """Plays one epoch from a state; returns what was decided, and the next state."""
 
 
 @no_exit("check_learner")
 def check_learner(learner: Learner) -> None:
-    """Check that a learner of your own keeps the promises of its base `Learner`.
+    """Check that a `learner` of your own keeps the promises of its base `Learner`.
 
     Shapes and dtypes; equal results from equal generators; a state that does not change when the
-    next one is made, and that continues bit for bit from a file. In some epochs all fitness values
-    are equal. An error in the learner's own code is raised as it is.
-
-    Parameters
-    ----------
-    learner : Learner
-        The learner.
-
-    Raises
-    ------
-    PluginError
-        If a check fails; the message says which.
+    next one is made, and that continues bit for bit from a file. PluginError says what fails; an
+    error in the learner's own code is raised as it is.
 
     Examples
     --------
@@ -89,16 +78,9 @@ def check_learner(learner: Learner) -> None:
 
 @no_exit("check_sampler")
 def check_sampler(sampler: Opponents, *, count: int = 2) -> None:
-    """Check that a sampler of your own keeps the promises of its base `Opponents`.
+    """Check that a `sampler` of your own keeps the promises of its base `Opponents`.
 
-    Numbers in range and without repetition, and otherwise as `check_learner`.
-
-    Parameters
-    ----------
-    sampler : Opponents
-        The sampler.
-    count : int, optional
-        Opponents an epoch.
+    Numbers of `count` opponents an epoch, in range and without repetition; else as `check_learner`.
 
     Examples
     --------

@@ -13,35 +13,23 @@ from tqdm import tqdm
 
 LOG = logging.getLogger("matrixworld")
 """Told when a run begins or goes on, has saved a stage, and ends; shows nothing by itself."""
-SECONDS = 0.5
-"""Minimum time between two updates, in seconds."""
-TENTH = 0.1
-"""Share of the work from one line to the next, if there is no terminal."""
+SECONDS = 0.5  # minimum time between two updates, in seconds
+TENTH = 0.1  # share of the work from one line to the next, if there is no terminal
 
-SHARES = 1000
-"""Parts into which a share is divided."""
+SHARES = 1000  # parts into which a share is divided
 
-LINE = "{desc}: {percentage:3.0f}%  {remaining} left"
-"""The parts of a line, as tqdm names them."""
-BAR = LINE.replace("%  ", "%|{bar:16}| ")
-"""The same with a bar."""
+LINE = "{desc}: {percentage:3.0f}%  {remaining} left"  # the parts of a line, as tqdm names them
+BAR = LINE.replace("%  ", "%|{bar:16}| ")  # the same with a bar
 STARTING = "{desc}: {percentage:3.0f}%|{bar:16}|"
 """The line of a bar before anything has been played: the time that is left is not known yet."""
 
 
 @dataclass(frozen=True)
 class Progress:
-    """Progress of a run, or of a job of several runs.
+    """What a run or a job is doing: `what`, and `done` of `total` epochs.
 
-    Parameters
-    ----------
-    what : str
-        What the run is doing; of a job, how many runs have ended.
-    done, total : int
-        Training matches played, and all of them. A match of the evaluation counts as the training
-        matches that take as long.
-    before : int, optional
-        Matches of `done` that were played before this start: they do not count for the rate.
+    The evaluation counts as the epochs that take as long. Those played `before` this start do not
+    count for the rate.
     """
 
     what: str
@@ -73,23 +61,8 @@ def silent(progress: Progress) -> None:
 class ProgressBar:
     """What is being done, and the time left: a bar in a terminal, else plain lines.
 
-    Parameters
-    ----------
-    stream : TextIO, optional
-        Where the progress is shown. The default is standard error.
-    clock : callable, optional
-        Returns the time in seconds.
-    after : float, optional
-        Seconds in which nothing is shown: what takes no longer needs no bar.
-
-    Examples
-    --------
-    ::
-
-        with ProgressBar() as bar:
-            race.run(bar)
-        with ProgressBar() as bar:
-            evolve(settings, "my-races", report=bar)
+    It is shown on a `stream`, by default standard error, by a `clock` that returns seconds. In the
+    first seconds, until `after`, nothing is shown: what takes no longer needs no bar.
     """
 
     def __init__(

@@ -67,10 +67,7 @@ WORLD_HELP = {
 
 
 def _world(plain: Mapping[str, Any]) -> WorldConfig:
-    """Return the world of some fields; rules and rewards may be names, or both given one by one.
-
-    The other fields are those of the named world that is the ``kind``, if there is one.
-    """
+    """Return the world of some fields; rules and rewards may be names, or both given one by one."""
     fields = dict(plain)
     sections.check_names(plain, WORLD_HELP)
     if "kind" in fields:
@@ -122,15 +119,20 @@ def _mask(default: str, more: str = "") -> Any:
 class PolicySettings(Section):
     """Base of the settings of policies: both teams have policies of the same shape."""
 
+    untrained: ClassVar[Mapping[str, str]] = {}
+    """Settings of untrained genomes, by the arguments of `initial` of a policy."""
+
     mask: str = _mask("none")
 
     @abstractmethod
     def policy(self, world: WorldConfig) -> Policy:
         """Return the shape of the policies in a world."""
 
-    @abstractmethod
-    def initial(self, policy: Policy, rng: Rng) -> Genome:
+    def initial(self, policy: Any, rng: Rng) -> Genome:
         """Return an untrained genome."""
+        scales = {name: getattr(self, field) for name, field in self.untrained.items()}
+        genome: Genome = policy.initial(rng, **scales)
+        return genome
 
     def fixed(self, world: WorldConfig, team: Team) -> masks.FixedWeights | None:
         """Return genes that do not change, and their values; None without any."""
@@ -143,6 +145,7 @@ class Cells(PolicySettings):
     """Networks that see the cells of the view."""
 
     kind: ClassVar[str] = "cells"
+    untrained: ClassVar[Mapping[str, str]] = {"weight": "initial_weight", "head": "initial_head"}
 
     hidden: tuple[int, ...] = by_race((32,), "sizes of the hidden layers")
     activation: str = setting(
@@ -163,11 +166,6 @@ class Cells(PolicySettings):
         network = Network.for_config(world, self.hidden, **shape)
         return network if self.mask == "none" else masks.masked_network(network)
 
-    def initial(self, policy: Policy, rng: Rng) -> Genome:
-        """Return an untrained genome."""
-        assert isinstance(policy, Network)  # as made above
-        return policy.initial(rng, weight=self.initial_weight, head=self.initial_head)
-
     def fixed(self, world: WorldConfig, team: Team) -> masks.FixedWeights | None:
         """Return the weights of the mask of a team's network, None without a mask."""
         if self.mask == "none":
@@ -182,6 +180,7 @@ class Ratings(PolicySettings):
     """Small networks that rate each move by named inputs of the cell that it leads to."""
 
     kind: ClassVar[str] = "rating"
+    untrained: ClassVar[Mapping[str, str]] = {"weight": "initial_weight"}
 
     inputs: tuple[str, ...] = setting(Rating.inputs, f"inputs: some of {', '.join(INPUTS)}")
     hidden: tuple[int, ...] = setting((), "sizes of the hidden layers; none: a weighted sum")
@@ -193,11 +192,6 @@ class Ratings(PolicySettings):
         shape: Any = {"inputs": self.inputs, "hidden": self.hidden, "mask": self.mask}
         return Rating(fov=world.fov, n_actions=world.n_actions, **shape)
 
-    def initial(self, policy: Policy, rng: Rng) -> Genome:
-        """Return an untrained genome."""
-        assert isinstance(policy, Rating)  # as made above
-        return policy.initial(rng, weight=self.initial_weight)
-
 
 @sections.documented
 @dataclass(frozen=True)
@@ -205,6 +199,7 @@ class Programs(PolicySettings):
     """Programs that rate each move by named inputs of the cell that it leads to."""
 
     kind: ClassVar[str] = "program"
+    untrained: ClassVar[Mapping[str, str]] = {"depth": "initial_depth"}
 
     inputs: tuple[str, ...] = setting(Rating.inputs, f"inputs: some of {', '.join(INPUTS)}")
     length: int = setting(40, "most instructions of a program", least=1)
@@ -216,14 +211,8 @@ class Programs(PolicySettings):
         shape: Any = {"inputs": self.inputs, "length": self.length, "mask": self.mask}
         return Program(fov=world.fov, n_actions=world.n_actions, **shape)
 
-    def initial(self, policy: Policy, rng: Rng) -> Genome:
-        """Return an untrained genome."""
-        assert isinstance(policy, Program)  # as made above
-        return policy.initial(rng, depth=self.initial_depth)
 
-
-AnyPolicy: TypeAlias = Cells | Ratings | Programs
-"""The kinds of policies."""
+AnyPolicy: TypeAlias = Cells | Ratings | Programs  # the kinds of policies
 
 
 def check_mask(mask: str, world: WorldConfig, learns: bool) -> None:
@@ -258,18 +247,10 @@ DEFAULT_WORLD, DEFAULT_POLICY = WorldConfig(), Cells()
 
 @dataclass(frozen=True, eq=False)
 class Pursuit(Game):
-    """Pursuit and evasion: episodes of a world, in which both teams have policies of one shape.
+    """Pursuit and evasion: episodes of a `world`, in which both teams have policies of one shape.
 
-    Parameters
-    ----------
-    play : callable
-        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
-    world : WorldConfig
-        The world.
-    settings : PolicySettings
-        The policies of both teams.
-    penalty : float
-        Penalty on evaders that share cells, multiplied by their overlap in [0, 1].
+    The `settings` are those of the policies. `play` is a pure function with the arguments of
+    `matrixworld.rollout`. Evaders that share cells have a `penalty`, multiplied by their overlap.
     """
 
     play: Any = rollout
@@ -297,11 +278,6 @@ class Pursuit(Game):
         "evader_survivors",
     )
     counters: ClassVar[tuple[str, ...]] = ("steps", "agent_steps")
-
-    @property
-    def keys(self) -> tuple[str, str]:
-        """Names of the teams in logs and mappings."""
-        return TEAMS
 
     def __post_init__(self) -> None:
         """Its fields are checked already."""

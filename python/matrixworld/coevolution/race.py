@@ -26,9 +26,8 @@ from abc import abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -46,15 +45,13 @@ from matrixworld.coevolution.opponents import (
 )
 from matrixworld.coevolution.pursuit import SCRIPTS
 from matrixworld.coevolution.sections import Section, by_race, documented, kinds_in, setting
-from matrixworld.coevolution.seeding import Phase, Purpose, learning_phase, training_seeds
+from matrixworld.coevolution.seeding import Phase, Purpose, training_seeds
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Payoff, Team, other
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.run import Run, RunInMemory
-    from matrixworld.coevolution.settings import RaceSettings
 
-CONFIDENCE = 0.95
-"""Probability with which an interval of the summary covers the true mean."""
+CONFIDENCE = 0.95  # probability with which an interval of the summary covers the true mean
 
 
 @dataclass(frozen=True)
@@ -63,8 +60,7 @@ class Race(Section):
 
     stages_per_generation: ClassVar[int] = 1
     """Stages of a generation; a run is saved after each of them."""
-    is_race: ClassVar[bool] = True
-    """Whether both teams learn."""
+    is_race: ClassVar[bool] = True  # whether both teams learn
 
     # What a kind of race states:
 
@@ -98,13 +94,17 @@ class Race(Section):
     def entries(self) -> int:
         """Genomes in the archive of a learning team at the end of a run."""
 
-    @abstractmethod
     def total_epochs(self, team: Team) -> int:
         """Return the epochs of the whole run in which `team` learns."""
+        return self.epochs_until(self.n_stages)
 
     @abstractmethod
-    def training_matches(self, settings: RaceSettings) -> int:
-        """Return the matches of the training of a whole run."""
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs of a stage."""
+
+    def epochs_until(self, stage: int) -> int:
+        """Return the epochs of all stages before one."""
+        return sum(map(self.epochs_in, range(stage)))
 
     def sampler(self, team: Team) -> Opponents:
         """Return how a team chooses opponents; imports code of your own."""
@@ -144,53 +144,15 @@ class OfGenerations(Race):
     )
 
     @property
-    def sampled_opponents(self) -> int:
-        """Most archived opponents of a candidate in an epoch."""
-        return self.opponents_met
-
-    @abstractmethod
-    def epochs(self, team: Team) -> int:
-        """Return the epochs of a generation in which `team` learns."""
-
-    def archived(self, team: Team, k: int) -> int:
-        """Return how many generations of the other team are archived when generation k learns."""
-        return k
-
-    @property
     def entries(self) -> int:
         """Genomes in the archive of a team at the end of a race."""
         return 1 + self.generations
 
-    def total_epochs(self, team: Team) -> int:
-        """Return the epochs of the whole run in which `team` learns."""
-        return self.generations * self.epochs(team)
-
     def sampler(self, team: Team) -> Opponents:
-        """Return how a team chooses opponents.
-
-        Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
-        fails.
-        """
+        """Return how a team chooses opponents; imports code of your own."""
         met = self.pursuers_meet if team == "pursuer" else self.evaders_meet
         sampler: Opponents = met.load() if isinstance(met, OwnOpponents) else met
         return sampler
-
-    def training_matches(self, settings: RaceSettings) -> int:
-        """Return the matches of the training of a whole run."""
-        return settings.match_episodes * sum(
-            self._matches(settings, team, k) for team, k in product(TEAMS, range(1, self.entries))
-        )
-
-    def _matches(self, settings: RaceSettings, team: Team, k: int) -> int:
-        """Return the matches in which a team learns its generation k."""
-        archived = self.archived(team, k)
-        met = min(self.sampled_opponents, archived)
-        learner, sampler = settings.learner_of(team), self.sampler(team)
-        matches = self.epochs(team) * met * learner.population
-        matches += settings.retested_matches * met
-        if isinstance(sampler, NashOpponents):  # a new row and a new column
-            matches += (k + archived) * sampler.episodes
-        return matches
 
 
 # In turns:
@@ -200,8 +162,7 @@ PAPER: dict[str, dict[str, str]] = {
     "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
     "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
 }
-PSRO = "psro"
-"""Name of a schedule in which both teams meet Nash mixtures."""
+PSRO = "psro"  # name of a schedule in which both teams meet Nash mixtures
 ENOUGH_EPOCHS = 60
 HIDES_CYCLING = (
     "Short races of specialists may hide cycling: with 28 and 58 epochs in a generation it was "
@@ -262,9 +223,13 @@ class InTurns(OfGenerations):
         """Return the epochs of a generation in which `team` learns."""
         return self.pursuer_epochs if team == "pursuer" else self.evader_epochs
 
-    def archived(self, team: Team, k: int) -> int:
-        """Return how many generations of the other team are archived when generation k learns."""
-        return available(team, k)
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the whole run in which `team` learns."""
+        return self.generations * self.epochs(team)
+
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs of a stage, of the pursuers if it is even."""
+        return self.epochs(TEAMS[stage % 2])
 
     def learn(self, run: RunInMemory, stage: int) -> None:
         """Let one team learn for the epochs of a generation, and archive its genome."""
@@ -291,18 +256,7 @@ def available(team: Team, k: int) -> int:
 def improve(
     run: RunInMemory, team: Team, generation: int, count: int, epochs: Iterable[int], activity: str
 ) -> types.Genome:
-    """Let a team learn for some epochs against `count` opponents each; return its genome.
-
-    ::
-
-        in each epoch:
-            candidates = asked of the learner
-            opponents = chosen by the sampler of the team
-            each candidate plays against each opponent
-            sampler and learner are told the results
-
-    After each epoch the `activity` is reported.
-    """
+    """Let a team learn for some epochs against `count` opponents each; return its genome."""
     opponents = run.opponents(team)
     groups = run.learners[team].seed_groups
     n = len(groups)
@@ -314,7 +268,7 @@ def improve(
         run.begin_epoch(team, generation, epoch)
         candidates = run.ask(team, generation, epoch)
         rng = run.generator(Purpose.OPPONENTS, team, generation, epoch)
-        met = run.sample(team, run.size(opponents), count, epoch, rng)
+        met = run.sample(team, types.team_size(opponents), count, epoch, rng)
         seeds = match_seeds(run, team, generation, epoch, met)
         scores = run.play_candidates(team, candidates, opponents, met, seeds)
         # Win rates, not fitness: samplers expect numbers in [0, 1].
@@ -334,7 +288,8 @@ def match_seeds(run: RunInMemory, team: Team, generation: int, epoch: int, met: 
     for opponent in map(int, met):
         # They depend on both generations, so that no two phases play the same episodes.
         pair = (generation, opponent) if team == "pursuer" else (opponent, generation)
-        count, phase = int(groups.max()) + 1, learning_phase(team)
+        phase = Phase.PURSUERS_LEARN if team == "pursuer" else Phase.EVADERS_LEARN
+        count = int(groups.max()) + 1
         seeds.append(training_seeds(run.settings.seed, *pair, phase, epoch, count)[groups])
     return np.stack(seeds, axis=1)
 
@@ -360,8 +315,6 @@ class AtOnce(OfGenerations):
     stage is a generation. Any learner can take part: the individuals of an evolution strategy are
     its samples, and its mean is the champion.
 
-    References
-    ----------
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
 
@@ -389,22 +342,9 @@ class AtOnce(OfGenerations):
         """Most opponents of a candidate in an epoch."""
         return self.contemporaries + self.hall_sample
 
-    @property
-    def sampled_opponents(self) -> int:
-        """Most archived opponents of a candidate in an epoch."""
-        return self.hall_sample
-
-    def epochs(self, team: Team) -> int:
-        """Return the epochs of a generation, in which both teams learn."""
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs of a stage, in which both teams learn."""
         return self.joint_epochs
-
-    def _matches(self, settings: RaceSettings, team: Team, k: int) -> int:
-        """Return the matches in which a team learns its generation k."""
-        matches = super()._matches(settings, team, k)
-        matches += settings.retested_matches * self.contemporaries
-        # A match of two living individuals counts for both teams, and here for the pursuers.
-        living = self.contemporaries if team == "pursuer" else 0
-        return matches + self.joint_epochs * living * settings.learner_of(team).population
 
     def learn(self, run: RunInMemory, stage: int) -> None:
         """Let both teams evolve for the epochs of a generation, and archive their champions."""
@@ -428,28 +368,30 @@ class AtOnce(OfGenerations):
     ) -> dict[Team, tuple[FloatArray, Any, Indices]]:
         """Play the matches of an epoch, and let both teams learn from them.
 
-        Returns for each team the fitness (n,), all possible opponents, and those that its fittest
-        individual has met.
+        Returns the fitness (n,), all possible opponents, and those of the fittest, of each team.
         """
         # One for both teams: their matches are drawn together.
         rng = run.generator(Purpose.OPPONENTS, "pursuer", generation, epoch)
-        sampled = self._sample_halls(run, epoch, rng)
+        sampled: dict[Team, Indices] = dict.fromkeys(TEAMS, np.zeros(0, dtype=np.intp))
+        if self.hall_sample:
+            size = len(run.archive["pursuer"])
+            sampled = {t: run.sample(t, size, self.hall_sample, epoch, rng) for t in TEAMS}
         halls = {team: run.genomes(team)[sampled[other(team)]] for team in TEAMS}
         # Both teams have the same learner, and with it the same groups.
         groups = run.learners["pursuer"].seed_groups
         n, hall_sizes = len(groups), (len(halls["pursuer"]), len(halls["evader"]))
-        pairs = pairings(groups, self.contemporaries, hall_sizes, rng)
+        pursuers, evaders, group = pairings(groups, self.contemporaries, hall_sizes, rng)
         everyone = {
             team: run.population(team, np.concatenate([populations[team], halls[team]]))
             for team in TEAMS
         }
         key = (run.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch)
-        seeds = training_seeds(*key, int(pairs.group.max()) + 1)[pairs.group]
-        matches = pairs.pursuer, pairs.evader, seeds
-        scores = run.play(everyone["pursuer"], everyone["evader"], matches)
+        seeds = training_seeds(*key, int(group.max()) + 1)[group]
+        scores = run.play(everyone["pursuer"], everyone["evader"], (pursuers, evaders, seeds))
         found: dict[Team, tuple[FloatArray, Any, Indices]] = {}
+        players = dict(zip(TEAMS, (pursuers, evaders), strict=True))
         for team in TEAMS:
-            own, opponents = getattr(pairs, team), getattr(pairs, other(team))
+            own, opponents = players[team], players[other(team)]
             rivals = everyone[other(team)]
             table = partial(table_of_individuals, own, opponents, n)
             fitness = run.log_fitness(team, scores, table, generation, epoch, types.SEVERAL)
@@ -462,38 +404,17 @@ class AtOnce(OfGenerations):
             run.tell(team, fitness, rivals, opponents[living], seeds[living])
         return found
 
-    def _sample_halls(self, run: RunInMemory, epoch: int, rng: types.Rng) -> dict[Team, Indices]:
-        """Return for each team its opponents from the other team's hall of fame."""
-        if not self.hall_sample:
-            return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
-        size = len(run.archive["pursuer"])
-        return {team: run.sample(team, size, self.hall_sample, epoch, rng) for team in TEAMS}
-
-
-class Pairings(NamedTuple):
-    """The M matches of one epoch between two populations of n individuals.
-
-    Players with numbers below n are individuals, the others members of the hall of fame. Matches of
-    the same group have the same seed.
-    """
-
-    pursuer: Indices
-    evader: Indices
-    group: Indices
-
 
 def pairings(
     seed_groups: Indices, contemporaries: int, hall: tuple[int, int], rng: types.Rng
-) -> Pairings:
-    """Return the matches of two populations of n individuals.
+) -> tuple[Indices, Indices, Indices]:
+    """Return pursuers, evaders and groups (M,) of matches; those of a group have the same seed.
 
-    Every individual plays against `contemporaries` living opponents (such a match counts for both),
-    and against every sampled member of the other team's hall of fame; `hall` has their numbers.
-
-    Groups meet groups in random order, and their members meet in turn: between mirrored samples
-    the strength of the opponents then cancels out, like the luck of the match seed. Where all
-    individuals are one group, each meets single opponents in random order.
+    Numbers below n are individuals, others members of the `hall` of fame, whose sizes are given.
     """
+    # Groups meet groups in random order, and their members meet in turn: between mirrored samples
+    # the strength of the opponents then cancels out, like the luck of the match seed. Where all
+    # individuals are one group, each meets single opponents in random order.
     n, groups = len(seed_groups), int(seed_groups.max()) + 1
     size = n // groups if groups > 1 else 1
     blocks = np.argsort(seed_groups, kind="stable").reshape(-1, size)
@@ -510,16 +431,13 @@ def pairings(
     # The same seeds for the members of a group, other ones in each round.
     first = np.arange(len(rounds))[:, np.newaxis] * groups
     seeds = first + seed_groups[individuals]
-    return Pairings(np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel())
+    return np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel()
 
 
 def table_of_individuals(
     own: Indices, opponents: Indices, n: int, values: FloatArray
 ) -> FloatArray:
-    """Return the values (M,) of matches as a table (n, m) of individuals against opponents.
-
-    It holds the mean over the matches of a pair, and NaN for a pair that did not play.
-    """
+    """Return the values (M,) of matches as a table (n, m): means of pairs, NaN without a match."""
     # Matches of hall members themselves are not needed: they do not evolve any more.
     living, m = own < n, int(opponents.max()) + 1
     pair = own[living] * m + opponents[living]
@@ -606,19 +524,14 @@ class Against(Race):
         """Genomes in the archive at the end of the run."""
         return 1 + -(-self.epochs // self.archive_every)
 
-    def total_epochs(self, team: Team) -> int:
-        """Return the epochs of the run."""
-        return self.epochs
-
-    def training_matches(self, settings: RaceSettings) -> int:
-        """Return the matches of the training of a whole run, with one opponent an epoch."""
-        matches = self.epochs * settings.learner_of(self.team).population
-        return (matches + self.n_stages * settings.retested_matches) * settings.match_episodes
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs until the next entry of the archive."""
+        return min(self.archive_every, self.epochs - stage * self.archive_every)
 
     def learn(self, run: RunInMemory, stage: int) -> None:
         """Let the team learn until the next entry of the archive."""
         first = stage * self.archive_every
-        epochs = range(first, min(first + self.archive_every, self.epochs))
+        epochs = range(first, first + self.epochs_in(stage))
         activity = f"{run.name_of(self.team)} against {self.opponent}"
         genome = improve(run, self.team, 1 + stage, 1, epochs, activity)
         run.archive_genome(self.team, genome)
@@ -659,12 +572,11 @@ SCHEDULES: dict[str, InTurns] = {
     for name, samplers in PAPER.items()
 }
 """The paper's schedules by name."""
-ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)
-"""Names of all schedules of races."""
+ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)  # names of all schedules of races
 
 
 def curve_window(schedule: Race) -> int:
     """Return the epochs of the moving average of a training curve, the same for both teams."""
     if isinstance(schedule, OfGenerations):
-        return max(1, min(schedule.epochs(team) for team in TEAMS) // 4)
+        return max(1, min(map(schedule.epochs_in, range(schedule.stages_per_generation))) // 4)
     return max(1, schedule.total_epochs("pursuer") // 100)

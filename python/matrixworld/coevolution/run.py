@@ -17,14 +17,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, check_instance, check_integer, check_threads
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.payoffs import in_words_of
 from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution import storage, types
-from matrixworld.coevolution.evaluation.tournament import team_size, tournament
+from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import Table
 from matrixworld.coevolution.game import Game, Scores
 from matrixworld.coevolution.learners.learner import Learner, Results, check_genomes
@@ -35,16 +35,7 @@ from matrixworld.coevolution.race import Against, OfGenerations
 from matrixworld.coevolution.sections import different_settings, no_exit
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import (
-    TEAMS,
-    FloatArray,
-    Genomes,
-    Indices,
-    Matches,
-    Seeds,
-    Team,
-    other,
-)
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Matches, Seeds, Team
 
 GIVEN = "given as genomes"
 """Value of the settings `opponent` and `start` if these were given as arrays."""
@@ -67,28 +58,15 @@ def create(
 ) -> storage.SavedRun:
     """Make the directory of a run, as of its stage 0: nothing is played yet.
 
-    A directory that holds a run of the same settings is left as it is.
-
-    Parameters
-    ----------
-    settings : RaceSettings
-        Settings of the run.
-    directory : str or Path
-        A new or empty directory, or that of the same run.
-    opponents : Population, optional
-        Opponents of a team that learns alone, in place of `schedule.opponent`.
-    start : array_like of float32, shape (genes,), optional
-        Genome that it starts from, in place of `schedule.start`.
+    A `directory` that holds a run of the same `settings` is left as it is. A team that learns alone
+    may be given a population of `opponents`, in place of `schedule.opponent`, and a genome (genes,)
+    to `start` from, in place of `schedule.start`.
 
     Raises
     ------
-    FileExistsError
-        If the directory holds no run, and is not empty.
-    ValueError
-        If the directory holds a run of other settings, opponents do not fit the world, or code of
-        your own refuses its settings.
-    PluginError
-        If code of your own fails.
+    FileExistsError, ValueError, PluginError
+        If the directory holds anything else, opponents do not fit the world, or code of your own
+        fails or refuses its settings.
     """
     check_instance("settings", settings, RaceSettings)
     path, schedule = Path(directory), settings.schedule
@@ -104,7 +82,7 @@ def create(
     if isinstance(schedule, Against):
         rivals, begin = check_sources(settings, opponents, start)
         if not isinstance(rivals, str):
-            archive[other(schedule.team)] = rivals.genomes
+            archive[types.other(schedule.team)] = rivals.genomes
             if shape := settings.evaluation_game.shape_of(rivals):
                 config["opponent_policy"] = shape
         # config.json must not name opponents that were not used.
@@ -119,18 +97,15 @@ def create(
 def check_sources(
     settings: RaceSettings, opponents: Any = None, start: ArrayLike | None = None
 ) -> tuple[Any, types.Genome | None]:
-    """Return the opponents and the genome to start from, those given or those of the settings.
-
-    FileNotFoundError or ValueError if a run holds none, or if they do not fit the settings.
-    """
+    """Return the opponents and the genome to start from, those given or those of the settings."""
     schedule, game = settings.schedule, settings.evaluation_game
     assert isinstance(schedule, Against)
     policy: Any = opponents
     if opponents is None and schedule.opponent in SCRIPTS and isinstance(game, Pursuit):
         policy = schedule.opponent
     elif opponents is None:
-        policy = _last(settings, schedule.opponent, other(schedule.team))
-    game.check_opponents(other(schedule.team), policy)
+        policy = _last(settings, schedule.opponent, types.other(schedule.team))
+    game.check_opponents(types.other(schedule.team), policy)
     if start is None and schedule.start is not None:
         population = _last(settings, schedule.start, schedule.team)
         game.check_start(population)
@@ -172,28 +147,11 @@ class RunInMemory:
             while stage < n_stages:
                 learn(stage); stage += 1
 
-    Parameters
-    ----------
-    settings : RaceSettings
-        Settings of a race.
-    threads : int, optional
-        Threads that play matches. By default one per usable core. Results do not depend on it.
-
-    Attributes
-    ----------
-    game : Game
-        The game in which teams learn.
-    archive : dict of str to list of ndarray of float32, shape (genes,)
-        Genomes of generations 0, 1, ... of each team.
-    states : dict of str to dict of str to ndarray
-        States of the learners by team, and of their samplers as ``<team>.opponents``.
-    rows : list of dict
-        The log: values of each epoch by column.
-    stage : int
-        Number of finished stages.
-    counts : dict of str to int
-        Training episodes so far, ``matches``; of pursuit also ``steps`` of worlds, and
-        ``agent_steps`` of living agents.
+    The `settings` are those of a race; `threads` play its matches, by default one per usable core,
+    which results do not depend on. Its parts are the `game` in which teams learn, the genomes of
+    each team by generation (`archive`), the `states` of learners by team and of their samplers as
+    ``<team>.opponents``, the log as dicts (`rows`), the number of finished stages (`stage`), and
+    `counts` of training episodes, ``matches``; of pursuit also ``steps`` and ``agent_steps``.
     """
 
     def __init__(self, settings: RaceSettings, *, threads: int | None = None) -> None:
@@ -258,11 +216,7 @@ class RunInMemory:
 
     def opponents(self, team: Team) -> Any:
         """Return whom a team can meet now: all generations of the other team."""
-        return self.population(other(team), self.genomes(other(team)))
-
-    def size(self, opponents: Any) -> int:
-        """Return how many opponents there are."""
-        return team_size(opponents)
+        return self.population(types.other(team), self.genomes(types.other(team)))
 
     def generator(self, purpose: Purpose, team: Team, generation: int, epoch: int) -> types.Rng:
         """Return the random numbers of a team in an epoch."""
@@ -308,10 +262,9 @@ class RunInMemory:
 
     def update_sampler(self, team: Team, own: int, available: int) -> None:
         """Tell a sampler at the begin of a generation how many generations of both teams exist."""
-        name, sampler = f"{team}.opponents", self.samplers[team]
-        episodes = getattr(sampler, "episodes", 1)
-        payoff = partial(self._payoff, team, episodes=episodes)
-        self.states[name] = sampler.update(self.states[name], own, available, payoff)
+        name, payoff = f"{team}.opponents", partial(self._payoff, team)
+        updated = self.samplers[team].update(self.states[name], own, available, payoff)
+        self.states[name] = updated
 
     def sample(self, team: Team, available: int, count: int, epoch: int, rng: types.Rng) -> Indices:
         """Return the opponents (c,) of a team in an epoch."""
@@ -368,7 +321,7 @@ class RunInMemory:
         row: storage.Row = {
             "stage": self.stage + 1,
             "generation": generation,
-            "team": self.game.keys[TEAMS.index(team)],
+            "team": self.settings.keys[TEAMS.index(team)],
             "epoch": epoch,
             "opponent": opponent,
             "fitness_mean": float(fitness.mean()),
@@ -396,8 +349,7 @@ class RunInMemory:
         """Return the genome that enters the archive, from the last epoch of a generation.
 
         It is the learner's. With `retest_episodes` it is the best of that one and the two fittest
-        candidates in new matches against the opponents `met` (c,), in the world of that epoch: the
-        fittest candidate of the epoch may be the luckiest one.
+        candidates in new matches: the fittest candidate of the epoch may be the luckiest one.
         """
         genome = self.learners[team].genome(self.states[team])
         episodes = self.settings.retest_episodes
@@ -427,9 +379,10 @@ class RunInMemory:
         """Return what the log has of the counts."""
         return {name: n for name, n in self.counts.items() if name in self.game.columns}
 
-    def _payoff(self, team: Team, own: Indices, rivals: Indices, *, episodes: int) -> FloatArray:
+    def _payoff(self, team: Team, own: Indices, rivals: Indices) -> FloatArray:
         """Play generations (n,) of a team against opponents (m,), and return the payoffs (n, m)."""
-        met = {team: own, other(team): rivals}
+        met = {team: own, types.other(team): rivals}
+        episodes = getattr(self.samplers[team], "episodes", 1)
         # The order of the seeds: all episodes of a pair, which have seeds of their own, then the
         # next pair.
         pairs = [(int(g), int(h)) for g in met["pursuer"] for h in met["evader"]]
@@ -458,23 +411,14 @@ class Run(RunInMemory):
             learn(stage); stage += 1; saved
         payoff of the archives; saved
 
-    Parameters
-    ----------
-    directory : str or Path
-        The directory that `create` has made.
-    threads : int, optional
-        Threads that play matches. By default one per usable core. Results do not depend on it.
+    The `directory` is one that `create` has made; `threads` are as for `RunInMemory`.
 
     Raises
     ------
-    FileNotFoundError
-        If the directory holds no run.
+    FileNotFoundError, OtherVersionError, DamagedFileError
+        If the directory holds no run of this version, or no intact stage with a checkpoint.
     ValueError
         If its game cannot be imported, is another one, or has changed.
-    DamagedFileError
-        If no stage is intact that has a checkpoint.
-    OtherVersionError
-        If the run is of another version of the package.
     LockedError
         If another process runs it.
     """
@@ -482,8 +426,6 @@ class Run(RunInMemory):
     def __init__(self, directory: str | Path, *, threads: int | None = None) -> None:
         self.files: storage.RunWriter = storage.RunWriter(directory)
         check_source(self.files)
-        self.results: dict[str, NDArray[Any]] = {}
-        """Other arrays of this stage, which a subclass may add to its file."""
         self._report: Report = silent
         self._on_epoch: OnEpoch | None = None
         super().__init__(self.files.settings, threads=threads)
@@ -492,17 +434,10 @@ class Run(RunInMemory):
         with self.files.lock():
             self._restore()
 
-    def __repr__(self) -> str:
-        schedule, seed = self.settings.schedule, self.settings.seed
-        stages = f"stage {self.stage} of {schedule.n_stages}"
-        return f"<{type(self).__name__}: {self.files.path}, {schedule.name}, seed {seed}, {stages}>"
-
     def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> storage.SavedRun:
-        """Go on to the end: the last stage, the payoff and the summary.
+        """Go on to the end; `report` and `on_epoch` are called as by `evolve`.
 
-        `report` is called often with the progress (see `ProgressBar`), and `on_epoch` with a row
-        for each epoch (see `evolve`). After KeyboardInterrupt or any other error, such as one that
-        `on_epoch` raises, the files hold the last finished stage, from which the run goes on.
+        After any error the files hold the last finished stage, from which the run goes on.
         """
         self._report, self._on_epoch = report, on_epoch
         schedule, path = self.settings.schedule, self.files.path
@@ -511,10 +446,8 @@ class Run(RunInMemory):
             # another process may have continued the run.
             self._restore()
             LOG.info("%s: goes on from stage %d of %d", path, self.stage, schedule.n_stages)
-            self._before, self._total = (
-                self.counts["matches"],
-                total_matches(self.settings, self._pairs()),
-            )
+            self._before = schedule.epochs_until(self.stage)
+            self._total = total_epochs(self.settings)
             self.train()
             if self.files.finished:
                 self.files.summary()  # only to raise an error if one of them is damaged
@@ -573,12 +506,12 @@ class Run(RunInMemory):
         self.stage_scores.append(float(np.mean(rates)))
         super().end_stage()
         counters = {**self.counts, "score": self.stage_scores[-1]}
-        self.files.save(self.stage, self.archive, self.rows, counters, self.states, self.results)
+        self.files.save(self.stage, self.archive, self.rows, counters, self.states)
         LOG.info(
             "%s: saved stage %d of %d",
             self.files.path, self.stage, self.settings.schedule.n_stages,
         )  # fmt: skip
-        self.rows, self.results = [], {}
+        self.rows = []
         generation, left = divmod(self.stage, self.settings.schedule.stages_per_generation)
         for stretch in self.disengagements() if not left else ():
             # Equal, not at least: a longer stretch has been reported before.
@@ -597,23 +530,18 @@ class Run(RunInMemory):
         return disengagements(np.broadcast_to(rates, (finished, 2)))
 
     def _restore(self) -> None:
-        restored = self.files.restore()
-        _, *stages = restored.stages  # stage 0 is before training
-        self.stage = len(stages)
-        self.stage_scores: list[float] = [float(each["score"]) for each in stages]
-        last = restored.stages[-1]
-        self.counts = {name: int(last[name]) for name in ("matches", *self.game.counters)}
-        self.archive = {
-            team: [*genomes] for team, genomes in zip(TEAMS, restored.archive.values(), strict=True)
-        }
-        self.states = restored.states
-        self.rows, self.results = [], {}
+        stages, archive, self.states = self.files.restore()
+        self.stage = len(stages) - 1  # stage 0 is before training
+        self.stage_scores: list[float] = [float(each["score"]) for each in stages[1:]]
+        self.counts = {name: int(stages[-1][name]) for name in ("matches", *self.game.counters)}
+        self.archive = {team: [*archive[team]] for team in TEAMS}
+        self.rows = []
 
     # Where the loop meets the directory:
 
     def opponents(self, team: Team) -> Any:
         """Return whom a team can meet now: all generations of the other team, or its script."""
-        return self.files.as_policy(other(team), self.genomes(other(team)))
+        return self.files.as_policy(types.other(team), self.genomes(types.other(team)))
 
     def log(self, row: storage.Row) -> None:
         """Add an epoch to the log, and report it."""
@@ -624,15 +552,10 @@ class Run(RunInMemory):
 
     def report(self, activity: str, evaluated: int = 0) -> None:
         """Report the progress: the current activity, and evaluation episodes played so far."""
-        done = self.settings.counted(self.counts["matches"], evaluated)
-        self._report(Progress(activity, done, self._total, self._before))
-
-    def _pairs(self) -> int:
-        """Return how many pairs of genomes the evaluation plays."""
-        if self.settings.is_race:
-            return self.settings.schedule.entries**2
-        [team] = self.settings.learning_teams
-        return self.size(self.opponents(team))
+        done = self.settings.schedule.epochs_until(self.stage)
+        done += len({row["epoch"] for row in self.rows}) + self.settings.in_epochs(evaluated)
+        # A team alone may be evaluated against several opponents.
+        self._report(Progress(activity, min(done, self._total), self._total, self._before))
 
 
 def check_source(run: storage.SavedRun) -> None:
@@ -653,8 +576,7 @@ def accept_source(directory: str | Path) -> None:
 def lengthen(directory: str | Path, generations: int, *, only_check: bool = False) -> None:
     """Let a race have more generations; it then goes on as if it had had them from the beginning.
 
-    ValueError if that cannot be: for one team alone, fewer generations than there are, a learner
-    that anneals over the whole run, or a race without checkpoints.
+    ValueError if that cannot be; see `SavedRun.extend`.
     """
     files = storage.RunWriter(directory)
     with files.lock():
@@ -682,10 +604,12 @@ def lengthen(directory: str | Path, generations: int, *, only_check: bool = Fals
             files.change(settings.changed({"schedule.generations": generations}))
 
 
-def total_matches(settings: RaceSettings, pairs: int) -> int:
-    """Return the matches of a whole run as progress counts them, with an evaluation of pairs."""
-    trained = settings.schedule.training_matches(settings)
-    return settings.counted(trained, pairs * settings.evaluation_episodes)
+def total_epochs(settings: RaceSettings) -> int:
+    """Return the epochs of a run, and those that take as long as its evaluation."""
+    schedule = settings.schedule
+    pairs = schedule.entries**2 if settings.is_race else 1
+    evaluation = settings.in_epochs(pairs * settings.evaluation_episodes)
+    return schedule.epochs_until(schedule.n_stages) + evaluation
 
 
 def finish(
@@ -695,19 +619,10 @@ def finish(
     report: Report = silent,
     on_epoch: OnEpoch | None = None,
 ) -> storage.SavedRun:
-    """Return the finished run of a directory that `create` has made, which may have begun.
+    """Return the finished run of a `directory` that `create` has made, which may have begun.
 
-    An executor can call it wherever the directory has the same path. Errors are those of `Run` and
-    of `Run.run`.
-
-    Parameters
-    ----------
-    directory : str or Path
-        The directory of the run.
-    threads : int, optional
-        As for `Run`.
-    report, on_epoch : callable, optional
-        As for `Run.run`.
+    An executor can call it wherever the directory has the same path. `threads` and errors are those
+    of `Run`, `report` and `on_epoch` are as for `evolve`.
     """
     files = storage.RunWriter(directory)
     if files.exists and files.finished and not [*files.path.glob("checkpoint-*")]:  # of a page

@@ -32,17 +32,13 @@ AnySection = TypeVar("AnySection", bound="Section")
 
 
 class Plain(NamedTuple):
-    """How a field holds a class that is no section: made from a mapping, and its help by field.
-
-    It has a method ``to_json``. A text is the ``kind`` of a mapping.
-    """
+    """How a field holds a class that has `to_json`, but is no section; a text is its ``kind``."""
 
     read: Callable[[Mapping[str, Any]], Any]
-    help: Mapping[str, str]
+    help: Mapping[str, str]  # by field
 
 
-PLAIN: dict[type, Plain] = {}
-"""Classes of fields that are no sections, such as worlds."""
+PLAIN: dict[type, Plain] = {}  # classes of fields that are no sections, such as worlds
 
 
 def setting(
@@ -57,8 +53,7 @@ def setting(
 ) -> Any:
     """Return a field of a section: its default, what it means, and its legal texts or numbers.
 
-    A field whose default may be another one `by_race` is None until `RaceSettings` knows the kind
-    of race and the learner, which state such defaults. With `positive`, 0 is refused.
+    One `by_race` is None until `RaceSettings` knows the kind of race and the learner.
     """
     metadata = {
         "help": text,
@@ -90,8 +85,7 @@ def documented(cls: type[AnySection]) -> type[AnySection]:
 class Section:
     """Base of the sections: converts and checks each field when it is made."""
 
-    kind: ClassVar[str] = ""
-    """Name of the section in files, where a field may hold one of several."""
+    kind: ClassVar[str] = ""  # name of the section in files, where a field may hold one of several
     shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {}
     """Other texts that may stand for the section, and the fields that each of them sets."""
 
@@ -136,13 +130,11 @@ def no_exit(where: str) -> Iterator[None]:
 class OwnCode(Section):
     """Base of what stands for a section of your own: its name, and its settings.
 
-    A name is data: settings are checked, saved and read without an import. Only `load` imports,
-    when a run is made or goes on.
+    Only `load` imports, when a run is made or goes on.
     """
 
     kind: ClassVar[str] = "own"
-    base: ClassVar[type]
-    """What it has to be derived from."""
+    base: ClassVar[type]  # what it has to be derived from
 
     code: str = setting("", "module:object")
     settings: Mapping[str, Any] = setting({}, "its settings: numbers, text, true or false")
@@ -159,11 +151,7 @@ class OwnCode(Section):
             raise ValueError(f"code: expected module:object, got {checks.shown(self.code)}")
 
     def load(self) -> Any:
-        """Return the section of your own.
-
-        ValueError if there is no such class, or it refuses its settings; PluginError if its module
-        or the class itself fails.
-        """
+        """Return the section of your own; ValueError if it refuses its settings, or PluginError."""
         cls = imported(self.code)
         # Before it is called: the files of a stranger's run must not name any function at all.
         if not (isinstance(cls, type) and issubclass(cls, self.base)):
@@ -314,8 +302,7 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
 def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     """Return the section of a field from a section, a text, a mapping, or a class of your own.
 
-    What is not given stays as in the section `before`, if there is one of the same class. A mapping
-    without a kind is of the class of that section, or of the default one.
+    What is not given stays as in the section `before`, or is as in the default one.
     """
     known = sections_in(hint)
     if isinstance(given, Section) and type(given) in known.values():  # derived ones are own code
@@ -368,8 +355,7 @@ def merged(
 ) -> dict[str, Any]:
     """Return the fields of a section with changes; ValueError for an unknown one.
 
-    A section in it that stays of its class keeps what is not changed; one of another class starts
-    from its defaults.
+    A section in it that stays of its class keeps what is not changed.
     """
     check_names(changes, [item.name for item in fields(cls)])
     values = dict(before)
@@ -405,10 +391,7 @@ def check_names(given: Iterable[str], known: Collection[str]) -> None:
 
 
 def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return values by path, such as ``"learner.sigma"``, as nested settings.
-
-    A text that stands for a whole section becomes its kind where parts of it are given, too.
-    """
+    """Return values by path, such as ``"learner.sigma"``, as nested settings."""
     if not isinstance(values, Mapping) or not all(isinstance(path, str) for path in values):
         raise TypeError(f"settings: expected values by name, got {checks.shown(values)}")
     plain: dict[str, Any] = {}
@@ -436,10 +419,7 @@ def paths_in(cls: type[Section], path: str = "") -> Iterator[str]:
 
 
 def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
-    """Yield path, value as JSON holds it, and help text of every setting, with those of sections.
-
-    The kind of a section has the path of the section.
-    """
+    """Yield path, value as JSON holds it, and help of every setting; of sections their kind."""
     for item in fields(section):
         value, here = getattr(section, item.name), f"{path}{item.name}"
         text = item.metadata.get("help", "")

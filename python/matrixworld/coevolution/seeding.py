@@ -33,7 +33,7 @@ from enum import IntEnum
 import numpy as np
 
 from matrixworld._util import checks
-from matrixworld.coevolution.types import Seeds, Team
+from matrixworld.coevolution.types import Seeds
 
 
 class Purpose(IntEnum):
@@ -58,11 +58,6 @@ class Phase(IntEnum):
     EXPLAIN = 7
 
 
-def learning_phase(team: Team) -> Phase:
-    """Return the phase in which `team` learns and the other team stays the same."""
-    return Phase.PURSUERS_LEARN if team == "pursuer" else Phase.EVADERS_LEARN
-
-
 def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generator:
     """Return a new generator for one purpose at one position, such as (team, generation, epoch)."""
     # A spawn key keeps these generators apart from match seeds, which have plain keys.
@@ -71,10 +66,7 @@ def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generat
 
 
 def match_seed(run_seed: int, *key: int) -> int:
-    """Return the seed of a match, 64 bits, from the run's seed and numbers that tell it apart.
-
-    The same on every machine and version. ValueError below 0, TypeError if one is no integer.
-    """
+    """Return the seed of a match, 64 bits, from the run's seed and numbers that tell it apart."""
     # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
     entropy = [
         checks.check_integer("match seed", part, 0, checks.SEED_MAX) for part in (run_seed, *key)
@@ -84,27 +76,16 @@ def match_seed(run_seed: int, *key: int) -> int:
 
 
 def evaluation_seed(run_seed: int, pursuer_generation: int, evader_generation: int) -> int:
-    """Return the match seed of one cell of a run's payoff matrix.
-
-    World `j` of the match is episode `j` of the cell.
-    """
+    """Return the seed of a cell of a run's payoff: world `j` is episode `j` of the cell."""
     return match_seed(run_seed, pursuer_generation, evader_generation)
 
 
-def training_seeds(
-    run_seed: int,
-    pursuer_generation: int,
-    evader_generation: int,
-    phase: Phase,
-    epoch: int,
-    count: int,
-) -> Seeds:
-    """Return the seeds (count,) of the matches of one epoch of training.
+def training_seeds(run_seed: int, g: int, h: int, phase: Phase, epoch: int, count: int) -> Seeds:
+    """Return the seeds (count,) of an epoch; `g` and `h` are the generations of both teams.
 
-    They are the first words of ``numpy.random.SeedSequence`` of the other arguments: seed `i` does
-    not depend on `count`.
+    Seed `i` does not depend on `count`.
     """
     # One sequence for all matches: to make one for each takes a noticeable share of a run.
-    key = (run_seed, pursuer_generation, evader_generation, int(phase), epoch)
+    key = (run_seed, g, h, int(phase), epoch)
     seeds: Seeds = np.random.SeedSequence(key).generate_state(count, np.uint64).astype(np.uint64)
     return seeds

@@ -13,34 +13,17 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.coevolution import sections
+from matrixworld.coevolution import pursuit, sections
 from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game, OwnGame
 from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.learner import Learner, Task
-from matrixworld.coevolution.pursuit import (
-    SCRIPTS,
-    AnyPolicy,
-    Cells,
-    Pursuit,
-    Rewards,
-    WorldConfig,
-    check_mask,
-    check_script,
-    overlap_penalty,
-    variant_name,
-    world_of,
-)
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import Section, by_race, setting
 from matrixworld.coevolution.types import TEAMS, Genome, Rng, Team
 
-MOST_SEED = 2**63 - 1
-"""Largest seed: the largest integer of 64 bits with a sign."""
-RETESTED = 3
-"""Genomes that are played again at the end of a generation: the learner's own, and the fittest two
-candidates."""
+MOST_SEED = 2**63 - 1  # largest seed: the largest integer of 64 bits with a sign
 OF_PURSUIT = ("world", "policy", "train_steps", "training_worlds")
 """Settings that a game of your own has not."""
 
@@ -58,8 +41,12 @@ class RaceSettings(Section):
     game: OwnGame | None = setting(
         None, "a game of your own, as module:object; default: pursuit and evasion in the world"
     )
-    world: WorldConfig = by_race(WorldConfig(), "the world; its max_steps are those of evaluation")
-    policy: AnyPolicy = by_race(Cells(), f"what decides: {', '.join(sections.kinds_in(AnyPolicy))}")
+    world: pursuit.WorldConfig = by_race(
+        pursuit.WorldConfig(), "the world; its max_steps are those of evaluation"
+    )
+    policy: pursuit.AnyPolicy = by_race(
+        pursuit.Cells(), f"what decides: {', '.join(sections.kinds_in(pursuit.AnyPolicy))}"
+    )
     learner: BuiltInLearner | OwnLearner = setting(
         EvolutionStrategy(),
         f"how teams learn: {', '.join(sections.kinds_in(BuiltInLearner))} or module:object",
@@ -72,7 +59,7 @@ class RaceSettings(Section):
     )
     fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
     train_steps: int = by_race(200, "maximum steps of a training episode", least=1)
-    training_worlds: tuple[WorldConfig, ...] = setting(
+    training_worlds: tuple[pursuit.WorldConfig, ...] = setting(
         (),
         "worlds in which teams learn, each by what it has other than the world; an epoch plays one "
         "of them, drawn at random; none: they learn in the world",
@@ -108,8 +95,8 @@ class RaceSettings(Section):
         if self.game is None:
             masked = "pursuer" in self.learning_teams
             if isinstance(self.schedule, Against):
-                check_script("schedule.opponent", self.schedule.opponent, self.world)
-            check_mask(self.policy.mask, self.world, masked)
+                pursuit.check_script("schedule.opponent", self.schedule.opponent, self.world)
+            pursuit.check_mask(self.policy.mask, self.world, masked)
             self._read_training_worlds()
         self._check_idle()
         if self.evader_learner and not isinstance(self.schedule, InTurns):
@@ -127,7 +114,7 @@ class RaceSettings(Section):
         """Make worlds of what they have other than `world`; ValueError if genomes fit no world."""
         usual = {**self.world.to_json(), "max_steps": self.train_steps}
         with sections.inside("training_worlds"):
-            worlds = tuple(world_of(each, usual) for each in self.training_worlds)
+            worlds = tuple(pursuit.world_of(each, usual) for each in self.training_worlds)
             for world in worlds:
                 for name in ("rules", "fov", "diagonal"):
                     expected, got = getattr(self.world, name), getattr(world, name)
@@ -187,7 +174,7 @@ class RaceSettings(Section):
             given.append("fitness.measure")
         if self.fitness.cost_limit is not None:
             given.append("fitness.cost_limit")
-        if isinstance(self.schedule, Against) and self.schedule.opponent in SCRIPTS:
+        if isinstance(self.schedule, Against) and self.schedule.opponent in pursuit.SCRIPTS:
             expected = f"a run directory of the game {self.game.code}"
             got = self.schedule.opponent
             raise ValueError(f"schedule.opponent: expected {expected}, got the script {got}")
@@ -201,41 +188,33 @@ class RaceSettings(Section):
         """Raise ValueError for a value without effect where another section is the reason."""
         learners = [getattr(self, self.learner_path(team)) for team in self.learning_teams]
         ignored = set.intersection(*({*getattr(each, "ignores", ())} for each in learners))
-        started = isinstance(self.schedule, Against) and self.schedule.start is not None
-        shallow = ("activation", "memory", "initial_weight")
-        alone = self.schedule.opponents_met < 2
-        rows: list[tuple[str, tuple[str, ...], bool, str]] = [
-            ("fitness", ("sharing",), alone, "with one opponent an epoch")
-        ]
-        if self.game is None:
-            scales = ("initial_weight", "initial_head")
-            flat = isinstance(self.policy, Cells) and not self.policy.hidden
-            rows += [
-                ("policy", shallow, flat, "without hidden layers"),
-                ("policy", scales, started, "with a genome to start from"),
-            ]
         kinds = " and ".join(dict.fromkeys(each.kind for each in learners))
-        for path in sorted(ignored):
+        idle = dict.fromkeys(sorted(ignored), f"with {kinds}")
+        if self.schedule.opponents_met < 2:
+            idle["fitness.sharing"] = "with one opponent an epoch"
+        if isinstance(self.policy, pursuit.Cells) and not self.policy.hidden:
+            shallow = ("policy.activation", "policy.memory", "policy.initial_weight")
+            idle |= dict.fromkeys(shallow, "without hidden layers")
+        if isinstance(self.schedule, Against) and self.schedule.start is not None:
+            scales = ("policy.initial_weight", "policy.initial_head")
+            idle |= dict.fromkeys(scales, "with a genome to start from")
+        for path, why in idle.items():
             section, _, name = path.partition(".")
             part = getattr(self, section)
-            if part is None or (section == "policy" and part.kind != "cells"):
+            if part is None or (path in ignored and section == "policy" and part.kind != "cells"):
                 continue
-            names = (name,) if name else tuple(vars(getattr(self, section)))
-            rows.append((section, names, True, f"with {kinds}"))
-        for section, names, idle, why in rows:
-            part = getattr(self, section)
             for item in fields(part):
                 value = getattr(part, item.name)
                 usual = self._defaults().get(f"{section}.{item.name}", item.metadata["default"])
                 # Settings that were made from others may have the default of these.
-                if idle and item.name in names and value not in (usual, item.metadata["default"]):
+                if name in ("", item.name) and value not in (usual, item.metadata["default"]):
                     expected = "no value" if usual is None else f"{usual!r}, the default"
                     raise ValueError(
                         f"{section}.{item.name}: expected {expected}, got {value!r}; it has no "
                         f"effect {why}"
                     )
         rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
-        if self.game is None and not rewarded and self.world.rewards != Rewards():
+        if self.game is None and not rewarded and self.world.rewards != pursuit.Rewards():
             raise ValueError(
                 f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
                 f"have an effect only with the fitness rewards or the learner actor-critic"
@@ -258,7 +237,7 @@ class RaceSettings(Section):
         """Name of the variant whose rules these are, or "own-rules", or the name of the game."""
         if self.game is not None:
             return self.game.code.partition(":")[2]
-        return variant_name(self.world.rules) or "own-rules"
+        return pursuit.variant_name(self.world.rules) or "own-rules"
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:
@@ -289,22 +268,19 @@ class RaceSettings(Section):
             learners[path] = learner
         return learners
 
-    @property
-    def retested_matches(self) -> int:
-        """Matches against one opponent by which the champion of a generation is chosen."""
-        return RETESTED * self.retest_episodes
-
-    def counted(self, trained: int, evaluated: int) -> int:
-        """Return how many training matches take about as long as matches of both kinds."""
-        learning = max(self.learner_of(team).learning_time for team in self.learning_teams)
-        return trained + round(evaluated / learning)
+    def in_epochs(self, evaluated: int) -> int:
+        """Return how many epochs take about as long as so many matches of the evaluation."""
+        learners = map(self.learner_of, self.learning_teams)
+        matches = max(each.population * each.learning_time for each in learners)
+        matches *= self.schedule.opponents_met * self.match_episodes
+        return round(evaluated / matches)
 
     @cached_property
     def evaluation_game(self) -> Game:
         """The game that is raced, as it is evaluated; imports a game of your own."""
         if self.game is not None:
             return self.game.load()
-        return Pursuit(world=self.world, settings=self.policy)
+        return pursuit.Pursuit(world=self.world, settings=self.policy)
 
     @cached_property
     def training_game(self) -> Game:
@@ -312,11 +288,11 @@ class RaceSettings(Section):
         if self.game is not None:
             return self.evaluation_game
         alone = isinstance(self.schedule, Against) and self.schedule.start is None
-        penalty = overlap_penalty(self.world, self.fitness.measure, alone)
+        penalty = pursuit.overlap_penalty(self.world, self.fitness.measure, alone)
         world = replace(self.world, max_steps=self.train_steps)
-        return Pursuit(world=world, settings=self.policy, penalty=penalty)
+        return pursuit.Pursuit(world=world, settings=self.policy, penalty=penalty)
 
-    def drawn_world(self, rng: Rng) -> WorldConfig:
+    def drawn_world(self, rng: Rng) -> pursuit.WorldConfig:
         """Return the world of an epoch, one of `training_worlds`."""
         shares = self.training_shares or (1,) * len(self.training_worlds)
         return self.training_worlds[rng.choice(len(shares), p=np.divide(shares, sum(shares)))]
@@ -324,7 +300,7 @@ class RaceSettings(Section):
     @property
     def teams(self) -> tuple[str, str]:
         """What the teams are called."""
-        first, second = Pursuit.teams if self.game is None else self.game.teams
+        first, second = pursuit.Pursuit.teams if self.game is None else self.game.teams
         return first, second
 
     @property
@@ -335,7 +311,7 @@ class RaceSettings(Section):
     @property
     def kind_of_game(self) -> type[Game]:
         """What logs and payoffs of the game hold, without an import."""
-        return Pursuit if self.game is None else Game
+        return pursuit.Pursuit if self.game is None else Game
 
     def task(self, team: Team, begin: Genome | None = None) -> Task:
         """Return what the learner of a team starts from: untrained genomes, or `begin`."""

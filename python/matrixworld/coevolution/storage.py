@@ -11,16 +11,11 @@ log.csv, *.npy        log and genomes of all stages, for other programs
 
 Stage 0 is the run before training. A stage is saved in this order: its checkpoint, the stage
 itself, and then the checkpoint two stages before is removed. The newest stage therefore has a
-checkpoint, whenever the process is killed, and a stage costs the same however many there are.
+checkpoint, whenever the process is killed. Files are written under a temporary name, synced and
+renamed: readers beside a writer see whole stages only, and need no lock. The results are written
+when the training has ended; if payoff or summary are deleted, going on makes all again.
 
-A stage file is written under a temporary name, synced and renamed, and never changes. Readers
-beside a writer see whole stages only, and need no lock. A zip archive has checksums of its content,
-so that a file that is cut or altered is refused. log.csv, pursuers.npy and evaders.npy are copies
-that nothing here reads. They, payoff.npz and summary.json are written when the training has ended;
-if one of the last two is deleted, going on makes all again.
-
-`SavedRun` reads these files, and `RunWriter` writes them. Atomic writes and locks of single files
-are in `matrixworld._util.files`.
+`SavedRun` reads these files, and `RunWriter` writes them.
 """
 
 from __future__ import annotations
@@ -36,7 +31,7 @@ from dataclasses import replace
 from functools import cached_property
 from pathlib import Path, PurePath
 from tempfile import TemporaryDirectory
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,8 +51,7 @@ from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, State,
 from matrixworld.episodes.episode import Episode
 from matrixworld.version import __version__
 
-FORMAT = 11
-"""Version of the directory's layout; another one is refused."""
+FORMAT = 11  # version of the directory's layout; another one is refused
 
 CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
 PAYOFF, SUMMARY = "payoff.npz", "summary.json"
@@ -65,8 +59,7 @@ PAYOFF, SUMMARY = "payoff.npz", "summary.json"
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], AtOnce.kind, list(SCHEDULES)[-1], PSRO, InTurns.kind]
 """The order in which the runs of one job are played and shown."""
-SEED = re.compile(r"seed-(\d+)")
-"""Names of the directories of a job's runs."""
+SEED = re.compile(r"seed-(\d+)")  # names of the directories of a job's runs
 
 COLUMNS: dict[str, type] = {
     "stage": int,
@@ -89,8 +82,7 @@ epoch of a generation, which choose its champion, count in the row of that epoch
 """
 Row = dict[str, Any]
 Archive = dict[str, Genomes]
-Counters = Mapping[str, float]
-"""What a run has counted until the end of a stage, by name."""
+Counters = Mapping[str, float]  # what a run has counted until the end of a stage, by name
 
 
 OTHER_NAMES = {
@@ -112,20 +104,8 @@ class SavedRun:
     `open_run` returns one whose files are checked. Methods read what the files hold at that moment;
     `teams` stay as they were when they were first read.
 
-    Parameters
-    ----------
-    path : str or Path
-        The run directory.
-
-    Attributes
-    ----------
-    config : dict
-        The content of config.json.
-    settings : RaceSettings
-        Settings of the run.
-    teams : mapping of str to population or str
-        For each team its archive as a population, one genome per generation, or the name of a
-        script. The keys are ``pursuer`` and ``evader``, or the names that a game of your own has.
+    Its directory is the `path`. The keys of `teams` are ``pursuer`` and ``evader``, or the names
+    that a game of your own has.
     """
 
     def __init__(self, path: str | Path) -> None:
@@ -214,6 +194,11 @@ class SavedRun:
         # A race that was made longer has results of its first stages.
         return exist and bool(self.summary()["stages"] >= self.settings.schedule.n_stages)
 
+    @property
+    def has_checkpoint(self) -> bool:
+        """Whether there is a checkpoint of the newest stage."""
+        return self.newest() in self._numbers("checkpoint")
+
     # What the files hold:
 
     def archive(self) -> Archive:
@@ -231,7 +216,7 @@ class SavedRun:
 
     def log(self) -> dict[str, NDArray[Any]]:
         """Return the columns of the log (see `columns`) as arrays; errors as `archive`."""
-        rows = self._rows_of(self._stages())
+        rows = self.rows(0)
         return {
             name: np.array([row[name] for row in rows], dtype=kind)
             for name, kind in self.columns.items()
@@ -239,24 +224,20 @@ class SavedRun:
 
     def rows(self, after: int) -> list[Row]:
         """Return the rows of the log of all finished stages after one; errors as `archive`."""
-        return self._rows_of(
-            [self._stage(number) for number in range(after + 1, self.newest() + 1)]
-        )
+        rows = csv.DictReader(io.StringIO(self._log_of(self._stages(after + 1)), newline=""))
+        return [{name: kind(row[name]) for name, kind in self.columns.items()} for row in rows]
 
     def _log_of(self, stages: Sequence[files.Arrays]) -> str:
         lines = "".join(stage["log"].item().decode() for stage in stages)
         return f"{','.join(self.columns)}\n{lines}"
-
-    def _rows_of(self, stages: Sequence[files.Arrays]) -> list[Row]:
-        rows = csv.DictReader(io.StringIO(self._log_of(stages), newline=""))
-        return [{name: kind(row[name]) for name, kind in self.columns.items()} for row in rows]
 
     @called
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         arrays = self._load(PAYOFF)
         kind, settings = self.settings.kind_of_game, self.settings
-        extras = {name: arrays[name] for name in kind.payoff_extras()}
+        names = (*(f"{name}s" for name in kind.single), *kind.means)
+        extras = {name: arrays[name] for name in names}
         exact = settings.game is not None and settings.game.deterministic
         return Payoff(arrays["scores"], extras, settings.teams, exact, kind.score_words[0])
 
@@ -275,10 +256,6 @@ class SavedRun:
         """Return the number of the newest stage, 0 before the first."""
         return max(self._numbers("stage"), default=0)
 
-    def matches(self) -> int:
-        """Return the training matches until the newest stage; errors as `archive`."""
-        return int(self._stage(self.newest())["matches"])
-
     def _numbers(self, kind: str) -> list[int]:
         names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
         return [int(name) for name in names if name.isdigit()]
@@ -286,11 +263,11 @@ class SavedRun:
     def _load(self, name: str) -> files.Arrays:
         return files.load_arrays(self.path / name)
 
-    def _stages(self) -> list[files.Arrays]:
-        """Return what all finished stages have added; DamagedFileError if one is missing."""
+    def _stages(self, first: int = 0) -> list[files.Arrays]:
+        """Return what finished stages have added; DamagedFileError if one is missing."""
         # The summary first: beside a writer, all stages that it counts are there afterwards.
         least = self.summary()["stages"] if (self.path / SUMMARY).exists() else 0
-        return [self._stage(number) for number in range(max(least, self.newest()) + 1)]
+        return [self._stage(number) for number in range(first, max(least, self.newest()) + 1)]
 
     def _stage(self, number: int) -> files.Arrays:
         try:
@@ -324,7 +301,7 @@ class SavedRun:
 
     @cached_property
     def teams(self) -> Mapping[str, Any]:
-        """For each team its archive as a population, or the name of a script."""
+        """For each team its archive as a population, a genome a generation, or its script."""
         _ = self.game  # a game of your own that has changed is told now
         archive = self.archive()
         parts = zip(TEAMS, archive.items(), strict=True)
@@ -354,11 +331,9 @@ class SavedRun:
         return each if isinstance(each, str) else replace(each, genomes=each.genomes[-1:])
 
     def generation_at(self, team: str, matches: int) -> int:
-        """Return the newest generation of `team` after a number of training matches.
+        """Return the newest generation of `team` after so many training matches of both teams.
 
-        The matches are those of both teams, and those that archives play to compare candidates.
-        Generation 0, the untrained one, is returned if no other was finished. To compare runs at
-        equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
+        To compare runs at equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
         """
         log = self.log()
         own = log["team"] == self.key_of(team)
@@ -370,13 +345,8 @@ class SavedRun:
     def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Episode:
         """Play one episode of the evaluation again and record every step.
 
-        Parameters
-        ----------
-        pursuer, evader : int, optional
-            Generations; negative numbers count from the end, and a script ignores them.
-            IndexError if there is no such generation.
-        episode : int, optional
-            Number of the episode of this pair.
+        It is that of a `pursuer` and an `evader` generation, of which negative numbers count from
+        the end, and a script ignores them. IndexError if there is no such generation.
         """
         pursuit = self.pursuit
         g, h = self.generation("pursuer", pursuer), self.generation("evader", evader)
@@ -391,10 +361,9 @@ class SavedRun:
         sampled: bool | None = None,
         seed: int | None = None,
     ) -> Any:
-        """Return a genome of the run as a policy that acts on observations, or on named inputs.
+        """Return a genome of the run as a `NetworkPolicy`, or as a `RatingPolicy`.
 
-        It is a `NetworkPolicy`, or a `RatingPolicy`. It also plays as a built-in team of an
-        environment, and is what is exported to other libraries.
+        It also plays as a built-in team of an environment.
 
         Parameters
         ----------
@@ -421,28 +390,33 @@ class SavedRun:
     def extend(
         self, generations: int, *, threads: int | None = None, report: Report = silent
     ) -> SavedRun:
-        """Return the run of a race that goes on for more generations.
+        """Return the run of a race that goes on until it has so many `generations`.
 
         It is the same, bit for bit, as if the race had had them from the beginning. A run that is
         stopped goes on by the same call, or as any other.
 
-        Parameters
-        ----------
-        generations : int
-            Generations of the longer race.
-        threads, report
-            As for `Run`.
-
         Raises
         ------
         ValueError
-            If the race cannot go on: fewer generations than it has, one team alone, a learner that
+            If it cannot go on: fewer generations than it has, one team alone, a learner that
             anneals over the whole run, no checkpoint, or a game that has changed.
         """
         from matrixworld.coevolution import run
 
         run.lengthen(self.path, generations)
         return run.finish(self.path, threads=threads, report=report)
+
+    def best(self, team: str, *, sampled: bool | None = None, seed: int | None = None) -> Any:
+        """Return the `policy` of a team that is best against held-out opponents.
+
+        It is chosen by episodes of its own, which no score is from. They are played once. In a game
+        of your own, which has no held-out opponents, it is the last one, as `last` returns it.
+        """
+        if self.settings.game:
+            return self.last(team)
+        check_choice("team", team, TEAMS)
+        side = cast(Team, team)
+        return self.policy(side, self._best.get(side, -1), sampled=sampled, seed=seed)
 
     @cached_property
     def _best(self) -> dict[Team, int]:
@@ -451,30 +425,11 @@ class SavedRun:
 
         return best_generations(self)
 
-    def best(self, team: str, *, sampled: bool | None = None, seed: int | None = None) -> Any:
-        """Return the generation of a team that is best against held-out opponents, as a policy.
-
-        It is chosen by episodes of its own, which no score is from. They are played once. In a game
-        of your own, which has no held-out opponents, it is the last one, as `last` returns it.
-
-        Parameters
-        ----------
-        team, sampled, seed
-            As for `policy`.
-        """
-        if self.settings.game:
-            return self.last(team)
-        check_choice("team", team, TEAMS)
-        side = cast(Team, team)
-        return self.policy(side, self._best.get(side, -1), sampled=sampled, seed=seed)
-
     def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
         """Return what a generation of a team does, in words and numbers: an `Explanation`.
 
-        Of a policy that rates moves it has a sentence, and of each input the weight, how far it
-        moves ratings, and what leaving it out costs in matches. Of a network over cells it has a
-        decision tree that imitates it (extra ``explain``), with the tree's own score in matches:
-        high agreement is not an equal score.
+        Of a policy that rates moves it tells what its inputs do and cost; of a network over cells
+        it has a decision tree that imitates it (extra ``explain``).
 
         Parameters
         ----------
@@ -497,9 +452,12 @@ class SavedRun:
             If there is no such generation or team, a script plays for it, it has memory, or a tree
             needs scikit-learn.
         """
-        from matrixworld.coevolution.evaluation.explanation import explain_run
+        from matrixworld.coevolution.evaluation import explanation, scores
 
-        return explain_run(self, team, generation, **options)
+        policy = self.policy(team, generation, seed=options.get("seed", 0))
+        world, number = self.pursuit.world, self.generation(team, generation)
+        options |= {"opponents": scores.opponents_in(self, team, world)[0], "generation": number}
+        return explanation.explain(policy, team, world, **options)
 
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.
@@ -514,21 +472,12 @@ class SavedRun:
 
 
 def open_run(directory: str | Path) -> SavedRun:
-    """Return the run in a directory, whether it is finished or not.
-
-    Parameters
-    ----------
-    directory : str or Path
-        The run directory.
+    """Return the run in a `directory`, whether it is finished or not.
 
     Raises
     ------
-    FileNotFoundError
-        If the directory holds no run.
-    DamagedFileError
-        If a file is cut or altered.
-    OtherVersionError
-        If the run is of another version of the package.
+    FileNotFoundError, DamagedFileError, OtherVersionError
+        If the directory holds no run, a cut or altered one, or one of another version.
     """
     run = SavedRun(directory)
     # Read now: damage and other versions are told here. A game of your own is not imported yet.
@@ -546,10 +495,7 @@ def last_generation(directory: str | Path, team: Team) -> Any:
 
 
 def find_runs(path: Path) -> list[Path]:
-    """Return `path` if it is a run directory, else the run directories one or two levels below.
-
-    They are in the order of their schedules and seeds.
-    """
+    """Return `path` if it is a run, else those up to two levels below, by schedule and seed."""
     # config.json is the last file of a new run: without it the run was not completely created.
     if (path / CONFIG).is_file():
         return [path]
@@ -557,26 +503,18 @@ def find_runs(path: Path) -> list[Path]:
     return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
 
 
-def place_in_job(name: PurePath | str) -> tuple[tuple[int, int, str], ...]:
+def place_in_job(name: PurePath | str) -> list[tuple[int, int, str]]:
     """Return a sort key for the runs of one job, by the names of their directories."""
-    return tuple(map(_place, PurePath(name).parts))
-
-
-def _place(name: str) -> tuple[int, int, str]:
-    # seed-2 comes before seed-10.
-    seed = SEED.fullmatch(name)
-    schedule = ORDER.index(name) if name in ORDER else len(ORDER)
-    return schedule, int(seed[1]) if seed else -1, name
+    places = []
+    for part in PurePath(name).parts:
+        seed = SEED.fullmatch(part)  # seed-2 comes before seed-10
+        schedule = ORDER.index(part) if part in ORDER else len(ORDER)
+        places.append((schedule, int(seed[1]) if seed else -1, part))
+    return places
 
 
 def open_runs(directory: str | Path) -> list[SavedRun]:
-    """Return the finished runs of a job, or of any directory, by schedule and seed.
-
-    Parameters
-    ----------
-    directory : str or Path
-        A run directory, or one with run directories one or two levels below, such as
-        ``<schedule>/seed-<n>``.
+    """Return the finished runs in a `directory`, or up to two levels below, by schedule and seed.
 
     Raises
     ------
@@ -590,14 +528,6 @@ def open_runs(directory: str | Path) -> list[SavedRun]:
 
 
 # Writing:
-
-
-class Restored(NamedTuple):
-    """What all stages have added, the genomes in them, and the states from which to go on."""
-
-    stages: list[files.Arrays]
-    archive: Archive
-    states: dict[str, State]
 
 
 class RunWriter(SavedRun):
@@ -625,11 +555,6 @@ class RunWriter(SavedRun):
         counters = ("matches", *self.settings.kind_of_game.counters)
         self.save(0, archive, [], dict.fromkeys(counters, 0), states)
 
-    @property
-    def has_checkpoint(self) -> bool:
-        """Whether there is a checkpoint of the newest stage."""
-        return self.newest() in self._numbers("checkpoint")
-
     def change(self, settings: RaceSettings) -> None:
         """Write config.json with other settings of the same run."""
         config = {**self.config, "settings": settings.to_json()}
@@ -643,29 +568,25 @@ class RunWriter(SavedRun):
         rows: Sequence[Row],
         counters: Counters,
         states: Mapping[str, State],
-        more: Mapping[str, NDArray[Any]] | None = None,
     ) -> None:
         """Save a stage and its checkpoint.
 
-        `archive` holds all genomes of each team, of which those of earlier stages are not written
-        again; `rows` are those of the log of this stage, `counters` what the run has counted until
-        now, `states` what the next stage goes on from, and `more` other results of the stage.
+        `archive` holds all genomes of each team, `rows` the log of this stage alone.
         """
         new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
         genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
         log = self._as_csv(rows).encode()
         flat = {f"{p}.{name}": value for p, each in states.items() for name, value in each.items()}
-        self._save(_name("checkpoint", stage), flat)
-        self._save(_name("stage", stage), {**genomes, "log": log, **counters, **(more or {})})
+        files.save_arrays(self.path / _name("checkpoint", stage), flat)
+        added: dict[str, Any] = {**genomes, "log": log, **counters}
+        files.save_arrays(self.path / _name("stage", stage), added)
         self._saved = {team: len(archive[team]) for team in TEAMS}
         (self.path / _name("checkpoint", stage - 2)).unlink(missing_ok=True)
 
-    def restore(self) -> Restored:
-        """Return the newest stage that is intact, with all stages before it.
+    def restore(self) -> tuple[list[files.Arrays], Archive, dict[str, State]]:
+        """Return all stages up to the newest intact one, their genomes, and the states after it.
 
-        To be called under the lock. A damaged file is reported by a warning and renamed to
-        ``*.damaged``; the stage before it is used instead. DamagedFileError if no stage is intact
-        that has a checkpoint.
+        A damaged file is reported by a warning and renamed to ``*.damaged``.
         """
         files.remove_temporary_files(self.path)
         problems: list[files.DamagedFileError] = []
@@ -676,18 +597,17 @@ class RunWriter(SavedRun):
                 stages.append(self._stage(len(stages)))
         except files.DamagedFileError as error:
             problems.append(error)
-        state: files.Arrays | None = None
-        numbers = sorted(n for n in self._numbers("checkpoint") if n < len(stages))
-        while numbers and state is None:
-            number = numbers.pop()
+        saved = [number for number in self._numbers("checkpoint") if number < len(stages)]
+        for number in sorted(saved, reverse=True):
             try:
                 state = self._load(_name("checkpoint", number))
-                del stages[number + 1 :]
+                break
             except files.DamagedFileError as error:
                 problems.append(error)
-        if state is None:
+        else:
             reasons = "; ".join(map(str, problems)) or "expected a file checkpoint-*.npz, got none"
             raise files.DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
+        del stages[number + 1 :]
         for problem in problems:
             warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=3)
             if problem.path.exists():
@@ -705,7 +625,7 @@ class RunWriter(SavedRun):
             # "pursuer.opponents.x" belongs to the part "pursuer.opponents", not to "pursuer".
             part, _, name = key.rpartition(".")
             states.setdefault(part, {})[name] = value
-        return Restored(stages, archive, states)
+        return stages, archive, states
 
     def save_results(self, payoff: Mapping[str, NDArray[Any]], summary: Mapping[str, Any]) -> None:
         """Write log and genomes for other programs, payoff.npz, and summary.json as the last."""
@@ -717,7 +637,7 @@ class RunWriter(SavedRun):
             if len(genomes):  # those of a team that a script plays are none
                 with files.replacing(self.path / f"{name}.npy") as file:
                     np.save(file, genomes)
-        self._save(PAYOFF, payoff)
+        files.save_arrays(self.path / PAYOFF, payoff)
         files.save_json(self.path / SUMMARY, summary)
 
     def _as_csv(self, rows: Sequence[Row]) -> str:
@@ -728,9 +648,6 @@ class RunWriter(SavedRun):
             # Nine digits identify every float32.
             writer.writerow({k: f"{v:.9g}" if isinstance(v, float) else v for k, v in row.items()})
         return text.getvalue()
-
-    def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
-        files.save_arrays(self.path / name, arrays)
 
 
 def _name(kind: str, stage: int) -> str:
@@ -749,11 +666,7 @@ def check_empty(path: Path) -> None:
 
 @contextmanager
 def new_directory(path: Path) -> Iterator[Path]:
-    """Yield an empty directory that becomes `path` at the end of the block, with all that is in it.
-
-    FileExistsError if there is something. A process that is killed before leaves only a hidden
-    directory beside it.
-    """
+    """Yield an empty directory that becomes `path` at the end of the block, whole or not at all."""
     check_empty(path)
     target = path.absolute()
     target.parent.mkdir(parents=True, exist_ok=True)

@@ -25,19 +25,19 @@ def other(team: Team) -> Team:
     return "evader" if team == "pursuer" else "pursuer"
 
 
+def team_size(team: Any) -> int:
+    """Return how many candidates a team has: its genomes, or one."""
+    return len(team.genomes) if hasattr(team, "genomes") else 1
+
+
 Genome = NDArray[np.float32]
 """What a member of a team is, such as the weights of its policy, shape (genes,)."""
-Genomes = NDArray[np.float32]
-"""One genome a row, shape (n, genes)."""
-Seeds = NDArray[np.uint64]
-"""Seeds of matches."""
-State = dict[str, NDArray[Any]]
-"""All that changes in a learner or sampler, as plain arrays by name."""
-Rng = np.random.Generator
-"""What all random numbers are drawn from."""
+Genomes = NDArray[np.float32]  # one genome a row, shape (n, genes)
+Seeds = NDArray[np.uint64]  # seeds of matches
+State = dict[str, NDArray[Any]]  # all that changes in a learner or sampler, as plain arrays by name
+Rng = np.random.Generator  # what all random numbers are drawn from
 
-SEVERAL = -1
-"""Value of `opponent` in the log of an epoch with several opponents."""
+SEVERAL = -1  # value of `opponent` in the log of an epoch with several opponents
 
 Indices = NDArray[np.intp]
 FloatArray = NDArray[np.float64]

@@ -22,16 +22,8 @@ float32, in the order of `matrixworld.INPUTS`. Functions that play a built-in te
 
 ## Rewards
 
-| | pursuer | evader | paid |
-|---|---|---|---|
-| capture | +10 | -10 | to each captor and to the captured evader, once for each evader |
-| neighbor | +0.1 | -0.1 | while an adversary is on the cell to the north, east, south or west |
-| collide | -12 | -12 | for each kind of collision (obstacle, teammate, adversary) in which the agent is at fault |
-| step | -0.05 | -0.05 | for each step |
-
-``rewards=mw.Rewards(...)`` changes any of them: it can set a penalty for each kind of collision, charge all
-agents that are involved instead of those at fault, and pay a capture at every step that it lasts.
-``mw.Rewards.published()`` are the rewards of the code that the paper's authors published.
+Those of the paper, as `matrixworld.Rewards` describes them; ``rewards=mw.Rewards(...)`` changes any of them,
+and ``mw.Rewards.published()`` are those of the code that the paper's authors published.
 
 ## End
 
@@ -56,10 +48,8 @@ The same keys for every agent at every step, as plain values:
 
 ``env.status`` holds the same for all agents at once, as arrays in which an agent keeps its index.
 
-## Arguments
-
-Those of `parallel_env`; `World.reset` takes the ``options`` of a reset. The attribute ``opponents`` of an
-environment with a built-in team sets what plays for it in the episodes that begin from then on.
+Arguments are those of `parallel_env`; `World.reset` takes the ``options`` of a reset. The attribute
+``opponents`` of an environment with a built-in team sets what plays for it in the episodes that begin then.
 """  # noqa: E501  (a table's row is one line)
 
 from __future__ import annotations

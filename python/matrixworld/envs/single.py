@@ -5,13 +5,11 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from copy import copy
-from dataclasses import replace
 from typing import Any
 
 import gymnasium
 import numpy as np
 from gymnasium import spaces
-from gymnasium.envs.registration import EnvSpec
 from numpy.typing import DTypeLike, NDArray
 from pettingzoo import AECEnv, ParallelEnv
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
@@ -29,25 +27,10 @@ from matrixworld.envs.opponents import (
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Drawing
 from matrixworld.world.arrays import LARGE, WORLD_FIELDS, WorldArrays, python_value
-from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
+from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.policy import Team
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
-
-
-class EnvSettings(WorldSettings, total=False):
-    """Keyword arguments of an environment, for type checkers."""
-
-    render_mode: str | None
-    record: bool
-    action_mask: bool | str
-    max_cycles: int | None
-    observation: Observation
-    dtype: DTypeLike | None
-    flatten: bool
-    pursuers: Opponents | None
-    evaders: Opponents | None
-
 
 Seen = NDArray[Any]
 Info = dict[str, Any]
@@ -111,7 +94,6 @@ class MatrixWorldBase(PlaysTeam):
         render_mode: str | None = None,
         record: bool = False,
         action_mask: bool | str = False,
-        max_cycles: int | None = None,
         observation: Observation = "views",
         dtype: DTypeLike | None = None,
         flatten: bool = False,
@@ -120,8 +102,7 @@ class MatrixWorldBase(PlaysTeam):
         **changes: Unpack[WorldSettings],
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
-        limited = with_limit("max_cycles", max_cycles, changes)
-        self._set_up(config, limited, action_mask, render_mode, *RENDER_MODES)
+        self._set_up(config, changes, action_mask, render_mode, *RENDER_MODES)
         self._choose_observation(observation, dtype, flatten)
         self._read = {self._observed, *["views"] * self._masks.given}
         self.world = World(self.config)
@@ -146,7 +127,7 @@ class MatrixWorldBase(PlaysTeam):
         whole = (3, self.config.rows, self.config.cols)
         self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
         self._seeded = False
-        self._np_random: np.random.Generator | None = None
+        self.np_random = np.random.default_rng(0)  # for wrappers that draw; the world never does
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view.
@@ -164,13 +145,6 @@ class MatrixWorldBase(PlaysTeam):
     def state(self) -> NDArray[np.uint8]:
         """Return the whole world, uint8 of shape (3, rows, cols): evaders, pursuers, obstacles."""
         return self.world.state()
-
-    @property
-    def np_random(self) -> np.random.Generator:
-        """A generator for wrappers that draw; `reset` seeds it, and the world never uses it."""
-        if self._np_random is None:
-            self._np_random = np.random.default_rng(self.world.seed)
-        return self._np_random
 
     @property
     def status(self) -> Status:
@@ -205,7 +179,7 @@ class MatrixWorldBase(PlaysTeam):
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
         self.world.reset(seed, **given)
         if seed is not None:
-            self._np_random = None
+            self.np_random = np.random.default_rng(self.world.seed)
         for team in filter(None, (self._team, self._mates)):
             team.draw(0, self.world.seed, self.world.episode)
         self._seeded = True
@@ -271,8 +245,6 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         True or "obstacles" allows moves that run into neither an obstacle nor the border (`fov` at
         least 3); "right-of-way" those that cannot put the agent at fault if its teammates keep to
         their masks, too (`fov` at least 5). The default is False.
-    max_cycles : int, optional
-        Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
     observation : {"views", "named"}, optional
         What agents observe: views (the default), or the named inputs of each move, ``(moves,
         inputs)`` in the order of `INPUTS`.
@@ -294,15 +266,6 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         Names of the caller's agents: ``pursuer_0`` and so on, then ``evader_0`` and so on.
     agents : list of str
         Names of the agents that still play; empty before the first reset and after the end.
-
-    Examples
-    --------
-    >>> from matrixworld import parallel_env
-    >>> env = parallel_env("SB", rows=8, cols=8, n_pursuers=4, n_evaders=1)
-    >>> observations, infos = env.reset(seed=0)
-    >>> while env.agents:
-    ...     actions = {agent: env.action_space(agent).sample() for agent in env.agents}
-    ...     observations, rewards, terminations, truncations, infos = env.step(actions)
     """
 
     def reset(
@@ -375,9 +338,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, Seen, int]):  # type: ignore[m
     agent_selection: str
     _to_commit: list[str]  # agents of this turn that have not chosen yet
 
-    def __init__(
-        self, config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
-    ) -> None:
+    def __init__(self, config: WorldConfig | Rules | str = "O", **settings: Any) -> None:
         super().__init__(config, **settings)
         # Where teams or agents take turns, they see what earlier ones did: that game is not the one
         # in which all choose at once.
@@ -467,9 +428,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, Seen, int]):  # type: ignore[m
 parallel_env = MatrixWorldParallel
 
 
-def aec_env(
-    config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
-) -> MatrixWorldAEC:
+def aec_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> MatrixWorldAEC:
     """Make an environment of PettingZoo's AEC API: one agent acts after the other.
 
     Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
@@ -509,19 +468,7 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     -----
     An episode terminates when the agent disappears or its world terminates, and is truncated with
     its world. All agents choose before a round is played.
-
-    Examples
-    --------
-    >>> import gymnasium, matrixworld
-    >>> settings = {"rows": 10, "cols": 10, "n_pursuers": 2, "n_evaders": 1}
-    >>> env = gymnasium.make("matrixworld/pursuit_evasion_o_v0", **settings)
-    >>> observation, info = env.reset(seed=0)
-    >>> observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
-    >>> observation.shape
-    (3, 11, 11)
     """
-
-    _spec: EnvSpec | None = None
 
     def __init__(
         self,
@@ -545,17 +492,6 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         self.action_space: spaces.Discrete = self.env.action_space(agent)
         self.metadata: dict[str, Any] = self.env.metadata
         self.render_mode: str | None = self.env.render_mode
-
-    @property
-    def spec(self) -> EnvSpec | None:
-        """Gymnasium's specification, in which wrappers look for `max_steps`."""
-        return self._spec
-
-    @spec.setter
-    def spec(self, spec: EnvSpec | None) -> None:
-        if spec is not None and spec.max_episode_steps is None:
-            spec = replace(spec, max_episode_steps=self.env.config.max_steps)
-        self._spec = spec
 
     def reset(
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
@@ -594,7 +530,7 @@ def make(
     *,
     team: Team | None = None,
     opponent: Opponents | None = None,
-    **settings: Unpack[EnvSettings],
+    **settings: Any,
 ) -> MatrixWorldParallel:
     """Make a `parallel_env` of which the caller plays both teams, or one against an opponent.
 
@@ -607,12 +543,5 @@ def make(
     opponent : Opponents, optional
         What plays the other team, see `matrixworld.envs.opponents`. The default is
         ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
-
-    Examples
-    --------
-    >>> import matrixworld as mw
-    >>> env = mw.make("SB", n_evaders=2, size=10, team="evader", opponent="surrounder")
-    >>> env.possible_agents
-    ['evader_0', 'evader_1']
     """
     return MatrixWorldParallel(config, **with_opponent(team, opponent, settings))

@@ -30,15 +30,6 @@ def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settin
     stable_baselines3.common.vec_env.VecMonitor
         With ``num_envs`` of n_worlds times the agents of the team. Observations are float32, flat
         unless ``flatten=False``. An agent's episode ends with its world, see `AgentVectorEnv`.
-
-    Examples
-    --------
-    ::
-
-        from stable_baselines3 import PPO
-
-        envs = vec_env("O", rows=10, cols=10, n_pursuers=2, n_evaders=1)
-        model = PPO("MlpPolicy", envs).learn(100_000)
     """
     library = imported("stable_baselines3.common.vec_env", "stable-baselines3")
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from copy import copy as copy_of
-from enum import Enum
+from copy import deepcopy
 from inspect import signature
-from typing import Any, TypeVar, cast
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from gymnasium import spaces
-from gymnasium.error import ClosedEnvironmentError
+from gymnasium.vector import AutoresetMode
 from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 from typing_extensions import Unpack
@@ -27,21 +27,11 @@ from matrixworld.envs.opponents import (
 )
 from matrixworld.world import arrays
 from matrixworld.world.batch import Batch
-from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
+from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.policy import Team
 from matrixworld.world.render import rgb
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
-
-try:
-    from gymnasium.vector import AutoresetMode
-except ImportError:  # Gymnasium 1.0
-
-    class AutoresetMode(Enum):  # type: ignore[no-redef]
-        """When worlds whose episode has ended begin the next one."""
-
-        NEXT_STEP, SAME_STEP, DISABLED = "NextStep", "SameStep", "Disabled"
-
 
 OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
 """Keys that ``options`` of a reset may have."""
@@ -71,26 +61,7 @@ _NOT_IN_INFOS = {
 _RENAMED = {"steps": "step", "episode": "episode_number"}
 
 
-class SharedArrays:
-    """Base of what has arrays that others share: what is assigned to one is written into it."""
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute, or the values of an array; TypeError or ValueError if these cannot."""
-        array = vars(self).get(name)
-        if not isinstance(array, np.ndarray):
-            super().__setattr__(name, value)
-        elif value is not array:  # as after +=
-            given = checks.unmasked(name, value)
-            if not np.can_cast(given.dtype, array.dtype, "same_kind"):
-                raise TypeError(f"{name}: expected {array.dtype}, got {given.dtype}")
-            if given.ndim:
-                checks.check_shape(name, given, *array.shape)
-            array[...] = given
-
-
-class VectorEnv(
-    SharedArrays, PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]
-):
+class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     """Vector environment of W worlds with A agents each, pursuers first.
 
     Parameters
@@ -109,8 +80,6 @@ class VectorEnv(
     observation, dtype, flatten : optional
         As for `parallel_env`: observations are ``(W, A, 3, fov, fov)``, ``(W, A, moves, inputs)``,
         or flat, ``(W, A, n)``.
-    state : bool, optional
-        Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``.
     action_mask : bool or str, optional
         Whether and how ``infos["action_mask"]`` marks allowed actions, as for `parallel_env`.
     render_mode : {None, "rgb_array"}, optional
@@ -124,8 +93,7 @@ class VectorEnv(
     observations, rewards, terminations, truncations, infos : ndarray and dict
         Results of the last step, see Notes. Every step overwrites these arrays.
     actions : ndarray of int64, shape (W, A)
-        Actions for a `step` without arguments. What is assigned to this attribute, to another array
-        here or to one of a `TeamView`, is written into the array: all keep sharing it.
+        Actions for a `step` without arguments, to write into: ``envs.actions[:] = 0``.
     pursuers, evaders : TeamView
         The teams' parts of these arrays; of a built-in team without agents.
     agents : range
@@ -171,7 +139,6 @@ class VectorEnv(
         observation: Observation = "views",
         dtype: DTypeLike | None = None,
         flatten: bool = False,
-        state: bool = False,
         action_mask: bool | str = False,
         threads: int | None = None,
         render_mode: str | None = None,
@@ -189,7 +156,7 @@ class VectorEnv(
         self.metadata["autoreset_mode"] = mode
         self.copy: bool = checks.check_bool("copy", copy)
         built_in = one_team(pursuers, evaders)
-        asked = {self._observed, *["state"] * checks.check_bool("state", state)}
+        asked = {self._observed}
         waits = mode is not AutoresetMode.SAME_STEP
         if not waits:  # else the observations stay those of the episode's end for one step
             asked.add(f"final_{self._observed}")
@@ -222,10 +189,10 @@ class VectorEnv(
         self.observation_space = _widened(self._space, shape)
         self.single_action_space = spaces.MultiDiscrete([n_actions] * len(self.agents))
         self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
-        self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, len(self.agents)), np.int64)
+        self._actions: NDArray[np.int64] = np.zeros(shape[:2], np.int64)
         first_evader = max(0, self.config.n_pursuers - self.agents.start)
-        self.pursuers: TeamView = TeamView(self, slice(0, first_evader))
-        self.evaders: TeamView = TeamView(self, slice(first_evader, None))
+        self.pursuers: TeamView = TeamView.of(self, slice(0, first_evader))
+        self.evaders: TeamView = TeamView.of(self, slice(first_evader, None))
         self._seeded = False
         # A batch starts with fixed seeds, which would make every unseeded run the same.
         self._batch.reset(np.random.SeedSequence().generate_state(self.num_envs, np.uint64))
@@ -236,9 +203,9 @@ class VectorEnv(
         return self.num_envs
 
     @property
-    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
-        """The seed of each world; before the first reset the one that a reset without seed uses."""
-        return tuple(self.infos["seed"].tolist())
+    def actions(self) -> NDArray[np.int64]:
+        """Actions for a `step` without arguments, int64 (W, A)."""
+        return self._actions
 
     def reset(
         self, *, seed: int | ArrayLike | None = None, options: Mapping[str, Any] | None = None
@@ -246,14 +213,12 @@ class VectorEnv(
         """Start an episode in every world, or in some, and return observations and infos.
 
         `seed` and `options` (any of `OPTIONS`) are as for `Batch.reset`, whose ``mask`` is
-        ``reset_mask`` here. With None in a list of seeds, too, a world starts its seed's next
-        episode; worlds that never had a seed draw one from the operating system.
+        ``reset_mask`` here. Worlds that never had a seed draw one from the operating system.
         """
         self._start(seed, options)
         return self._returned((self.observations, self.infos))
 
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
-        self._require_open("reset")
         given = dict(options or {})
         unknown = set(given) - set(OPTIONS)
         if unknown:
@@ -261,16 +226,7 @@ class VectorEnv(
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
         mask = given.pop("reset_mask", None)
-        if isinstance(seed, list | tuple) and len(seed) == self.num_envs and None in seed:
-            # Such worlds start their seed's next episode, as in Gymnasium.
-            anew = np.array([each is None for each in seed])
-            chosen = np.ones_like(anew) if mask is None else checks.unmasked("mask", mask)
-            known = [0 if each is None else each for each in seed]
-            self._batch.reset(known, mask=chosen & ~anew, **given)
-            given.pop("episode", None)
-            self._batch.reset(mask=chosen & anew, **given)
-        else:
-            self._batch.reset(seed, mask=mask, **given)
+        self._batch.reset(seed, mask=mask, **given)
         if self._team is not None:
             everywhere = np.ones(self.num_envs, np.bool_)
             self._team.begin(everywhere if mask is None else np.asarray(mask))
@@ -291,7 +247,6 @@ class VectorEnv(
         return self._returned((self.observations, self.rewards, *ends, self.infos))
 
     def _play(self, actions: ArrayLike | None) -> None:
-        self._require_open("step")
         if not self._seeded:
             raise RuntimeError("call reset() before the first step")
         given = self.actions if actions is None else actions
@@ -307,11 +262,7 @@ class VectorEnv(
             self.infos["action_mask"][:] = self._masks.of(self._views, self.agents.start)
 
     def _returned(self, results: Results) -> Results:
-        return cast("Results", _copied(results, {})) if self.copy else results
-
-    def _require_open(self, call: str) -> None:
-        if self.closed:
-            raise ClosedEnvironmentError(f"{call}: the environment was closed by close()")
+        return deepcopy(results) if self.copy else results
 
     def world(self, number: int) -> World:
         """Return an independent copy of one world, to draw it or to plan in it."""
@@ -319,7 +270,6 @@ class VectorEnv(
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
         """Return a picture of each world, (height, width, 3) uint8; None without a render mode."""
-        self._require_open("render")
         if self.render_mode is None:
             return None
         return tuple(rgb(self.world(number).scene()) for number in range(self.n_worlds))
@@ -328,7 +278,6 @@ class VectorEnv(
 def make_vec(
     config: WorldConfig | Rules | str = "O",
     num_envs: int = 1,
-    max_episode_steps: int | None = None,
     *,
     team: Team | None = None,
     opponent: Opponents | None = None,
@@ -342,23 +291,21 @@ def make_vec(
         As for `VectorEnv`, such as ``size=10`` or ``flatten=True``.
     num_envs : int, optional
         The number of worlds.
-    max_episode_steps : int, optional
-        Another name for ``max_steps``.
     team, opponent : optional
         As for `make`.
     """
     known = WorldSettings.__annotations__.keys() | signature(VectorEnv).parameters.keys()
     checks.check_keywords(settings, known - {"n_worlds", "changes"}, make_vec)
-    limited = with_limit("max_episode_steps", max_episode_steps, settings)
-    return VectorEnv(config, num_envs, **with_opponent(team, opponent, limited))
+    return VectorEnv(config, num_envs, **with_opponent(team, opponent, settings))
 
 
-class TeamView(SharedArrays):
+class TeamView(NamedTuple):
     """One team's part of the arrays and infos of a `VectorEnv`; shapes begin with (W, n).
 
     Every step overwrites these arrays, also with ``copy=True``: copy what you keep.
     """
 
+    agents: slice
     observations: NDArray[Any]
     actions: NDArray[np.int64]
     rewards: NDArray[np.float32]
@@ -371,10 +318,11 @@ class TeamView(SharedArrays):
     involved: NDArray[np.bool_]
     fault: NDArray[np.bool_]
 
-    def __init__(self, env: VectorEnv, agents: slice) -> None:
-        whole = vars(env) | env.infos
-        vars(self).update({name: whole[name][:, agents] for name in TeamView.__annotations__})
-        self.agents: slice = agents
+    @classmethod
+    def of(cls, env: VectorEnv, agents: slice) -> TeamView:
+        """Return the part of these agents."""
+        whole = {**vars(env), **env.infos, "actions": env.actions}
+        return cls(agents, *(whole[name][:, agents] for name in cls._fields[1:]))
 
 
 class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
@@ -397,27 +345,13 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     -----
     **The episode of a sub-environment is the episode of its world.** All agents of a world end and
     start again in the same step, as Gymnasium's autoreset modes prescribe. An agent that disappears
-    earlier does not terminate then: until its world ends it observes zeros, its rewards are 0 and
-    its actions are ignored. In the last step it terminates; an agent that is alive terminates or is
-    truncated as its world does.
+    earlier observes zeros until then, its rewards are 0 and its actions are ignored.
 
-    A learner that knows nothing of this trains on the steps of gone agents, too. They pay nothing,
-    but agents that see nobody observe the same zeros. A learner that can mask transitions does
-    better with those where ``infos["acted"]`` is True (not the step in which `NextStep` only starts
-    an episode), and with ``terminations | ~infos["alive"]`` as the ends of agents.
+    A learner that can mask transitions does better with those where ``infos["acted"]`` is True, and
+    with ``terminations | ~infos["alive"]`` as the ends of agents.
 
     ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``, and
     ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
-
-    Examples
-    --------
-    >>> from gymnasium.wrappers.vector import RecordEpisodeStatistics
-    >>> from matrixworld import AgentVectorEnv, VectorEnv
-    >>> worlds = VectorEnv("O", 16, dtype="float32", flatten=True)
-    >>> envs = RecordEpisodeStatistics(AgentVectorEnv(worlds, team="pursuer"))
-    >>> observations, infos = envs.reset(seed=0)
-    >>> observations.shape, envs.single_action_space
-    ((128, 363), Discrete(5))
     """
 
     single_observation_space: spaces.Box
@@ -444,11 +378,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         self.observation_space = _widened(one, (self.num_envs, *one.shape))
         self.single_action_space = spaces.Discrete(n_actions)
         self.action_space = _widened(spaces.MultiDiscrete([n_actions]), (self.num_envs,))
-
-    @property
-    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
-        """The seed of each sub-environment: that of its world."""
-        return tuple(seed for seed in self.worlds.np_random_seed for _ in self._agents)
 
     def reset(
         self, *, seed: int | ArrayLike | None = None, options: Mapping[str, Any] | None = None
@@ -527,21 +456,9 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         raise AttributeError(f"call: expected render, render_mode or spec, got {name!r}")
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
-        """Return a picture of its world for each agent, with its field of view outlined."""
-        self.worlds._require_open("render")
-        if self.render_mode is None:
-            return None
-        scenes = [self.worlds.world(number).scene() for number in range(self.worlds.n_worlds)]
-        fov = self.worlds.config.fov
-        return tuple(
-            rgb(scene, fov=fov, viewers=[agent]) for scene in scenes for agent in self._agents
-        )
-
-    def close_extras(self, **kwargs: Any) -> None:
-        """Close the worlds."""
-        # Some versions of Gymnasium also close an environment whose constructor raised.
-        if hasattr(self, "worlds"):
-            self.worlds.close(**kwargs)
+        """Return a picture of its world for each agent; None without a render mode."""
+        pictures = self.worlds.render()
+        return pictures and tuple(picture for picture in pictures for _ in self._agents)
 
 
 def _widened(space: spaces.Space[Any], shape: tuple[int, ...]) -> Any:
@@ -592,14 +509,3 @@ def _make_infos(
     infos["final_obs"] = observations if final is None else final.reshape(observations.shape)
     infos["episode"] = {key: buffers[name] for key, name in EPISODE_KEYS.items()}
     return infos | dict.fromkeys(("_final_obs", "_episode"), buffers["ended"])
-
-
-def _copied(value: Any, copies: dict[int, NDArray[Any]]) -> Any:
-    """Return copies of arrays, in tuples and dicts, too; `copies` has those that were made."""
-    if isinstance(value, dict):
-        return {key: _copied(each, copies) for key, each in value.items()}
-    if isinstance(value, tuple):
-        return tuple(_copied(each, copies) for each in value)
-    if id(value) not in copies:
-        copies[id(value)] = value.copy()
-    return copies[id(value)]

@@ -183,11 +183,8 @@ class Episode:
         ValueError for a name that ends otherwise than in ``.npz``, such as that of a picture.
         """
         if Path(path).suffix not in ("", ".npz"):
-            expected, hint = (
-                "a name that ends in .npz",
-                "mw.replay.save(episode, path) writes pictures",
-            )
-            raise ValueError(f"path: expected {expected}, got {path}; {hint}")
+            hint = "mw.replay.save(episode, path) writes pictures"
+            raise ValueError(f"path: expected a name that ends in .npz, got {path}; {hint}")
         arrays = self._arrays()
         if self.seat is not None:
             arrays["seat"] = np.array(self.seat)

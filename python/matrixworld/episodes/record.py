@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
-from typing import Any, TextIO
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer, check_shape
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
-from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
+from matrixworld.episodes.replay import Screen
 from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import MapLike, WorldConfig
@@ -183,7 +183,7 @@ class Drawing(Recorder):
     def __init__(self, world: World, mode: str | None) -> None:
         super().__init__(world)
         self._mode = mode
-        self._place: Notebook | Text | None = None
+        self._place: Notebook | Screen | None = None
         self._due = 0.0
 
     def render(self) -> NDArray[np.uint8] | str | None:
@@ -198,7 +198,7 @@ class Drawing(Recorder):
             return
         if self._place is None:
             self._place = first_place()
-        if self._place.watched:
+        if self._place.in_place:
             time.sleep(max(0.0, self._due - time.monotonic()))
             self._due = time.monotonic() + 1 / FPS
         self._place.show(self.scene())
@@ -211,7 +211,7 @@ class Drawing(Recorder):
 class Notebook:
     """An output of a notebook cell that is redrawn; each cell run later gets its own."""
 
-    watched = True  # a scene replaces the one before, which needs time to be seen
+    in_place = True
 
     def __init__(self, shell: Any, display: Any) -> None:
         self._shell = shell  # of IPython
@@ -229,28 +229,7 @@ class Notebook:
             self._handle = self._display(data, raw=True, display_id=True)
 
 
-class Text:
-    """Text: in a terminal redrawn in place, with the cursor below it; else one below the other."""
-
-    def __init__(self, stream: TextIO) -> None:
-        self._stream = stream
-        self.watched = stream.isatty()
-        self._start = WRAP_OFF + CLEAR
-
-    def show(self, scene: Scene) -> None:
-        """Show a scene."""
-        if not self.watched:
-            self._stream.write(ansi(scene, color="none") + "\n\n")
-            return
-        drawn = ansi(scene, **text_look(scene.shape, self._stream))
-        self._stream.write(self._start)
-        draw(drawn, self._stream)
-        self._stream.write(WRAP_ON + "\n")
-        self._stream.flush()
-        self._start = WRAP_OFF
-
-
-def first_place() -> Notebook | Text:
+def first_place() -> Notebook | Screen:
     """Return the notebook that runs this program, or its output: a terminal, a file or a pipe."""
     if "IPython" in sys.modules:  # a notebook has imported it; importing it here is slow
         from IPython import get_ipython
@@ -259,4 +238,4 @@ def first_place() -> Notebook | Text:
         shell = get_ipython()
         if hasattr(shell, "kernel"):
             return Notebook(shell, display)
-    return Text(sys.stdout)
+    return Screen(sys.stdout)

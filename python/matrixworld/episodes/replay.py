@@ -12,27 +12,24 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO, TextIO, TypedDict
+from typing import Any, BinaryIO, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageColor
 from PIL.PngImagePlugin import PngInfo
-from typing_extensions import Unpack
 
 from matrixworld._util import checks, colors
 from matrixworld._util.files import replacing
 from matrixworld.episodes.episode import Episode, scene
 from matrixworld.version import imported
-from matrixworld.world.canvas import SMALLEST_NUMBERED, Layout, fitting_cell
-from matrixworld.world.render import ansi, rgb
+from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
+from matrixworld.world.render import Scene, ansi, rgb
 
 __all__ = ["Animation", "animation", "save", "scene"]
 
-FOV = 11  # side of a field of view if the episode does not state it
-MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
 SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster animations
-LONGEST_HOLD = 600.0  # seconds; a GIF has 16 bits for hundredths
+HOLD = 2.0  # seconds for which the last frame is shown longer
 FRAMES = 120  # the most frames of an animation in a notebook
 PIXELS = 480  # wanted length of the longer side of its field
 
@@ -61,37 +58,26 @@ class Animation:
         return f'<img src="data:image/gif;base64,{encoded}" alt="{html.escape(self.alt)}">'
 
 
-class Look(TypedDict, total=False):
-    """Keyword arguments of pictures of an episode, for type checkers; see `save`."""
-
-    cell: int | None
-    trail: int
-    fov: int | None
-    viewers: Sequence[int | str]
-    numbers: bool
-
-
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
     """Show an episode in the terminal, in place; without one, print the last moment."""
     fps = checks.check_number("fps", fps, least=0.0, positive=True)
-    times, stream = _times(episode, every), sys.stdout
-    if not stream.isatty():
+    times, screen = _times(episode, every), Screen(sys.stdout)
+    if not screen.in_place:
         print_moment(episode)
         return
-    look = text_look(episode.map.shape, stream)
     due = time.monotonic()
     try:
-        stream.write(HIDE_CURSOR + WRAP_OFF + CLEAR)
+        sys.stdout.write(HIDE_CURSOR)
         for moment in times:
-            draw(ansi(scene(episode, moment), **look), stream)
+            screen.show(scene(episode, moment))
             # Waiting for a point in time, not for a period, makes up for the time to draw.
             due += 1 / fps
             time.sleep(max(0.0, due - time.monotonic()))
     except KeyboardInterrupt:
         return  # the viewer has seen enough
     finally:
-        stream.write(WRAP_ON + SHOW_CURSOR + "\n")
-        stream.flush()
+        sys.stdout.write(WRAP_ON + SHOW_CURSOR + "\n")
+        sys.stdout.flush()
 
 
 def print_moment(episode: Episode, *, step: int = -1) -> None:
@@ -106,9 +92,8 @@ def save(
     *,
     fps: float = 10.0,
     every: int = 1,
-    hold: float = 2.0,
     step: int = -1,
-    **look: Unpack[Look],
+    **look: Any,
 ) -> None:
     """Write an episode as an animation, a film, or a picture of one moment.
 
@@ -124,48 +109,35 @@ def save(
         Frames per second, 0.1 to 50.
     every : int, optional
         Steps from one frame to the next. The last step is always shown.
-    hold : float, optional
-        Seconds for which the last frame is shown longer.
     step : int, optional
         The moment of a PNG, as for `scene`.
     **look
-        ``cell``, ``viewers`` and ``numbers`` as for `render.rgb`; ``fov``, too, but by default that
-        of the episode's world. ``trail``: steps back that the trails of the agents go, 6 by
-        default.
+        ``cell`` and ``numbers`` as for `render.rgb`. ``trail``: steps back that the trails of the
+        agents go, 6 by default.
 
     Raises
     ------
     ImportError
         If the extra ``video`` is not installed, which MP4 needs.
-
-    Examples
-    --------
-    >>> from matrixworld import WorldConfig, record, replay
-    >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
-    >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
-    checks.check_keywords(look, Look.__annotations__, save)
     step = checks.check_integer("step", step)
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
-    pictures = _Pictures(episode, look)
-    if suffix == ".png":
-        picture, drawn = Image.fromarray(pictures.draw(step)), PngInfo()
-        drawn.add_text("Software", "matrixworld")
-    else:
-        times = _times(episode, every)
-        fps, hold = pictures.check_frames(times, fps=fps, hold=hold)
+    fps = checks.check_number("fps", fps, least=SLOWEST, most=FASTEST)
+    times, draw_step = _times(episode, every), _pictures(episode, look)
     with replacing(path) as file:
         if suffix == ".png":
-            picture.save(file, "PNG", pnginfo=drawn)
+            drawn = PngInfo()
+            drawn.add_text("Software", "matrixworld")
+            Image.fromarray(draw_step(step)).save(file, "PNG", pnginfo=drawn)
         else:
             write = write_gif if suffix == ".gif" else write_mp4
-            write(file, pictures.draw, times, fps=fps, hold=hold)
+            write(file, draw_step, times, fps=fps, hold=HOLD)
 
 
 def animation(
-    episode: Episode, *, fps: float = 10.0, every: int | None = None, **look: Unpack[Look]
+    episode: Episode, *, fps: float = 10.0, every: int | None = None, **look: Any
 ) -> Animation:
     """Return an animation that a notebook shows, and stores in itself.
 
@@ -174,50 +146,25 @@ def animation(
     Takes `episode`, `fps`, `every` and `look` as `save` does. By default it has at most about 120
     frames, and about 480 pixels a side.
     """
-    checks.check_keywords(look, Look.__annotations__, animation)
+    fps = checks.check_number("fps", fps, least=SLOWEST, most=FASTEST)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
-    pictures = _Pictures(episode, look, PIXELS)
-    times = _times(episode, every)
-    fps, hold = pictures.check_frames(times, fps=fps, hold=2.0)
-    buffer = io.BytesIO()
-    write_gif(buffer, pictures.draw, times, fps=fps, hold=hold)
+    times, buffer = _times(episode, every), io.BytesIO()
+    if look.get("cell") is None:
+        least = SMALLEST_NUMBERED if look.get("numbers") else 1
+        look["cell"] = fitting_cell(episode.map.shape, PIXELS, least)
+    write_gif(buffer, _pictures(episode, look), times, fps=fps, hold=HOLD)
     return Animation(buffer.getvalue())
 
 
-class _Pictures:
-    """Pictures of an episode's moments; `field` is the wanted size of a field, in pixels."""
-
-    def __init__(self, episode: Episode, look: Look, field: int | None = None) -> None:
-        checks.check_instance("episode", episode, Episode)
-        self._episode = episode
-        self._look: dict[str, Any] = {**look}
-        self._trail = checks.check_integer("trail", self._look.pop("trail", 6), 0)
-        if self._look.get("fov") is None:
-            self._look["fov"] = int(episode.config.get("fov", FOV))
-        least = SMALLEST_NUMBERED if look.get("numbers") else 1
-        shape, cell = episode.map.shape, look.get("cell")
-        if cell is None and field is not None:
-            self._look["cell"] = cell = fitting_cell(shape, field, least)
-        layout = Layout.of(shape, cell, least=least)
-        self.pixels: int = layout.width * layout.height
-
-    def draw(self, step: int) -> NDArray[np.uint8]:
-        return rgb(scene(self._episode, step, trail=self._trail), **self._look)
-
-    def check_frames(self, times: list[int], *, fps: float, hold: float) -> tuple[float, float]:
-        """Return fps and hold, or raise ValueError or TypeError before a file is begun."""
-        pixels = len(times) * self.pixels
-        if pixels > MOST_ANIMATED:
-            expected = f"at most {MOST_ANIMATED:,} pixels in all"
-            raise ValueError(f"animation: expected {expected}, got {checks.shown(pixels)}")
-        return (
-            checks.check_number("fps", fps, least=SLOWEST, most=FASTEST),
-            checks.check_number("hold", hold, least=0.0, most=LONGEST_HOLD),
-        )
+def _pictures(episode: Episode, look: dict[str, Any]) -> Draw:
+    """Return what draws moments of an episode."""
+    trail = look.pop("trail", 6)
+    return lambda step: rgb(scene(episode, step, trail=trail), **look)
 
 
 def _times(episode: Episode, every: int | None) -> list[int]:
     """Return the times of frames; the end, the most interesting one, whatever the stride."""
+    checks.check_instance("episode", episode, Episode)
     length = episode.length
     default = -(-length // FRAMES) or 1
     stride = default if every is None else checks.check_integer("every", every, 1)
@@ -233,22 +180,32 @@ HIDE_CURSOR, SHOW_CURSOR = "\x1b[?25l", "\x1b[?25h"
 WRAP_OFF, WRAP_ON = "\x1b[?7l", "\x1b[?7h"  # off: what is too wide is cut, not broken
 
 
-def draw(frame: str, stream: TextIO) -> None:
-    """Replace the drawing in a terminal by another one, cut to the height of the terminal."""
-    height = terminal_size(stream).lines - 1
-    # Each line is cleared behind its text: clearing the whole screen first would flicker.
-    lines = (line + CLEAR_LINE for line in frame.split("\n")[:height])
-    stream.write(HOME + "\n".join(lines) + CLEAR_BELOW)
-    stream.flush()
+class Screen:
+    """What text is written to; in a terminal each drawing replaces the one before."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream, self._start = stream, WRAP_OFF + CLEAR
+        self.in_place = stream.isatty()  # so that a drawing needs time to be seen
+
+    def show(self, scene: Scene) -> None:
+        """Show a scene, cut to the height of the terminal, with the cursor below it."""
+        if not self.in_place:
+            self._stream.write(ansi(scene, color=False) + "\n\n")
+            return
+        drawn = ansi(scene, **text_look(scene.shape, self._stream)).split("\n")
+        # Each line is cleared behind its text: clearing the whole screen first would flicker.
+        lines = (line + CLEAR_LINE for line in drawn[: terminal_size(self._stream).lines - 1])
+        frame = HOME + "\n".join(lines) + CLEAR_BELOW
+        self._stream.write(self._start + frame + WRAP_ON + "\n")
+        self._stream.flush()
+        self._start = WRAP_OFF
 
 
-def color_mode(stream: TextIO) -> str:
-    """Return the colors that `ansi` may use on a stream, by NO_COLOR, TERM and COLORTERM."""
+def has_colors(stream: TextIO) -> bool:
+    """Return whether a stream shows colors and Unicode, by NO_COLOR and TERM, too."""
     encoding = (getattr(stream, "encoding", None) or "utf-8").lower()
     plain = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
-    if plain or not stream.isatty() or not encoding.startswith("utf"):
-        return "none"
-    return "true" if os.environ.get("COLORTERM") in ("truecolor", "24bit") else "256"
+    return stream.isatty() and encoding.startswith("utf") and not plain
 
 
 def terminal_size(stream: TextIO) -> os.terminal_size:
@@ -261,9 +218,9 @@ def terminal_size(stream: TextIO) -> os.terminal_size:
 
 def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
     """Return the keyword arguments of `ansi` for a grid, in half blocks where it would not fit."""
-    mode, (columns, lines), (rows, cols) = color_mode(stream), terminal_size(stream), shape
+    color, (columns, lines), (rows, cols) = has_colors(stream), terminal_size(stream), shape
     fits = 2 * cols <= columns and rows + 2 <= lines  # cells of two characters, below a title
-    return {"color": mode, "compact": mode != "none" and not fits}
+    return {"color": color, "compact": color and not fits}
 
 
 # Frames of a GIF, and of an MP4 by ffmpeg:

@@ -102,21 +102,7 @@ class SafetyMonitor:
     """Collects collisions of episodes and summarizes them.
 
     Episodes come from a rollout (`add_statistics`), a `VectorEnv` (`add_infos` after each step), a
-    recording such as ``env.recorded`` (`add_episode`), or as arrays (`add`). ``monitor + other``
-    has the episodes of both.
-
-    Examples
-    --------
-    >>> import matrixworld as mw
-    >>> monitor = mw.SafetyMonitor()
-    >>> matches = mw.Matches.of(0, 0, range(20))
-    >>> config = mw.WorldConfig("SB", rows=12, cols=12, n_pursuers=6, n_evaders=2, max_steps=50)
-    >>> monitor.add_statistics(mw.rollout(config, "chaser", "fleer", matches))
-    >>> monitor.episodes
-    20
-    >>> summary = monitor.summary()
-    >>> summary.fault_rate.shape
-    (2, 3)
+    recording such as ``env.recorded`` (`add_episode`), or as arrays (`add`).
     """
 
     def __init__(self) -> None:
@@ -174,13 +160,6 @@ class SafetyMonitor:
             for each in (episode.involved, episode.fault, episode.alive[:-1])
         )
         self.add(collisions, faults, agent_steps, episode.capture_rate)
-
-    def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
-        if not isinstance(other, SafetyMonitor):
-            return NotImplemented
-        both = SafetyMonitor()
-        both._parts = self._parts + other._parts
-        return both
 
     def summary(self, *, seed: int = 0) -> SafetySummary:
         """Summarize all episodes so far; `seed` is that of the bootstrap of intervals."""

@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 from matrixworld.coevolution.evaluation.explanation import PHRASES, WORDS
-from matrixworld.coevolution.learners import EvolutionStrategy, GeneticAlgorithm
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
+from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
 from matrixworld.coevolution.pursuit import Cells, Ratings
 from matrixworld.coevolution.race import PAPER, AtOnce
 from matrixworld.coevolution.settings import RaceSettings
@@ -20,11 +21,9 @@ from matrixworld.version import __version__
 from matrixworld.world.config import WORLDS, WorldConfig
 from matrixworld.world.masks import right_of_way_cells
 
-PAGE = "evolve.html"
-"""Name of the page."""
+PAGE = "evolve.html"  # name of the page
 
-FIELD = "meadow"
-"""The world of the page without walls, which is small enough for networks."""
+FIELD = "meadow"  # the world of the page without walls, which is small enough for networks
 STEPS = 120
 """Of a match in the worlds in balance: enough for a chase, and fewer than they have elsewhere."""
 PLACES: dict[str, dict[str, Any]] = {

@@ -22,10 +22,8 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
 BUILT = Path(__file__).parent / "built"
-PAGES = tuple(sorted(path.stem for path in BUILT.glob("*.css")))
-"""All pages by name."""
-ENGINE = "engine"
-"""Name of the script that holds the engine as WebAssembly, which all pages share."""
+PAGES = tuple(sorted(path.stem for path in BUILT.glob("*.css")))  # all pages by name
+ENGINE = "engine"  # name of the script that holds the engine as WebAssembly, which all pages share
 ENGINE_PLACE = "/* the engine */"
 """What stands for the engine in a page without it; the page's script looks for the same."""
 
@@ -43,10 +41,8 @@ def render_page(
 ) -> str:
     """Return a page as HTML: one of `PAGES`, or one whose script and style sheet are in `folder`.
 
-    The page's script reads `data`, plain values that JSON can hold, and decodes of `blobs`, large
-    data by identifier, what it needs. Pages that it makes and opens are under its policy, too: they
-    are named in `opens`. A page that `works` computes in a worker, which it makes of its own
-    scripts. A page that plays no matches needs no `engine`. ValueError if a number is not finite.
+    Its script reads `data` and of `blobs` what it needs. Pages that it `opens` are under its
+    policy, too; one that `works` computes in a worker, which it makes of its own scripts.
     """
     # Jinja takes 0.1 s to import, which commands without pages need not wait for.
     from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -91,17 +87,15 @@ def without_engine(page: str) -> str:
 
 def _policy(scripts: Sequence[str], styles: Sequence[str], *, works: bool) -> str:
     """Return the content security policy: these scripts and styles, and pictures made here."""
+    rules = [
+        "default-src 'none'",
+        # Compiling the engine needs a permission of its own; `eval` of text stays forbidden.
+        f"script-src {_digests(scripts)} 'wasm-unsafe-eval'",
+        f"style-src {_digests(styles)}",
+        "img-src data: blob:",
+    ]
     return "; ".join(
-        (
-            "default-src 'none'",
-            # Compiling the engine needs a permission of its own; `eval` of text stays forbidden.
-            f"script-src {_digests(scripts)} 'wasm-unsafe-eval'",
-            f"style-src {_digests(styles)}",
-            "img-src data: blob:",
-            *(["worker-src blob:"] if works else []),
-            "base-uri 'none'",
-            "form-action 'none'",
-        )
+        [*rules, *["worker-src blob:"] * works, "base-uri 'none'", "form-action 'none'"]
     )
 
 
@@ -110,23 +104,18 @@ def _digests(texts: Sequence[str]) -> str:
     return " ".join(f"'sha256-{digest.decode()}'" for digest in digests)
 
 
-def write_page(path: str | os.PathLike[str], page: str) -> None:
-    """Write a page, complete or not at all."""
-    with replacing(path) as file:
-        file.write(page.encode())
-
-
-def check_new(path: str | os.PathLike[str], force: bool) -> None:
-    """FileExistsError if a file exists, unless it may be replaced."""
+def write_page(path: str | os.PathLike[str], page: str, *, force: bool = True) -> None:
+    """Write a page, complete or not at all; FileExistsError if a file is there, without `force`."""
     if Path(path).exists() and not force:
         raise FileExistsError(f"{os.fspath(path)}: exists; force=True replaces it")
+    with replacing(path) as file:
+        file.write(page.encode())
 
 
 def mime_bundle(page: str, title: str, picture: bytes) -> dict[str, str]:
     """Return a page as a notebook keeps it: in a frame, and as a picture, a PNG file or nothing.
 
-    Notebooks show the frame. Where scripts do not run, such as on a page of exported notebooks, the
-    picture is shown if the frame is removed from the output.
+    The picture is for pages of exported notebooks, from which the frame is removed.
     """
     # The page travels inside the frame: notebooks do not serve files from elsewhere.
     bundle = {

@@ -50,7 +50,7 @@ from matrixworld.coevolution.evaluation.scores import held_out
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.envs import VARIANT_TEXTS
-from matrixworld.explorer.page import check_new, mime_bundle, render_page, write_page
+from matrixworld.explorer.page import mime_bundle, render_page, write_page
 from matrixworld.explorer.teams import kept_generations, packed, plain_policy, step_of
 from matrixworld.version import __version__
 from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
@@ -74,13 +74,10 @@ from matrixworld.world.rules import (
 )
 from matrixworld.world.world import World
 
-PAGE = "playground.html"
-"""Name of the page where no other is given."""
-PIXELS = 400
-"""Wanted length of the longer side of the picture of a scene."""
+PAGE = "playground.html"  # name of the page where no other is given
+PIXELS = 400  # wanted length of the longer side of the picture of a scene
 
-Command = int | str
-"""What an agent does in a step: an `Action`, or what a script decides."""
+Command = int | str  # what an agent does in a step: an `Action`, or what a script decides
 
 
 class Playground:
@@ -95,13 +92,6 @@ class Playground:
         What each agent does next: an `Action`, or the name of a script. By default all stay.
     compare : Rules or str, optional
         Rules to compare with, or the name of a variant: a second board plays the same actions.
-
-    Attributes
-    ----------
-    scene : str
-        The scene as it stands in a link; see `matrixworld.explorer.playground`.
-    picture : bytes
-        The scene as a PNG file: what a notebook shows where it shows no frame.
 
     Raises
     ------
@@ -118,20 +108,14 @@ class Playground:
     ) -> None:
         if world is None and (actions is not None or compare is not None):
             raise ValueError("world: expected a world together with actions or compare, got None")
+        # As it stands in a link, and as a notebook shows it where it shows no frame.
         self.scene = "" if world is None else scene_link(world, actions, compare=compare)
-        # Drawn now: the world may go on.
         shown = drawn_world(GALLERY[0].rules, GALLERY[0].drawing) if world is None else world
         cell = fitting_cell((shown.config.rows, shown.config.cols), PIXELS, SMALLEST_NUMBERED)
         self.picture = png(shown.scene(), cell=cell, numbers=True)
 
     def url(self, page: str | os.PathLike[str] = PAGE) -> str:
-        """Return a link to the scene in a page that was written before.
-
-        Parameters
-        ----------
-        page : str or path, optional
-            Address of the page. The default is ``playground.html``.
-        """
+        """Return a link to the scene in a `page` that was written before."""
         return f"{os.fspath(page)}#{self.scene}"
 
     def html(self) -> str:
@@ -139,22 +123,8 @@ class Playground:
         return playground_page(self.scene, shipped("O"))
 
     def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
-        """Write the page.
-
-        Parameters
-        ----------
-        path : str or path
-            The file.
-        force : bool, optional
-            Whether to replace a file that exists. The default is False.
-
-        Raises
-        ------
-        FileExistsError
-            If the file exists.
-        """
-        check_new(path, force)
-        write_page(path, self.html())
+        """Write the page at `path`; with `force` it may replace a file, else FileExistsError."""
+        write_page(path, self.html(), force=force)
 
     def __repr__(self) -> str:
         return f"<Playground: {self.scene or 'Can you escape it?'}>"
@@ -185,13 +155,13 @@ NETWORK_TEXT = "a network that evolved in a race"
 class Opponents(NamedTuple):
     """A world, and what plays for each team in it, by name, roughly from weak to strong.
 
-    Populations have one genome. `rounds`: worlds of the game "Can you escape it?", each with the
-    name of its pursuers; without any, pursuers of three strengths play in a smaller world.
+    Populations have one genome. Without rounds, three kinds of pursuers play in a smaller world.
     """
 
     world: WorldConfig
     players: Mapping[Team, Mapping[str, TeamPolicy]]
     rounds: Sequence[tuple[WorldConfig, Script]] = ()
+    """Worlds of the game "Can you escape it?", each with the name of its pursuers."""
 
 
 ROUNDS: Sequence[tuple[int, int, float, Script]] = (
@@ -347,10 +317,9 @@ DEFAULTS = {"diagonal": "0", "fov": "11", "limit": "500", "seed": "0.0.0", "rewa
 def scene_link(
     world: World, actions: Sequence[Command] | None = None, *, compare: Rules | str | None = None
 ) -> str:
-    """Return the scene that a world is in, between two rounds; it goes on there as it would here.
+    """Return the scene that a world is in, between two rounds; by default all agents stay next.
 
-    An action is an `Action` or the name of a script; by default all agents stay. With rules to
-    compare with, a second board plays the same actions.
+    With rules to compare with, a second board plays the same actions.
     """
     check_instance("world", world, World)
     config = world.config
@@ -372,9 +341,8 @@ def scene_link(
         **_agents_text(world),
         "next": "" if actions is None else _commands_text(config, actions),
     }
-    return "&".join(
-        f"{name}={text}" for name, text in parts.items() if text and text != DEFAULTS.get(name)
-    )
+    told = {name: text for name, text in parts.items() if text and text != DEFAULTS.get(name)}
+    return "&".join(f"{name}={text}" for name, text in told.items())
 
 
 def _agents_text(world: World) -> dict[str, str]:
@@ -389,15 +357,14 @@ def _agents_text(world: World) -> dict[str, str]:
 def _commands_text(config: WorldConfig, actions: Sequence[Command]) -> str:
     if len(actions) != config.n_agents:
         raise ValueError(f"actions: expected {config.n_agents} (agents), got {len(actions)}")
-    text = "".join(_command_text(config, action) for action in actions)
+    text = ""
+    for action in actions:
+        if isinstance(action, str):
+            check_choice("actions", action, SCRIPTS)
+            text += chr(ord("a") + [str(script) for script in SCRIPTS].index(action))
+        else:
+            text += str(check_integer("actions", action, 0, config.n_actions - 1))
     return text if text.strip("0") else ""
-
-
-def _command_text(config: WorldConfig, action: Command) -> str:
-    if isinstance(action, str):
-        check_choice("actions", action, SCRIPTS)
-        return chr(ord("a") + [str(script) for script in SCRIPTS].index(action))
-    return str(check_integer("actions", action, 0, config.n_actions - 1))
 
 
 def _rules_text(rules: Rules) -> str:
@@ -453,10 +420,9 @@ class Example:
 
 
 def drawn_world(rules: Rules | str, drawing: str) -> World:
-    """Return the world of a drawing.
+    """Return the world of a drawing: rows between slashes or line ends, cells between spaces.
 
-    Rows are lines, or separated by slashes, and cells by spaces: ``.`` is free, ``#`` an obstacle;
-    ``A``, ``B``, ... are pursuers and ``a``, ``b``, ... evaders, in the order of their numbers.
+    ``#`` is an obstacle, ``A``, ``B``, ... are pursuers and ``a``, ``b``, ... evaders by number.
     """
     cells = np.array([row.split() for row in drawing.replace("/", "\n").splitlines()])
     found = {str(cells[cell]): cell for cell in np.ndindex(cells.shape) if cells[cell].isalpha()}

@@ -42,41 +42,23 @@ from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
-from matrixworld.coevolution.types import TEAMS, Payoff
+from matrixworld.coevolution.types import TEAMS, Payoff, team_size
 from matrixworld.episodes.episode import scene
-from matrixworld.explorer.page import (
-    check_new,
-    mime_bundle,
-    render_page,
-    without_engine,
-    write_page,
-)
+from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import page_data, playground_page
-from matrixworld.explorer.shows import plain_game
-from matrixworld.explorer.teams import MOST_BYTES, plain_team, step_of
+from matrixworld.explorer.teams import MOST_BYTES, plain_game, plain_team, step_of
 from matrixworld.version import __version__
 from matrixworld.world.render import png
 from matrixworld.world.rules import variant_name
 
-PAGE = "explorer.html"
-"""Name of the page in a run directory, or beside several."""
-MOST_RUNS = 12
-"""The most runs of a page."""
+PAGE = "explorer.html"  # name of the page in a run directory, or beside several
+MOST_RUNS = 12  # the most runs of a page
 CHANGED = "The source of the game {} has changed since it was raced."
 
 
 @dataclass(frozen=True, repr=False)
 class Explorer:
-    """A page that was written; notebooks show it in a frame.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    picture : bytes, optional
-        A match of pursuit as a PNG file: what a notebook shows where it shows no frame. The default
-        is none.
-    """
+    """A page at `path`; notebooks show it in a frame, or its `picture`, the bytes of a PNG file."""
 
     path: Path
     picture: bytes = b""
@@ -106,22 +88,17 @@ def explore(
 
     Raises
     ------
-    ValueError
-        If the number of runs is another one, or a game of your own cannot be imported.
-    FileNotFoundError
-        If a directory holds no finished run.
+    ValueError, FileNotFoundError, DamagedFileError
+        If there are other numbers of runs, none in a directory, or a damaged one.
     FileExistsError
         If the file exists.
-    DamagedFileError
-        If a file of a run is cut or altered.
     """
     paths = [Path(run) for run in runs]
     saved = [run for path in paths for run in open_runs(path) or [open_run(path)]]
     if not 1 <= len(saved) <= MOST_RUNS:
         raise ValueError(f"runs: expected 1 to {MOST_RUNS} finished runs, got {len(saved)}")
     page = _common(paths) / PAGE if file is None else Path(file)
-    check_new(page, force)
-    write_page(page, explorer_page(saved))
+    write_page(page, explorer_page(saved), force=force)
     return Explorer(page, b"" if saved[0].settings.game else png(scene(saved[0].record())))
 
 
@@ -139,10 +116,8 @@ def explorer_page(
 ) -> str:
     """Return the page of runs as HTML: the clearest race first, and what all seeds together show.
 
-    A `note` says what the page does not show, such as further runs of the job. The page of runs
-    that go on has their payoffs `so_far`, by directory, keeps their order, and loads itself again.
-    `groups` are those that the runs belong to, by default of these runs. FileNotFoundError if
-    another run is not finished; ValueError or PluginError if a game cannot be imported.
+    The page of runs that go on has their payoffs `so_far`, by directory, and loads itself again.
+    `groups` are those that the runs belong to, by default of these runs.
     """
     together: tuple[str, ...] = ()
     if so_far is None:
@@ -221,8 +196,7 @@ def runs_data(
 ) -> tuple[list[dict[str, Any]], dict[str, bytes]]:
     """Return what a page shows of runs, given with their names, and genomes by identifier.
 
-    There are genomes of as many generations as fit into `most` bytes. While runs go on, which have
-    a payoff `so_far`, the page does not take the time of what games of your own show.
+    There are genomes of as many generations as fit into `most` bytes.
     """
     step = step_of([run for _, run in runs], most)
     plain, genomes = [], dict[str, bytes]()
@@ -242,15 +216,13 @@ def runs_data(
 
 
 def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str, Any]:
-    """Return what a page shows of a run, without its teams.
-
-    A race is judged, unless it goes on: then its payoff so far is given.
-    """
+    """Return what a page shows of a run, without its teams; a race that goes on is not judged."""
     settings, payoff = run.settings, so_far or run.payoff()
-    shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in run.teams.values())
-    found = None
+    shape = tuple(map(team_size, run.teams.values()))
+    limits, found = "", None
     if settings.is_race:
-        found = so_far_found(payoff) if so_far else findings(payoff)
+        limits = f"{too_few_episodes(payoff)} {settings.schedule.limits}".strip()
+        found = findings(payoff, ended=so_far is None)
     return {
         "name": name,
         "schedule": settings.schedule.name if settings.is_race else "one team",
@@ -267,18 +239,13 @@ def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str
             for g in range(shape[0])
         ],
         "findings": found,
-        "limits": f"{too_few_episodes(payoff)} {settings.schedule.limits}".strip()
-        if settings.is_race
-        else "",
+        "limits": limits,
     }
 
 
 def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
-    """Return the results of all cells, placed in a matrix of all generations of the archives.
-
-    ``first`` are the generations of the first cell that was played: the results of a single team
-    are of its last generation.
-    """
+    """Return the results of all cells, and of which generations the first cell is."""
+    # Results of a single team are of its last generation.
     first = [count - played for count, played in zip(shape, payoff.matrix.shape, strict=True)]
     return {
         "first": first,
@@ -323,11 +290,12 @@ def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
     """Return path, value and meaning of each setting that differs from the default."""
     usual = values_of(_usual(settings))
     variant = variant_name(settings.world.rules) if settings.world else ""
-    different = [
-        {"name": path, "value": _shown(path, plain_values(value), variant), "help": text}
-        for path, value, text in leaves(settings)
-        if value != usual.get(path)
-    ]
+    different = []
+    for path, value, text in leaves(settings):
+        plain = variant if path == "world.rules" and variant else plain_values(value)
+        shown = plain if isinstance(plain, str) else json.dumps(plain)
+        if value != usual.get(path):
+            different.append({"name": path, "value": shown, "help": text})
     if settings.game is None:
         return different
     return [{"name": "game", "value": settings.game.code, "help": "a game of your own"}, *different]
@@ -341,11 +309,6 @@ def _usual(settings: RaceSettings) -> RaceSettings:
         return RaceSettings(game=settings.game, schedule=alone, seed=settings.seed)
     named: Any = schedule.name  # a text stands for a section
     return RaceSettings(game=settings.game, schedule=named, seed=settings.seed)
-
-
-def _shown(path: str, value: Any, variant: str) -> str:
-    plain = variant if path == "world.rules" and variant else value
-    return plain if isinstance(plain, str) else json.dumps(plain)
 
 
 def command_of(settings: RaceSettings) -> str:
@@ -365,12 +328,14 @@ def command_of(settings: RaceSettings) -> str:
 
 # ---- What the analysis says ----------------------------------------------------------------------
 
-BOARDS = 12
-"""The most checkerboards on a page: the strongest ones."""
+BOARDS = 12  # the most checkerboards on a page: the strongest ones
 
 
-def findings(payoff: Payoff) -> dict[str, Any]:
-    """Return judgement and curves of a race of at least 2 x 2 generations."""
+def findings(payoff: Payoff, *, ended: bool = True) -> dict[str, Any]:
+    """Return curves of a race of at least 2 x 2 generations, and its judgement if it has ended."""
+    if not ended:
+        sentence = f"Generation {min(payoff.matrix.shape) - 1} so far."
+        return {"sentence": sentence, "table": [], **curves(payoff)}
     matrix = payoff.matrix
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
     judgement = analysis.judge(payoff.payoffs())
@@ -382,12 +347,6 @@ def findings(payoff: Payoff) -> dict[str, Any]:
         "margin": MARGIN,
         **curves(payoff),
     }
-
-
-def so_far_found(payoff: Payoff) -> dict[str, Any]:
-    """Return what is shown of a race that goes on: curves, and no judgement."""
-    sentence = f"Generation {min(payoff.matrix.shape) - 1} so far."
-    return {"sentence": sentence, "table": [], **curves(payoff)}
 
 
 def curves(payoff: Payoff) -> dict[str, Any]:
@@ -444,12 +403,9 @@ def too_few_episodes(payoff: Payoff) -> str:
 
 # ---- While runs go on ----------------------------------------------------------------------------
 
-SO_FAR = 2
-"""Episodes of each cell while a run goes on, the first ones of the evaluation."""
-SECONDS = 3.0
-"""The least time between two pages."""
-SHARE = 0.1
-"""The most of the time that the page may take from the runs."""
+SO_FAR = 2  # episodes of each cell while a run goes on, the first ones of the evaluation
+SECONDS = 3.0  # the least time between two pages
+SHARE = 0.1  # the most of the time that the page may take from the runs
 NOTE = (
     "The runs go on. This page shows what there was at {time}, and loads itself again when nobody "
     "uses it. A run that has not ended has at most {episodes} episodes a cell, and no judgement."
@@ -501,12 +457,5 @@ def extended(run: SavedRun, known: Payoff | None) -> Payoff:
     pursuers, evaders = run.teams.values()
     settings = run.settings
     episodes = min(SO_FAR, settings.evaluation_episodes)
-    return tournament(
-        settings.evaluation_game,
-        pursuers,
-        evaders,
-        seed=settings.seed,
-        episodes=episodes,
-        threads=1,
-        known=known,
-    )
+    play: Any = {"seed": settings.seed, "episodes": episodes, "threads": 1, "known": known}
+    return tournament(settings.evaluation_game, pursuers, evaders, **play)

@@ -1,15 +1,19 @@
-"""Teams as plain values: what a page reads of their policies, and their genomes as bytes."""
+"""Teams and games as plain values: policies, genomes as bytes, and what games of your own show."""
 
 from __future__ import annotations
 
+import base64
 import zlib
 from collections.abc import Sequence
+from itertools import product
+from math import isqrt
 from typing import Any
 
 import numpy as np
 
+from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import Genomes
+from matrixworld.coevolution.types import TEAMS, Genomes
 from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.rating import Program
 
@@ -18,10 +22,7 @@ MOST_BYTES = 48 * 2**20
 
 
 def step_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> int:
-    """Return the step between generations of which all genomes fit into so many bytes.
-
-    It is the same for all runs, so that linked generations exist everywhere.
-    """
+    """Return the step between generations, one for all runs, whose genomes fit in `most` bytes."""
     learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
     longest = max((len(team.genomes) for team in learned), default=1)
 
@@ -40,10 +41,7 @@ def kept_generations(count: int, step: int) -> list[int]:
 def plain_team(
     team: TeamPolicy, identifier: str, step: int, genomes: dict[str, bytes]
 ) -> dict[str, Any]:
-    """Return a team as plain values, and add its genomes to the others.
-
-    Of a game of your own, which the page does not play, there are none.
-    """
+    """Return a team as plain values, and add its genomes to the others."""
     if not isinstance(team, Population):
         script = team if isinstance(team, str) else None
         return {"script": script, "policy": None, "kept": [0], "genomes": ""}
@@ -66,12 +64,66 @@ def plain_policy(team: Population) -> dict[str, Any]:
 
 
 def packed(genomes: Genomes) -> bytes:
-    """Return genomes (generations, genes) as bytes from which a page makes the very same numbers.
-
-    A generation differs from the one before it in the low bits of its numbers. So each is joined by
-    exclusive or with that one, equal places of the float32 come together, and are compressed.
-    """
+    """Return genomes (generations, genes) as bytes, of which a page makes the same numbers."""
+    # A generation differs from the one before in the low bits of its numbers: each is joined by
+    # exclusive or with that one, equal places of the float32 come together, and are compressed.
     bits = np.ascontiguousarray(genomes, dtype="<f4").view("<u4")
     bits = np.concatenate([bits[:1], bits[1:] ^ bits[:-1]])
     planes = bits.view(np.uint8).reshape(-1, bits.itemsize).T
     return zlib.compress(planes.tobytes(), 9)
+
+
+# ---- Games of your own -------------------------------------------------------------------------
+
+MOST_SHOWN = 200  # the most cells of a page whose pairs are shown
+MOST_SHOWN_BYTES = 5 * 2**20  # the most bytes of what a page shows of them
+WHY_NOT = {
+    "none": "The game has no function show(a, b): the page tells its scores.",
+    "later": "What the game shows of a pair is here when the run has ended.",
+    "few": "What the game shows of this pair was not computed: the page has {n} pairs, those of "
+    "the last generations and of an even grid.",
+}
+
+
+def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str, Any] | None:
+    """Return facts of a game of your own, and what it shows of some cells; None of pursuit.
+
+    The page is one of `share` runs with such games.
+    """
+    own = run.settings.game
+    if own is None:
+        return None
+    game, shows = run.settings.evaluation_game, dict[str, dict[str, str]]()
+    if game.show is not None and ended:
+        most = MOST_SHOWN // share, MOST_SHOWN_BYTES // share
+        shows = shows_of(game, [*run.archive().values()], *most)
+    why = WHY_NOT["none" if game.show is None else "few" if ended else "later"]
+    facts = {"teams": list(own.teams), "exact": own.deterministic}
+    return {**facts, "shows": shows, "missing": why.format(n=len(shows))}
+
+
+def shows_of(
+    game: Game, archives: list[Genomes], cells: int, most: int
+) -> dict[str, dict[str, str]]:
+    """Return ``text`` or ``image`` of cells such as ``"12 7"``, the newest first, within bytes."""
+    pairs = zip(TEAMS, archives, strict=True)
+    first, second = (game.population(team, genomes).genomes for team, genomes in pairs)
+    found: dict[str, dict[str, str]] = {}
+    for g, h in shown_cells(len(first), len(second), cells):
+        shown = game.shown(first[g], second[h])
+        kind = "text" if isinstance(shown, str) else "image"
+        if isinstance(shown, bytes):
+            shown = f"data:image/png;base64,{base64.b64encode(shown).decode()}"
+        most -= len(shown.encode())
+        if most < 0:
+            break
+        found[f"{g} {h}"] = {kind: shown}
+    return found
+
+
+def shown_cells(rows: int, columns: int, most: int) -> list[tuple[int, int]]:
+    """Return at most so many cells: those of the last generations, and an even grid."""
+    side = most if rows * columns <= most else isqrt(most // 2)
+    last = [range(n - 1, max(-1, n - 1 - side), -1) for n in (rows, columns)]
+    even = [np.linspace(n - 1, 0, min(n, side)).round().astype(int) for n in (rows, columns)]
+    return [*dict.fromkeys((int(g), int(h)) for two in (last, even) for g, h in product(*two))]

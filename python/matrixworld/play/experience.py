@@ -105,7 +105,8 @@ def experience(
             ready = buffers["alive"] & (going & ~buffers["terminated"])[:, np.newaxis]
             acted[t][:, turn] = ready[:, part][:, turn]
             for policies, numbers, agents in decisions:
-                if both := _both(actors, agents):
+                both = range(max(actors.start, agents.start), min(actors.stop, agents.stop))
+                if both:
                     batch.decide(policies, numbers, both, actions[t])
             batch.play_turn(actions[t])
             for name, total in earned.items():
@@ -141,11 +142,6 @@ def _opponents(
         [Population(opponents.genomes[i], opponents.policy) for i in met],
         places.astype(np.int32),
     )
-
-
-def _both(one: range, other: range) -> range:
-    """Return the numbers that two ranges have in common."""
-    return range(max(one.start, other.start), min(one.stop, other.stop))
 
 
 def _rows(arrays: Views) -> Views:

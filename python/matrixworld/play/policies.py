@@ -12,10 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_bool, check_choice, check_instance, unmasked
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
-from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, TEAMS, Network, Policy, Population, Team
-from matrixworld.world.rating import INPUTS, Rating, policy_of
+from matrixworld.world.rating import INPUTS, policy_of
 
 Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
 """Weights (inputs, outputs) and biases (outputs,) of each layer."""
@@ -91,14 +90,6 @@ class NetworkPolicy(GenomePolicy):
     >>> actions = {agent: policy(seen) for agent, seen in observations.items()}
     >>> policy.probabilities(np.stack(list(observations.values()))).shape
     (4, 5)
-
-    With memory, each agent has a state:
-
-    >>> network = Network(hidden=(16,), fov=5, memory="gru")
-    >>> policy = NetworkPolicy(network, network.initial(np.random.default_rng(0)), seed=1)
-    >>> states = dict.fromkeys(observations)
-    >>> for agent, seen in observations.items():
-    ...     actions[agent], states[agent] = policy(seen, states[agent])
     """
 
     policy: Network
@@ -265,26 +256,6 @@ class RatingPolicy(GenomePolicy):
         """Return lines of Python that play the same; see `Rating.to_python`."""
         return str(self.policy.to_python(self.genome))
 
-    def to_torch(self) -> Any:
-        """Return a rating as a module of PyTorch, which can be trained (extra ``torch``).
-
-        It maps inputs as in a call to ratings, (..., n_actions). Inputs that the policy does not
-        use have weights 0.
-        """
-        check_instance("policy", self.policy, Rating)
-        torch = imported("torch", "torch")
-        nn, modules = torch.nn, []
-        for number, (weights, bias) in enumerate(self.policy.layers(self.genome)):
-            rows = weights.T
-            if number == 0:
-                rows = np.zeros((weights.shape[1], len(INPUTS)), np.float32)
-                rows[:, [list(INPUTS).index(name) for name in self.policy.inputs]] = weights.T
-            linear = nn.Linear(*rows.T.shape, bias=len(bias) > 0)
-            values = {"weight": rows.copy(), "bias": bias}
-            linear.load_state_dict({n: torch.from_numpy(values[n]) for n in linear.state_dict()})
-            modules += [linear, nn.ReLU()]
-        return nn.Sequential(*modules[:-1], nn.Flatten(-2))
-
 
 def acting(
     policy: Policy,
@@ -315,17 +286,15 @@ def save_genome(path: str | os.PathLike[str], team: Team, policy: GenomePolicy) 
     save_arrays(Path(path), {"genome": policy.genome, "team": team, **policy.policy.to_json()})
 
 
-def read_genome(path: str | os.PathLike[str]) -> tuple[Team, Population]:
+def read_genome(
+    path: str | os.PathLike[str], content: bytes | None = None
+) -> tuple[Team, Population]:
     """Return the team of a genome's file, and the genome as a population of one.
 
-    The file at `path` is one of `save_genome`, or of ``numpy.savez`` with the same keys;
-    DamagedFileError, a ValueError, if it is not of this form.
+    The file at `path`, or its `content`, is one of `save_genome`, or of ``numpy.savez`` with the
+    same keys; DamagedFileError, a ValueError, if it is not of this form.
     """
-    return parse_genome(Path(path))
-
-
-def parse_genome(path: Path, content: bytes | None = None) -> tuple[Team, Population]:
-    """Return what `read_genome` returns, from the file or from its content."""
+    path = Path(path)
     arrays = load_arrays(path, content)
     genome = arrays.pop("genome", np.zeros(0, np.bool_))
     if genome.dtype.kind != "f" or genome.ndim != 1:

@@ -8,29 +8,16 @@ describes them, and mappings without an entry, raise a ValueError.
 
 from __future__ import annotations
 
-from matrixworld.plots.race import (
-    ciao_triangles,
-    comparison,
-    generalization_curves,
-    lag_profile_curve,
-    payoff_heatmap,
-)
-from matrixworld.plots.runs import run_curves, run_dots, seed_bands, seed_scores, verdict_strip
+from matrixworld.plots.race import ciao_triangles, comparison, payoff_heatmap
+from matrixworld.plots.runs import run_curves, run_dots, verdict_strip
 from matrixworld.plots.style import save_figure
-from matrixworld.plots.training import collision_rates, training_curve
 
 __all__ = [
     "ciao_triangles",
-    "collision_rates",
     "comparison",
-    "generalization_curves",
-    "lag_profile_curve",
     "payoff_heatmap",
     "run_curves",
     "run_dots",
     "save_figure",
-    "seed_bands",
-    "seed_scores",
-    "training_curve",
     "verdict_strip",
 ]

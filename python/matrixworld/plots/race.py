@@ -1,4 +1,4 @@
-"""Figures of a single race, and of races side by side: payoffs, lags, generalization."""
+"""Figures of a race, and of races side by side: payoffs, lags, generalization, training."""
 
 from __future__ import annotations
 
@@ -9,17 +9,21 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.patheffects import Normal, Stroke
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
-from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, check_rates, require
+from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, require
 from matrixworld.plots import style
+from matrixworld.world.rules import COLLISION_KINDS
 
 Baselines = Mapping[str, Mapping[str, ArrayLike]]
 """Scores (seeds,) of teams that were trained in another way, by race and by their name."""
@@ -27,12 +31,12 @@ Baselines = Mapping[str, Mapping[str, ArrayLike]]
 OVER_SEEDS = "95% interval of the mean over seeds"
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
-FEWEST_CELLS = 5
-"""A lag whose mean rests on fewer cells is drawn faintly."""
-COLUMNS = 3
-"""The most races beside each other in `comparison`; further ones are in rows below."""
-SMALL = 0.83
-"""Size of judgements above heat maps, as a multiple of the type."""
+FEWEST_CELLS = 5  # a lag whose mean rests on fewer cells is drawn faintly
+COLUMNS = 3  # the most races beside each other in `comparison`; further ones are in rows below
+SMALL = 0.83  # size of judgements above heat maps, as a multiple of the type
+ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))  # distances of ticks
+_SHADE = "#E4F0F8"  # a pale tone of the evaders, light in grey, too
+_MARKED = 100  # curves with up to this many points have a marker at each
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
 
@@ -41,12 +45,7 @@ def payoff_heatmap(
 ) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    Of `payoff` (n, m) with a `title`; `teams` are the names of that of the rows and of the columns.
     """
     rows, columns = check_payoff(payoff).shape
     words = style.words_of(teams)
@@ -57,21 +56,9 @@ def payoff_heatmap(
 
 
 def lag_profile_curve(
-    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str = "Lag profile"
+    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str = ""
 ) -> Figure:
-    """Draw the lag profile: the mean over k of ``payoff[k + d, k]`` for each lag d.
-
-    A flat curve with a notch at 0 means specialists, which win against their own opponents only. A
-    rising curve means that later generations win against earlier and later opponents as well.
-    Lags with fewer than 5 cells are faint.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
-    """
+    """Draw the lag profile of a payoff (n, m); lags with fewer than 5 cells are faint."""
     figure, axes = style.single(6.4, 4.2, title)
     _draw_lag_profile(axes, payoff, style.words_of(teams))
     style.legend_below(figure, style.labelled(axes))
@@ -89,16 +76,8 @@ def ciao_triangles(
 
     A row is a generation of the team, a column an opponent. Light cells are wins of the team. The
     slanted edge of a triangle is the current opponent; the further left, the older the opponent.
-    See :func:`matrixworld.analysis.ciao`.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    every : int, optional
-        Generations from one row to the next, and from one column to the next.
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    See :func:`matrixworld.analysis.ciao`. Of `payoff` (n, m), whose rows and columns are `every` so
+    many generations, with a `title` and names of the `teams`.
     """
     triangles, names = analysis.ciao(payoff), style.words_of(teams).teams
     check_integer("every", every, 1)
@@ -124,42 +103,24 @@ def ciao_triangles(
 
 
 def generalization_curves(
-    payoffs: Mapping[str, Source],
+    payoffs: Mapping[str, Payoffs],
+    pursuer_baselines: Baselines,
+    evader_baselines: Baselines,
     *,
-    pursuer_baselines: Baselines | None = None,
-    evader_baselines: Baselines | None = None,
     teams: Sequence[str] = style.TEAMS,
     title: str | None = None,
 ) -> Figure:
     """Draw the mean score of each generation against all opponents, a panel for each race.
 
-    The score of pursuers is the capture rate, that of evaders is 1 minus it. Several runs of a race
-    have a 95% interval over seeds, a single one over its episodes, if they are known.
-
-    Parameters
-    ----------
-    payoffs : mapping of str to array_like or Payoffs
-        The runs of each race by its name, as :func:`matrixworld.analysis.read_payoffs` takes them.
-    pursuer_baselines, evader_baselines : mapping of str to mapping of str to array_like, optional
-        Mean scores in [0, 1] of teams that were trained in another way, against the opponents of
-        each seed, by race and by their name. Each is a level line at its mean, and a band for its
-        interval.
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    Baselines are levels with bands for their intervals.
     """
-    style.check_some(payoffs, "race")
-    given = {"pursuer_baselines": pursuer_baselines, "evader_baselines": evader_baselines}
-    baselines = [style.by_name(*each) for each in given.items()]
-    for name in [name for team in baselines for name in team if name not in payoffs]:
-        raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
     words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
     )
     for number, ([axes], (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        _draw_generalization(axes, analysis.read_payoffs(source), words)
-        _draw_baselines(axes, *(style.by_name(name, team.get(name)) for team in baselines))
+        _draw_generalization(axes, source, words)
+        _draw_baselines(axes, pursuer_baselines[name], evader_baselines[name])
         head = style.wrapped(name, style.room(figure, columns, 1.2))
         axes.set_title(head, size="medium", fontweight="bold")
         style.label_first([axes], ["mean score"], is_first=number % columns == 0)
@@ -176,18 +137,9 @@ def comparison(
     """Draw single races side by side, on the same scales, at most 3 in a row.
 
     Each race has its heat map, its lag profile and its generalization curves, in a column below its
-    name and its judgement.
-
-    Parameters
-    ----------
-    payoffs : mapping of str to array_like or Payoffs
-        One run of at least 2 x 2 generations by the name of the race, as for
-        `generalization_curves`.
-    judgements : mapping of str to Judgement, optional
-        Results of :func:`matrixworld.analysis.judge`.
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    name and its judgement: of `payoffs` of one run, as :func:`matrixworld.analysis.read_payoffs`
+    takes them, and `judgements`, both by the name of the race. The figure may have a `title`, and
+    other names of the `teams`.
     """
     style.check_some(payoffs, "race")
     words = style.words_of(teams)
@@ -316,9 +268,113 @@ def _draw_baselines(axes: Axes, *teams: Mapping[str, ArrayLike]) -> None:
     of_teams = zip(teams, colors.TEAMS, strict=True)
     each = [(name, scores, color) for team, color in of_teams for name, scores in team.items()]
     for index, (name, scores, color) in enumerate(each):
-        values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
-        level = analysis.interval_over_runs(values, bounds=UNIT)
+        level = analysis.interval_over_runs(scores, bounds=UNIT)
         dashes = style.LEVELS[index % len(style.LEVELS)]
         axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
         if level.low is not None and level.high is not None:
             axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
+
+
+# ---- While it learns ---------------------------------------------------------------------------
+
+
+def training_curve(
+    rates: NDArray[np.float64],
+    learners: NDArray[Any] | None,
+    *,
+    generations: NDArray[Any] | None = None,
+    window: int = 1,
+    teams: Sequence[str] = style.TEAMS,
+    title: str = "",
+) -> Figure:
+    """Draw the score (T,) over epochs, coloured by the team that learns, with its moving average.
+
+    `learners` (T,) are 0 and 1, or None if both learn; `generations` (T,) are on a second axis.
+    """
+    words = style.words_of(teams)
+    shades = [colors.INK] * len(rates)
+    if learners is not None:
+        shades = [colors.TEAMS[int(team)] for team in learners]
+    figure = style.new_figure(8.0, 3.8)
+    axes = figure.add_subplot()
+    if window > 1:
+        axes.add_collection(_in_pieces(rates, shades, alpha=0.25, linewidth=0.6))
+    place = np.arange(1, len(rates) + 1)
+    if learners is not None:
+        # In grey the curves of both teams have the same tone.
+        axes.fill_between(
+            place, 0, 1, where=learners == 1, color=_SHADE, linewidth=0, zorder=0, step="mid",
+            transform=axes.get_xaxis_transform(),
+        )  # fmt: skip
+    smooth = _moving_average(rates, window)
+    axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
+    if len(rates) <= _MARKED:
+        axes.scatter(place, smooth, s=14, c=shades, zorder=3)
+    axes.set_title(style.fitting(figure, title))
+    axes.set(xlabel="epoch", xlim=(0.5, len(rates) + 0.5))
+    axes.set_ylabel(f"{words.score}, mean of {window} epochs" if window > 1 else words.score)
+    axes.xaxis.set_major_locator(style.whole_numbers())
+    style.unit_axis(axes)
+    if generations is not None:
+        _generation_axis(axes, generations)
+    entries: dict[str, Any] = {
+        f"{team} learn": (*behind, Line2D([], [], color=color))
+        for team, color, behind in zip(
+            words.teams, colors.TEAMS, ((), (Patch(color=_SHADE),)), strict=True
+        )
+        if color in shades
+    }
+    if entries:
+        style.legend_below(figure, entries, columns=4)
+    return figure
+
+
+def collision_rates(rates: NDArray[np.float64], *, title: str) -> Figure:
+    """Draw collisions per 1000 agent-steps (G, 2, 3) by generation, team and kind."""
+    figure = style.new_figure(8.4, 3.8)
+    panels = figure.subplots(1, 2, sharey=True)
+    for team, axes in enumerate(panels):
+        _draw_collisions(axes, rates[:, team], style.TEAMS[team], colors.TEAMS[team])
+    panels[0].set_ylabel("collisions per 1000 agent-steps")
+    panels[0].set_ylim(bottom=0.0)
+    return style.finished(figure, style.labelled(panels[0]), title, columns=3)
+
+
+def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: str) -> None:
+    marker = "o" if len(rates) <= _MARKED else ""
+    for kind, curve in enumerate(rates.T):
+        axes.plot(
+            curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
+            linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
+        )  # fmt: skip
+    axes.set_title(team, color=color)
+    axes.set_xlabel("generation")
+    axes.xaxis.set_major_locator(style.whole_numbers())
+    style.plain_axis(axes)
+
+
+def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> LineCollection:
+    """Return the curve, each piece in the colour of the point that it leads to."""
+    points = np.column_stack([np.arange(1, len(values) + 1), values])
+    pieces = np.stack([points[:-1], points[1:]], axis=1)
+    return LineCollection(list(pieces), colors=shades[1:], capstyle="round", **style)
+
+
+def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.float64]:
+    """Return the centred mean of `window` points, and of fewer at both ends."""
+    window = min(window, len(values))
+    kernel = np.ones(window)
+    # Dividing by the points inside the window keeps both ends from being drawn towards 0.
+    counts = np.convolve(np.ones(len(values)), kernel, mode="same")
+    average: NDArray[np.float64] = np.convolve(values, kernel, mode="same") / counts
+    return average
+
+
+def _generation_axis(axes: Axes, generations: NDArray[Any]) -> None:
+    """Add a second axis on top that shows where each generation begins."""
+    names, starts = np.unique(generations, return_index=True)
+    every = next(each for each in ROUND if len(names) <= 10 * each)
+    shown = names % every == 0
+    top = axes.secondary_xaxis("top")
+    top.set_xticks(starts[shown] + 1, [f"{name:.0f}" for name in names[shown]])
+    top.set_xlabel("generation")

@@ -14,16 +14,15 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import checks, colors
-from matrixworld.analysis.intervals import UNBOUNDED, Band, Bounds
+from matrixworld.analysis.intervals import UNBOUNDED, UNIT, Band, Bounds, fewest_runs
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
-from matrixworld.analysis.payoffs import Rates, Source, check_rates
-from matrixworld.analysis.runs import fewest_runs, race_bands
+from matrixworld.analysis.payoffs import Payoffs, Rates
+from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.plots import style
 from matrixworld.plots.race import OVER_SEEDS, draw_teams, mark_lag_0
 
 TEAMS = ("pursuer", "evader")
-NAMES = 3
-"""Share of the width that the names of groups may take: a third."""
+NAMES = 3  # share of the width that the names of groups may take: a third
 
 
 def run_dots(
@@ -146,38 +145,17 @@ def run_curves(
     return style.finished(figure, entries, title, columns=4 if len(entries) <= 4 else 3)
 
 
-SCORES = {"pursuer": "capture rate", "evader": "escape rate"}
-"""What the score of a team is called."""
+SCORES = {"pursuer": "capture rate", "evader": "escape rate"}  # what the score of a team is called
 
 
-def seed_scores(
-    scores: Mapping[str, Mapping[str, ArrayLike]],
-    *,
-    title: str = "Scores of the last generation against held-out opponents",
-) -> Figure:
-    """Draw scores of groups of runs: the mean of each seed, and the interquartile mean of all.
+def seed_scores(scores: Mapping[str, Mapping[str, Rates]]) -> Figure:
+    """Draw scores (seeds, opponents) against held-out opponents, by group and then by team.
 
-    A panel for each team, with a row for each group. Dots are the mean scores of single seeds, and
-    diamonds the interquartile means with their 95% intervals; groups with fewer than 6 seeds have
-    no intervals.
-
-    Parameters
-    ----------
-    scores : mapping of str to mapping of str to array_like of float, shape (seeds, opponents)
-        Scores in [0, 1] by the name of the group, then by team: ``"pursuer"``, ``"evader"``.
-    title : str, optional
+    Dots are means of single seeds, diamonds the interquartile means of all.
     """
-    style.check_some(scores)
-    of_teams: dict[str, dict[str, Rates]] = {team: {} for team in SCORES}
-    for group, of_group in scores.items():
-        style.check_some(of_group, "team")
-        for team, values in of_group.items():
-            checks.check_choice(group, team, SCORES)
-            of_teams[team][group] = check_rates(values, ndim=2, what=f"scores of {group}")
-    drawn = {team: groups for team, groups in of_teams.items() if groups}
-    figure = style.new_figure(6.6, 1.0 + sum(0.8 + 0.5 * len(groups) for groups in drawn.values()))
-    heights = [0.8 + 0.5 * len(groups) for groups in drawn.values()]
-    panels = figure.subplots(len(drawn), 1, squeeze=False, height_ratios=heights)[:, 0]
+    drawn = {team: {name: each[team] for name, each in scores.items()} for team in SCORES}
+    figure = style.new_figure(6.6, 2.6 + len(scores))
+    panels = figure.subplots(len(drawn), 1)
     for axes, (team, groups) in zip(panels, drawn.items(), strict=True):
         for row, values in enumerate(groups.values()):
             _draw_dots(axes, row, analysis.interquartile_mean(values), values.mean(axis=1))
@@ -188,49 +166,33 @@ def seed_scores(
         style.plain_axis(axes)
     mean = f"interquartile mean, 95% interval from {fewest_runs()} seeds on"
     _label_dots(panels[0], "mean of one run", mean)
+    title = "Scores of the last generation against held-out opponents"
     return style.finished(figure, style.labelled(panels[0]), title, columns=2)
 
 
-GROUPS = 5
-"""The most groups of seeds beside each other; further ones are in rows below."""
+GROUPS = 5  # the most groups of seeds beside each other; further ones are in rows below
 
 
 def seed_bands(
-    payoffs: Mapping[str, Source],
-    judgements: Mapping[str, Judgement] | None = None,
+    payoffs: Mapping[str, Payoffs],
+    judgements: Mapping[str, Judgement],
     *,
     teams: Sequence[str] = style.TEAMS,
-    title: str | None = None,
 ) -> Figure:
     """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
 
-    The rows show generalization (mean score against all opponents, the strength in verdicts), Elo
-    rating and lag profile. Thin lines are single runs, if there are at most 10.
-
-    Parameters
-    ----------
-    payoffs : mapping of str to array_like or Payoffs
-        Runs (seeds, n, m) by the name of the group, such as a schedule, as
-        :func:`matrixworld.analysis.read_payoffs` takes them.
-    judgements : mapping of str to Judgement, optional
-        Results of :func:`matrixworld.analysis.judge` by the name of the group.
-    teams : sequence of str, optional
-        Names of the teams: that of the rows, then that of the columns.
-    title : str, optional
+    The rows show generalization, Elo rating and lag profile.
     """
-    style.check_some(payoffs)
     words = style.words_of(teams)
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
     )
     width = style.room(figure, max(2, columns) + 0.3)
-    known = style.by_name("judgements", judgements)
-    for number, (column, (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        matrices = analysis.read_payoffs(source).matrices
-        _draw_group(column, matrices, words)
-        counted = "1 seed: no band" if len(matrices) == 1 else f"{len(matrices)} seeds"
-        judged = analysis.sentence(known[name]) if name in known else ""
-        head = [style.wrapped(name, width), counted, *textwrap.wrap(judged, width)]
+    for number, (column, (name, of_group)) in enumerate(zip(panels, payoffs.items(), strict=True)):
+        _draw_group(column, of_group.matrices, words)
+        counted = "1 seed: no band" if len(of_group) == 1 else f"{len(of_group)} seeds"
+        judged = textwrap.wrap(analysis.sentence(judgements[name]), width)
+        head = [style.wrapped(name, width), counted, *judged]
         column[0].set_title("\n".join(head), size="medium")
         names = ("mean score", "Elo rating (points)", f"mean {words.score}")
         style.label_first(column, names, is_first=number % columns == 0)
@@ -238,7 +200,24 @@ def seed_bands(
     for column in panels:  # all groups have the same scale of ratings
         column[1].set_ylim(min(low for low, _ in ends), max(high for _, high in ends))
     entries = style.labelled(*(column[0] for column in panels))
-    return style.finished(figure, entries, title, columns=2 if columns < 3 else 4)
+    return style.finished(figure, entries, None, columns=2 if columns < 3 else 4)
+
+
+def race_bands(matrices: Rates) -> dict[str, Band]:
+    """Return mean generalization, Elo points and lag profile of runs (runs, n, m), with intervals.
+
+    By name: ``pursuer_generalization``, ``evader_ratings`` and so on, and ``lag_profile``.
+    """
+    found: dict[str, Band] = {}
+    for team in ("pursuers", "evaders"):
+        scores = [getattr(analysis.generalization(matrix), team) for matrix in matrices]
+        ratings = [ELO_POINTS * getattr(analysis.elo(matrix), team) for matrix in matrices]
+        found[f"{team[:-1]}_generalization"] = analysis.band_over_runs(scores, bounds=UNIT)
+        found[f"{team[:-1]}_ratings"] = analysis.band_over_runs(ratings)
+    profiles = [analysis.lag_profile(matrix) for matrix in matrices]
+    lags, means = profiles[0].lags, [profile.means for profile in profiles]
+    found["lag_profile"] = analysis.band_over_runs(means, places=lags, bounds=UNIT)
+    return found
 
 
 def _draw_group(column: Sequence[Axes], matrices: Rates, words: style.Words) -> None:
@@ -293,15 +272,8 @@ def verdict_strip(
 ) -> Figure:
     """Draw the verdicts on each seed and on all together: a block for each group of runs.
 
-    Parameters
-    ----------
-    judgements : mapping of str to Judgement
-        Result of :func:`matrixworld.analysis.judge` over the seeds, by the name of the group.
-    seeds : mapping of str to sequence of int
-        Seeds of the runs that were judged, in their order.
-    missing : mapping of str to sequence of int, optional
-        Seeds that are not finished; they have an empty column.
-    title : str, optional
+    By the names of the groups there are `judgements`, the `seeds` of the runs in their order, and
+    those that are `missing`, which have an empty column. The figure has a `title`.
     """
     style.check_some(judgements)
     of_seeds, absent = style.by_name("seeds", seeds), style.by_name("missing", missing)

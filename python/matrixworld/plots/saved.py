@@ -13,7 +13,6 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from matrixworld import plots
 from matrixworld._util.checks import check_choice
 from matrixworld.analysis import Judgement, sentence
 from matrixworld.analysis.payoffs import Payoffs
@@ -22,7 +21,9 @@ from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.plots import race as of_race
 from matrixworld.plots import style
+from matrixworld.plots.runs import seed_bands, seed_scores, verdict_strip
 
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
@@ -40,8 +41,7 @@ def figures_of(
     """Return the files of the figures of runs, each with the function that draws it.
 
     Figures of a run go into its directory, those of several runs into `root`. Seeds of a race are
-    drawn together, and with `each` alone, too; several races of one seed side by side. `name`, one
-    of `OF_RUN` or `OF_GROUPS`, is for this figure alone.
+    drawn together, and with `each` alone, too. `name`, of `OF_RUN` or `OF_GROUPS`, is for this one.
     """
     if name is not None:
         check_choice("name", name, {**OF_RUN, **OF_GROUPS})
@@ -91,7 +91,7 @@ def _training(group: RunGroup, baselines: Baselines) -> Figure:
     elif isinstance(schedule, AtOnce):
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
         shown, kept = "both teams learn", ~evaders
-    return plots.training_curve(
+    return of_race.training_curve(
         log[score][kept],
         None if isinstance(schedule, AtOnce) else evaders,
         generations=None if isinstance(schedule, Against) else log["generation"][kept],
@@ -124,7 +124,7 @@ def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
 
 def _collisions(group: RunGroup, baselines: Baselines) -> Figure:
     title = _title(group, "Collisions per 1000 agent-steps")
-    return plots.collision_rates(collisions_per_1000(group), title=title)
+    return of_race.collision_rates(collisions_per_1000(group), title=title)
 
 
 def _drawn(
@@ -137,14 +137,13 @@ def _drawn(
 
 OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
     "training": _training,
-    "payoff": partial(_drawn, plots.payoff_heatmap, ""),
+    "payoff": partial(_drawn, of_race.payoff_heatmap, ""),
     "generalization": _generalization,
-    "lag_profile": partial(_drawn, plots.lag_profile_curve, "Lag profile"),
+    "lag_profile": partial(_drawn, of_race.lag_profile_curve, "Lag profile"),
     "collisions": _collisions,
 }
 """Figures of a race. A run of one team has the first one only."""
-OF_PURSUIT = ("collisions", "held_out")
-"""Figures that games of your own have not."""
+OF_PURSUIT = ("collisions", "held_out")  # figures that games of your own have not
 
 
 Groups = Mapping[str, RunGroup]
@@ -156,15 +155,17 @@ def _comparison(groups: Groups, baselines: Baselines) -> Figure:
         for name, group in groups.items()
         for single in group.singles
     }
-    return plots.comparison(_payoffs(singles), _judgements(singles), teams=_teams(*groups.values()))
+    return of_race.comparison(
+        _payoffs(singles), _judgements(singles), teams=_teams(*groups.values())
+    )
 
 
 def _seeds(groups: Groups, baselines: Baselines) -> Figure:
-    return plots.seed_bands(_payoffs(groups), _judgements(groups), teams=_teams(*groups.values()))
+    return seed_bands(_payoffs(groups), _judgements(groups), teams=_teams(*groups.values()))
 
 
 def _verdicts(groups: Groups, baselines: Baselines) -> Figure:
-    return plots.verdict_strip(
+    return verdict_strip(
         _judgements(groups),
         {name: group.seeds for name, group in groups.items()},
         {name: group.missing for name, group in groups.items()},
@@ -172,14 +173,14 @@ def _verdicts(groups: Groups, baselines: Baselines) -> Figure:
 
 
 def _held_out(groups: Groups, baselines: Baselines) -> Figure:
-    return plots.seed_scores(
+    return seed_scores(
         {name: {team: each.held_out(team) for team in TEAMS} for name, each in groups.items()}
     )
 
 
 def _generalizations(groups: Groups, baselines: Baselines) -> Figure:
     scores = {name: baseline_scores(group, baselines) for name, group in groups.items()}
-    return plots.generalization_curves(
+    return of_race.generalization_curves(
         _payoffs(groups),
         pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
         evader_baselines={name: each["evader"] for name, each in scores.items()},
@@ -209,13 +210,16 @@ OF_GROUPS: dict[str, Callable[[Groups, Baselines], Figure]] = {
 def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
     """Return the mean score of each baseline against all opponents of each race of a group."""
     scores: dict[Team, dict[str, list[float]]] = {team: {} for team in TEAMS}
-    races = group.runs if baselines else ()
     for name, runs in baselines.items():
         means = []
-        for race in races:
-            trained = _of_seed(name, runs, race.settings.seed)
-            [team] = trained.settings.learning_teams
-            means.append(_mean_score(race, team, trained))
+        for race in group.runs:
+            seed = race.settings.seed
+            trained = [run for run in runs if run.settings.seed == seed or len(runs) == 1]
+            if len(trained) != 1:
+                expected = f"one run of seed {seed}, or one in all"
+                raise ValueError(f"baseline {name}: expected {expected}, got {len(trained)}")
+            [team] = trained[0].settings.learning_teams
+            means.append(_mean_score(race, team, trained[0]))
         # One run for all seeds tells nothing about other runs: its mean has no interval.
         scores[team][name] = means if len(runs) > 1 else [sum(means) / len(means)]
     return scores
@@ -229,12 +233,3 @@ def _mean_score(race: SavedRun, team: Team, trained: SavedRun) -> float:
     payoff = tournament(settings.evaluation_game, *sides, seed=settings.seed, episodes=episodes)
     rates = payoff.matrix.ravel()
     return float((rates if team == "pursuer" else 1 - rates).mean())
-
-
-def _of_seed(name: str, runs: Sequence[SavedRun], seed: int) -> SavedRun:
-    """Return the run with the seed of the race; the only one, if there is only one."""
-    found = [run for run in runs if run.settings.seed == seed or len(runs) == 1]
-    if len(found) != 1:
-        expected = f"one run of seed {seed}, or one in all"
-        raise ValueError(f"baseline {name}: expected {expected}, got {len(found)}")
-    return found[0]

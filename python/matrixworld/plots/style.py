@@ -23,18 +23,13 @@ from matrixworld.analysis.payoffs import require
 
 OfName = TypeVar("OfName")
 
-DPI = 150
-"""Resolution of saved figures."""
+DPI = 150  # resolution of saved figures
 
-CHARACTERS = 106.0
-"""Characters of one point that an inch holds, about."""
-LARGE = 1.2
-"""Size of titles, as a multiple of the type."""
-HANDLE = 7
-"""Characters that a line of a legend takes beside its name."""
+CHARACTERS = 106.0  # characters of one point that an inch holds, about
+LARGE = 1.2  # size of titles, as a multiple of the type
+HANDLE = 7  # characters that a line of a legend takes beside its name
 
-DASHES = ("--", ":", "-.")
-"""Line styles beside the solid one."""
+DASHES = ("--", ":", "-.")  # line styles beside the solid one
 EVADERS = "--"
 """Line style of evaders: in grey both teams have the same tone. Pursuers have solid lines."""
 LEVELS = (":", "-.", (0, (5, 1, 1, 1, 1, 1)))
@@ -44,8 +39,7 @@ LINES: tuple[tuple[str, Any], ...] = tuple(
     (_COLORS[group % 5], ("-", *DASHES)[group % 4]) for group in range(20)
 )
 """Colour and dashes of each group of runs, in their order; neighbours differ in grey, too."""
-MOST_LINES = 10
-"""With more runs the single ones are not drawn: their lines would hide the band."""
+MOST_LINES = 10  # with more runs the single ones are not drawn: their lines would hide the band
 
 
 TEAMS = ("pursuers", "evaders")
@@ -120,9 +114,8 @@ def single(width: float, height: float, title: str | None = None) -> tuple[Figur
 
 def entitle(figure: Figure, title: str | None) -> None:
     """Write a title above all panels of a figure, if there is one."""
-    text = "" if title is None else fitting(figure, title)
-    if text:
-        figure.suptitle(text)
+    if title:
+        figure.suptitle(fitting(figure, title))
 
 
 def check_some(groups: Mapping[str, object], what: str = "group of runs") -> None:
@@ -150,7 +143,7 @@ def columns_of_groups(
 ) -> tuple[Figure, list[list[Axes]], int]:
     """Return a figure, a column of panels for each group, and how many are beside each other.
 
-    Lines are equally long: 5 of 4 are 3 and 2. Width and height have a part for each column, line.
+    Lines are equally long. Width and height have a part for each column, line.
     """
     lines = -(-count // most)
     columns = -(-count // lines)

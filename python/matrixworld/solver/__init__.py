@@ -8,7 +8,7 @@ means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8
 
     config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=5)
     solution = solve(config)
-    solution.value  # the capture rate when both teams play perfectly
+    solution.value  # 0.839: the capture rate when both teams play perfectly
     best_response(solution.states, "chaser", "pursuer").value  # the same against chasers
     record(config, "chaser", solution.policy("evader"), seed=0)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal, TypeAlias
@@ -15,45 +15,17 @@ from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.solver.states import States, config_of
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import TEAMS, Population, Script, TablePolicy, Team, check_team
+from matrixworld.world.policy import SCRIPTS, TEAMS, Population, Script, TablePolicy, Team
 
 PayoffName: TypeAlias = Literal["capture-rate", "capture-time"]
 PAYOFFS: tuple[PayoffName, PayoffName] = ("capture-rate", "capture-time")
 
-Champion: TypeAlias = "Population | Script | Solution | Sequence[tuple[float, Champion]]"
-"""What a team plays whose play is known: a population of one genome, the name of a script, its part
-of a solution, or weights (their sum is 1) with champions: the team draws one of them in every turn
-anew, for all its members."""
+Champion: TypeAlias = "Population | Script | Solution"
+"""What a team plays whose play is known: a population of one genome, the name of a script, or its
+part of a solution."""
 
-
-Members: TypeAlias = "list[tuple[float, Population | Script | Solution]]"
-"""What a mixture comes to: weights with champions that are none."""
-
-
-@dataclass(frozen=True, eq=False)
-class Fixed:
-    """The play of a team that is known: probabilities (S, joint actions) by turn."""
-
-    team: Team
-    parts: tuple[tuple[float, tuple[NDArray[np.float64], ...] | Solution], ...]
-
-    @property
-    def depends_on_rounds(self) -> bool:
-        """Whether the play depends on how many rounds are left."""
-        return any(isinstance(part, Solution) for _, part in self.parts)
-
-    def at(self, turn: int, rounds: int) -> NDArray[np.float64]:
-        """Return the probabilities with so many rounds left, this one included."""
-        total: Any = 0.0
-        for weight, part in self.parts:
-            if isinstance(part, Solution):
-                row = part.probabilities(self.team, rounds, turn)
-            else:
-                row = part[turn]
-            if weight == 1.0:  # the others weigh 0
-                return row
-            total = total + weight * row
-        return np.asarray(total)
+Fixed: TypeAlias = "tuple[NDArray[np.float64], ...] | Solution"
+"""The play of a champion: its probabilities (S, joint actions) of each turn, or its solution."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -126,7 +98,7 @@ class Solution(Readable):
         )
         turn = checks.check_integer("turn", turn, 0, self.states.n_turns - 1)
         if team in self.fixed:
-            return self.fixed[team].at(turn, left)
+            return _play_of(self.fixed[team], team, turn, left)
         found = _backup(
             self.states, values_after(self, turn, left), turn, left, self.fixed, None, chosen=True
         )
@@ -151,45 +123,6 @@ class Solution(Readable):
                 table[left - 1] = self.probabilities(team, left, turn)
         return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
 
-    @cached_property
-    def capture_times(self) -> NDArray[np.float64]:
-        """Rounds (S,) to the capture of all evaders under perfect play without a limit of rounds.
-
-        Infinite where the evaders can prevent it. Only where the teams take turns.
-        """
-        states = self.states
-        if states.n_turns == 1:
-            raise ValueError("capture_times: expected a game in turns, got simultaneous moves")
-        if not self.fixed and self.payoff == "capture-rate" and len(self.values[0]) <= self.steps:
-            won = self.values[0] == 1.0  # more rounds would change nothing
-            return np.where(won.any(axis=0), won.argmax(axis=0), np.inf)
-        # What is won within n rounds only becomes more with n.
-        now = (np.arange(states.count()) == states.n_ends - 1).astype(np.float64)
-        times = np.where(now == 1.0, 0.0, np.inf)
-        for rounds in range(1, states.count() + 1):
-            before, told = now, states.told(f"capture times, round {rounds}")
-            for turn in reversed(range(states.n_turns)):
-                now = _backup(states, now, turn, rounds, {}, told)[0]
-            if (now == before).all():
-                break
-            times[(now == 1.0) & (before < 1.0)] = rounds
-        return times
-
-    @property
-    def capture_time(self) -> float:
-        """Rounds to capture when the pursuers choose the best cells first, then the evaders theirs.
-
-        The classical capture time of cops and robbers, with evaders on other cells than pursuers.
-        """
-        config = self.states.config
-        cells = self.states.cells()[self.states.starts, : config.n_pursuers].astype(np.int64)
-        # One number for the cells of all pursuers: unique rows would take longer than the solution.
-        n_cells = config.rows * config.cols
-        start = cells @ n_cells ** np.arange(config.n_pursuers)
-        worst = np.zeros(n_cells**config.n_pursuers)
-        np.maximum.at(worst, start, self.capture_times[self.states.starts])
-        return float(worst[start].min())
-
 
 def values_after(solution: Solution, turn: int, rounds: int) -> NDArray[np.float64]:
     """Return the values of the states of the next turn."""
@@ -209,10 +142,17 @@ def _backup(
     chosen: bool = False,
 ) -> tuple[NDArray[np.float64], float, NDArray[np.float64] | None, NDArray[np.float64] | None]:
     """Return values, gap, and if wanted the play of both teams in one turn."""
-    given = [fixed[team].at(turn, rounds) if team in fixed else None for team in TEAMS]
+    given = [_play_of(fixed[t], t, turn, rounds) if t in fixed else None for t in TEAMS]
     if told:
         told(0.0)
     return states.core.backup(turn, after, given[0], given[1], chosen, states.threads, told)
+
+
+def _play_of(fixed: Fixed, team: Team, turn: int, rounds: int) -> NDArray[np.float64]:
+    """Return the probabilities of a champion's team with so many rounds left, this one included."""
+    if isinstance(fixed, Solution):
+        return fixed.probabilities(team, rounds, turn)
+    return fixed[turn]
 
 
 def induct(
@@ -222,31 +162,45 @@ def induct(
     champions: Mapping[Team, Champion],
 ) -> Solution:
     """Check all arguments, list the states, and go back through the rounds."""
-    config = config_of(world)
+    config, most = config_of(world), checks.INT_MAX
     checks.check_choice("payoff", payoff, PAYOFFS)
-    parts = {team: parts_of(config, champion, team) for team, champion in champions.items()}
-    rounds = rounds_of(config, steps, *parts.values())
+    for champion in champions.values():
+        _check_champion(champion, world)
+        if isinstance(champion, Solution):
+            most = min(most, champion.steps)  # it plays no more rounds than its own
+    rounds = checks.check_integer("steps", config.max_steps if steps is None else steps, 1, most)
     states = States.of(world)
-    fixed = {team: fixed_play(states, each, team) for team, each in parts.items()}
-    return go_back(states, rounds, payoff, fixed)
+    fixed: dict[Team, Fixed] = {
+        team: each if isinstance(each, Solution) else states.decisions(each, team)
+        for team, each in champions.items()
+    }
+    return _go_back(states, rounds, payoff, fixed)
 
 
-def rounds_of(config: WorldConfig, steps: int | None, *champions: Members) -> int:
-    """Return the rounds of an episode; solutions among champions play no more than their own."""
-    known = [part.steps for parts in champions for _, part in parts if isinstance(part, Solution)]
-    most = min(known, default=checks.INT_MAX)
-    return checks.check_integer("steps", config.max_steps if steps is None else steps, 1, most)
+def _check_champion(champion: Any, world: WorldConfig | States) -> None:
+    if not isinstance(champion, Solution | Population | str):
+        expected = "a Population, the name of a script or a Solution"
+        raise TypeError(f"champion: expected {expected}, got {checks.shown(champion)}")
+    if isinstance(champion, Solution) and champion.states is not world:
+        raise ValueError("champion: expected a solution of the same States, got one of others")
+    if isinstance(champion, str):
+        checks.check_choice("champion", champion, SCRIPTS)
+    if isinstance(champion, Population) and champion.policy.memory != "none":
+        raise ValueError(
+            "champion: expected a network without memory, whose choices depend on the present "
+            f"state alone, got memory {champion.policy.memory!r}"
+        )
 
 
-def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, Fixed]) -> Solution:
+def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, Fixed]) -> Solution:
     """Go back from the last round to the first."""
     captures = payoff == "capture-rate"
     counts = [states.count(turn) for turn in range(states.n_turns)]
     values = [np.zeros((1, count)) for count in counts]
     if captures:
-        values[0][0] = states.payoffs
+        values[0][0] = states.captured().mean(axis=1)
     first = values[0][0].copy()  # the row of the first turn
-    changes = any(each.depends_on_rounds for each in fixed.values())
+    changes = any(isinstance(each, Solution) for each in fixed.values())
     what, n_turns = "best responses" if fixed else "perfect play", states.n_turns
     gap, left = 0.0, 0
     while left < rounds:
@@ -263,7 +217,7 @@ def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, F
             gap = max(gap, wrong)
             if turn == 0 and not captures:
                 after -= 1.0
-                after[states.n_ends - 1] = 0.0
+                after[states.config.n_evaders] = 0.0  # the end with all captured
             values[turn][left] = after
         first = after
         # Rounds of which no more change the values add no rows.
@@ -291,14 +245,6 @@ def solve(
         Rounds of an episode. The default is the world's `max_steps`.
     payoff : {"capture-rate", "capture-time"}, optional
         What the teams play for, see `Solution`.
-
-    Examples
-    --------
-    >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solver import solve
-    >>> config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1)
-    >>> round(solve(config, steps=5).value, 3)
-    0.839
     """
     return induct(world, steps, payoff, {})
 
@@ -325,16 +271,6 @@ def best_response(
         The champion's team.
     world, steps, payoff
         As in `solve`.
-
-    Examples
-    --------
-    How often evaders at best escape from two chasers:
-
-    >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solver import best_response
-    >>> config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=20)
-    >>> round(1 - best_response(config, "chaser", "pursuer").value, 3)
-    0.674
     """
     checks.check_choice("team", team, TEAMS)
     return induct(world, steps, payoff, {team: champion})
@@ -353,45 +289,3 @@ def expected_payoff(
     `pursuers` and `evaders` are champions; `world`, `steps` and `payoff` are as in `solve`.
     """
     return induct(world, steps, payoff, {"pursuer": pursuers, "evader": evaders}).value
-
-
-def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
-    """Return what a champion, which may be a nested mixture, comes to: weights with others."""
-    checks.check_choice("team", team, TEAMS)
-    if isinstance(champion, Solution):
-        return [(1.0, champion)]
-    if isinstance(champion, str | Population):
-        check_team("champion", champion)
-        if isinstance(champion, Population) and champion.policy.memory != "none":
-            raise ValueError(
-                f"champion: expected a network without memory, whose choices depend on the present "
-                f"state alone, got memory {champion.policy.memory!r}"
-            )
-        return [(1.0, champion)]
-    if not issubclass(type(champion), Sequence):
-        expected = "a Population, the name of a script, a Solution, or weights with these"
-        raise TypeError(f"champion: expected {expected}, got {checks.shown(champion)}")
-    for part in champion:
-        if not isinstance(part, Sequence) or isinstance(part, str) or len(part) != 2:
-            raise TypeError(f"champion: expected weights with champions, got {checks.shown(part)}")
-    weights = [checks.check_number("weight", weight, least=0.0, most=1.0) for weight, _ in champion]
-    if abs(sum(weights) - 1.0) > 1e-9:
-        raise ValueError(f"champion: expected weights with the sum 1, got {sum(weights):g}")
-    return [
-        (weight * share, part)
-        for weight, (_, member) in zip(weights, champion, strict=True)
-        for share, part in parts_of(config, member, team)
-    ]
-
-
-def fixed_play(states: States, parts: Members, team: Team) -> Fixed:
-    """Return the play of the parts in all states."""
-    if any(isinstance(part, Solution) and part.states is not states for _, part in parts):
-        raise ValueError("champion: expected a solution of the same States, got one of others")
-    return Fixed(
-        team,
-        tuple(
-            (weight, part if isinstance(part, Solution) else states.decisions(part, team))
-            for weight, part in parts
-        ),
-    )

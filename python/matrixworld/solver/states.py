@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
-from functools import cached_property
-from math import comb, inf, isqrt, perm, prod
+from math import comb, inf, isqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,14 +60,6 @@ class States:
     ------
     ValueError
         If obstacles are drawn at each reset, and if the states would take more than 2 GB.
-
-    Examples
-    --------
-    >>> from matrixworld import WorldConfig
-    >>> from matrixworld.solver import States
-    >>> states = States(WorldConfig("O", rows=3, cols=3, n_pursuers=1, n_evaders=1))
-    >>> states.count(), states.starts.size, states.successors().shape
-    (74, 72, (74, 5, 5))
     """
 
     def __init__(
@@ -85,7 +76,7 @@ class States:
             raise ValueError(
                 "obstacles: expected none or a map, got obstacles that each episode draws anew"
             )
-        check_size(config)
+        _check_size(config)
         self.core = _core.States(config.setup, self.threads, _count(config), self.told("states"))
         self.n_turns = self.core.n_turns()
         self.starts = self.core.starts()
@@ -97,11 +88,6 @@ class States:
 
     def __repr__(self) -> str:
         return f"States({self.count():,} states)"
-
-    @property
-    def n_ends(self) -> int:
-        """How many of the states of each turn are ends: E + 1."""
-        return self.config.n_evaders + 1
 
     @property
     def total(self) -> int:
@@ -117,29 +103,21 @@ class States:
         """Return the number S of the states of a turn."""
         return len(self.successors(turn))
 
-    def _turn(self, turn: int) -> int:
-        return checks.check_integer("turn", turn, 0, self.n_turns - 1)
-
     def successors(self, turn: int = 0) -> NDArray[np.int32]:
         """Return states of the next turn, int32 (S, P, Q), for P and Q joint actions of the teams.
 
         After the last turn of a round they are states of the first. An end leads to itself. The
         array is read-only: it is the engine's own.
         """
-        return self.core.successors(self._turn(turn))
+        return self.core.successors(checks.check_integer("turn", turn, 0, self.n_turns - 1))
 
     def cells(self, turn: int = 0) -> NDArray[np.int32]:
         """Return the cells of the agents, int32 (S, A), as row * cols + col; -1 for gone ones."""
-        return self.core.describe(self._turn(turn))[0]
+        return self.core.describe(checks.check_integer("turn", turn, 0, self.n_turns - 1))[0]
 
     def captured(self, turn: int = 0) -> NDArray[np.bool_]:
         """Return which evaders count as captured, bool (S, E), sorted as the cells are."""
-        return self.core.describe(self._turn(turn))[1]
-
-    @cached_property
-    def payoffs(self) -> NDArray[np.float64]:
-        """Capture rate (S,) of an episode that is over in a state of the first turn."""
-        return np.asarray(self.captured().mean(axis=1), np.float64)
+        return self.core.describe(checks.check_integer("turn", turn, 0, self.n_turns - 1))[1]
 
     def decisions(self, policy: TeamPolicy, team: Team) -> tuple[NDArray[np.float64], ...]:
         """Return the probabilities with which a policy plays, for each turn (S, its joint actions).
@@ -148,13 +126,9 @@ class States:
         ValueError if a script sees nothing that it looks for in some state, and so walks on.
         """
         checks.check_choice("team", team, TEAMS)
-        plain, evaders, n = (
-            check_team("champion", policy, self.config, team),
-            team == "evader",
-            self.n_turns,
-        )
+        plain, n = check_team("champion", policy, self.config, team), self.n_turns
         return tuple(
-            self.core.weigh(turn, evaders, plain, self.threads, self.told("play", turn, n))
+            self.core.weigh(turn, team == "evader", plain, self.threads, self.told("play", turn, n))
             for turn in range(n)
         )
 
@@ -166,78 +140,58 @@ def config_of(world: WorldConfig | States) -> WorldConfig:
     return config
 
 
-def turn_sizes(config: WorldConfig) -> list[tuple[int, int, int]]:
-    """Return about how many states each turn has, and the joint actions of both teams in it."""
-    count, actions = _count(config), config.n_actions
-    if config.rules.interaction is Interaction.SIMULTANEOUS:
-        return [(count, actions**config.n_pursuers, actions**config.n_evaders)]
-    if config.rules.interaction is Interaction.SWARM_TURNS:
-        return [(count, actions**config.n_pursuers, 1), (count, 1, actions**config.n_evaders)]
-    return [(count, actions, 1)] * config.n_pursuers + [(count, 1, actions)] * config.n_evaders
-
-
-def size_of(config: WorldConfig) -> tuple[float, float]:
-    """Return about how many states of all turns there are, and how many bytes they take."""
-    cells, agents = config.rows * config.cols, (config.n_pursuers, config.n_evaders)
-    if sum(agents) > _MOST_AGENTS:
-        return inf, inf
-    codes = prod(n**k for n, k in zip((1 + cells, 2 + 2 * cells), agents, strict=True))
-    if codes > checks.INT_MAX:  # the engine numbers them
-        return inf, inf
-    sizes = turn_sizes(config)
-    numbers = sum(n * (p * q + 1) + codes for n, p, q in sizes) + sizes[0][0]  # with the starts
-    return sum(n for n, _, _ in sizes), _INDEX * numbers
-
-
 def _count(config: WorldConfig) -> int:
-    """Return about how many states a turn has: places of living agents, and who is gone.
+    """Return about how many states a turn has, a few more than there are.
 
-    All ends are one state, so that in the others an evader is alive and not captured.
+    An agent is on a cell or gone, an evader captured or not. All ends are one state, so that in the
+    others an evader is alive and not captured.
     """
-    rules, one_by_one = config.rules, config.rules.interaction is Interaction.AGENT_TURNS
-    free = config.rows * config.cols
+    rules, cells = config.rules, config.rows * config.cols
     if config.map is not None and rules.obstacle is not Outcome.REACH:
-        free -= int(config.map.sum())
-    surround, shared = rules.capture is Capture.SURROUND, rules.teammate is Outcome.REACH
+        cells -= int(config.map.sum())
+    surround = rules.capture is Capture.SURROUND
     meet = rules.evader is rules.pursuer is Outcome.REACH
     die = Outcome.DISAPPEAR in (rules.obstacle, rules.teammate)
-    # An evader can be gone in two ways: not captured, or captured.
     lost = die or (rules.evader is Outcome.DISAPPEAR and (surround or not rules.captures))
     caught = rules.removes_captured or (meet and die) or (surround and lost)
-    ways_gone = lost + caught
     # Where contact captures and all live on, who was captured is remembered; else places tell.
-    remembers = meet and not surround
+    memories = 2**config.n_evaders - 1 if meet and not surround else 1
+    pursuer = cells + (die or rules.pursuer is Outcome.DISAPPEAR)
+    evader = cells + lost + caught
 
-    def ways(places: int, agents: int, shared: bool) -> int:
-        if one_by_one:
-            return places**agents if shared else perm(places, agents)
-        return comb(places + agents - 1, agents) if shared else comb(places, agents)
+    def ways(places: int, agents: int) -> int:
+        in_order = rules.interaction is Interaction.AGENT_TURNS
+        return places**agents if in_order else comb(places + agents - 1, agents)
 
-    def alive(total: int, can_die: bool) -> Iterator[tuple[int, int]]:
-        """Yield how many of a team are alive, and in how many ways these can be chosen."""
-        for number in range(1 if can_die else total, total + 1):
-            yield number, comb(total, number) if one_by_one else 1
-
-    count = config.n_evaders + 1
-    for n, chosen in alive(config.n_pursuers, die or rules.pursuer is Outcome.DISAPPEAR):
-        pursuers = chosen * ways(free, n, shared)
-        room = free if meet else free - (1 if shared else n)
-        for m, which in alive(config.n_evaders, ways_gone > 0):
-            evaders = which * ways(room, m, shared) * (2**m - 1 if remembers else 1)
-            gone = ways(ways_gone, config.n_evaders - m, True) if ways_gone else 1
-            count += pursuers * evaders * gone
-    return count
+    placed = ways(pursuer, config.n_pursuers) * ways(evader, config.n_evaders)
+    return config.n_evaders + 1 + placed * memories
 
 
-def check_size(config: WorldConfig) -> None:
+def _size(config: WorldConfig) -> tuple[float, float]:
+    """Return about how many states of all turns there are, and how many bytes they take."""
+    cells, n, m = config.rows * config.cols, config.n_pursuers, config.n_evaders
+    codes = (1 + cells) ** n * (2 + 2 * cells) ** m if n + m <= _MOST_AGENTS else inf
+    if codes > checks.INT_MAX:  # the engine numbers them
+        return inf, inf
+    count, actions = _count(config), config.n_actions
+    joint_actions = {  # of each turn
+        Interaction.SIMULTANEOUS: [actions ** (n + m)],
+        Interaction.SWARM_TURNS: [actions**n, actions**m],
+        Interaction.AGENT_TURNS: [actions] * (n + m),
+    }[config.rules.interaction]
+    numbers = sum(count * (joint + 1) + codes for joint in joint_actions) + count  # and the starts
+    return count * len(joint_actions), _INDEX * numbers
+
+
+def _check_size(config: WorldConfig) -> None:
     """Raise ValueError if there are too many states, and say which board would be small enough."""
-    count, needed = size_of(config)
+    count, needed = _size(config)
     if needed <= _MOST_BYTES:
         return
     most = isqrt(config.rows * config.cols) if config.n_agents <= _MOST_AGENTS else 0
     sides = range(most, isqrt(config.n_agents), -1)
     boards = (replace(config, rows=side, cols=side, obstacles=0.0) for side in sides)
-    largest = next((board.rows for board in boards if size_of(board)[1] <= _MOST_BYTES), None)
+    largest = next((board.rows for board in boards if _size(board)[1] <= _MOST_BYTES), None)
     would = f"{largest} x {largest} cells would fit" if largest else "no smaller board would fit"
     size = f"about {count:,} states and {needed / 10**9:,.1f} GB"
     raise ValueError(

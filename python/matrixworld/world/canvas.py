@@ -100,26 +100,15 @@ def font(size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
     return ImageFont.load_default(size)
 
 
-def _disc(draw: ImageDraw.ImageDraw, size: int) -> None:
-    draw.ellipse((0, 0, size - 1, size - 1), fill=255)
-
-
-def _ring(draw: ImageDraw.ImageDraw, size: int, thickness: float = 0.11) -> None:
+def _ring(thickness: float, draw: ImageDraw.ImageDraw, size: int) -> None:
     draw.ellipse((0, 0, size - 1, size - 1), outline=255, width=max(1, round(size * thickness)))
 
 
 def _triangle(draw: ImageDraw.ImageDraw, size: int) -> None:
     """Draw it pointing up, with round corners and its centre of mass near the middle."""
     radius = size * 0.09
-    corners = [
-        (size / 2, size * 0.03 + radius),
-        (size - radius, size * 0.93 - radius),
-        (radius, size * 0.93 - radius),
-    ]
-    _rounded_polygon(draw, corners, radius)
-
-
-def _rounded_polygon(draw: ImageDraw.ImageDraw, corners: list[Point], radius: float) -> None:
+    top, bottom = size * 0.03 + radius, size * 0.93 - radius
+    corners = [(size / 2, top), (size - radius, bottom), (radius, bottom)]
     # Pillow has no round corners: thick lines along the sides end in discs.
     draw.polygon(corners, fill=255)
     draw.line([*corners, corners[0]], fill=255, width=round(2 * radius))
@@ -133,31 +122,26 @@ def _cross(draw: ImageDraw.ImageDraw, size: int) -> None:
     draw.line((near, far, far, near), fill=255, width=width)
 
 
-def _burst(draw: ImageDraw.ImageDraw, size: int) -> None:
+def _burst(outline: bool, draw: ImageDraw.ImageDraw, size: int) -> None:
     """Draw a star of eight rays."""
-    draw.polygon(_burst_corners(size), fill=255)
-
-
-def _burst_outline(draw: ImageDraw.ImageDraw, size: int) -> None:
-    corners = _burst_corners(size)
-    draw.line([*corners, corners[0]], fill=255, width=max(1, round(size * 0.028)), joint="curve")
-
-
-def _burst_corners(size: int) -> list[Point]:
     middle, corners = size / 2, []
     for corner in range(16):
         reach = middle * (0.95 if corner % 2 == 0 else 0.6)
         angle = math.pi * corner / 8
         corners.append((middle + reach * math.sin(angle), middle - reach * math.cos(angle)))
-    return corners
+    if outline:
+        width = max(1, round(size * 0.028))
+        draw.line([*corners, corners[0]], fill=255, width=width, joint="curve")
+    else:
+        draw.polygon(corners, fill=255)
 
 
 _SHAPES: dict[str, Callable[[ImageDraw.ImageDraw, int], None]] = {
-    "disc": _disc,
-    "ring": _ring,
-    "thick ring": partial(_ring, thickness=0.2),
+    "disc": partial(_ring, 0.5),
+    "ring": partial(_ring, 0.11),
+    "thick ring": partial(_ring, 0.2),
     "triangle": _triangle,
     "cross": _cross,
-    "burst": _burst,
-    "burst outline": _burst_outline,
+    "burst": partial(_burst, False),
+    "burst outline": partial(_burst, True),
 }

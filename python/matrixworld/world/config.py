@@ -41,19 +41,11 @@ _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
 
 WORLDS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
     {
-        name: {
-            "rules": rules,
-            "rows": side,
-            "cols": side,
-            "n_pursuers": pursuers,
-            "n_evaders": evaders,
-            "obstacles": obstacles,
-            "max_steps": 200,
-        }
-        for name, rules, side, pursuers, evaders, obstacles in (
-            ("courtyard", "O", 20, 4, 4, 0.1),
-            ("thicket", "D", 10, 6, 3, 0.2),
-            ("park", "TO", 28, 4, 4, 0.1),
+        name: {**sizes, "rules": rules, "cols": sizes["rows"], "max_steps": 200}
+        for name, rules, sizes in (
+            ("courtyard", "O", {"rows": 20, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1}),
+            ("thicket", "D", {"rows": 10, "n_pursuers": 6, "n_evaders": 3, "obstacles": 0.2}),
+            ("park", "TO", {"rows": 28, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1}),
         )
     }
 )
@@ -76,15 +68,6 @@ class WorldSettings(TypedDict, total=False):
     max_steps: int
     obstacles: Obstacles
     rewards: Rewards | None
-
-
-def with_limit(name: str, steps: int | None, settings: Any) -> Any:
-    """Return settings whose `max_steps` are those of an argument that other libraries call so."""
-    if steps is None:
-        return settings
-    if "max_steps" in settings:
-        raise ValueError(f"{name}, max_steps: expected one of them, got both")
-    return {**settings, "max_steps": checks.check_integer(name, steps, 1)}
 
 
 def _sides(rows: int | None, cols: int | None, size: int | None) -> tuple[int | None, int | None]:

@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import check_choice, shown
+from matrixworld.world import policy
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CAREFUL, FORBIDDEN, SCRIPTS, TEAMS, Network, Team
-from matrixworld.world.policy import check_team as engine_form
 from matrixworld.world.rules import Action, Capture
 
 Mask: TypeAlias = Literal["none", "obstacles", "right-of-way"]
@@ -38,12 +37,12 @@ def check_mask(name: str, mask: str, config: WorldConfig, user: str = "") -> Non
 
 def check_script(name: str, player: str, config: WorldConfig) -> None:
     """Raise ValueError if a player is a careful script and agents see too little for it."""
-    if player in SCRIPTS and player.startswith(CAREFUL):
+    if player in policy.SCRIPTS and player.startswith(policy.CAREFUL):
         check_mask(name, "right-of-way", config, player)
 
 
 def right_of_way_cells(
-    config: WorldConfig, team: Team, step: int | None = None
+    config: WorldConfig, team: policy.Team, step: int | None = None
 ) -> list[list[tuple[int, int, int]]]:
     """Return the cells of a view in which an agent forbids each move, without staying, of a team.
 
@@ -55,7 +54,7 @@ def right_of_way_cells(
 
 
 def forbidding_cells(
-    config: WorldConfig, mask: str, team: Team, step: int | None = None
+    config: WorldConfig, mask: str, team: policy.Team, step: int | None = None
 ) -> NDArray[np.intp]:
     """Return which numbers of a view forbid each move: indices (n_actions - 1, k) of a flat view.
 
@@ -98,7 +97,7 @@ class ActionMasks:
         """
         if step not in self._cells:
             self._cells[step] = [
-                forbidding_cells(self._config, self._mask, team, step) for team in TEAMS
+                forbidding_cells(self._config, self._mask, team, step) for team in policy.TEAMS
             ]
         pursuers = max(0, self._config.n_pursuers - first)
         parts = views[..., :pursuers, :, :, :], views[..., pursuers:, :, :, :]
@@ -117,28 +116,39 @@ def action_masks(views: NDArray[Any], cells: NDArray[np.intp]) -> NDArray[np.int
     return masks
 
 
-def check_team(name: str, given: Any, config: WorldConfig, team: Team) -> Any:
-    """Return the engine's form of a team policy, as `policy.check_team`.
+def check_team(name: str, given: Any, config: WorldConfig, team: policy.Team) -> Any:
+    """Return the engine's form of a team policy.
 
     ValueError for networks with the right of way of the other team, or of rules under which more is
     allowed: they would be at fault.
     """
-    population = given.population() if hasattr(given, "population") else given
-    network = getattr(population, "policy", None)
-    size = config.fov, config.n_actions
-    if isinstance(network, Network) and (network.fov, network.n_actions) == size:
-        # The channels of agents come first: without them a mask is that of obstacles.
-        of_agents = population.forbids[:, : CHANNEL["obstacle"] * config.fov**2]
-        masked = of_agents.any(axis=(1, 2))
-        if masked.any():
-            cells = forbidding_cells(config, "right-of-way", team)
-            moves = np.arange(len(cells))[:, np.newaxis]
-            if not population.forbids[masked][:, cells, moves].all():
-                raise ValueError(
-                    f"{name}: expected networks that keep the right of way of {team}s under these "
-                    "rules, got a mask of other rules or of the other team"
-                )
-    return engine_form(name, population)
+    player = given.population() if hasattr(given, "population") else given
+    if isinstance(player, policy.Population):
+        fits = (player.policy.fov, player.policy.n_actions) == (config.fov, config.n_actions)
+        if isinstance(player.policy, policy.Network) and fits:
+            _check_right_of_way(name, player.forbids, config, team)
+        return player.policy.core, player.genomes
+    if isinstance(player, policy.TablePolicy):
+        return player.core
+    if not isinstance(player, str):
+        expected = "a Population, a TablePolicy or the name of a script"
+        raise TypeError(f"{name}: expected {expected}, got {shown(player)}")
+    check_choice(name, player, policy.SCRIPTS)
+    return player
+
+
+def _check_right_of_way(
+    name: str, forbids: NDArray[np.bool_], config: WorldConfig, team: policy.Team
+) -> None:
+    # The channels of agents come first: without them a mask is that of obstacles.
+    masked = forbids[:, : CHANNEL["obstacle"] * config.fov**2].any(axis=(1, 2))
+    if masked.any():
+        cells = forbidding_cells(config, "right-of-way", team)
+        if not forbids[masked][:, cells, np.arange(len(cells))[:, np.newaxis]].all():
+            raise ValueError(
+                f"{name}: expected networks that keep the right of way of {team}s under these "
+                "rules, got a mask of other rules or of the other team"
+            )
 
 
 def leaves_captures(config: WorldConfig) -> bool:
@@ -173,12 +183,12 @@ class FixedWeights:
         return np.where(self.fixed, self.values, genomes)
 
 
-def masked_network(network: Network) -> Network:
+def masked_network(network: policy.Network) -> policy.Network:
     """Return a network with room for a mask: one more unit for each move in each hidden layer."""
     return replace(network, hidden=tuple(size + network.n_actions - 1 for size in network.hidden))
 
 
-def mask_weights(network: Network, cells: NDArray[np.intp]) -> FixedWeights:
+def mask_weights(network: policy.Network, cells: NDArray[np.intp]) -> FixedWeights:
     """Return the weights of a mask in a `masked_network`, from its `forbidding_cells`.
 
     Staying is never forbidden. Without hidden layers, the weights from the cells to the outputs are
@@ -197,7 +207,7 @@ def mask_weights(network: Network, cells: NDArray[np.intp]) -> FixedWeights:
             fixed_biases.reshape(shape[2:])[:, -moves:] = 1.0
             by_gate[0, -moves:, -1, -moves:] = np.eye(moves)
             if network.memory == "gru":
-                biases.reshape(shape[2:])[1, -moves:] = FORBIDDEN  # nothing is kept
+                biases.reshape(shape[2:])[1, -moves:] = policy.FORBIDDEN  # nothing is kept
             continue
         sources = cells.T if number == 0 else np.arange(len(weights) - moves, len(weights))[None]
         # A unit of the mask hears of nothing else, and nothing else hears of it.
@@ -208,5 +218,5 @@ def mask_weights(network: Network, cells: NDArray[np.intp]) -> FixedWeights:
             fixed_biases[-moves:] = 1.0
         targets = np.arange(1, 1 + moves) if number == last else np.arange(-moves, 0)
         fixed_weights[sources, targets] = 1.0
-        weights[sources, targets] = FORBIDDEN if number == last else 1.0
+        weights[sources, targets] = policy.FORBIDDEN if number == last else 1.0
     return FixedWeights(marks != 0.0, values)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
 from math import prod
-from typing import Any, ClassVar, Literal, TypeAlias, get_args
+from typing import Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,35 +22,13 @@ Team: TypeAlias = Literal["pursuer", "evader"]
 TEAMS: tuple[Team, Team] = ("pursuer", "evader")
 """The two teams, in the order of every team axis."""
 
-Script: TypeAlias = Literal[
-    "random",
-    "still",
-    "chaser",
-    "fleer",
-    "clumsy-chaser",
-    "hunter",
-    "surrounder",
-    "clumsy-fleer",
-    "dodger",
-    "team-surrounder",
-    "careful-random",
-    "careful-chaser",
-    "careful-fleer",
-    "careful-clumsy-chaser",
-    "careful-hunter",
-    "careful-surrounder",
-    "careful-clumsy-fleer",
-    "careful-dodger",
-    "careful-team-surrounder",
-]
-
-SCRIPTS: tuple[Script, ...] = get_args(Script)
-"""Names of the scripted policies."""
+Script: TypeAlias = str
+"""One of `SCRIPTS`."""
 
 CAREFUL = "careful-"
 """Before the name of a script that takes only moves that right of way allows."""
 
-SCRIPT_TEXTS: dict[Script, str] = {
+_PLAIN_TEXTS = {
     "random": "any action, all equally likely",
     "still": "always stays",
     "chaser": "moves to where the nearest adversary in view is nearest",
@@ -61,11 +39,12 @@ SCRIPT_TEXTS: dict[Script, str] = {
     "clumsy-fleer": "a fleer that takes any action in half of the steps",
     "dodger": "moves to where all adversaries in view together are farthest",
     "team-surrounder": "shares the free cells beside adversaries with its teammates, and searches",
-    **{
-        name: f"as {name.removeprefix(CAREFUL)}, but takes only moves that right of way allows"
-        for name in SCRIPTS
-        if name.startswith(CAREFUL)
-    },
+}
+
+SCRIPT_TEXTS: dict[Script, str] = _PLAIN_TEXTS | {
+    f"{CAREFUL}{name}": f"as {name}, but takes only moves that right of way allows"
+    for name in _PLAIN_TEXTS
+    if name != "still"
 }
 """What scripts do.
 
@@ -83,6 +62,9 @@ teams of as many as surround an adversary cross the grid in a line; in many, eac
 in swaths of its own. Views wider than 11 are cut to 11. It counts steps, and knows the sizes of the
 grid and of its team, and whether there are obstacles.
 """
+
+SCRIPTS: tuple[Script, ...] = tuple(SCRIPT_TEXTS)
+"""Names of the scripted policies."""
 
 Memory: TypeAlias = Literal["none", "gru"]
 
@@ -417,23 +399,6 @@ class TablePolicy:
 
 EnginePolicy: TypeAlias = TeamPolicy | TablePolicy
 """All that the engine can play for a team."""
-
-
-def check_team(name: str, team: Any) -> Any:
-    """Return the engine's form of a team policy."""
-    if hasattr(team, "population"):  # a `NetworkPolicy`, which this module does not know
-        team = team.population()
-    if isinstance(team, Population):
-        return team.policy.core, team.genomes
-    if isinstance(team, TablePolicy):
-        return team.core
-    if not isinstance(team, str):
-        raise TypeError(
-            f"{name}: expected a Population, a TablePolicy or the name of a script, "
-            f"got {checks.shown(team)}"
-        )
-    checks.check_choice(name, team, SCRIPTS)
-    return team
 
 
 def check_agents(agents: range) -> tuple[int, int]:

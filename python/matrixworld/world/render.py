@@ -7,11 +7,10 @@ terminal.
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import groupby, pairwise, product
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +18,6 @@ from PIL import Image, ImageColor, ImageDraw
 
 from matrixworld._util import checks, colors
 from matrixworld.world.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
-from matrixworld.world.conflicts import agent_name
 
 __all__ = ["Scene", "ansi", "png", "rgb"]
 
@@ -37,7 +35,6 @@ NUMBERS_IN_BADGE = 3  # more numbers of agents would cover the next cell
 TRAIL_LEVEL = 220  # of 255: how strong the newest piece of a trail is
 OLDEST_LEVEL = 0.25  # of the newest piece: a trail that faded to nothing would end nowhere
 TRAIL_WIDTH, TRAIL_SHIFT = 0.2, 0.1  # in cells; trails of the teams are beside each other
-VIEW_LEVEL = 28  # of 255: tint of a field of view
 
 
 @dataclass
@@ -91,14 +88,6 @@ class Scene:
     def _repr_png_(self) -> bytes:
         return png(self)
 
-    def agent(self, who: int | str) -> int:
-        """Return the number of an agent given by number or name."""
-        names = [agent_name(agent, self.n_pursuers) for agent in range(len(self.alive))]
-        if not isinstance(who, str):
-            return checks.check_integer("viewers", who, 0, len(names) - 1)
-        checks.check_choice("viewers", who, names)
-        return names.index(who)
-
     def occupied_cells(self) -> dict[Cell, CellContents]:
         """Return what is on each cell that has living agents."""
         cells: dict[Cell, CellContents] = {}
@@ -131,14 +120,7 @@ class Scene:
         return at_fault, involved - at_fault
 
 
-def rgb(
-    scene: Scene,
-    *,
-    cell: int | None = None,
-    fov: int = 11,
-    viewers: Sequence[int | str] = (),
-    numbers: bool = False,
-) -> NDArray[np.uint8]:
+def rgb(scene: Scene, *, cell: int | None = None, numbers: bool = False) -> NDArray[np.uint8]:
     """Draw a scene as an array of pixels, uint8 (height, width, 3).
 
     Scenes of the same grid and cell size give pictures of the same size, as animations need.
@@ -149,23 +131,13 @@ def rgb(
         What to draw.
     cell : int, optional
         Pixels per cell. By default the size of the grid decides.
-    fov : int, optional
-        Side of the fields of view, odd. The default is 11.
-    viewers : sequence of int or str, optional
-        The agents whose fields of view are outlined while they are alive, by number or by name.
     numbers : bool, optional
         Whether agents carry their numbers in their teams: 3 for ``pursuer_3`` and ``evader_3``.
         Cells then have at least 20 pixels. The default is False.
     """
     checks.check_instance("scene", scene, Scene)
-    fov = checks.check_integer("fov", fov, 1)
-    if fov % 2 == 0:
-        raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
-    agents = [scene.agent(each) for each in checks.check_sequence("viewers", viewers, "agents")]
     least = SMALLEST_NUMBERED if checks.check_bool("numbers", numbers) else 1
     picture = _Picture(scene, Layout.of(scene.shape, cell, least=least), numbers)
-    for agent in agents:
-        picture.draw_view(agent, fov // 2)
     # Each layer is drawn over the ones before it: agents must not be hidden.
     picture.draw_trails()
     picture.draw_marks()
@@ -213,33 +185,25 @@ class _Picture:
         self.badges: list[tuple[list[int], Point]] = []  # agents on one cell, and where to say so
         self.canvas = _ground(scene.map.astype(bool).tobytes(), layout).copy()
 
-    def draw_view(self, viewer: int, reach: int) -> None:
-        """Draw the square that an agent sees."""
-        if not self.scene.alive[viewer]:
-            return
-        row, col = self.scene.positions[viewer].tolist()
-        colour = colors.TEAMS[viewer >= self.scene.n_pursuers]
-        cell, (x, y, right, bottom) = self.layout.cell, self.layout.field
-        left, top = max(x, x + (col - reach) * cell), max(y, y + (row - reach) * cell)
-        right = min(right, x + (col + reach + 1) * cell)
-        bottom = min(bottom, y + (row + reach + 1) * cell)
-        tint = Image.new("L", (right - left, bottom - top), VIEW_LEVEL)
-        self.canvas.paste(colour, (left, top), tint)
-        ImageDraw.Draw(self.canvas).rectangle(
-            (left, top, right - 1, bottom - 1), outline=colour, width=2 if cell >= 12 else 1
-        )
-
     def draw_trails(self) -> None:
-        """Draw where each living agent came from: a line that fades with age."""
-        if self.scene.trail is None or len(self.scene.trail) == 0:
+        """Draw where each living agent came from: a line for each step, fainter with age."""
+        trail, layout = self.scene.trail, self.layout
+        if trail is None or len(trail) == 0:
             return
-        cells = np.concatenate([self.scene.trail, self.scene.positions[None]])
+        cells = np.concatenate([trail, self.scene.positions[None]])
         teams = slice(0, self.scene.n_pursuers), slice(self.scene.n_pursuers, None)
+        width = max(1, round(layout.cell * TRAIL_WIDTH))
         for team, colour, side in zip(teams, colors.TEAMS, (-1, 1), strict=True):
             mask = Image.new("L", self.canvas.size, 0)
-            shift = side * TRAIL_SHIFT * self.layout.cell
-            alive = self.scene.alive[team]
-            _draw_lines(ImageDraw.Draw(mask), self.layout, cells[:, team], alive, shift)
+            draw, shift = ImageDraw.Draw(mask), side * TRAIL_SHIFT * layout.cell
+            for step, (start, end) in enumerate(pairwise(cells[:, team]), 1):
+                # An agent that is gone has negative coordinates: no line leads from there.
+                moved = (start != end).any(axis=1) & (start >= 0).all(axis=1)
+                strength = OLDEST_LEVEL + (1 - OLDEST_LEVEL) * step / len(trail)
+                for agent in np.flatnonzero(moved & self.scene.alive[team]):
+                    ends = layout.centre(*start[agent]), layout.centre(*end[agent])
+                    line = [(float(x) + shift, float(y) + shift) for x, y in ends]
+                    draw.line(line, fill=round(TRAIL_LEVEL * strength), width=width)
             self.canvas.paste(colour, (0, 0), mask)
 
     def draw_marks(self) -> None:
@@ -341,31 +305,6 @@ class _Picture:
         draw.text((layout.margin, middle), title, fill=colors.INK, font=text, anchor="lm")
 
 
-def _draw_lines(
-    draw: ImageDraw.ImageDraw,
-    layout: Layout,
-    cells: NDArray[np.integer],
-    alive: NDArray[np.bool_],
-    shift: float,
-) -> None:
-    """Draw one line per step, in pieces so that it fades evenly, newer lines over older ones."""
-    width = max(1, round(layout.cell * TRAIL_WIDTH))
-    pieces = max(2, layout.cell // 6)
-    steps = len(cells) - 1
-    for step, (start, end) in enumerate(pairwise(cells)):
-        # An agent that is gone has negative coordinates: no line leads from there.
-        moved = alive & (start != end).any(axis=1) & (start >= 0).all(axis=1)
-        freshness = (step + (np.arange(pieces) + 1) / pieces) / steps
-        strength = OLDEST_LEVEL + (1 - OLDEST_LEVEL) * freshness
-        levels = (TRAIL_LEVEL * strength).round().astype(int).tolist()
-        for a, b in zip(start[moved].tolist(), end[moved].tolist(), strict=True):
-            (x0, y0), (x1, y1) = layout.centre(*a), layout.centre(*b)
-            dx, dy = (x1 - x0) / pieces, (y1 - y0) / pieces
-            for piece, level in enumerate(levels):
-                x, y = x0 + piece * dx + shift, y0 + piece * dy + shift
-                draw.line((x, y, x + dx, y + dy), fill=level, width=width)
-
-
 def _badge_text(agents: list[int], numbers: bool) -> str:
     if not numbers:
         return str(len(agents)) if len(agents) < 10 else "+"
@@ -384,24 +323,17 @@ def _shortened(title: str, room: int, size: int) -> str:
 
 # Text:
 
-MODES = ("true", "256", "none")
 RESET = "\x1b[0m"
 
 
-class Ink(NamedTuple):
-    """Colours of a piece of text, ``#rrggbb``; empty means the terminal's own."""
-
-    text: str = ""
-    ground: str = ""
-
-
-Run = tuple[str, Ink]  # a piece of text of one colour
+Run = tuple[str, str, str]
+"""A piece of text, its colour and that of its ground, ``#rrggbb``; empty: the terminal's own."""
 
 UNICODE = {"pursuer": "▲", "evader": "●", "captured": "○", "obstacle": "██", "free": "· "}
 ASCII = {"pursuer": "P", "evader": "E", "captured": "e", "obstacle": "##", "free": ". "}
 
 
-def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
+def ansi(scene: Scene, *, color: bool = True, compact: bool = False) -> str:
     """Draw a scene as lines of text, without a newline at the end.
 
     A cell is two characters wide. The second one is the number of agents if there are several. If
@@ -412,25 +344,25 @@ def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
     ----------
     scene : Scene
         What to draw.
-    color : {"true", "256", "none"}, optional
-        24-bit escape codes, the 256-color palette, or plain ASCII: P pursuer, E evader,
-        e captured evader, X both teams, x a death, # obstacle.
+    color : bool, optional
+        Escape codes of the palette of 256 colors (the default), or plain ASCII: P pursuer,
+        E evader, e captured evader, X both teams, x a death, # obstacle.
     compact : bool, optional
         Whether to draw half blocks: two rows of cells per line and one character per column. Only
         colors tell the teams apart then, so it needs colors.
     """
     checks.check_instance("scene", scene, Scene)
-    checks.check_choice("color", color, MODES)
-    if checks.check_bool("compact", compact) and color == "none":
-        raise ValueError("compact: expected color 'true' or '256', got 'none'")
-    glyphs = ASCII if color == "none" else UNICODE
+    colored = checks.check_bool("color", color)
+    if checks.check_bool("compact", compact) and not colored:
+        raise ValueError("compact: expected color with it, got color=False")
+    glyphs = UNICODE if color else ASCII
     pursuers, evaders = scene.team_sizes()
     legend = [
-        (scene.title + "   " if scene.title else "", Ink()),
-        (glyphs["pursuer"], Ink(colors.PURSUER)),
-        (f" {pursuers}  ", Ink()),
-        (glyphs["evader"], Ink(colors.EVADER)),
-        (f" {evaders}", Ink()),
+        (scene.title + "   " if scene.title else "", "", ""),
+        (glyphs["pursuer"], colors.PURSUER, ""),
+        (f" {pursuers}  ", "", ""),
+        (glyphs["evader"], colors.EVADER, ""),
+        (f" {evaders}", "", ""),
     ]
     field = _half_blocks(scene) if compact else _cells(scene, glyphs)
     return "\n".join(_painted(line, color) for line in (legend, *field))
@@ -447,28 +379,28 @@ def _cells(scene: Scene, glyphs: dict[str, str]) -> list[list[Run]]:
             if cell in occupied:
                 line += _agents(occupied[cell], glyphs, ground)
             elif cell in deaths:
-                line.append(("x " if glyphs is ASCII else "× ", Ink(colors.INK, ground)))
+                line.append(("x " if glyphs is ASCII else "× ", colors.INK, ground))
             elif obstacle:
-                line.append((glyphs["obstacle"], Ink(colors.OBSTACLE, ground)))
+                line.append((glyphs["obstacle"], colors.OBSTACLE, ground))
             else:
-                line.append((glyphs["free"], Ink(colors.FREE, ground)))
+                line.append((glyphs["free"], colors.FREE, ground))
         lines.append(line)
     return lines
 
 
 def _agents(contents: CellContents, glyphs: dict[str, str], ground: str) -> list[Run]:
     """Return two characters: the signs or the numbers of the teams on a cell."""
-    pursuer, evader = Ink(colors.PURSUER, ground), Ink(colors.EVADER, ground)
+    pursuer, evader = (colors.PURSUER, ground), (colors.EVADER, ground)
     pursuers, evaders = len(contents.pursuers), len(contents.evaders)
     sign = glyphs["captured" if contents.all_captured else "evader"]
     if pursuers and evaders and glyphs is ASCII:
-        return [("X" + _number(pursuers + evaders, least=3), pursuer)]
+        return [("X" + _number(pursuers + evaders, least=3), *pursuer)]
     if pursuers and evaders:
-        first = (_number(pursuers, alone=glyphs["pursuer"]), pursuer)
-        return [first, (_number(evaders, alone=sign), evader)]
+        first = (_number(pursuers, alone=glyphs["pursuer"]), *pursuer)
+        return [first, (_number(evaders, alone=sign), *evader)]
     if pursuers:
-        return [(glyphs["pursuer"] + _number(pursuers), pursuer)]
-    return [(sign + _number(evaders), evader)]
+        return [(glyphs["pursuer"] + _number(pursuers), *pursuer)]
+    return [(sign + _number(evaders), *evader)]
 
 
 def _number(count: int, alone: str = " ", least: int = 2) -> str:
@@ -502,35 +434,30 @@ def _half_blocks(scene: Scene) -> list[list[Run]]:
         return fill.get((row, col), colors.PAPER) if row < rows else ""
 
     return [
-        [("▀", Ink(color(row, col), color(row + 1, col))) for col in range(cols)]
+        [("▀", color(row, col), color(row + 1, col)) for col in range(cols)]
         for row in range(0, rows, 2)
     ]
 
 
-def _painted(line: list[Run], color: str) -> str:
+def _painted(line: list[Run], color: bool) -> str:
     """Return the line with an escape code at each change of colour, reset at its end."""
-    number = _palette_number if color == "256" else _true_number
     parts = []
-    for ink, runs in groupby(line, key=lambda run: run[1]):
+    for colours, runs in groupby(line, key=lambda run: run[1:]):
         text = "".join(run[0] for run in runs)
         codes = [
-            f"{place};{number(colour)}"
-            for place, colour in (("38", ink.text), ("48", ink.ground))
-            if colour and color != "none"
+            f"{place};5;{_palette_number(colour)}"
+            for place, colour in zip(("38", "48"), colours, strict=True)
+            if colour and color
         ]
         parts.append(f"\x1b[{';'.join(codes)}m{text}{RESET}" if codes and text else text)
     return "".join(parts)
 
 
-def _true_number(colour: str) -> str:
-    return "2;{};{};{}".format(*ImageColor.getrgb(colour))
-
-
 @lru_cache(maxsize=64)
-def _palette_number(colour: str) -> str:
+def _palette_number(colour: str) -> int:
     """Return the nearest colour of the 6 x 6 x 6 and 24 greys that xterm numbers 16 to 255."""
     # The first 16 colours are left out, because users choose them.
     greys = [(8 + 10 * grey,) * 3 for grey in range(24)]
     palette = np.array([*product((0, 95, 135, 175, 215, 255), repeat=3), *greys])
     distances = ((palette - ImageColor.getrgb(colour)) ** 2).sum(axis=1)
-    return f"5;{16 + distances.argmin()}"
+    return 16 + int(distances.argmin())

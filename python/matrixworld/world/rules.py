@@ -217,11 +217,6 @@ class Rewards:
                 object.__setattr__(self, name, _reward(name, value))
 
     @classmethod
-    def paper(cls) -> Rewards:
-        """Return the rewards of Sun et al. (2023), Table "Reward function": the defaults."""
-        return cls()
-
-    @classmethod
     def published(cls) -> Rewards:
         """Return the rewards of the code that the paper's authors published."""
         return cls(evader_step=0.05, capture_repeats=True)
@@ -242,7 +237,7 @@ def _reward(name: str, value: object) -> float:
     return number
 
 
-REWARDS = {"paper": Rewards.paper(), "published": Rewards.published()}
+REWARDS = {"paper": Rewards(), "published": Rewards.published()}
 """Rewards by the names that files and options take."""
 
 

@@ -4,20 +4,13 @@ import json
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
 from command_line import matrixworld_command
-from matrixworld.coevolution.evaluation.explanation import (
-    PHRASES,
-    explain,
-    features,
-    sentence,
-    terms_of,
-)
+from matrixworld.coevolution.evaluation import explanation
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.types import other
 from tiny_race import played, tiny_race, tiny_single
@@ -26,11 +19,11 @@ NAMES = list(mw.INPUTS)
 WORLD = mw.WorldConfig("O", rows=7, cols=7, n_pursuers=3, n_evaders=3, fov=7, max_steps=15)
 
 
-def rating(genome: list[float], inputs: tuple[str, ...], **fields: Any) -> mw.RatingPolicy:
+def rating(genome, inputs, **fields):
     return mw.RatingPolicy(mw.Rating.for_config(WORLD, inputs=inputs, **fields), np.float32(genome))
 
 
-def inputs_seen(count: int) -> np.ndarray:
+def inputs_seen(count):
     """Return inputs of agents in new worlds, (count, moves, inputs)."""
     world, seen = mw.World(replace(WORLD, obstacles=0.1)), []
     for episode in range(count // WORLD.n_agents):
@@ -56,15 +49,17 @@ SENTENCES = [
 
 
 @pytest.mark.parametrize(("team", "effects", "expected"), SENTENCES)
-def test_sentences(team: Any, effects: dict[str, float], expected: str) -> None:
-    assert sentence(team, effects) == expected
-    assert [*PHRASES] == [*mw.INPUTS]
+def test_sentences(team, effects, expected):
+    assert explanation.sentence(team, effects) == expected
+    assert [*explanation.PHRASES] == [*mw.INPUTS]
 
 
 @pytest.mark.parametrize(("team", "weight", "said"), [("pursuer", -1, 0), ("evader", 1, 1)])
-def test_a_chaser_and_a_fleer_are_told(team: Any, weight: float, said: int) -> None:
+def test_a_chaser_and_a_fleer_are_told(team, weight, said):
     """Of two inputs, one of which does nothing."""
-    told = explain(rating([weight, 0], ("adversary", "exits")), team, WORLD, episodes=12)
+    told = explanation.explain(
+        rating([weight, 0], ("adversary", "exits")), team, WORLD, episodes=12
+    )
     assert told.sentence == SENTENCES[said][2]
     adversary, exits = told.terms
     assert (adversary.input, adversary.weight) == ("adversary", weight)
@@ -78,14 +73,14 @@ def test_a_chaser_and_a_fleer_are_told(team: Any, weight: float, said: int) -> N
 
 
 @pytest.mark.parametrize("hidden", [(), (3,)], ids=str)
-def test_an_input_left_out_is_one_that_the_policy_does_not_have(hidden: tuple[int, ...]) -> None:
+def test_an_input_left_out_is_one_that_the_policy_does_not_have(hidden):
     """The same matches as by a policy of fewer inputs; the same ratings as if it were 0."""
     inputs = ("unclaimed", "teammate", "room")
     policy = mw.Rating.for_config(WORLD, inputs=inputs, hidden=hidden)
     acts = mw.RatingPolicy(policy, policy.initial(np.random.default_rng(2), 1.0))
     seen = inputs_seen(60)
-    told = explain(acts, "pursuer", WORLD, episodes=6, seed=4)
-    match: Any = {"episodes": 6, "seed": match_seed(4, Phase.EXPLAIN, 0)}
+    told = explanation.explain(acts, "pursuer", WORLD, episodes=6, seed=4)
+    match = {"episodes": 6, "seed": match_seed(4, Phase.EXPLAIN, 0)}
     own = mw.score_policy(acts, "pursuer", WORLD, **match)
     assert told.score == own.mean()
     for place, name in enumerate(inputs):
@@ -103,17 +98,17 @@ def test_an_input_left_out_is_one_that_the_policy_does_not_have(hidden: tuple[in
         assert term.weight == (None if hidden else acts.genome[place])
 
 
-def test_effects_are_weights_by_spread_and_dependence_is_a_mean() -> None:
+def test_effects_are_weights_by_spread_and_dependence_is_a_mean():
     seen = inputs_seen(120)
     acts = rating([-2.0, 0.5], ("adversary", "exits"))
     allowed = seen[..., NAMES.index("room")] > 0
-    for term in terms_of(acts, seen):
+    for term in explanation.terms_of(acts, seen):
         x = seen[..., NAMES.index(term.input)]
         spread = np.mean([np.var(row[free]) for row, free in zip(x, allowed, strict=True)]) ** 0.5
         assert term.effect == pytest.approx(term.weight * spread, rel=1e-3)
     policy = mw.Rating.for_config(WORLD, inputs=("exits", "room"), hidden=(4,))
     acts = mw.RatingPolicy(policy, policy.initial(np.random.default_rng(0), 1.0))
-    [room] = [term for term in terms_of(acts, seen) if term.input == "room"]
+    [room] = [term for term in explanation.terms_of(acts, seen) if term.input == "room"]
     assert len(room.dependence) == 5
     for value, mean in room.dependence:
         changed = seen[allowed].copy()
@@ -124,7 +119,7 @@ def test_effects_are_weights_by_spread_and_dependence_is_a_mean() -> None:
 # Networks:
 
 
-def slow_features(view: np.ndarray, team: str) -> dict[str, float]:
+def slow_features(view, team):
     half, found = len(view[0]) // 2, {}
     cells = [(r, c) for r in range(-half, half + 1) for c in range(-half, half + 1)]
     channels = (1, 0) if team == "evader" else (0, 1)
@@ -145,54 +140,54 @@ def slow_features(view: np.ndarray, team: str) -> dict[str, float]:
 
 
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
-def test_features_of_views(team: Any) -> None:
+def test_features_of_views(team):
     views = (np.random.default_rng(1).random((200, 3, 7, 7)) < 0.08).astype(np.uint8)
-    found = features(views, team)
+    found = explanation.features(views, team)
     for number, view in enumerate(views):
         slow = slow_features(view, team)
         assert {name: each[number] for name, each in found.items()} == slow
 
 
-def test_a_tree_is_scored_by_its_own_matches() -> None:
+def test_a_tree_is_scored_by_its_own_matches():
     """Its rules are played as they are printed."""
     pytest.importorskip("sklearn")
     network = mw.Network.for_config(WORLD, (8,), sampled=False)
     genome = network.initial(np.random.default_rng(3), 0.3, 1.0)
     acts = mw.NetworkPolicy(network, genome)
-    options: Any = {"episodes": 5, "seed": 2, "depth": 5}
-    told = explain(acts, "evader", WORLD, **options)
+    options = {"episodes": 5, "seed": 2, "depth": 5}
+    told = explanation.explain(acts, "evader", WORLD, **options)
     assert told.tree is not None
     named = re.sub(r"if (.+) <= ", r'if x["\1"] <= ', told.text)
     rules = compile(re.sub(r"(\w+) \(\d\.\d+\)", r'move = "\1"', named), "rules", "exec")
 
-    def by_rules(views: np.ndarray) -> list[int]:
+    def by_rules(views):
         moves = []
         for view in views:
-            names: dict[str, Any] = {"x": slow_features(view, "evader")}
+            names = {"x": slow_features(view, "evader")}
             exec(rules, names)
             moves.append(mw.Action[names["move"].upper()])
         return moves
 
-    match: Any = {"episodes": 5, "seed": match_seed(2, Phase.EXPLAIN, 0)}
+    match = {"episodes": 5, "seed": match_seed(2, Phase.EXPLAIN, 0)}
     own, its = (mw.score_policy(each, "evader", WORLD, **match) for each in (acts, by_rules))
     assert (told.score, told.tree.score) == (own.mean(), its.mean())
     assert told.tree.cost.value == pytest.approx((own.means - its.means)[0])
-    same: list[bool] = []
+    same = []
 
-    def watched(views: np.ndarray) -> Any:
+    def watched(views):
         moves = acts(views)
         same.extend(moves == by_rules(views))
         return moves
 
     mw.score_policy(watched, "evader", WORLD, episodes=2, seed=77)
     assert told.tree.agreement == pytest.approx(np.mean(same), abs=0.06)
-    assert str(explain(acts, "evader", WORLD, **options)) == str(told)
+    assert str(explanation.explain(acts, "evader", WORLD, **options)) == str(told)
 
 
 # Of runs:
 
 
-def test_the_command_says_what_the_run_says(tmp_path: Path, monkeypatch: Any) -> None:
+def test_the_command_says_what_the_run_says(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     run = played(tiny_race(policy="rating", hidden=()), Path("run"))
     command = ["explain", "run", "--generation", 1, "--episodes", 2, "--seed", 3]
@@ -212,7 +207,7 @@ def test_the_command_says_what_the_run_says(tmp_path: Path, monkeypatch: Any) ->
         run.explain("pursuer", depth=7)
 
 
-def test_what_no_tree_imitates_is_refused(tmp_path: Path) -> None:
+def test_what_no_tree_imitates_is_refused(tmp_path):
     pytest.importorskip("sklearn")
     run = played(tiny_single(memory="gru", hidden=(2,)), tmp_path / "run")
     with pytest.raises(ValueError, match="policy: expected one without memory"):
@@ -221,14 +216,14 @@ def test_what_no_tree_imitates_is_refused(tmp_path: Path) -> None:
         run.explain(other(run.settings.learning_teams[0]))
 
 
-def test_parts_of_a_program_that_are_worth_nothing_are_left_out() -> None:
+def test_parts_of_a_program_that_are_worth_nothing_are_left_out():
     policy = mw.Program.for_config(WORLD, inputs=("adversary", "room", "teammate"))
     text = "min(5.0 + teammate, 0.0001 * room - 2.0 * adversary)"
     acts = mw.RatingPolicy(policy, policy.genome(text))
-    told = explain(acts, "pursuer", WORLD, episodes=60).text
+    told = explanation.explain(acts, "pursuer", WORLD, episodes=60).text
     [short] = re.findall("Without parts that are worth nothing: (.*)", told)
     assert "adversary" in short
     assert "teammate" not in short
     # What decides stays: a program of one input has no shorter one.
     chaser = mw.RatingPolicy(policy, policy.genome("-adversary"))
-    assert "Without parts" not in explain(chaser, "pursuer", WORLD, episodes=60).text
+    assert "Without parts" not in explanation.explain(chaser, "pursuer", WORLD, episodes=60).text

@@ -1,8 +1,5 @@
 """Held-out opponents, and the scores of runs and of any policy against them."""
 
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -22,11 +19,11 @@ SURROUNDING = ["surrounder", "careful-team-surrounder"]
 EVOLVED = ["evolved-1", "evolved-2"]
 SHIPPED = [variant for variant in mw.VARIANTS if "evolved-1" in held_out("pursuer", variant)]
 """The variants whose genomes come with the package."""
-FITTING: dict[str, Any] = {"fov": 11, "rows": 7, "cols": 7, "hidden": (2,)}
+FITTING = {"fov": 11, "rows": 7, "cols": 7, "hidden": (2,)}
 
 
 @pytest.fixture(scope="module")
-def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def race(tmp_path_factory):
     """A race whose views are those of the evolved opponents."""
     path = tmp_path_factory.mktemp("races") / "race"
     return played(tiny_race(**FITTING), path).path
@@ -91,7 +88,7 @@ def test_all_generations_are_a_curve_of_single_ones(race):
 def test_steps_and_seeds_have_an_effect(race):
     run = open_run(race)
 
-    def rates(**changes: Any) -> np.ndarray:
+    def rates(**changes):
         return score(run, episodes=8, **changes)["pursuer"].rates
 
     assert np.array_equal(rates(), rates(seed=0, steps=12, threads=2))
@@ -120,13 +117,13 @@ def test_opponents_that_do_not_fit_are_left_out(settings, opponents, why, tmp_pa
 
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("name", ["O", "swarm-D"])
-def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: Any) -> None:
+def test_a_function_has_the_scores_of_the_genome_that_it_plays(name, team):
     config = config_of(name, obstacles=0.1, max_steps=12)
     team_of_one = random_team(config, 1, hidden=(6,), sampled=False)
     policy = mw.NetworkPolicy(team_of_one.policy, team_of_one.genomes[0], seed=0)
     calls = []
 
-    def play(observations: np.ndarray) -> np.ndarray:
+    def play(observations):
         calls.append(observations.shape)
         return policy(observations)
 
@@ -139,12 +136,10 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: 
     assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
 
 
-def test_the_best_generation_is_chosen_on_episodes_that_no_score_is_from(
-    race: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_best_generation_is_chosen_on_episodes_that_no_score_is_from(race, monkeypatch):
     asked = []
 
-    def scores_of(config: Any, sides: Any, *, seed: int, **how: Any) -> Any:
+    def scores_of(config, sides, *, seed, **how):
         asked.append(seed)
         rates = np.repeat([0.2, 0.5, 0.5], 6).reshape(3, 2, 3)
         return {
@@ -169,7 +164,7 @@ def test_the_best_generation_is_chosen_on_episodes_that_no_score_is_from(
 
 def test_the_best_script_of_a_team_meets_what_a_run_meets():
     world = mw.WorldConfig("O", size=9, n_pursuers=2, n_evaders=3, max_steps=30)
-    found, scores = best_scripts(world, episodes=6, threads=1), {}
+    found, scores = best_scripts(world, episodes=6), {}
     for script in ("random", "clumsy-chaser", "chaser", "hunter"):
         rates = []
         for number, opponent in enumerate(held_out("evader", "O").values()):

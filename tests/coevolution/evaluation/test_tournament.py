@@ -24,7 +24,7 @@ def played(pursuers=None, **options):
     # Not (0, 0), so that the seeds show which generations play.
     payoff = tournament(world, *sides, seed=3, episodes=4, generations=(2, 1), **options)
     return {
-        name: (array.dtype, array.shape, array.tobytes()) for name, array in payoff.arrays().items()
+        name: (each.dtype, each.shape, each.tobytes()) for name, each in payoff.arrays().items()
     }
 
 

@@ -2,22 +2,14 @@
 
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from matrixworld.coevolution import Cells, Pursuit, Results, create, open_run
 from matrixworld.coevolution.learners import actor_critic
-from matrixworld.coevolution.learners.actor_critic import (
-    ActorCritic,
-    Experience,
-    Update,
-    advantages,
-)
+from matrixworld.coevolution.learners.actor_critic import ActorCritic, Update, advantages
 from matrixworld.coevolution.learners.learner import Task
-from matrixworld.play import NetworkPolicy
 from matrixworld.play.experience import experience
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
@@ -28,11 +20,11 @@ NETWORK = Network((6,), fov=5)
 CONFIG = WorldConfig("D", rows=7, cols=7, n_pursuers=3, n_evaders=4, fov=5, max_steps=12)
 
 
-def rng() -> np.random.Generator:
+def rng():
     return np.random.default_rng(0)
 
 
-def new(network: Network = NETWORK, epochs: int = 1, **changes: Any) -> Update:
+def new(network=NETWORK, epochs=1, **changes):
     pytest.importorskip("torch")
     one = ActorCritic(population=4, **changes)
     shape = {"hidden": network.hidden, "activation": network.activation, "initial_head": 1.0}
@@ -41,11 +33,11 @@ def new(network: Network = NETWORK, epochs: int = 1, **changes: Any) -> Update:
     return Update(one, one.start(Task(0, 0, epochs, untrained, None, game)))
 
 
-def genome(update: Update) -> np.ndarray:
+def genome(update):
     return update.state()["actor_weights"]
 
 
-def seen_by(update: Update, *, seed: int = 0, matches: int = 4, config=CONFIG) -> Experience:
+def seen_by(update, *, seed=0, matches=4, config=CONFIG):
     seeds = np.arange(seed, seed + matches, dtype=np.uint64)
     own, chosen = Population(genome(update)[None], NETWORK), np.zeros(matches, int)
     return experience(config, "pursuer", own, "random", chosen, seeds, threads=1)
@@ -63,7 +55,7 @@ def slow_advantages(acted, rewards, values, discount, trace):
     return found
 
 
-def test_advantages_are_the_sums_of_their_definition() -> None:
+def test_advantages_are_the_sums_of_their_definition():
     trace = 0.97
     draw = rng()
     steps, worlds, agents = 9, 3, 4
@@ -83,14 +75,14 @@ def test_advantages_are_the_sums_of_their_definition() -> None:
 SMOOTH = replace(NETWORK, activation="tanh")  # the corners of ReLU have no derivative
 
 
-def slow_outputs(weights: np.ndarray, n_out: int, views: np.ndarray) -> np.ndarray:
+def slow_outputs(weights, n_out, views):
     """Return the outputs of a network with six hidden units of tanh, in float64."""
     hidden, head = np.split(weights.astype(np.float64), [-7 * n_out])
     first, last = hidden.reshape(-1, 6), head.reshape(7, n_out)
     return np.tanh(views @ first[:-1] + first[-1]) @ last[:-1] + last[-1]
 
 
-def check_gradient(gradient: np.ndarray, value, weights: np.ndarray) -> None:
+def check_gradient(gradient, value, weights):
     """Compare the gradient of a value with finite differences, at some weights and at the last."""
     # Each needs two passes, so not all; the last is a bias.
     places = np.append(rng().choice(len(weights), 20, replace=False), len(weights) - 1)
@@ -102,22 +94,22 @@ def check_gradient(gradient: np.ndarray, value, weights: np.ndarray) -> None:
 
 
 @pytest.mark.parametrize(("clip", "entropy"), [(0.0, 0.1), (0.2, 0.05)])
-def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy: float) -> None:
+def test_the_actor_s_gradient_is_that_of_finite_differences(clip, entropy):
     one = new(SMOOTH, clip=clip, entropy=entropy)
     weights_before, draw, seen = genome(one), rng(), seen_by(one)
     weight = draw.normal(size=len(seen)).astype(np.float32)
-    given: list[np.ndarray] = []  # instead of a step of Adam, which would hide the gradient
-    one._actor.ascend = lambda gradient, share: given.append(gradient)  # type: ignore[method-assign]
+    given = []  # instead of a step of Adam, which would hide the gradient
+    one._actor.ascend = lambda gradient, share: given.append(gradient)
     one._improve(one._parts(seen.views), seen.actions, weight)
     taken = np.arange(len(seen)), seen.actions
 
-    def logs(weights: np.ndarray) -> np.ndarray:
+    def logs(weights):
         outputs = slow_outputs(weights, 5, seen.views)
         return outputs - np.log(np.exp(outputs).sum(axis=1, keepdims=True))
 
     old = logs(weights_before)[taken]
 
-    def value(weights: np.ndarray) -> float:
+    def value(weights):
         log = logs(weights)
         # At the old weights the clipped ratio of PPO is 1, and its slope that of the ratio.
         gain = (np.exp(log[taken] - old) if clip else log[taken]) * weight
@@ -126,40 +118,26 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
     check_gradient(given[0], value, weights_before)
 
 
-def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
+def test_the_critic_s_gradient_is_that_of_finite_differences():
     one = new(SMOOTH)
     seen = seen_by(one)
     target = rng().normal(size=len(seen)).astype(np.float32)
     critic, given = one._critics["critic"], []
-    critic.ascend = lambda gradient, share: given.append(gradient)  # type: ignore[method-assign]
+    critic.ascend = lambda gradient, share: given.append(gradient)
     one._fit(critic, one._parts(seen.views), target)
     assert len(given) == 5
 
-    def value(weights: np.ndarray) -> float:
+    def value(weights):
         return float(-((slow_outputs(weights, 1, seen.views)[:, 0] - target) ** 2).mean())
 
     check_gradient(given[0], value, critic.weights)
 
 
-def test_the_engine_plays_what_was_learned() -> None:
-    torch = pytest.importorskip("torch")
-    one = new(actor_rate=0.01)
-    seen = seen_by(one)
-    one.learn(seen)
-    policy = NetworkPolicy(NETWORK, genome(one))
-    weights = torch.from_numpy(genome(one))
-    with torch.no_grad():
-        logits = one._actor.outputs(weights, one._parts(seen.views)[0][0][0])
-    np.testing.assert_allclose(
-        policy.probabilities(seen.views), logits.softmax(dim=1).numpy(), atol=1e-6
-    )
-
-
-def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
+def test_the_multiplier_rises_above_the_limit_and_falls_below_it():
     one = new(cost_limit=10.0, cost_rate=0.5)
     seen = seen_by(one)
 
-    def after(collisions_per_1000: float) -> float:
+    def after(collisions_per_1000):
         costs = np.full(len(seen), collisions_per_1000 / 1000, np.float32)
         one.learn(replace(seen, costs=costs))
         return one.multiplier
@@ -170,7 +148,7 @@ def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
     assert [after(rate) for rate in rates] == pytest.approx(expected, abs=1e-5)
 
 
-def test_it_learns_to_catch_in_a_small_world() -> None:
+def test_it_learns_to_catch_in_a_small_world():
     """Pursuers learn to reach evaders that stand still, to a level that chance does not reach."""
     config = WorldConfig("O", rows=6, cols=6, n_pursuers=2, n_evaders=3, fov=5, max_steps=30)
     update = new(actor_rate=0.01, critic_rate=0.01, actor_updates=4, clip=0.2)
@@ -178,7 +156,7 @@ def test_it_learns_to_catch_in_a_small_world() -> None:
     # Seeds that training does not reach.
     test = Matches.of(0, 0, np.arange(10_000, 10_100, dtype=np.uint64))
 
-    def captures() -> float:
+    def captures():
         policy = Population(one.genome(state)[None], NETWORK)
         return float(rollout(config, policy, "still", test).captured_fraction.mean())
 
@@ -194,17 +172,17 @@ def test_it_learns_to_catch_in_a_small_world() -> None:
     assert captures() > 0.65
 
 
-LEARNER: dict[str, Any] = {"learner": "actor-critic", "population": 3, "actor_rate": 0.01}
+LEARNER = {"learner": "actor-critic", "population": 3, "actor_rate": 0.01}
 
 
 @pytest.fixture
-def torch() -> Any:
+def torch():
     return pytest.importorskip("torch")
 
 
 HALL = tiny_race(**LEARNER, schedule="hall-of-fame")
 COSTS = {"learner.cost_limit": 2.0, "clip": 0.2, "actor_updates": 2, "minibatches": 2, "hidden": ()}
-RUNS: dict[str, Any] = {
+RUNS = {
     "O": (HALL, 5),
     "TO": (HALL.changed({"world.rules": "TO"}), 5),
     "pursuers": (tiny_race().changed({"learner": "actor-critic", "evader_learner": "es"}), 5),
@@ -216,13 +194,13 @@ RUNS: dict[str, Any] = {
 
 
 @pytest.mark.parametrize("name", RUNS)
-def test_runs_learn_and_resume_bit_for_bit(torch, name: str, tmp_path: Path) -> None:
+def test_runs_learn_and_resume_bit_for_bit(torch, name, tmp_path):
     check_resumes(*RUNS[name], tmp_path / "run")
     for genomes in open_run(tmp_path / "run").archive().values():
         assert len(np.unique(genomes, axis=0)) == len(genomes) in (0, 3, 4)
 
 
-def test_a_central_critic_sees_no_turns() -> None:
+def test_a_central_critic_sees_no_turns():
     with pytest.raises(ValueError, match="central_critic: expected false where agents take turns"):
         HALL.changed({"world.rules": "TO", "learner.central_critic": True})
 
@@ -233,18 +211,18 @@ def test_a_device_that_is_missing_is_refused_before_anything_is_written(torch, t
     assert not (tmp_path / "run").exists()
 
 
-def test_rates_fall_to_a_tenth() -> None:
+def test_rates_fall_to_a_tenth():
     first = new(epochs=4, actor_updates=2, anneal=True)
     shares = []
     for updates in (0, 2, 4, 8, 20):
         state = first.state() | {"actor_updates": np.array(updates)}
         one = Update(first.chosen, state)
-        one._actor.ascend = lambda _, share: shares.append(share)  # type: ignore[method-assign]
+        one._actor.ascend = lambda _, share: shares.append(share)
         one.learn(seen_by(first))
     np.testing.assert_allclose(shares[::2], [1.0, 0.775, 0.55, 0.1, 0.1])
 
 
-def test_an_update_changes_no_array_of_the_state_before() -> None:
+def test_an_update_changes_no_array_of_the_state_before():
     one = new(cost_limit=3.0)
     state, seen = one.state(), seen_by(one)
     before = {name: value.copy() for name, value in state.items()}
@@ -253,7 +231,7 @@ def test_an_update_changes_no_array_of_the_state_before() -> None:
     assert not np.array_equal(genome(one), before["actor_weights"])
 
 
-def test_minibatches_and_chunks_divide_the_transitions(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_minibatches_and_chunks_divide_the_transitions(monkeypatch):
     monkeypatch.setattr(actor_critic, "CHUNK", 50)
     one = new(minibatches=3, actor_updates=3)
     seen = seen_by(one)

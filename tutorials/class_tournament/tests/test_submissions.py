@@ -22,9 +22,9 @@ from class_tournament.submissions import (
     read_genome,
     read_submissions,
 )
+from class_tournament.votes import count_votes
 from course import predict
 from course.questions import EDITION
-from course.votes import count_votes
 from matrixworld.coevolution import DamagedFileError
 from matrixworld.play import NetworkPolicy, save_genome
 from matrixworld.play.policies import acting

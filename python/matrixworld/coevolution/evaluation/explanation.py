@@ -41,27 +41,20 @@ from matrixworld.world.rating import INPUTS
 from matrixworld.world.rules import Action
 from matrixworld.world.world import World
 
-EPISODES = 40
-"""Episodes against each opponent, if nothing else is asked for."""
-DEPTHS = range(3, 7)
-"""Depths of trees that can be read, and still imitate something."""
+EPISODES = 40  # episodes against each opponent, if nothing else is asked for
+DEPTHS = range(3, 7)  # depths of trees that can be read, and still imitate something
 DEPTH = 4
 NO_LOSS, MOST_PARTS, FIRST_PRUNED = 0.01, 40, 100
 """Loss of score below which a part of a program is worth nothing, the most shorter programs of a
 trial, and the number of the first matches that try them."""
-STATES = 10_000
-"""About the most states of agents that are kept of a rollout."""
-POINTS = 5
-"""Values of an input at which its partial dependence is told."""
-ROUNDS = 2
-"""Rollouts of a tree whose states the next tree learns, too."""
+STATES = 10_000  # about the most states of agents that are kept of a rollout
+POINTS = 5  # values of an input at which its partial dependence is told
+ROUNDS = 2  # rollouts of a tree whose states the next tree learns, too
 IMITATED = "A tree imitates the network; how well, its score tells rather than its agreement."
 CLEAR, SLIGHT = 1 / 3, 1 / 10
 """Effects, in shares of the largest one, that a sentence tells, and that it tells as little."""
-MOST_CLEAR, MOST_SLIGHT = 4, 2
-"""The most of them that it tells."""
-BLOCKS = 10
-"""Length of the bar of the largest effect."""
+MOST_CLEAR, MOST_SLIGHT = 4, 2  # the most of them that it tells
+BLOCKS = 10  # length of the bar of the largest effect
 
 # By input: what an agent does whose rating falls with it, and rises with it; and what it minds.
 PHRASES: dict[str, tuple[str, str, str]] = {
@@ -92,8 +85,7 @@ class Term(NamedTuple):
     """What an input does in a policy that rates moves."""
 
     input: str
-    weight: float | None
-    """Its weight; None unless the rating is a weighted sum."""
+    weight: float | None  # its weight; None unless the rating is a weighted sum
     effect: float
     """How far the input moves a rating: the slope of `dependence`, multiplied by the standard
     deviation of the input among the moves that an agent can choose from."""
@@ -112,8 +104,7 @@ class Tree(NamedTuple):
     agreement: float
     """Share of the states in new matches of the network in which both like the same move best."""
     score: Estimate
-    cost: Estimate
-    """Score of the network minus that of the tree."""
+    cost: Estimate  # score of the network minus that of the tree
 
 
 @dataclass(frozen=True, repr=False)
@@ -122,11 +113,9 @@ class Explanation(Readable):
 
     team: Team
     generation: int
-    score: Estimate
-    """Its mean score against held-out opponents."""
+    score: Estimate  # its mean score against held-out opponents
     sentence: str
-    text: str = ""
-    """A program, or the rules of the tree."""
+    text: str = ""  # a program, or the rules of the tree
     terms: tuple[Term, ...] = ()
     tree: Tree | None = None
 
@@ -280,11 +269,9 @@ def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
 
 
 def pruned(matches: _Matches) -> tuple[Genome, Estimate | None]:
-    """Return a program without parts that are worth nothing, and what is lost by it, if anything.
-
-    A shorter program is taken if its loss against the whole one is below `NO_LOSS` by the bound of
-    an interval, and in new matches once more: of many that are tried some are lucky.
-    """
+    """Return a program without parts that are worth nothing, and what is lost by it, if any."""
+    # A shorter program is taken if its loss against the whole one is below `NO_LOSS` by the bound
+    # of an interval, and in new matches once more: of many that are tried some are lucky.
     acts = matches.acts
     whole = code = acts.genome
     lost, numbers = None, count(FIRST_PRUNED)
@@ -317,10 +304,7 @@ def _by_program(matches: _Matches) -> dict[str, Any]:
 
 
 def sentence_of(run: SavedRun, team: Team) -> str:
-    """Return in a sentence what the last generation of a team does, if it rates moves; else "".
-
-    Behind it the rating itself, if it is a program.
-    """
+    """Return in a sentence what the last generation of a team does, if it rates moves; else ""."""
     if run.settings.game or run.settings.policy.kind == "cells":
         return ""
     policy, world = run.policy(team, seed=0), run.pursuit.world
@@ -354,9 +338,7 @@ def _by_inputs(matches: _Matches, *, costs: bool) -> dict[str, Any]:
 def features(views: NDArray[Any], team: Team) -> dict[str, NDArray[np.float32]]:
     """Return what a tree knows of views (n, 3, fov, fov): by name one number of each, (n,).
 
-    How far to the south and to the east the nearest adversary and the nearest teammate are, and in
-    how many moves; how many are in view; and free cells by direction. Without anybody in view the
-    first two are 0, and the moves are as many as the view is wide.
+    Without anybody in view places are 0, and the moves are as many as the view is wide.
     """
     own, foes = (1, 0) if team == "pursuer" else (0, 1)
     n, fov, half = len(views), views.shape[-1], views.shape[-1] // 2
@@ -443,10 +425,8 @@ def _by_tree(matches: _Matches) -> dict[str, Any]:
 
 
 def _rules(tree: Any, names: Sequence[str], node: int = 0) -> tuple[list[str], set[int]]:
-    """Return the likeliest moves of a tree as lines, with their shares, and which moves they are.
-
-    Splits that do not change the likeliest move are left out.
-    """
+    """Return the likeliest moves of a tree as lines, with their shares, and as a set."""
+    # Splits that do not change the likeliest move are left out.
     chances = tree.value[node][0]
     best = int(chances.argmax())
     share = chances[best] / chances.sum()
@@ -490,10 +470,3 @@ def explain(
     play = {"episodes": checks.check_integer("episodes", episodes, 2), "threads": threads}
     matches = _Matches(policy, team, config, against, seed, depth, play, report)
     return Explanation(team, generation, **KINDS[policy.policy.kind](matches))
-
-
-def explain_run(run: SavedRun, team: Team, generation: int = -1, **options: Any) -> Explanation:
-    """Explain a generation of a run: `SavedRun.explain`."""
-    policy, world = run.policy(team, generation, seed=options.get("seed", 0)), run.pursuit.world
-    options |= {"opponents": opponents_in(run, team, world)[0]}
-    return explain(policy, team, world, generation=run.generation(team, generation), **options)

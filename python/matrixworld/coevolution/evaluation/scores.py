@@ -12,7 +12,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from importlib.resources import as_file, files
-from typing import Any, NamedTuple, cast
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,33 +22,24 @@ from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, load_arrays, read_json, save_json
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import Estimate
-from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks, team_size
+from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks
 from matrixworld.coevolution.progress import Progress, Report, silent
-from matrixworld.coevolution.pursuit import Pursuit
+from matrixworld.coevolution.pursuit import Network, Pursuit
 from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.coevolution.types import TEAMS, Team, other, team_size
 from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.policies import GenomePolicy, fits
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV
-from matrixworld.world.policy import (
-    CAREFUL,
-    SCRIPTS,
-    Network,
-    Population,
-    Script,
-    TablePolicy,
-    TeamPolicy,
-)
+from matrixworld.world.policy import CAREFUL, SCRIPTS, Population, Script, TablePolicy, TeamPolicy
 from matrixworld.world.rules import Capture, Rules, rules_of, variant_name
 
 FILE = "held_out.npz"
-SCORE = dict(zip(TEAMS, Pursuit.score_words, strict=True))
-"""What the score of a team is called."""
+SCORE = dict(zip(TEAMS, Pursuit.score_words, strict=True))  # what the score of a team is called
 NETWORK = Network()
 """Network of the evolved opponents: views of 11 x 11, 5 actions, one hidden layer of 32."""
 
@@ -61,8 +52,7 @@ HELD_OUT_VERSION = 2
 the variants with capture by surrounding had no ``careful-team-surrounder``."""
 SCORES = "scores.json"
 """File in the run directory: scores of the last generations, played once and kept."""
-EPISODES, SEED = 100, 0
-"""Episodes of each pair, and their seed, if nothing else is asked for."""
+EPISODES, SEED = 100, 0  # episodes of each pair, and their seed, if nothing else is asked for
 CHOICE_EPISODES = 20
 """Episodes of each pair by which the best is chosen of many, and of what stands beside scores."""
 SCORED_BY = {
@@ -92,20 +82,9 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
     """Return the held-out opponents of a variant by name.
 
     First the scripts, then genomes, each a population of one and named ``evolved-1`` and so on.
-    Genomes are from ``evolution/evolve_held_out.py``, rounded to float16. There are none for other
-    rules than those of `VARIANTS`, and for a variant without shipped ones.
-
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        Team that the opponents play for.
-    variant : Rules or str
-        The variant.
-
-    Raises
-    ------
-    ValueError
-        If there is no such team or variant.
+    They play for `team` under the rules of `variant`. Genomes are from
+    ``evolution/evolve_held_out.py``, rounded to float16; other rules have none. ValueError if there
+    is no such team or variant.
     """
     opponents: dict[str, TeamPolicy] = {name: name for name in held_out_scripts(team, variant)}
     genomes = _shipped().get(f"{variant_name(rules_of(variant))}.{team}s", ())
@@ -160,8 +139,7 @@ class HeldOutScores(Readable):
     opponents: tuple[str, ...]
     rates: NDArray[np.float64]
     """Share of evaders captured, or for evaders 1 minus it, shape (G, N, episodes)."""
-    left_out: str = ""
-    """Which opponents of the variant are left out, and why; empty if none is."""
+    left_out: str = ""  # which opponents of the variant are left out, and why; empty if none is
 
     def _parts(self) -> Parts:
         head, rows = _rows([self])
@@ -211,9 +189,8 @@ def _plain(estimate: Estimate) -> dict[str, float | None]:
 
 
 def estimates_of(scores: Sequence[HeldOutScores], row: int = -1) -> dict[str, Estimate]:
-    """Return the means of one generation of a team, over the runs of several seeds.
+    """Return the means of one generation of a team by opponent, over the runs of several seeds.
 
-    By the name of the opponent, then ``"mean"`` and, of several runs, ``"interquartile mean"``.
     Intervals are over the runs, those of a single run over its episodes.
     """
     if len(scores) == 1:
@@ -242,19 +219,13 @@ def _rows(scores: Sequence[HeldOutScores]) -> tuple[str, dict[str, Estimate]]:
     return f"{team}s by generation: mean {SCORE[team]}", means
 
 
-class _Side(NamedTuple):
-    """A team to be scored: its genomes or another policy, and whom it meets."""
-
-    team: Team
-    policy: Plays
-    generations: Sequence[int]
-    opponents: Mapping[str, Plays]
-    left_out: str
+Side: TypeAlias = tuple[Team, Plays, Sequence[int], Mapping[str, Plays], str]
+"""A team to be scored: its policy, generations, opponents by name, and who is left out of these."""
 
 
 def _scores(
     config: WorldConfig,
-    teams: Sequence[_Side],
+    teams: Sequence[Side],
     *,
     episodes: int,
     seed: int,
@@ -330,30 +301,15 @@ def score(
     run : SavedRun
         The run, finished or not.
     generation : int or None, optional
-        Generation to score; negative numbers count from the end, None means all generations. The
-        default is the last one.
-    episodes : int, optional
-        Episodes of each pair, at least 2.
-    steps : int, optional
-        Maximum steps of an episode. By default as in the run's evaluation.
-    seed : int, optional
-        Seed of the episodes, by default the same for all runs.
-    world : WorldConfig, optional
-        The world, by default that of the run: another size or map, other numbers of agents.
-    threads, executor
-        As in `tournament`.
-    report : callable, optional
-        Called with the progress, as in `Run.run`.
-
-    Raises
-    ------
-    IndexError
-        If there is no such generation.
-
-    Notes
-    -----
-    A script that the run trained against is left out, and so are
-    evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
+        Generation to score, by default the last one; negative numbers count from the end, None
+        means all generations. IndexError if there is none.
+    episodes, seed : int, optional
+        Episodes of each pair, at least 2, and their seed, by default the same for all runs.
+    world, steps : optional
+        A world with another size or map, or other numbers of agents, and the most steps of an
+        episode; by default those of the run.
+    threads, executor, report
+        As for `tournament` and `evolve`.
     """
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)
@@ -361,18 +317,11 @@ def score(
     world = world or run.pursuit.world
     world = world if steps is None else replace(world, max_steps=steps)
     sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
-    return _scores(
-        world,
-        sides,
-        episodes=episodes,
-        seed=seed,
-        threads=threads,
-        report=report,
-        executor=executor,
-    )
+    play: Any = {"threads": threads, "report": report, "executor": executor}
+    return _scores(world, sides, episodes=episodes, seed=seed, **play)
 
 
-def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> _Side:
+def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> Side:
     """Return a team of a run, and the opponents that it did not train against."""
     archive = cast(Population, run.teams[team])  # never a script, because the team learned
     generations = [*range(len(archive.genomes))]
@@ -380,7 +329,7 @@ def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig)
         generations = [run.generation(team, generation, "generation")]
     opponents, left_out = opponents_in(run, team, world)
     chosen = Population(archive.genomes[generations], archive.policy)
-    return _Side(team, chosen, generations, opponents, left_out)
+    return team, chosen, generations, opponents, left_out
 
 
 def opponents_in(
@@ -403,37 +352,30 @@ def best_generations(run: SavedRun) -> dict[Team, int]:
     return {team: int(generation) for team, generation in best.items()}
 
 
-def best_scripts(
-    config: WorldConfig, *, episodes: int = EPISODES, seed: int = SEED, threads: int | None = None
-) -> dict[Team, tuple[Script, float]]:
+@cache
+def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Script, float]]:
     """Return the script of each team with the highest mean score in a world, and this score.
 
-    The opponents and their episodes are those of `score`. The best of several is partly luck: of
-    equally good scripts, the score tends to be too high.
+    The best of several is partly luck: of equally good scripts, the score tends to be too high.
     """
     best = {}
     for team in TEAMS:
         opponents, _ = opponents_of(team, config)
         fitting = [n for n in held_out_scripts(team, config.rules) if _plays_in(n, config)]
-        sides = [_Side(team, script, [0], opponents, "") for script in fitting]
-        found = [
-            _scores(config, [side], episodes=episodes, seed=seed, threads=threads, report=silent)
-            for side in sides
-        ]
+        sides: list[Side] = [(team, script, [0], opponents, "") for script in fitting]
+        play: Any = {"episodes": episodes, "seed": SEED, "threads": None, "report": silent}
+        found = [_scores(config, [side], **play) for side in sides]
         means = [float(each[team].means[0]) for each in found]
         best[team] = max(zip(fitting, means, strict=True), key=lambda pair: pair[1])
     return best
 
 
 def score_runs(
-    runs: Sequence[tuple[SavedRun, WorldConfig | None]], *, report: Report = silent, **options: Any
+    runs: Sequence[SavedRun], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:
-    """Return the scores of runs, each in a world or its own, with one progress for all.
-
-    Options are those of `score`.
-    """
+    """Return the scores of runs, with the options of `score`, and one progress for all."""
     found = []
-    for number, (run, world) in enumerate(runs):
+    for number, run in enumerate(runs):
         # Runs of a job play about equally many matches.
         def part(one: Progress, number: int = number) -> None:
             place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
@@ -441,7 +383,7 @@ def score_runs(
             report(Progress(place + one.what, done, len(runs) * one.total))
 
         # A reader of its own: the archives of all runs together may be large.
-        found.append(score(SavedRun(run.path), world=world, report=part, **options))
+        found.append(score(SavedRun(run.path), report=part, **options))
     return found
 
 
@@ -450,15 +392,13 @@ def kept_scores(
 ) -> list[dict[str, Any]]:
     """Return the scores of the last generations as values of JSON, by "pursuers" and "evaders".
 
-    They are those of `score` without options, played once and kept in the directories of the runs.
-    Beside them are the mean scores of the first generation, ``untrained``, and of the ``best
-    script`` of each team, with its name.
+    They are played once and kept beside those of generation 0 and of each team's best script.
     """
     missing = [run for run in runs if _kept(run) is None]
     if missing:
-        played = score_runs([(run, None) for run in missing], report=report, threads=threads)
+        played = score_runs(missing, report=report, threads=threads)
         for run, teams in zip(missing, played, strict=True):
-            best = _scripts_beside(run.pursuit.world)
+            best = best_scripts(run.pursuit.world, episodes=CHOICE_EPISODES)
             first = score(run, generation=0, episodes=CHOICE_EPISODES, threads=threads)
             plain = {
                 f"{team}s": {
@@ -470,11 +410,6 @@ def kept_scores(
             }
             save_json(run.path / SCORES, {**SCORED_BY, **plain})
     return [_kept(run) or {} for run in runs]
-
-
-@cache
-def _scripts_beside(world: WorldConfig) -> dict[Team, tuple[Script, float]]:
-    return best_scripts(world, episodes=CHOICE_EPISODES)
 
 
 def _kept(run: SavedRun) -> dict[str, Any] | None:
@@ -529,17 +464,13 @@ def score_policy(
     Raises
     ------
     ValueError, TypeError
-        If there are fewer than 2 episodes, if a network does not fit the world, and if the policy
-        returns something else than a legal action for each observation.
+        If a network does not fit the world, or a function returns no legal actions.
 
     Notes
     -----
     The opponents, the episodes and the random numbers of scripts are those of `score`: with the
-    same world, seed and number of episodes, scores of policies and of runs can be compared. A
-    function that chooses what a genome would choose gets the scores of the genome.
-
-    All episodes against an opponent are played side by side. Where the rules take turns, functions
-    are played turn by turn in Python, which is slower.
+    same world, seed and number of episodes, scores of policies and of runs can be compared. Where
+    the rules take turns, functions are played turn by turn in Python, which is slower.
 
     Examples
     --------
@@ -562,7 +493,7 @@ def score_policy(
     theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
     if not theirs:
         raise ValueError("opponents: expected at least one, got none")
-    side = _Side(team, mine, range(team_size(mine)), theirs, left_out)
+    side: Side = team, mine, range(team_size(mine)), theirs, left_out
     found = _scores(config, [side], episodes=episodes, seed=seed, threads=threads, report=report)
     return found[team]
 

@@ -16,7 +16,7 @@ from matrixworld._util.checks import check_instance, check_integer, check_thread
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.pursuit import Pursuit, WorldConfig
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.types import Payoff
+from matrixworld.coevolution.types import Payoff, team_size
 
 Block = TypeVar("Block")
 
@@ -41,12 +41,9 @@ def tournament(
     game : Game or WorldConfig
         The game, or the world of pursuit.
     first, second : population, or name of a script
-        What `Game.population` returns of G and H genomes; in pursuit also names of scripts (then G
-        or H is 1).
-    seed : int
-        Seed of the run.
-    episodes : int
-        Episodes of each pair.
+        What `Game.population` returns of G and H genomes; in pursuit also names of scripts.
+    seed, episodes : int
+        Seed of the run, and episodes of each pair.
     threads : int, optional
         Threads that the game may use. By default all cores. Results do not depend on it.
     generations : tuple of int, optional
@@ -56,18 +53,13 @@ def tournament(
     on_row : callable, optional
         Called after each row of the matrix with the number of episodes played so far.
     executor : concurrent.futures.Executor, optional
-        Plays the rows, each with `threads` threads, by default one. Without an executor they are
-        played here, one after the other. The result is the same.
+        Plays the rows, each with `threads` threads, by default one. Else they are played here.
 
     Notes
     -----
     The seed of a pair is ``evaluation_seed(seed, pursuer generation, evader generation)``. It does
-    not depend on the other pairs, so that each can be replayed alone.
-
-    References
-    ----------
-    Floreano, D. and Nolfi, S. (1997). God save the red queen! Competition in co-evolutionary
-    robotics. Genetic Programming 1997. (The "master tournament".)
+    not depend on the other pairs, so that each can be replayed alone. It is the "master tournament"
+    of Floreano and Nolfi 1997, "God save the red queen! Competition in co-evolutionary robotics".
     """
     game = game if isinstance(game, Game) else Pursuit(world=game)
     episodes = check_integer("episodes", episodes, 1)
@@ -110,10 +102,7 @@ def tournament(
 def play_blocks(
     blocks: Sequence[Callable[..., Block]], threads: int | None, executor: Executor | None
 ) -> Iterator[tuple[int, Block]]:
-    """Yield the number of each block of matches and what it returned.
-
-    Blocks are functions of their threads, which are called here in order, or by an executor.
-    """
+    """Yield the number of each block, a function of its threads, and what it returned."""
     if executor is None:
         for number, play in enumerate(blocks):
             yield number, play(threads=threads)
@@ -130,11 +119,6 @@ def play_blocks(
         # After an error or Ctrl-C.
         for future in futures:
             future.cancel()
-
-
-def team_size(team: Any) -> int:
-    """Return how many candidates a team has: its genomes, or one."""
-    return len(team.genomes) if hasattr(team, "genomes") else 1
 
 
 def each_genome(team: Any) -> list[Any]:

@@ -10,24 +10,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
-from matrixworld.coevolution.learners.actor_critic import ActorCritic
+from matrixworld.coevolution.learners.actor_critic import ActorCritic as ActorCritic
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
 from matrixworld.coevolution.learners.genetic_programming import GeneticProgramming
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.sections import OwnCode, Section, documented
-
-__all__ = [
-    "ActorCritic",
-    "BuiltInLearner",
-    "CmaEs",
-    "EvolutionStrategy",
-    "GeneticAlgorithm",
-    "GeneticProgramming",
-    "Learner",
-    "OwnLearner",
-]
 
 BuiltInLearner: TypeAlias = (
     EvolutionStrategy | GeneticAlgorithm | CmaEs | GeneticProgramming | ActorCritic

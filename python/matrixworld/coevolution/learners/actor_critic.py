@@ -23,58 +23,33 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 
 from matrixworld._util.checks import shown
+from matrixworld.coevolution import pursuit, types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.pursuit import (
-    CHANNELS,
-    Cells,
-    Experience,
-    Interaction,
-    Network,
-    Pursuit,
-    Reals,
-    Views,
-)
+from matrixworld.coevolution.pursuit import Cells, Experience, Network, Pursuit, Reals, Views
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import (
-    BoolArray,
-    Genome,
-    Genomes,
-    Indices,
-    IntArray,
-    Rng,
-    State,
-    Team,
-)
+from matrixworld.coevolution.types import Genome, Genomes, Indices, Rng, State, Team
 from matrixworld.version import imported
 
 CHUNK = 2**20
 """Outputs of the widest layer that are computed at one time: larger ones leave a core's cache.
 Gradients are sums over all chunks."""
-COST_RATE = 0.05
-"""Learning rate of the multiplier, unless another one is given."""
-SMALL = 1e-8
-"""Added to a standard deviation by which is divided."""
+COST_RATE = 0.05  # learning rate of the multiplier, unless another one is given
+SMALL = 1e-8  # added to a standard deviation by which is divided
 
-Tensor: TypeAlias = Any
-"""A ``torch.Tensor``: PyTorch may be missing where types are checked."""
+Tensor: TypeAlias = Any  # a ``torch.Tensor``: PyTorch may be missing where types are checked
 
 
 def advantages(
-    acted: BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
+    acted: types.BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
 ) -> Reals:
     """Return generalized advantage estimates (T, W, A), 0 where no agent acted.
 
-    ::
-
-        d_t = r_t + discount * V(s_{t+1}) - V(s_t)
-        A_t = d_t + discount * trace * A_{t+1}
-
-    These are equations 11 and 16 of Schulman et al. 2016. `values` (T + 1, W, A) are those of what
-    agents saw before each step, and after the last one if only their time was over; 0 for agents
-    that are gone. An agent that stops acting does not begin again.
+    `values` (T + 1, W, A) are those before each step, and after the last one; 0 for agents that are
+    gone. Schulman et al. 2016, equations 11 and 16.
     """
+    # d_t = r_t + discount * V(s_{t+1}) - V(s_t);  A_t = d_t + discount * trace * A_{t+1}
     found = np.zeros_like(rewards)
     following = np.zeros_like(rewards[0])
     for t in range(len(rewards) - 1, -1, -1):
@@ -121,12 +96,10 @@ def normalised(values: Reals) -> Reals:
 
 
 class Inputs:
-    """Rows (n, in) of zeros and ones that a network sees; ``inputs(weights)`` multiplies them.
+    """Rows (n, in) of zeros and ones that a network sees; ``inputs(weights)`` multiplies them."""
 
-    A view has few ones. The processor multiplies these alone, and keeps them sorted by row for the
-    products and by column for the gradient; PyTorch's own gradient would sort them each time.
-    """
-
+    # A view has few ones. The processor multiplies these alone, and keeps them sorted by row for
+    # the products and by column for the gradient; PyTorch's own gradient sorts them each time.
     def __init__(self, rows: Views, torch: Any, device: Any) -> None:
         self.rows: int = len(rows)
         if device.type != "cpu":
@@ -168,9 +141,9 @@ def _sparse(rows: Views, torch: Any) -> Tensor:
 
 
 class Perceptron:
-    """A network that learns by Adam; its weights are one vector, in the layout of a genome.
+    """A network that learns by Adam, of the entries of a state whose names begin with `name`.
 
-    It is made from the entries of a state whose names begin with `name`, and `state` has these.
+    Its weights are one vector, in the layout of a genome.
     """
 
     def __init__(
@@ -178,7 +151,7 @@ class Perceptron:
     ) -> None:
         self.sizes, self.activation, self.rate, self._prefix = sizes, activation, rate, f"{name}_"
         self.state: State = {n: each for n, each in state.items() if n.startswith(self._prefix)}
-        self.fixed: BoolArray | None = state.get("fixed") if name == "actor" else None
+        self.fixed: types.BoolArray | None = state.get("fixed") if name == "actor" else None
 
     @property
     def weights(self) -> Genome:
@@ -206,10 +179,9 @@ class Perceptron:
 
 
 def orthogonal(sizes: tuple[int, ...], rng: Rng, *, head: float = 1.0) -> Genome:
-    """Return untrained weights in the layout of a genome: orthogonal matrices, and biases of 0.
+    """Return orthogonal matrices and biases of 0, in the layout of a genome: Saxe et al. 2014.
 
-    The last layer is scaled by `head`, the others by the square root of 2 (Saxe et al. 2014, "Exact
-    solutions to the nonlinear dynamics of learning in deep linear neural networks").
+    The last layer is scaled by `head`, the others by the square root of 2.
     """
     parts = []
     for number, (n_in, n_out) in enumerate(pairwise(sizes)):
@@ -295,7 +267,7 @@ class ActorCritic(learner.Learner):
         """Raise ValueError for networks with memory, or one critic for agents that take turns."""
         assert isinstance(game, Pursuit)  # as its `any_game` says
         interaction, policy = game.world.rules.interaction, game.policy
-        if self.central_critic and interaction is not Interaction.SIMULTANEOUS:
+        if self.central_critic and interaction is not pursuit.Interaction.SIMULTANEOUS:
             # Each agent learns from the world before its own turn.
             raise ValueError(
                 f"{path}.central_critic: expected false where agents take turns, got true in a "
@@ -331,7 +303,7 @@ class ActorCritic(learner.Learner):
         world, network = task.game.world, task.game.policy
         assert isinstance(network, Network)
         cells = world.rows * world.cols
-        seen = CHANNELS * cells if self.central_critic else network.sizes[0]
+        seen = pursuit.CHANNELS * cells if self.central_critic else network.sizes[0]
         sizes = (seen, *network.hidden, 1)
         rng = keyed_generator(task.seed, Purpose.NOISE, task.team)
         weights = {"actor": np.array(task.genomes(1)[0], np.float32)}
@@ -419,20 +391,17 @@ class Update:
             rows, targets = lessons(seen, before, estimate(1.0) + values[:-1])
             self._fit(critic, known if rows is before else self._parts(rows), targets)
         advantage: Any = estimates[0]
-        if chosen.cost_limit is not None:
-            self._weigh(1000.0 * float(seen.costs.mean()), chosen.cost_limit)
+        if (limit := chosen.cost_limit) is not None:
+            # As a share of the limit, so that the rate means the same for all limits; at most 1: it
+            # would rise in the first epochs by more than it can fall in the rest of a run.
+            excess = min((1000.0 * float(seen.costs.mean()) - limit) / max(limit, 1.0), 1.0)
+            self.multiplier += (chosen.cost_rate or COST_RATE) * excess
+            self.multiplier = max(0.0, self.multiplier)
             advantage = (advantage - self.multiplier * estimates[1]) / (1.0 + self.multiplier)
         views = known if seen.states is None else self._parts(seen.views)
         self._improve(views, seen.actions, advantage.astype(np.float32))
 
-    def _weigh(self, collisions: float, limit: float) -> None:
-        """Move the multiplier by the distance of the collisions from their limit."""
-        # As a share of the limit, so that the rate means the same for all limits; at most 1, or the
-        # multiplier rises in the first epochs by more than it can fall in the rest of a run.
-        excess = min((collisions - limit) / max(limit, 1.0), 1.0)
-        self.multiplier = max(0.0, self.multiplier + (self.chosen.cost_rate or COST_RATE) * excess)
-
-    def _improve(self, views: list[Part], taken: IntArray, advantage: Reals) -> None:
+    def _improve(self, views: list[Part], taken: types.IntArray, advantage: Reals) -> None:
         torch, clip, entropy = self._torch, self.chosen.clip, self.chosen.entropy
         actions = torch.from_numpy(taken).to(self._device)
         weight = torch.from_numpy(advantage).to(self._device)

@@ -11,13 +11,7 @@ from deap import cma
 from threadpoolctl import ThreadpoolController
 
 from matrixworld.coevolution.game import Game
-from matrixworld.coevolution.learners.learner import (
-    Learner,
-    Results,
-    Task,
-    checked_fitness,
-    inside_bounds,
-)
+from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Rng, State
 
@@ -35,7 +29,7 @@ class Sample(np.ndarray[Any, np.dtype[np.float64]]):
 
 @documented
 @dataclass(frozen=True)
-class CmaEs(Learner):
+class CmaEs(learner.Learner):
     """Evolution strategy with covariance matrix adaptation: `deap.cma.Strategy`, asked and told.
 
     ::
@@ -62,7 +56,7 @@ class CmaEs(Learner):
                 f"has fewer, and es and ga take any number"
             )
 
-    def start(self, task: Task) -> State:
+    def start(self, task: learner.Task) -> State:
         """Return the state of a new strategy."""
         mean = task.genomes(1)[0].astype(np.float64)
         strategy = _adapted(cma.Strategy, mean, self.sigma, lambda_=self.population)
@@ -71,7 +65,7 @@ class CmaEs(Learner):
     def genome(self, state: State) -> Genome:
         """Return the mean of the distribution."""
         with np.errstate(over="ignore"):  # a run reports genes that are not finite
-            return inside_bounds(state, state["centroid"].astype(np.float32))
+            return learner.inside_bounds(state, state["centroid"].astype(np.float32))
 
     def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
         """Return the samples."""
@@ -81,12 +75,12 @@ class CmaEs(Learner):
             normal = rng.standard_normal((self.population, len(scaled)))
             samples = state["centroid"] + state["sigma"] * np.dot(normal, scaled.T)
             # In float64: C adapts to the samples as drawn, not as rounded for the match.
-            played = inside_bounds(state, samples.astype(np.float32))
+            played = learner.inside_bounds(state, samples.astype(np.float32))
             return played, {**state, "samples": samples}
 
-    def tell(self, state: State, results: Results) -> State:
+    def tell(self, state: State, results: learner.Results) -> State:
         """Adapt mean, step size and covariance to the better samples."""
-        fitness = checked_fitness(results.fitness, self.population)
+        fitness = learner.checked_fitness(results.fitness, self.population)
         # DEAP reads an attribute `fitness`, which a view has room for and a plain array has not.
         population = list(state["samples"].view(Sample))
         for sample, value in zip(population, fitness, strict=True):

@@ -14,10 +14,7 @@ from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, 
 
 
 def centred_ranks(fitness: FloatArray) -> FloatArray:
-    """Return the ranks of fitness values (n,), n > 1, scaled to [-0.5, 0.5]; equal ones share one.
-
-    This is the fitness shaping of Salimans et al. 2017, section 2.1.
-    """
+    """Return the ranks of fitness values (n,), scaled to [-0.5, 0.5]; equal ones share one."""
     in_order = np.sort(fitness)
     below = np.searchsorted(in_order, fitness, side="left")
     not_above = np.searchsorted(in_order, fitness, side="right")
@@ -44,8 +41,6 @@ class EvolutionStrategy(learner.Learner):
     or of classical momentum: ``v = momentum * v + rate * gradient`` (Polyak 1964), whose length
     follows that of the gradient. There is no weight decay.
 
-    References
-    ----------
     Salimans et al. 2017, "Evolution strategies as a scalable alternative to reinforcement
     learning", arXiv:1703.03864, algorithm 1 with mirrored sampling.
     """

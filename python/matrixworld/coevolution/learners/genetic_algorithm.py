@@ -18,8 +18,7 @@ from matrixworld.coevolution.learners.learner import fittest, select_tournament
 from matrixworld.coevolution.sections import by_race, documented, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
-TOURNAMENT = 5
-"""Individuals in a tournament, unless another number is given."""
+TOURNAMENT = 5  # individuals in a tournament, unless another number is given
 
 
 def select_truncation(fitness: FloatArray, k: int, rng: Rng, *, fraction: float) -> Indices:
@@ -31,10 +30,9 @@ def select_truncation(fitness: FloatArray, k: int, rng: Rng, *, fraction: float)
 def mate_uniform(
     genomes: Genomes, population: Genomes, mates: Indices, rng: Rng, *, probability: float
 ) -> Genomes:
-    """Turn genomes (n, genes) into children by uniform crossover, in place, and return them.
+    """Mix genomes (n, genes) in place with their `mates` in a population; return them.
 
-    A child mixes with that probability: each gene is that of its row, or of its mate in
-    `population`, which `mates` (n,) indexes.
+    With that probability each gene is that of its row, or of its mate.
     """
     mixed = rng.random(len(genomes)) < probability
     # Without crossover, the default, no random number for each gene is drawn.
@@ -70,8 +68,6 @@ class GeneticAlgorithm(learner.Learner):
     scored on the same match seed. The champion is the fittest candidate of one epoch. Its fitness
     is a maximum of noisy values, so it overestimates the champion (winner's curse).
 
-    References
-    ----------
     Such et al. 2017, "Deep neuroevolution", arXiv:1712.06567, for mutation alone and truncation.
     """
 

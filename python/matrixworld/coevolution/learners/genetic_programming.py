@@ -23,24 +23,22 @@ from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, 
 
 Tree: TypeAlias = gp.PrimitiveTree
 
-DEPTH = 2
-"""Most operations one inside the other in a part that is drawn."""
-
-
-class Truth:
-    """The type of a comparison, which only the first argument of ``where`` takes."""
+DEPTH = 2  # most operations one inside the other in a part that is drawn
 
 
 @lru_cache(maxsize=8)
 def primitives_of(policy: Program) -> gp.PrimitiveSetTyped:
-    """Return the typed primitives of programs: operations, and inputs by name."""
+    """Return the typed primitives of programs: operations, and inputs by name.
+
+    A comparison is a bool, which only the first argument of ``where`` takes.
+    """
     primitives = gp.PrimitiveSetTyped("rating", [float] * len(policy.inputs), float)
     primitives.renameArguments(**{f"ARG{i}": name for i, name in enumerate(policy.inputs)})
     for name, arguments in OPERATIONS.items():
         kinds: list[type] = [float] * arguments
         if name == "where":
-            kinds[0] = Truth
-        primitives.addPrimitive(None, kinds, Truth if name == "less" else float, name=name)
+            kinds[0] = bool
+        primitives.addPrimitive(None, kinds, bool if name == "less" else float, name=name)
     return primitives
 
 
@@ -63,14 +61,9 @@ def _typed(part: list[Any], kind: type, named: dict[str, Any]) -> list[Any]:
     """Return the nodes of a part of a tree as those of a type: ``a > 0`` is ``0 < a``."""
     if part[0].ret is kind:
         return part
-    if kind is Truth:
+    if kind is bool:
         return [named["less"], _number(0.0), *part]
     return [named["where"], *part, _number(1.0), _number(0.0)]
-
-
-def genome_of(policy: Program, tree: Tree) -> Genome:
-    """Return a tree as a genome."""
-    return policy.genome(str(tree))
 
 
 def _number(value: float) -> gp.Terminal:
@@ -78,7 +71,7 @@ def _number(value: float) -> gp.Terminal:
 
 
 def place_in(tree: Tree, rng: Rng, kind: type | None = None) -> int | None:
-    """Return a random node of a tree, of a type if one is given; None if there is none."""
+    """Return a random node of a tree, of a type if one is given; None without any."""
     places = [i for i, node in enumerate(tree) if kind is None or node.ret is kind]
     return places[rng.integers(len(places))] if places else None
 
@@ -96,11 +89,9 @@ def mate(tree: Tree, other: Tree, rng: Rng) -> Tree:
 
 
 def mutate(policy: Program, tree: Tree, rng: Rng) -> Tree:
-    """Return a tree with one change.
-
-    A part is drawn anew or replaced by a part of itself, a node by another one with the same
-    arguments, or a number is moved.
-    """
+    """Return a tree with one change: a part, a node or a number."""
+    # A part is drawn anew or replaced by a part of itself, a node by another one with the same
+    # arguments, or a number is moved.
     primitives, child = primitives_of(policy), Tree(tree)
     place = place_in(tree, rng)
     assert place is not None
@@ -128,14 +119,9 @@ def mutate(policy: Program, tree: Tree, rng: Rng) -> Tree:
 def select_twice(
     fitness: FloatArray, sizes: Indices, k: int, rng: Rng, *, size: int, parsimony: float
 ) -> Indices:
-    """Return k parents by double tournament.
+    """Return k parents by double tournament: Luke & Panait 2002, "Fighting bloat", PPSN VII.
 
-    Of two winners of tournaments by fitness the shorter one is taken with the probability
-    `parsimony`, else the longer one.
-
-    References
-    ----------
-    Luke & Panait 2002, "Fighting bloat with nonparametric parsimony pressure", PPSN VII.
+    Of two winners by fitness the shorter one is taken with the probability `parsimony`.
     """
     pairs = np.stack([select_tournament(fitness, k, rng, size=size) for _ in range(2)])
     pairs = np.take_along_axis(pairs, np.argsort(sizes[pairs], axis=0, kind="stable"), axis=0)
@@ -157,8 +143,6 @@ class GeneticProgramming(learner.Learner):
             next = the fittest, kept; then children: a part of a parent is replaced by a part of
                    another one, or changed at random; parents by double tournament
 
-    References
-    ----------
     Koza 1992, "Genetic Programming". Montana 1995, "Strongly typed genetic programming",
     Evolutionary Computation 3(2).
     """
@@ -186,7 +170,7 @@ class GeneticProgramming(learner.Learner):
 
     def start(self, task: learner.Task) -> State:
         """Return a population that nobody has scored yet."""
-        policy = task.policy
+        policy: Any = getattr(task.game, "policy", None)
         return {
             "population": task.genomes(self.population),
             "fitness": np.zeros(0),
@@ -223,7 +207,7 @@ class GeneticProgramming(learner.Learner):
                 child = mutate(policy, trees[parent], rng)
             # A child that is too long is its parent.
             fits = len(child) <= policy.length
-            children.append(genome_of(policy, child) if fits else population[parent])
+            children.append(policy.genome(str(child)) if fits else population[parent])
         offspring: Genomes = np.stack([*population[fittest(fitness, self.elites)], *children])
         return offspring, {**state, "candidates": offspring}
 

@@ -12,22 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, shown
+from matrixworld.coevolution import types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.sections import PluginError, Section, by_race
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import (
-    TEAMS,
-    FloatArray,
-    Genome,
-    Genomes,
-    Indices,
-    Rng,
-    State,
-    Team,
-)
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
-MUTATION = 0.05
-"""Standard deviation of a mutation, unless another one is given."""
+MUTATION = 0.05  # standard deviation of a mutation, unless another one is given
 
 
 class DivergedError(ArithmeticError):
@@ -36,22 +27,10 @@ class DivergedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Task:
-    """What a learner starts from: a team of a run.
+    """What a learner starts from: a team of a run of a `seed`, in the `game` as it is evaluated.
 
-    Parameters
-    ----------
-    seed : int
-        Seed of the run.
-    team : int
-        Number of the team in `TEAMS`.
-    epochs : int
-        Epochs of the whole run in which the team learns.
-    untrained : callable
-        Returns a new untrained genome (genes,), drawn from a generator.
-    begin : ndarray of float32, shape (genes,), or None
-        A genome to start from instead of untrained ones.
-    game : Game
-        The game that is raced, as it is evaluated.
+    `team` is its number in `TEAMS`, `epochs` are those in which it learns. `untrained` draws a
+    genome from a generator; a learner starts from `begin`, a genome (genes,), if there is one.
     """
 
     seed: int
@@ -62,14 +41,9 @@ class Task:
     game: Game
 
     @property
-    def policy(self) -> Any:
-        """What the genomes of the team are genomes of; None in a game of your own."""
-        return getattr(self.game, "policy", None)
-
-    @property
     def mask(self) -> Any:
         """Genes that do not change, and their values; None without any."""
-        return self.game.mask(TEAMS[self.team])
+        return self.game.mask(types.TEAMS[self.team])
 
     def genomes(self, count: int, sigma: float = MUTATION) -> Genomes:
         """Return genomes (count, genes) to start from: untrained ones, or `begin` and its mutants.
@@ -98,22 +72,16 @@ class Task:
         return {} if bounds is None else {"low": np.array(bounds[0]), "high": np.array(bounds[1])}
 
 
-def _no_experience(*, states: bool = False) -> Any:
+def _no_experience(**options: Any) -> Any:
     raise TypeError("experience: expected matches of a run, got fitness alone")
 
 
 @dataclass(frozen=True)
 class Results:
-    """What came of the candidates of an epoch.
+    """The `fitness` (n,) of the candidates of an epoch; higher is better.
 
-    Parameters
-    ----------
-    fitness : ndarray of float64, shape (n,)
-        Fitness of each candidate; higher is better.
-    experience : callable, optional
-        Plays the matches of the epoch once more and returns what the agents of the team saw, did
-        and earned; where all candidates are equal. With ``states=True`` also the states of the
-        world.
+    Where all candidates are equal, `experience` plays their matches once more and returns what the
+    agents of the team saw, did and earned; with ``states=True`` also the states of the world.
     """
 
     fitness: FloatArray
@@ -133,13 +101,10 @@ class Learner(Section):
         learner.genome(state)                               # genome that enters the archive
 
     The state between `tell` and `ask` is what a checkpoint holds. No method changes the arrays that
-    it gets. Random numbers come only from the generator of `ask`, so that a learner continues from
-    a saved state bit for bit.
-
-    A learner of your own is a frozen dataclass with this base, in the settings itself or by its
-    name ``module:object``. Its fields are its settings: numbers, text, true or false. With a field
-    ``anneal`` that is true, a race cannot become longer.
-    `check_learner` checks it.
+    it gets; random numbers come only from the generator of `ask`. A learner of your own is a frozen
+    dataclass with this base, in the settings itself or by its name ``module:object``, with fields
+    of numbers, text, true or false: see `check_learner`. With a field ``anneal`` that is true, a
+    race cannot become longer.
 
     Parameters
     ----------
@@ -187,15 +152,12 @@ class Learner(Section):
         return np.zeros(self.population, dtype=np.intp)
 
     def check_fits(self, path: str, game: Game) -> None:
-        """Raise ValueError if the learner cannot learn in a game.
-
-        `path` is the setting that has the learner.
-        """
+        """Raise ValueError if the learner, of the setting `path`, cannot learn in a game."""
 
     def check_machine(self) -> None:
         """Raise ModuleNotFoundError or ValueError if this machine lacks what the learner needs."""
 
-    def untrained(self, game: Game, team: Team, rng: Rng) -> Genome:
+    def untrained(self, game: Game, team: types.Team, rng: Rng) -> Genome:
         """Return an untrained genome of a team."""
         return game.untrained(team, rng)
 
@@ -262,8 +224,7 @@ def inside_bounds(state: State, genomes: Genomes) -> Genomes:
 # Noise vectors as windows of one long row of normal numbers:
 
 VECTORS_PER_TABLE = 256
-MOST_EXTRA_NUMBERS = 2**24
-"""Bound of the table's memory: 64 MiB beyond one noise vector."""
+MOST_EXTRA_NUMBERS = 2**24  # bound of the table's memory: 64 MiB beyond one noise vector
 
 
 def table_length(genes: int) -> int:
@@ -289,12 +250,10 @@ def draw_windows(count: int, genes: int, rng: Rng) -> Indices:
 
 
 def noise_of(state: State, windows: Indices, genes: int, sigma: float) -> list[Genome]:
-    """Return noise vectors (genes,) float32 with standard deviation sigma, not to be written to.
-
-    To draw a normal number for each gene of each candidate costs more time than all other work of a
-    learner. A window at a random place of a long shared table serves as well and costs nothing
-    (Salimans et al. 2017, section 2.1; for genetic algorithms Such et al. 2017, arXiv:1712.06567).
-    """
+    """Return noise vectors (genes,) float32 with standard deviation sigma, not to be written to."""
+    # To draw a normal number for each gene of each candidate costs more time than all other work of
+    # a learner. A window at a random place of a long shared table serves as well (Salimans et al.
+    # 2017, section 2.1; for genetic algorithms Such et al. 2017, arXiv:1712.06567).
     table = _table(tuple(map(int, state["noise"])), genes, sigma)
     vectors = [table[start : start + genes] for start in windows]
     if "fixed" not in state:
@@ -304,8 +263,7 @@ def noise_of(state: State, windows: Indices, genes: int, sigma: float) -> list[G
 
 # Steps of gradient ascent:
 
-ANNEALED = 0.1
-"""Share of a learning rate that is left after annealing."""
+ANNEALED = 0.1  # share of a learning rate that is left after annealing
 
 
 def annealed(updates: int, over: int) -> float:
@@ -320,10 +278,7 @@ def adam_state(genes: int, prefix: str = "") -> State:
 
 
 def adam(state: State, gradient: Genome, rate: float, prefix: str = "") -> tuple[Genome, State]:
-    """Return the change (genes,) float32 for a gradient, in ascent, and the new averages.
-
-    Kingma & Ba 2015, algorithm 1, with the constants given there.
-    """
+    """Return the change (genes,) for a gradient, in ascent, and averages: Kingma & Ba 2015."""
     beta1, beta2, epsilon = 0.9, 0.999, 1e-8
     mean, square = state[f"{prefix}mean"], state[f"{prefix}square"]
     updates = int(state[f"{prefix}updates"]) + 1

@@ -140,7 +140,7 @@ SYNTHETIC: Mapping[str, Callable[[int, float, Draws], SyntheticRace]] = {
     "drift": drift,
     "early stagnation": partial(stagnation, until=1 / 3),
 }
-"""Kinds of races by name; `evolution/validation/judgement_races.py` has more of them."""
+"""Kinds of races by name; `judgement_races` has more of them."""
 
 
 def synthetic_race(kind: str, n: int, seed: int) -> SyntheticRace:
