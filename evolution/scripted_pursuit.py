@@ -79,6 +79,7 @@ KINDS = (
     Kind("SB, evaders at random", BEST, every=True),
     Kind("the authors' setting", BEST, authors=True, every=True),
     Kind("SDB, evaders at random", BEST, variant="SDB"),
+    Kind("SB, evaders that stand still", BEST, "still"),
     Kind("SB, fleers", BEST, "fleer"),
     Kind("SB, dodgers", BEST, "dodger"),
     Kind("SB, 5 % obstacles", BEST, obstacles=0.05),
