@@ -31,7 +31,7 @@ from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.masks import right_of_way_cells
 from matrixworld.world.policy import TeamPolicy
 
-SIDE, WINDOW, EPISODES = 24, 20, 60
+SIDE, WINDOW, EPISODES = 24, 20, 20
 FIRST_SEED = 2 * 10**6
 SCRIPTS: tuple[TeamPolicy, ...] = "careful-team-surrounder", "careful-surrounder", "careful-chaser"
 EVADERS: tuple[TeamPolicy, ...] = "still", "random", "fleer"

@@ -33,7 +33,7 @@ WORLDS = {
     "6f9795913f9545a5": {"size": 40, "n_pursuers": 40, "n_evaders": 2, "max_steps": 100},
 }
 """Worlds by a digest of the pursuers' actions there. A slow reading of the script, which stood here
-at commit 9f2e3880, has chosen the same actions."""
+at commit 9f2e3880, has chosen the same actions, brought up to date where the script has changed."""
 
 
 @pytest.mark.parametrize("digest", WORLDS)
