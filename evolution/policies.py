@@ -80,7 +80,7 @@ SOLVED_SCRIPTS: Mapping[Team, tuple[str, ...]] = {
     "pursuer": ("random", "clumsy-chaser", "chaser"),
     "evader": ("random", "still", "clumsy-fleer", "fleer", "dodger"),
 }
-STEPLESS = tuple(name for name in mw.INPUTS if name not in ("must_yield", "ahead"))
+STEPLESS = tuple(name for name in mw.Rating.inputs if name not in ("must_yield", "ahead"))
 """Inputs that do not count steps, as solved worlds need them."""
 
 EPISODES = 40

@@ -54,7 +54,7 @@ RACE: dict[str, Any] = {
 }  # fmt: skip
 QUICK = {"schedule.generations": 2, "schedule.joint_epochs": 2}
 ALL, FEW = "all inputs", ("adversary", "teammate", "room")
-LEFT_OUT = {f"without {name}": name for name in mw.INPUTS}
+LEFT_OUT = {f"without {name}": name for name in mw.Rating.inputs}
 ONLY = f"only {' '.join(FEW)}"
 EPISODES, NOTHING = 50, 0.02
 """Episodes against each held-out opponent; the loss below which an input costs nothing."""
@@ -62,9 +62,9 @@ EPISODES, NOTHING = 50, 0.02
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return the settings of races with all inputs, and without some, in each world."""
-    chosen = {ALL: tuple(mw.INPUTS), ONLY: FEW}
+    chosen = {ALL: mw.Rating.inputs, ONLY: FEW}
     for kind, left_out in LEFT_OUT.items():
-        chosen[kind] = tuple(name for name in mw.INPUTS if name != left_out)
+        chosen[kind] = tuple(name for name in mw.Rating.inputs if name != left_out)
     found = {}
     for place, world in (SMALL | LARGE).items():
         settings = {f"world.{name}": value for name, value in world.items()}

@@ -79,6 +79,7 @@ KINDS = (
     Kind("SB, evaders at random", BEST, every=True),
     Kind("the authors' setting", BEST, authors=True, every=True),
     Kind("SDB, evaders at random", BEST, variant="SDB"),
+    Kind("SB, evaders that stand still", BEST, "still"),
     Kind("SB, fleers", BEST, "fleer"),
     Kind("SB, dodgers", BEST, "dodger"),
     Kind("SB, 5 % obstacles", BEST, obstacles=0.05),
@@ -98,6 +99,8 @@ class Row(NamedTuple):
     """Agent-steps of pursuers at fault, in all episodes."""
     seconds: float
     """Of an episode, on one core."""
+    teams: int = 1
+    """Learned teams, which play the episodes in turn."""
 
 
 Rows: TypeAlias = dict[str, dict[Level, Row]]
@@ -111,17 +114,23 @@ def play(kind: Kind, level: Level, episodes: int) -> Row:
         kind.variant, size=level.side, n_pursuers=level.pursuers, n_evaders=level.evaders,
         max_steps=STEPS, obstacles=kind.obstacles,
     )  # fmt: skip
-    begun = process_time()
-    teams = len(kind.pursuers.genomes) if isinstance(kind.pursuers, mw.Population) else 1
-    numbers = np.arange(episodes)
-    matches = mw.Matches.of(numbers % teams, 0, FIRST_SEED + numbers)
+    begun, numbers = process_time(), np.arange(episodes)
+    matches = mw.Matches.of(numbers % len(teams_of(kind)), 0, FIRST_SEED + numbers)
     played = mw.rollout(config, kind.pursuers, kind.evaders, matches, threads=1)
     return Row(
         np.round(played.capture_rate[:, 0].astype(float), 6).tolist(),
         played.length[:, 0].tolist(),
         int(played.faults[:, :, 0].sum()),
         round((process_time() - begun) / episodes, 4),
+        len(teams_of(kind)),
     )
+
+
+def teams_of(kind: Kind) -> list[TeamPolicy]:
+    """Return the teams of pursuers of a kind, one by one."""
+    if not isinstance(kind.pursuers, mw.Population):
+        return [kind.pursuers]
+    return [mw.Population(genome, kind.pursuers.policy) for genome in kind.pursuers.genomes]
 
 
 def authors_row(kind: Kind, level: Level, episodes: int) -> Row:
@@ -130,14 +139,14 @@ def authors_row(kind: Kind, level: Level, episodes: int) -> Row:
     rules = mw.Rules(mw.Interaction.SWARM_TURNS, bounce, bounce, bounce, reach, mw.Capture.SURROUND)
     side, n, m = level
     world = mw.World(rules, size=side, n_pursuers=n, n_evaders=m, max_steps=STEPS)
-    captured, steps, faults, begun = [], [], 0, process_time()
+    captured, steps, faults, begun, teams = [], [], 0, process_time(), teams_of(kind)
     for episode in range(episodes):
         world.reset(seed=FIRST_SEED + episode)
         rng = np.random.default_rng(FIRST_SEED + episode)
         share = 0.0
         while share < 1.0 and not (world.terminated or world.truncated):
             actions = np.zeros(n + m, np.int64)
-            world.decide(kind.pursuers, range(n), actions)
+            world.decide(teams[episode % len(teams)], range(n), actions)
             world.play_turn(actions)
             actions[n:] = open_moves(world.positions, n, side, rng)
             world.play_turn(actions)
@@ -145,7 +154,8 @@ def authors_row(kind: Kind, level: Level, episodes: int) -> Row:
             share = float(np.mean([not free for free in sides(world.positions, n, side)]))
         captured.append(share)
         steps.append(int(world.steps))
-    return Row(captured, steps, faults, round((process_time() - begun) / episodes, 4))
+    seconds = round((process_time() - begun) / episodes, 4)
+    return Row(captured, steps, faults, seconds, len(teams))
 
 
 def sides(positions: np.ndarray, n_pursuers: int, side: int) -> list[list[int]]:
@@ -228,7 +238,11 @@ def cell(row: Row | None) -> str:
     """Return captures and steps of a row as text."""
     if row is None:
         return ""
-    return f"{np.mean(row.captured):.4g} / {mean(row.steps, 0, bounds=(0.0, float(STEPS)))}"
+    told = f"{np.mean(row.captured):.4g} / {mean(row.steps, 0, bounds=(0.0, float(STEPS)))}"
+    if row.teams == 1:
+        return told
+    worst = min(np.mean(row.captured[team :: row.teams]) for team in range(row.teams))
+    return f"{told}; worst team {worst:.4g}"
 
 
 def faults_of(rows: Mapping[Level, Row]) -> int:
@@ -238,7 +252,9 @@ def faults_of(rows: Mapping[Level, Row]) -> int:
 
 def learned_in(directory: Path) -> mw.Population:
     """Return the last pursuers of all runs in a directory."""
-    last = [open_run(path.parent).last("pursuer") for path in directory.glob("*/summary.json")]
+    last = [
+        open_run(path.parent).last("pursuer") for path in sorted(directory.rglob("summary.json"))
+    ]
     if not last:
         raise FileNotFoundError(f"{directory}: expected directories of finished runs, got none")
     return mw.Population(np.concatenate([team.genomes for team in last]), last[0].policy)
@@ -285,7 +301,9 @@ def main() -> None:
     args = parser.parse_args()
     kinds = list(KINDS)
     if args.learned is not None:
-        kinds.append(Kind("learned, with right of way", learned_in(args.learned), every=True))
+        learned = learned_in(args.learned)
+        kinds.append(Kind("learned, SB", learned, every=True))
+        kinds.append(Kind("learned, the authors' setting", learned, authors=True, every=True))
     rows = rows_of(kinds, SOME[:2] if args.quick else published(), args.quick)
     text = table(rows)
     print(text)

@@ -28,6 +28,7 @@ enum Input : int {
     kRoom,
     kMustYield,
     kAhead,
+    kSearch,
     kInputs
 };
 

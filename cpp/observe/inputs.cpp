@@ -25,6 +25,9 @@ const InputText (&input_texts()) [kInputs] {
          1},
         {"must_yield", "1 if right of way forbids the move", "", 1},
         {"ahead", "1 if it is the direction that the agent draws for each 12 steps", "", 1},
+        {"search",
+         "1 if it leads on along the way on which an agent of team-surrounder searches the grid",
+         "", 1},
     };
     return all;
 }
@@ -66,6 +69,7 @@ MoveInputs::MoveInputs(const Config& config)
       view_(static_cast<std::size_t>(config.fov) * config.fov),
       taken_(static_cast<std::size_t>(config.fov + 2) * (config.fov + 2), MoveLook::kOutOfView),
       crowd_(config),
+      sight_(config.fov),
       places_(static_cast<std::size_t>(config.n_agents())),
       strides_(static_cast<std::size_t>(config.n_agents())),
       cases_(Grid(config.rows, config.cols), config.fov),
@@ -189,6 +193,10 @@ void MoveInputs::look(int agent, MoveRows& rows) {
     kernels().look_at_moves(look_, cells(0), cells(1));
     if (wants(kMustYield)) spread(rows.forbidden, rows.of[kMustYield]);
     if (wants(kAhead)) spread(1u << strides_[agent], rows.of[kAhead]);
+    if (wants(kSearch)) {
+        sight_.look(*world_, *occupancy_, agent);
+        spread(search_moves(*world_, sight_, agent), rows.of[kSearch]);
+    }
 }
 
 // What is out of view is not known, and counts as free.

@@ -20,6 +20,8 @@
 #include "kernels/move_look.hpp"
 #include "observe/crowd.hpp"
 #include "observe/right_of_way.hpp"
+#include "observe/search.hpp"
+#include "observe/sight.hpp"
 
 namespace matrixworld {
 
@@ -82,6 +84,7 @@ class MoveInputs {
     const World* world_ = nullptr;
     const Occupancy* occupancy_ = nullptr;
     Crowd crowd_;
+    Sight sight_;
     int order_ = 0;
     std::vector<int> places_;  // by agent: its place among the living
     std::uint64_t of_team_[kTeams][kMaxPositions / kPositionPad] = {};  // places as bits

@@ -205,11 +205,11 @@ void RatingPolicy::choose(World& world, const Occupancy& occupancy) {
 }
 
 void RatingPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
-    const std::uint32_t by_step = 1u << kMustYield | 1u << kAhead;
+    const std::uint32_t by_step = 1u << kMustYield | 1u << kAhead | 1u << kSearch;
     if (mask_ == MoveMask::RightOfWay || rater_->reads() & by_step) {
         throw std::invalid_argument(
-            "rating: expected one that decides by what it sees alone, got one that reads ahead or "
-            "must_yield, or has the mask right-of-way, which count steps");
+            "rating: expected one that decides by what it sees alone, got one that reads ahead, "
+            "search or must_yield, or has the mask right-of-way, which count steps");
     }
     rate(world, occupancy);
     for (std::size_t agent = 0; agent < agents_.size(); ++agent) {

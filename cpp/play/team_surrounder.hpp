@@ -5,8 +5,7 @@
 //   hold      beside an adversary it stays, except to break up crowds (see `rate_as_holder`)
 //   allocate  the nearest free teammates share the open sides of the adversaries in view
 //   approach  it goes to its side by the shortest way
-//   search    in few, teams of as many as surround an adversary sweep the grid in lines; in many,
-//             each agent mows the grid on its own
+//   search    else it searches the grid (observe/search.hpp)
 //
 // Numbers were chosen by trial: 4 directions, 40 x 40 cells, view 11 x 11, adversaries at random.
 #pragma once
@@ -14,7 +13,7 @@
 #include <cstdint>
 
 #include "game/world.hpp"
-#include "play/script.hpp"
+#include "observe/sight.hpp"
 
 namespace matrixworld {
 

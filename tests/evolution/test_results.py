@@ -18,6 +18,7 @@ import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
 import learned_exploitability as learned
+import liveness
 import map_races
 import mask_price
 import matrixworld as mw
@@ -53,6 +54,7 @@ TABLES = {
     "balance/table.md": lambda at: balance.table(json.loads(read(at / "numbers.json"))),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "judgement/errors.md": judgement_tables.report_of,
+    "liveness/table.md": lambda at: liveness.table(json.loads(read(at / "numbers.json"))),
     "mask_price/table.md": lambda at: mask_price.table(json.loads(read(at / "numbers.json"))),
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
         scripted_pursuit.read_rows(read(at / "numbers.json"))

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from browser import READY
-from matrixworld import INPUTS, World, WorldConfig, analysis
+from matrixworld import INPUTS, Rating, World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.options import given
@@ -306,7 +306,7 @@ def test_programs_are_there_as_expressions(rated):
     ]
     shape = weights["teams"]["pursuer"]["policy"]
     found = [shape[name] for name in ("kind", "inputs", "genome_size")]
-    assert found == ["rating", [*INPUTS], len(INPUTS)]
+    assert found == ["rating", [*Rating.inputs], len(Rating.inputs)]
 
 
 def test_a_single_team_has_one_cell_at_its_last_generation(job):

@@ -106,12 +106,12 @@ def direction_of_stride(world, agent):
 
 
 def all_slow_inputs(world):
-    """Return what `World.inputs` returns, (A, moves, inputs)."""
+    """Return what `World.inputs` returns but for the last input, search: (A, moves, inputs - 1)."""
     config, views = world.config, world.views()
-    found = np.zeros((config.n_agents, config.n_actions, len(mw.INPUTS)), np.float32)
+    found = np.zeros((config.n_agents, config.n_actions, len(mw.Rating.inputs)), np.float32)
     for agent in np.flatnonzero(world.alive):
         team = "pursuer" if agent < config.n_pursuers else "evader"
         ahead = direction_of_stride(world, int(agent))
         named = slow_inputs(config, views[agent], team, world.steps, ahead)
-        found[agent] = np.array([named[name] for name in mw.INPUTS], np.float32).T
+        found[agent] = np.array([named[name] for name in mw.Rating.inputs], np.float32).T
     return found

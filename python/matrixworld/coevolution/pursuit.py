@@ -182,7 +182,7 @@ class Ratings(PolicySettings):
     kind: ClassVar[str] = "rating"
     untrained: ClassVar[Mapping[str, str]] = {"weight": "initial_weight"}
 
-    inputs: tuple[str, ...] = setting(tuple(INPUTS), f"inputs: some of {', '.join(INPUTS)}")
+    inputs: tuple[str, ...] = setting(Rating.inputs, f"inputs: some of {', '.join(INPUTS)}")
     hidden: tuple[int, ...] = setting((), "sizes of the hidden layers; none: a weighted sum")
     initial_weight: float = setting(0.5, "standard deviation of untrained weights")
     mask: str = _mask("obstacles")
@@ -201,7 +201,7 @@ class Programs(PolicySettings):
     kind: ClassVar[str] = "program"
     untrained: ClassVar[Mapping[str, str]] = {"depth": "initial_depth"}
 
-    inputs: tuple[str, ...] = setting(tuple(INPUTS), f"inputs: some of {', '.join(INPUTS)}")
+    inputs: tuple[str, ...] = setting(Rating.inputs, f"inputs: some of {', '.join(INPUTS)}")
     length: int = setting(40, "most instructions of a program", least=1)
     initial_depth: int = setting(3, "most levels of an untrained program")
     mask: str = _mask("obstacles")

@@ -36,9 +36,13 @@ INPUTS: Mapping[str, str] = MappingProxyType(dict(_texts()))
 All are of the cell that the move leads to, for the same agents: those in view. Distances are least
 numbers of moves, as if there were no obstacles, in units of half a view, ``fov / 2``; 2 where there
 is nothing in view. A cell that holds several agents of a team counts once, and a cell out of view
-as free. Both teams have the same inputs, and only ``must_yield`` and ``ahead`` depend on the step:
-right of way has another order in each, and an agent draws a direction for each 12 steps.
+as free. Both teams have the same inputs. Only three depend on the step: ``must_yield``, as right of
+way has another order in each; ``ahead``, as an agent draws a direction for each 12 steps; and
+``search``, which follows a plan.
 """
+
+# The plan takes as long to compute as all others together.
+_PRESENT = tuple(name for name in INPUTS if name != "search")
 
 _LOWEST = np.finfo(np.float32).min
 _MAX_LENGTH = 2**16
@@ -109,7 +113,7 @@ class Rating(_Rates):
     Parameters
     ----------
     inputs : sequence of str, optional
-        Names of `INPUTS`, in the order of the genome. The default is all of them.
+        Names of `INPUTS`, in the order of the genome. The default is all but ``search``.
     hidden : sequence of int, optional
         Sizes of the hidden layers, with the activation relu. By default there is none: the rating
         is a weighted sum, and a genome has one weight for each input.
@@ -141,7 +145,7 @@ class Rating(_Rates):
 
     kind: ClassVar[str] = "rating"
 
-    inputs: tuple[str, ...] = tuple(INPUTS)
+    inputs: tuple[str, ...] = _PRESENT
     hidden: tuple[int, ...] = ()
     mask: Mask = "obstacles"
     fov: int = 11
@@ -322,7 +326,7 @@ class Program(_Rates):
 
     kind: ClassVar[str] = "program"
 
-    inputs: tuple[str, ...] = tuple(INPUTS)
+    inputs: tuple[str, ...] = _PRESENT
     length: int = 40
     mask: Mask = "obstacles"
     fov: int = 11

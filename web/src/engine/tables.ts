@@ -83,7 +83,8 @@ export const INPUTS = {
   "exits": "share of the cells around that are no obstacle (0 to 1)",
   "room": "distance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",
   "must_yield": "1 if right of way forbids the move (0 to 1)",
-  "ahead": "1 if it is the direction that the agent draws for each 12 steps (0 to 1)"
+  "ahead": "1 if it is the direction that the agent draws for each 12 steps (0 to 1)",
+  "search": "1 if it leads on along the way on which an agent of team-surrounder searches the grid (0 to 1)"
 } as const;
 
 /** Characters of passable and of impassable cells in a map. */

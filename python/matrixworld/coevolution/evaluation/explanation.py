@@ -73,6 +73,7 @@ PHRASES: dict[str, tuple[str, str, str]] = {
     "room": ("keeps to walls", "keeps off walls", "walls"),
     "must_yield": ("gives way to others", "takes the way of others", "right of way"),
     "ahead": ("keeps turning", "keeps its direction", "its direction"),
+    "search": ("leaves its way of searching", "searches the grid", "its way of searching"),
 }  # fmt: skip
 WORDS: dict[Team, dict[str, str]] = {
     "pursuer": {"foe": "evader", "seeks": "goes for", "flees": "keeps away from"},
