@@ -1,7 +1,8 @@
 """Who waits for whom? Teams with right of way that rest or go in circles, and groups at one cell.
 
-    python evolution/liveness.py           a few minutes of one core
-    python evolution/liveness.py --quick   two episodes of each
+    python evolution/liveness.py                      a few minutes of one core
+    python evolution/liveness.py --learned DIRECTORY  with the pursuers of all runs in it
+    python evolution/liveness.py --quick              two episodes of each
 
 Careful scripts pursue on 24 x 24 cells that are open, random obstacles, rooms with doors two cells
 wide, or corridors one cell wide (SB, 12 against 3, views of 11 x 11 cells, 300 steps). An episode
@@ -30,10 +31,11 @@ from common import markdown, script_parser
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.masks import right_of_way_cells
 from matrixworld.world.policy import TeamPolicy
+from scripted_pursuit import Kind, learned_in, teams_of
 
 SIDE, WINDOW, EPISODES = 24, 20, 20
 FIRST_SEED = 2 * 10**6
-SCRIPTS: tuple[TeamPolicy, ...] = "careful-team-surrounder", "careful-surrounder", "careful-chaser"
+SCRIPTS = "careful-team-surrounder", "careful-surrounder", "careful-chaser"
 EVADERS: tuple[TeamPolicy, ...] = "still", "random", "fleer"
 MEASURES = "captured", "steps", "waits", "freezes", "livelocks", "faults"
 
@@ -58,10 +60,10 @@ def is_stuck(repeats: NDArray[np.bool_], possible: NDArray[np.bool_]) -> bool:
 
 
 def measures(
-    config: mw.WorldConfig, script: TeamPolicy, evaders: TeamPolicy, seed: int
+    config: mw.WorldConfig, pursuers: TeamPolicy, evaders: TeamPolicy, seed: int
 ) -> tuple[float, ...]:
     """Return the measures of an episode."""
-    played = mw.record(config, script, evaders, seed=seed)
+    played = mw.record(config, pursuers, evaders, seed=seed)
     at = played.positions.astype(int)
     n = config.n_pursuers
     taken = np.zeros((len(at), SIDE + 2, SIDE + 2), bool)
@@ -140,20 +142,24 @@ def table(rows: Sequence[Mapping[str, Any]]) -> str:
 def main() -> None:
     """Play all; print and write the tables."""
     parser = script_parser(__doc__, quick="two episodes of each")
+    parser.add_argument("--learned", type=Path, help="a directory of runs: their last pursuers")
     parser.add_argument("--results", type=Path, default=Path("liveness"))
     args = parser.parse_args()
+    pursuers: dict[str, Sequence[TeamPolicy]] = {name: [name] for name in SCRIPTS}
+    if args.learned is not None:
+        pursuers["learned"] = teams_of(Kind("learned", learned_in(args.learned)))
     rows = []
-    for (ground, obstacles), script, evaders in itertools.product(
-        grounds().items(), SCRIPTS, EVADERS
+    for (ground, obstacles), (name, teams), evaders in itertools.product(
+        grounds().items(), pursuers.items(), EVADERS
     ):
         config = mw.WorldConfig(
             "SB", size=SIDE, n_pursuers=12, n_evaders=3, max_steps=300, obstacles=obstacles
         )
         seeds = range(FIRST_SEED, FIRST_SEED + (2 if args.quick else EPISODES))
-        found = zip(*(measures(config, script, evaders, seed) for seed in seeds), strict=True)
-        rows.append({"ground": ground, "script": script, "evaders": evaders} | {
-            name: [round(float(value), 4) for value in values]
-            for name, values in zip(MEASURES, found, strict=True)
+        played = (measures(config, teams[s % len(teams)], evaders, s) for s in seeds)
+        rows.append({"ground": ground, "script": name, "evaders": evaders} | {
+            measure: [round(float(value), 4) for value in values]
+            for measure, values in zip(MEASURES, zip(*played, strict=True), strict=True)
         })  # fmt: skip
     text = table(rows)
     print(text)
