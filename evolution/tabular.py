@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -42,12 +42,12 @@ IN_TURNS = {
 }
 CAPTURES = {"occupied": {}, "surrounded": {"evader": Outcome.BOUNCE, "capture": Capture.SURROUND}}
 BOARDS = ((3, 3), (3, 4), (4, 4), (3, 5), (4, 5), (5, 5))
-SIZES = ((1, 1), (2, 1), (2, 1), (1, 2), (3, 1))
-"""Pursuers and evaders, equally likely."""
+TEAMS_OF = ((1, 1), (2, 1), (1, 2))
+"""Pursuers and evaders, of two worlds one after the other."""
 MOST_WALLS = 3
 STEPS = (3, 4, 5, 6, 7, 8)
-WORK = 1_000_000
-"""Most entries of all tables of successors, times steps: a response takes some milliseconds."""
+WORK = 200_000
+"""Most entries of all tables of successors, times steps: a response takes about a millisecond."""
 FAIR = 0.1, 0.9
 """Values of the worlds: in others one team wins nearly always."""
 MIXING = 0.02
@@ -71,13 +71,15 @@ class World:
 def drawn_worlds(count: int, seed: int, work: int = WORK) -> list[World]:
     """Return worlds drawn by chance, in turns and at once in alternation, none like another.
 
-    Each choice is drawn evenly: rules, board, teams, walls, steps, and in one of four worlds moves
-    in eight directions. Worlds with values out of `FAIR`, with more than `WORK`, or in which all
-    move at once and `mixing` is worth less than `MIXING`, are drawn anew.
+    Each choice is drawn evenly: rules, board, walls, steps, and in one of four worlds moves in
+    eight directions; the teams are those of `TEAMS_OF` in their order. Worlds with values out of
+    `FAIR`, with more than `WORK`, or in which all move at once and `mixing` is worth less than
+    `MIXING`, are drawn anew.
     """
     rng, found = np.random.default_rng(seed), dict[str, World]()
     while len(found) < count:
-        each = _drawn(rng, together=len(found) % 2 == 1)
+        pair, at_once = divmod(len(found), 2)
+        each = _drawn(rng, TEAMS_OF[pair % len(TEAMS_OF)], bool(at_once))
         if each is None or each.like in found or _work(each.config) > work:
             continue
         game = Game(each.config)
@@ -87,11 +89,11 @@ def drawn_worlds(count: int, seed: int, work: int = WORK) -> list[World]:
     return list(found.values())
 
 
-def _drawn(rng: np.random.Generator, together: bool) -> World | None:
+def _drawn(rng: np.random.Generator, teams: tuple[int, int], at_once: bool) -> World | None:
     def one(choices: Any) -> Any:
         return choices[int(rng.integers(len(choices)))]
 
-    if together:
+    if at_once:
         variant = one(("R", "B", "O", "S", "SB", "SD", "SDB"))
         rules = mw.VARIANTS[variant]
     else:
@@ -99,7 +101,7 @@ def _drawn(rng: np.random.Generator, together: bool) -> World | None:
         rules = Rules(**{"interaction": Interaction.AGENT_TURNS, **CAPTURES[capture]})
         rules = replace(rules, **IN_TURNS[moves])
         variant = f"{moves}, {capture}"
-    (rows, cols), (pursuers, evaders) = one(BOARDS), one(SIZES)
+    (rows, cols), (pursuers, evaders) = one(BOARDS), teams
     walls, steps = int(rng.integers(MOST_WALLS + 1)), one(STEPS)
     diagonal = bool(rng.integers(4) == 0)
     blocked = np.zeros(rows * cols, bool)
@@ -274,30 +276,36 @@ class Game:
 # Schedules: with which weights the next response of a team meets the past policies of the other
 
 
-def newest(own: Floats) -> Floats:
-    """Return the weights of specialists. `own` are scores (own generations, opponents)."""
-    return np.eye(own.shape[1])[-1]
+Scores = Callable[[], Floats]
+"""The scores of a team's generations against its opponents so far, if they are wanted."""
+Weights = Callable[[int, Scores], Floats]
+"""How many opponents there are, and the scores -> their weights."""
 
 
-def every(own: Floats) -> Floats:
+def newest(count: int, scores: Scores) -> Floats:
+    """Return the weights of specialists."""
+    return np.eye(count)[-1]
+
+
+def every(count: int, scores: Scores) -> Floats:
     """Return the weights of generalists; if they learn perfectly, this is fictitious play."""
-    return np.full(own.shape[1], 1.0 / own.shape[1])
+    return np.full(count, 1.0 / count)
 
 
-def hall(own: Floats) -> Floats:
+def hall(count: int, scores: Scores) -> Floats:
     """Return the weights of a hall of fame: two living opponents and one of the hall."""
-    return 2 / 3 * newest(own) + 1 / 3 * every(own)
+    return 2 / 3 * newest(count, scores) + 1 / 3 * every(count, scores)
 
 
-def nash(own: Floats) -> Floats:
+def nash(count: int, scores: Scores) -> Floats:
     """Return the opponents' weights in an equilibrium of the matrix (PSRO)."""
-    return equilibrium(own)[1]
+    return equilibrium(scores())[1]
 
 
-def hard(own: Floats) -> Floats:
+def hard(count: int, scores: Scores) -> Floats:
     """Return weights by how often the newest generation loses, squared (Vinyals et al. 2019)."""
-    losses = (1.0 - own[-1]) ** 2
-    return losses / losses.sum() if losses.sum() > TIE else every(own)
+    losses = (1.0 - scores()[-1]) ** 2
+    return losses / losses.sum() if losses.sum() > TIE else every(count, scores)
 
 
 def equilibrium(own: Floats) -> tuple[Floats, Floats]:
@@ -314,9 +322,6 @@ def equilibrium(own: Floats) -> tuple[Floats, Floats]:
     mixtures = (np.maximum(each, 0.0) for each in (found.x[:rows], -found.ineqlin.marginals))
     first, second = (each / each.sum() for each in mixtures)
     return first, second
-
-
-Weights = Callable[[Floats], Floats]
 
 
 @dataclass(frozen=True)
@@ -504,7 +509,7 @@ LEARNERS: Mapping[str, Learner] = {
     "10 % of the changes": Slow(0.1),
     "2 % of the changes": Slow(0.02),
     "improves what it meets": improved,
-    "best of 32 changes, 10 times": BestOf(32, 10),
+    "best of 32 changes, thrice": BestOf(32, 3),
 }
 
 
@@ -512,13 +517,13 @@ LEARNERS: Mapping[str, Learner] = {
 
 
 class Race:
-    """Tables of both teams, generation by generation, and the matrix of their scores."""
+    """Tables of both teams, generation by generation, and their scores."""
 
     def __init__(self, game: Game, schedule: Schedule, learner: Learner, seed: int) -> None:
         self.game, self.schedule, self.learner = game, schedule, learner
         first, self.rng = (np.random.default_rng([seed, k]) for k in range(2))
         self.tables: dict[Team, list[Table]] = {team: [game.random(team, first)] for team in TEAMS}
-        self.matrix = game.scores(self.tables["pursuer"], self.tables["evader"])
+        self.rates: dict[Team, Floats] = {team: np.empty((0, 0)) for team in TEAMS}
 
     def opponents(self, team: Team) -> list[Table]:
         """Return the past policies that a team meets."""
@@ -526,30 +531,30 @@ class Race:
 
     def scores(self, team: Team) -> Floats:
         """Return the scores of a team's generations against the past policies that it meets."""
-        return self.matrix if team == "pursuer" else 1.0 - self.matrix.T
+        own, met, known = self.tables[team], self.opponents(team), self.rates[team]
+        rows, columns = known.shape
+        known = np.vstack([known, self._scores(team, own[rows:], met[:columns])])
+        known = np.hstack([known, self._scores(team, own, met[columns:])])
+        self.rates[team] = known
+        return known
+
+    def _scores(self, team: Team, own: list[Table], met: list[Table]) -> Floats:
+        if not own or not met:
+            return np.empty((len(own), len(met)))
+        if team == "pursuer":
+            return self.game.scores(own, met)
+        return 1.0 - self.game.scores(met, own).T
 
     def go(self) -> None:
         """Add a generation: pursuers answer the evaders so far, then evaders the pursuers."""
         for team in TEAMS:
-            own, past, scores = self.tables[team], self.opponents(team), self.scores(team)
-            weights = self.schedule.meets(team)(scores)
+            own, past = self.tables[team], self.opponents(team)
+            weights = self.schedule.meets(team)(len(past), partial(self.scores, team))
             answer = self.learner(self.game, team, own[-1], past, weights, self.rng)
+            if self.schedule.keeps:
+                new, old = self._scores(team, [answer, own[-1]], past).mean(axis=1)
+                answer = answer if new >= old - TIE else own[-1]
             own.append(answer)
-            if self.schedule.keeps and self._score(team, answer, past) < scores[-1].mean() - TIE:
-                own[-1] = own[-2]
-            self.add(team)
-
-    def _score(self, team: Team, table: Table, past: list[Table]) -> float:
-        rates = self.game.scores(*(([table], past) if team == "pursuer" else (past, [table])))
-        return float(rates.mean() if team == "pursuer" else 1.0 - rates.mean())
-
-    def add(self, team: Team) -> None:
-        """Add the scores of a team's newest generation to the matrix."""
-        pursuers, evaders = (self.tables[each] for each in TEAMS)
-        if team == "pursuer":
-            self.matrix = np.vstack([self.matrix, self.game.scores(pursuers[-1:], evaders)])
-        else:
-            self.matrix = np.hstack([self.matrix, self.game.scores(pursuers, evaders[-1:])])
 
     def mixture(self, team: Team, weights: Floats) -> Play:
         """Return a mixture of a team's generations."""
@@ -557,7 +562,7 @@ class Race:
 
     def guarantees(self, team: Team) -> dict[str, float]:
         """Return the capture rates that several choices from a team's generations guarantee."""
-        scores = self.matrix if team == "pursuer" else 1.0 - self.matrix.T
+        scores = self.scores(team)
         means, count = scores.mean(axis=1), len(scores)
         chosen = int(np.flatnonzero(means >= means.max() - TIE)[-1])
         weights = {
@@ -572,7 +577,7 @@ class Race:
         }
 
     def nash_conv(self) -> float:
-        """Return the NashConv of the newest generations."""
+        """Return the NashConv of the newest generations: what the best responses of both gain."""
         p, e = (
             self.game.guarantee(team, self.game.mixed(team, self.tables[team][-1:], np.ones(1)))
             for team in TEAMS
@@ -580,6 +585,6 @@ class Race:
         return e - p
 
     def nash_convs(self) -> dict[str, float]:
-        """Return the NashConv of each choice: how much the best responses of both teams gain."""
+        """Return the NashConv of each choice."""
         pursuers, evaders = (self.guarantees(team) for team in TEAMS)
         return {name: evaders[name] - pursuers[name] for name in pursuers}
