@@ -51,7 +51,17 @@ from tqdm import tqdm
 import common
 from matrixworld.analysis import interval_over_runs
 from matrixworld.plots import save_figure
-from tabular import GENERALISTS, LEARNERS, SCHEDULES, SPECIALISTS, Game, Race, World, drawn_worlds
+from tabular import (
+    CHOICES,
+    GENERALISTS,
+    LEARNERS,
+    SCHEDULES,
+    SPECIALISTS,
+    Game,
+    Race,
+    World,
+    drawn_worlds,
+)
 
 WORLDS, SEED, GENERATIONS = 30, 66, 64
 QUICK_WORLDS, QUICK_WORK, QUICK_GENERATIONS = 4, 10_000, 8
@@ -59,7 +69,6 @@ CLOSE, FAR, MARGIN = 0.01, 0.05, 0.05
 PSRO, PERFECT = "PSRO, Nash", "perfect"
 KINDS = {"in turns": "newest", "at once": "mixture"}
 """Kinds of worlds, and whose NashConv is the unit there."""
-CHOICES = ("newest", "chosen", "average", "mixture")
 
 
 def told_at(generations: int) -> list[int]:
@@ -82,7 +91,7 @@ def measured(world: World, seed: int, generations: int) -> dict[str, Any]:
                 race.go()
                 newest.append(race.nash_conv())
                 if generation in told_at(generations):
-                    told.append(race.nash_convs())
+                    told.append({choice: race.nash_conv(choice) for choice in CHOICES[1:]})
             kind = f"{learner}; {schedule}"
             found[f"{kind} / newest"] = np.round(newest, 6).tolist()
             for choice in CHOICES[1:]:

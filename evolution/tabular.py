@@ -25,6 +25,8 @@ from matrixworld.coevolution import TEAMS, Team
 from matrixworld.coevolution.types import other
 from matrixworld.solver import States, solve
 
+CHOICES = ("newest", "chosen", "average", "mixture")
+"""What of all generations of a race is told of: `Race.chosen`."""
 Table: TypeAlias = list[NDArray[np.int16]]
 """A policy: by turn, the joint action (rounds, S). The first axis is the rounds left, minus 1."""
 Play: TypeAlias = list[NDArray[np.float64]]
@@ -556,35 +558,21 @@ class Race:
                 answer = answer if new >= old - TIE else own[-1]
             own.append(answer)
 
-    def mixture(self, team: Team, weights: Floats) -> Play:
-        """Return a mixture of a team's generations."""
+    def chosen(self, team: Team, choice: str) -> Play:
+        """Return the newest generation, the one of the highest mean score, or a mixture of all."""
+        count = len(self.tables[team])
+        if choice == "newest":
+            weights = np.eye(count)[-1]
+        elif choice == "average":
+            weights = np.full(count, 1.0 / count)
+        elif choice == "mixture":
+            weights = equilibrium(self.scores(team))[0]
+        else:
+            means = self.scores(team).mean(axis=1)
+            weights = np.eye(count)[np.flatnonzero(means >= means.max() - TIE)[-1]]
         return self.game.mixed(team, self.tables[team], weights)
 
-    def guarantees(self, team: Team) -> dict[str, float]:
-        """Return the capture rates that several choices from a team's generations guarantee."""
-        scores = self.scores(team)
-        means, count = scores.mean(axis=1), len(scores)
-        chosen = int(np.flatnonzero(means >= means.max() - TIE)[-1])
-        weights = {
-            "newest": np.eye(count)[-1],
-            "chosen": np.eye(count)[chosen],
-            "average": np.full(count, 1.0 / count),
-            "mixture": equilibrium(scores)[0],
-        }
-        return {
-            name: self.game.guarantee(team, self.mixture(team, each))
-            for name, each in weights.items()
-        }
-
-    def nash_conv(self) -> float:
-        """Return the NashConv of the newest generations: what the best responses of both gain."""
-        p, e = (
-            self.game.guarantee(team, self.game.mixed(team, self.tables[team][-1:], np.ones(1)))
-            for team in TEAMS
-        )
+    def nash_conv(self, choice: str = "newest") -> float:
+        """Return the NashConv of a choice: what the best responses of both teams gain."""
+        p, e = (self.game.guarantee(team, self.chosen(team, choice)) for team in TEAMS)
         return e - p
-
-    def nash_convs(self) -> dict[str, float]:
-        """Return the NashConv of each choice."""
-        pursuers, evaders = (self.guarantees(team) for team in TEAMS)
-        return {name: evaders[name] - pursuers[name] for name in pursuers}

@@ -113,7 +113,7 @@ def interaction(matrix: Floats) -> float:
 def shortfalls(race: Race, unit: str) -> list[float]:
     """Return by how much what the unit of each team guarantees falls short of the value."""
     value = race.game.value
-    pursuers, evaders = (race.guarantees(team)[unit] for team in TEAMS)
+    pursuers, evaders = (race.game.guarantee(team, race.chosen(team, unit)) for team in TEAMS)
     return [round(value - pursuers, 6), round(evaders - value, 6)]
 
 
