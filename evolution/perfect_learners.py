@@ -71,6 +71,11 @@ KINDS = {"in turns": "newest", "at once": "mixture"}
 """Kinds of worlds, and whose NashConv is the unit there."""
 
 
+def watched(generations: int) -> list[int]:
+    """Return the generations of which the newest are measured: the first eight, then each fourth."""
+    return [k for k in range(generations + 1) if k <= 8 or k % 4 == 0]
+
+
 def told_at(generations: int) -> list[int]:
     """Return the generations after which all choices are measured: powers of two."""
     return [2**k for k in range(generations.bit_length()) if 2**k <= generations]
@@ -82,6 +87,7 @@ def measured(world: World, seed: int, generations: int) -> dict[str, Any]:
     found: dict[str, Any] = {
         "world": world.name, "together": world.together, "value": game.value,
         "mixing": game.mixing, "states": game.states.total,
+        "watched": watched(generations),
     }  # fmt: skip
     for learner, learns in LEARNERS.items():
         for schedule, meets in SCHEDULES.items():
@@ -89,7 +95,8 @@ def measured(world: World, seed: int, generations: int) -> dict[str, Any]:
             newest, told = [race.nash_conv()], []
             for generation in range(1, generations + 1):
                 race.go()
-                newest.append(race.nash_conv())
+                if generation in watched(generations):
+                    newest.append(race.nash_conv())
                 if generation in told_at(generations):
                     told.append({choice: race.nash_conv(choice) for choice in CHOICES[1:]})
             kind = f"{learner}; {schedule}"
@@ -187,7 +194,7 @@ def table_of_perfect(numbers: common.Numbers, kind: str) -> str:
         cells = [schedule, *map(common.mean, of_choices)]
         unit = ends(numbers, PERFECT, kind)[schedule]
         curve = numbers[f"{PERFECT}; {schedule} / newest"][worlds]
-        settled = settles(curve)
+        settled = settles(curve, numbers["watched"][0])
         said = "never" if np.isnan(settled).all() else f"{np.nanmedian(settled):.0f}"
         cells += [f"{(unit <= CLOSE).sum()} of {len(unit)}", said]
         key = (schedule, KINDS[kind])
@@ -202,11 +209,12 @@ def table_of_perfect(numbers: common.Numbers, kind: str) -> str:
     return common.markdown(heads, rows).replace("|  |", "| |")
 
 
-def settles(curves: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return from which generation on a curve (worlds, generations) stays close; NaN if never."""
+def settles(curves: NDArray[np.float64], generations: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Return from which of some generations on each curve stays close; NaN if it ends far."""
     far = curves > CLOSE
-    last = curves.shape[1] - far[:, ::-1].argmax(axis=1)  # the generation after the last far one
-    return np.where(far[:, -1], np.nan, np.where(far.any(axis=1), last, 0))
+    first = curves.shape[1] - far[:, ::-1].argmax(axis=1)  # after the last one that is far
+    first = np.where(far.any(axis=1), first, 0)
+    return np.where(far[:, -1], np.nan, generations[np.minimum(first, len(generations) - 1)])
 
 
 def table_of_forgetting(numbers: common.Numbers) -> str:
@@ -260,7 +268,7 @@ def table_of_worlds(numbers: common.Numbers) -> str:
 def table(numbers: common.Numbers) -> str:
     """Return all tables in Markdown."""
     counts = {kind: int(of_kind(numbers, kind).sum()) for kind in KINDS}
-    last = numbers[f"{PERFECT}; {SPECIALISTS} / newest"].shape[1] - 1
+    last = numbers["watched"][0, -1]
     told = "means over worlds, with 95 % intervals in brackets."
     parts = [f"NashConv after {last} generations; {told}"]
 

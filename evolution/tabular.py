@@ -462,15 +462,13 @@ def improved(
 
 @dataclass(frozen=True)
 class BestOf:
-    """The best of some random changes of the own table, itself included, for some steps.
+    """The best of some random changes of the own table, itself included.
 
-    In each step opponents are drawn by their weights and meet all candidates from some starts. A
-    candidate changes each action with a probability between .001 and .1, drawn evenly in its
-    logarithm.
+    Opponents are drawn by their weights and meet all candidates from some starts. A candidate
+    changes each action with a probability between .001 and .1, drawn evenly in its logarithm.
     """
 
     candidates: int
-    steps: int
     opponents: int = 4
     starts: int = 64
 
@@ -479,26 +477,24 @@ class BestOf:
         rng: np.random.Generator,
     ) -> Table:  # fmt: skip
         """Return the next table."""
-        for _ in range(self.steps):
-            rates = np.append(0.0, 10.0 ** rng.uniform(-3, -1, self.candidates - 1))
-            tried = [np.repeat(each[None], self.candidates, axis=0) for each in own]
-            for each, (rounds, count, actions) in zip(tried, game.shapes(team), strict=True):
-                if actions > 1:
-                    for place, rate in enumerate(rates):
-                        n = rng.binomial(rounds * count, rate)
-                        where = rng.integers(rounds * count, size=n)
-                        each[place].reshape(-1)[where] = rng.integers(actions, size=n)
-            drawn = rng.choice(len(past), self.opponents, p=weights)
-            rivals = [np.stack([past[k][turn] for k in drawn]) for turn in range(len(own))]
-            starts = rng.choice(game.starts, min(self.starts, len(game.starts)), replace=False)
-            sides = (tried, rivals) if team == "pursuer" else (rivals, tried)
-            rates = game.played(
-                [each[:, None] for each in sides[0]], [each[None] for each in sides[1]], starts
-            )
-            mean = rates.mean(axis=1) if team == "pursuer" else 1.0 - rates.mean(axis=0)
-            best = int(mean.argmax())
-            own = [each[best] for each in tried]
-        return own
+        rates = np.append(0.0, 10.0 ** rng.uniform(-3, -1, self.candidates - 1))
+        tried = [np.repeat(each[None], self.candidates, axis=0) for each in own]
+        for each, (rounds, count, actions) in zip(tried, game.shapes(team), strict=True):
+            if actions > 1:
+                for place, rate in enumerate(rates):
+                    n = rng.binomial(rounds * count, rate)
+                    where = rng.integers(rounds * count, size=n)
+                    each[place].reshape(-1)[where] = rng.integers(actions, size=n)
+        drawn = rng.choice(len(past), self.opponents, p=weights)
+        rivals = [np.stack([past[k][turn] for k in drawn]) for turn in range(len(own))]
+        starts = rng.choice(game.starts, min(self.starts, len(game.starts)), replace=False)
+        sides = (tried, rivals) if team == "pursuer" else (rivals, tried)
+        rates = game.played(
+            [each[:, None] for each in sides[0]], [each[None] for each in sides[1]], starts
+        )
+        mean = rates.mean(axis=1) if team == "pursuer" else 1.0 - rates.mean(axis=0)
+        best = int(mean.argmax())
+        return [each[best] for each in tried]
 
 
 LEARNERS: Mapping[str, Learner] = {
@@ -511,7 +507,7 @@ LEARNERS: Mapping[str, Learner] = {
     "10 % of the changes": Slow(0.1),
     "2 % of the changes": Slow(0.02),
     "improves what it meets": improved,
-    "best of 32 changes, thrice": BestOf(32, 3),
+    "best of 32 changes": BestOf(32),
 }
 
 

@@ -6,8 +6,9 @@
 `yoked_worlds.py` asks this in solved worlds of tables; here it is asked in larger worlds by
 matches: two pursuers against four evaders on 12 x 12 cells, or six against one on 8 x 8 cells where
 evaders are surrounded, for 60 steps. Settings come from trials of one seed in five variants, in
-which both teams had to learn. Ratings of moves evolve by an evolution strategy, generalists in turns. In
-the yoked race each team meets the opponents of the race of the next seed (`yoked_races.py`).
+which both teams had to learn. Ratings of moves evolve by an evolution strategy, generalists in
+turns. In the yoked race each team meets the opponents of the race of the next seed
+(`yoked_races.py`).
 
 A team's *rise* is how much better its last fifth of generations scores than its first generation,
 against every fifth generation of the races of all seeds that neither kind has met. Decided before

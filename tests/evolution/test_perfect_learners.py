@@ -108,7 +108,8 @@ def test_schedules_matter_only_if_told_apart_and_far_enough() -> None:
     for found, said in ((same, "do not matter"), (apart, "matter"), (wide, "cannot tell")):
         assert perfect_learners.verdict(found, perfect_learners.friedman(found)) == said
     curves = np.array([[1, 0, 1, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 1]], float)
-    np.testing.assert_array_equal(perfect_learners.settles(curves), [3, 0, np.nan])
+    at = np.array([0, 1, 2, 4, 8])
+    np.testing.assert_array_equal(perfect_learners.settles(curves, at), [4, 0, np.nan])
 
 
 @pytest.mark.nightly
