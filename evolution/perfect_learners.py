@@ -66,13 +66,13 @@ from tabular import (
 WORLDS, SEED, GENERATIONS = 30, 66, 64
 QUICK_WORLDS, QUICK_WORK, QUICK_GENERATIONS = 4, 10_000, 8
 CLOSE, FAR, MARGIN = 0.01, 0.05, 0.05
-PSRO, PERFECT = "PSRO, Nash", "perfect"
+PSRO, RETAIN, PERFECT = "PSRO, Nash", "specialists that retain", "perfect"
 KINDS = {"in turns": "newest", "at once": "mixture"}
 """Kinds of worlds, and whose NashConv is the unit there."""
 
 
 def watched(generations: int) -> list[int]:
-    """Return the generations of which the newest are measured: the first eight, then each fourth."""
+    """Return after which generations the newest are measured: eight, then each fourth."""
     return [k for k in range(generations + 1) if k <= 8 or k % 4 == 0]
 
 
@@ -295,7 +295,9 @@ def table(numbers: common.Numbers) -> str:
 
 # Figure
 
-COLORS = {SPECIALISTS: "tab:red", GENERALISTS: "tab:blue", PSRO: "tab:green"}
+COLORS = {
+    SPECIALISTS: "tab:red", RETAIN: "tab:orange", GENERALISTS: "tab:blue", PSRO: "tab:green",
+}  # fmt: skip
 
 
 def figure(numbers: common.Numbers) -> Figure:
@@ -320,12 +322,12 @@ def figure(numbers: common.Numbers) -> Figure:
         what = "newest generation" if unit == "newest" else "mixture of all generations"
         axis.set_title(f"{count} worlds {kind}: {what}", fontsize=10)
         axis.set_xticks(places, [*LEARNERS], rotation=40, ha="right", fontsize=8)
-        axis.set(ylim=(-0.02, None))
+        axis.set(ylim=(-0.02, 1.03))
         axis.spines[["top", "right"]].set_visible(False)
     axes[0].set_ylabel("NashConv (0: perfect play)")
-    axes[0].plot([], [], color="0.75", marker="o", markersize=3, label="four other schedules")
+    axes[0].plot([], [], color="0.75", marker="o", markersize=3, label="three other schedules")
+    axes[0].plot([], [], color="0.9", linewidth=8, label="here schedules matter")
     axes[0].legend(frameon=False, fontsize=8, loc="upper left")
-    axes[1].annotate("shaded: schedules matter", (0.02, 0.96), xycoords="axes fraction", fontsize=8)
     return found
 
 
