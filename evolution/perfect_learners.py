@@ -108,7 +108,8 @@ def measured(world: World, seed: int, generations: int) -> dict[str, Any]:
 
 def stacked(of_worlds: list[dict[str, Any]]) -> dict[str, NDArray[Any]]:
     """Return the numbers of all worlds by name; the first axis is that of the worlds."""
-    return {name: np.array([each[name] for each in of_worlds]) for name in of_worlds[0]}
+    found = {name: np.array([each[name] for each in of_worlds]) for name in of_worlds[0]}
+    return {name: np.round(a, 4) if a.dtype == np.float64 else a for name, a in found.items()}
 
 
 # Tables

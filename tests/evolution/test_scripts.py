@@ -17,7 +17,7 @@ from matrixworld import coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun
 from tiny_race import tiny_race
 
-LIBRARIES = {"common", "paper_runs"}
+LIBRARIES = {"common", "paper_runs", "tabular"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
 WITH_TORCH = {
     "actor_critic_baselines",
