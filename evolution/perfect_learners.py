@@ -328,7 +328,7 @@ def figure(numbers: common.Numbers) -> Figure:
     axes[0].set_ylabel("NashConv (0: perfect play)")
     axes[0].plot([], [], color="0.75", marker="o", markersize=3, label="three other schedules")
     axes[0].plot([], [], color="0.9", linewidth=8, label="here schedules matter")
-    axes[0].legend(frameon=False, fontsize=8, loc="upper left")
+    axes[0].legend(frameon=False, fontsize=8, loc="lower right")
     return found
 
 

@@ -28,6 +28,7 @@ import matrixworld as mw
 import page_races
 import paper_claims
 import paper_surrounding
+import perfect_learners
 import policies
 import race_budgets
 import rating_inputs
@@ -48,7 +49,8 @@ def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
 
 OF_A_TABLE = (
     baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame, learned,
-    page_races, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
+    page_races, perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning,
+    yoked_races,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES: dict[str, Callable[[Path], str]] = {
