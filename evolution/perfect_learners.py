@@ -1,6 +1,6 @@
 """Which schedule converges if learning is perfect? Exact best responses, then poorer learners.
 
-    python evolution/perfect_learners.py             30 worlds, an hour of one core
+    python evolution/perfect_learners.py             30 worlds, twenty minutes of one core
     python evolution/perfect_learners.py --quick     four small worlds, some seconds
 
 `convergence.py` compares schedules by one learner in one world. Here the learner is the exact best
@@ -10,7 +10,7 @@ half all move at once, and to move second is worth at least .02. Worlds are draw
 66; trials were in worlds of seed 65), and played in this order: whatever is finished is a fair
 sample. Each generation has one response of each team; the first tables are drawn by chance, the
 same ones for all schedules and learners of a world. Numbers are kept by world; an interrupted
-script goes on.
+script goes on. Two earlier starts, with larger worlds, were stopped for time, unseen.
 
 The *NashConv* of a pair is what the best responses of both teams gain, exactly: 0 is perfect play.
 It is told of the newest generations; of those *chosen*, with the highest mean score in the matrix

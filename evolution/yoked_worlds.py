@@ -1,6 +1,6 @@
 """Does an arms race need an answering opponent? Races of tables and yoked ones, in 30 worlds.
 
-    python evolution/yoked_worlds.py             30 worlds, 20 seeds of each race, an hour
+    python evolution/yoked_worlds.py             30 worlds, 20 seeds of each race, ten minutes
     python evolution/yoked_worlds.py --quick     four small worlds and three seeds, some seconds
 
 In a yoked race each team meets the opponents of the race of the next seed, in their order: they
