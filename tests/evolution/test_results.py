@@ -25,12 +25,14 @@ import matrixworld as mw
 import page_races
 import paper_claims
 import paper_surrounding
+import perfect_learners
 import policies
 import race_budgets
 import rating_inputs
 import safe_learning
 import scripted_pursuit
 import yoked_races
+import yoked_worlds
 from evolution_scripts import RESULTS, read
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution.race import HIDES_CYCLING
@@ -45,7 +47,8 @@ def of(table):
 
 OF_A_TABLE = (
     baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame, learned,
-    page_races, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
+    page_races, perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning,
+    yoked_races, yoked_worlds,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES = {

@@ -14,7 +14,7 @@ from evolution_scripts import SCRIPTS, read, run_quickly
 from matrixworld import coevolution
 from tiny_race import tiny_race
 
-LIBRARIES = {"common", "paper_runs"}
+LIBRARIES = {"common", "paper_runs", "tabular"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
 WITH_TORCH = {
     "actor_critic_baselines",
