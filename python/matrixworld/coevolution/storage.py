@@ -39,7 +39,7 @@ from numpy.typing import NDArray
 from matrixworld._util import files
 from matrixworld._util.checks import check_choice
 from matrixworld._util.imports import no_attribute
-from matrixworld._util.readable import called, html_of
+from matrixworld._util.readable import html_of
 from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.progress import Report, silent
@@ -231,7 +231,6 @@ class SavedRun:
         lines = "".join(stage["log"].item().decode() for stage in stages)
         return f"{','.join(self.columns)}\n{lines}"
 
-    @called
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         arrays = self._load(PAYOFF)

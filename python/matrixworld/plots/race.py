@@ -25,9 +25,6 @@ from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, r
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
-Baselines = Mapping[str, Mapping[str, ArrayLike]]
-"""Scores (seeds,) of teams that were trained in another way, by race and by their name."""
-
 OVER_SEEDS = "95% interval of the mean over seeds"
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
@@ -103,28 +100,14 @@ def ciao_triangles(
 
 
 def generalization_curves(
-    payoffs: Mapping[str, Payoffs],
-    pursuer_baselines: Baselines,
-    evader_baselines: Baselines,
-    *,
-    teams: Sequence[str] = style.TEAMS,
-    title: str | None = None,
+    payoffs: Payoffs, *, teams: Sequence[str] = style.TEAMS, title: str | None = None
 ) -> Figure:
-    """Draw the mean score of each generation against all opponents, a panel for each race.
-
-    Baselines are levels with bands for their intervals.
-    """
-    words = style.words_of(teams)
-    figure, panels, columns = style.columns_of_groups(
-        len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
-    )
-    for number, ([axes], (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        _draw_generalization(axes, source, words)
-        _draw_baselines(axes, pursuer_baselines[name], evader_baselines[name])
-        head = style.wrapped(name, style.room(figure, columns, 1.2))
-        axes.set_title(head, size="medium", fontweight="bold")
-        style.label_first([axes], ["mean score"], is_first=number % columns == 0)
-    return style.finished(figure, style.labelled(*(axes for [axes] in panels)), title)
+    """Draw the mean score of each generation against all opponents."""
+    figure, axes = style.single(5.6, 4.4, title)
+    _draw_generalization(axes, payoffs, style.words_of(teams))
+    axes.set_ylabel("mean score")
+    style.legend_below(figure, style.labelled(axes))
+    return figure
 
 
 def comparison(
@@ -261,18 +244,6 @@ def draw_teams(axes: Axes, bands: Iterable[Band], interval: str, words: style.Wo
         axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
     axes.set_xlabel("generation")
     style.generation_axis(axes)
-
-
-def _draw_baselines(axes: Axes, *teams: Mapping[str, ArrayLike]) -> None:
-    """Draw the levels of both teams, each with dashes of its own: in grey colours are equal."""
-    of_teams = zip(teams, colors.TEAMS, strict=True)
-    each = [(name, scores, color) for team, color in of_teams for name, scores in team.items()]
-    for index, (name, scores, color) in enumerate(each):
-        level = analysis.interval_over_runs(scores, bounds=UNIT)
-        dashes = style.LEVELS[index % len(style.LEVELS)]
-        axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
-        if level.low is not None and level.high is not None:
-            axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
 
 
 # ---- While it learns ---------------------------------------------------------------------------

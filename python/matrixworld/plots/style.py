@@ -32,8 +32,6 @@ HANDLE = 7  # characters that a line of a legend takes beside its name
 DASHES = ("--", ":", "-.")  # line styles beside the solid one
 EVADERS = "--"
 """Line style of evaders: in grey both teams have the same tone. Pursuers have solid lines."""
-LEVELS = (":", "-.", (0, (5, 1, 1, 1, 1, 1)))
-"""Line styles of levels beside the curves of both teams."""
 _COLORS = (colors.BLUE, colors.VERMILLION, colors.GREEN, colors.PURPLE, colors.ORANGE)
 LINES: tuple[tuple[str, Any], ...] = tuple(
     (_COLORS[group % 5], ("-", *DASHES)[group % 4]) for group in range(20)
