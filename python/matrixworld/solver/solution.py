@@ -231,20 +231,13 @@ def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, 
 def solve(
     world: WorldConfig | States, *, steps: int | None = None, payoff: PayoffName = "capture-rate"
 ) -> Solution:
-    """Return values and perfect play of both teams in a small world.
+    """Return values and perfect play of both teams in a small `world`, or in its `States`.
 
     Backward induction over the rounds. Where both teams move at once, each state and round is a
     matrix game, in which it can be best to mix (Shapley 1953, "Stochastic games", PNAS 39); in
-    turns, a maximum or a minimum.
-
-    Parameters
-    ----------
-    world : WorldConfig or States
-        The world, or its states, which several calls can share.
-    steps : int, optional
-        Rounds of an episode. The default is the world's `max_steps`.
-    payoff : {"capture-rate", "capture-time"}, optional
-        What the teams play for, see `Solution`.
+    turns, a maximum or a minimum. An episode has `steps` rounds, by default the world's
+    `max_steps`; `payoff` is what the teams play for, see `Solution`. Several calls can share
+    `States`.
     """
     return induct(world, steps, payoff, {})
 
@@ -257,20 +250,12 @@ def best_response(
     steps: int | None = None,
     payoff: PayoffName = "capture-rate",
 ) -> Solution:
-    """Return the best that the other team can do against a champion, and how.
+    """Return the best that the other team can do against a `champion` of a `team`, and how.
 
     The responder knows the champion's play, sees the whole world and is one player. So no opponent
-    gets more, whatever it is trained with.
-
-    Parameters
-    ----------
-    champion : Champion
-        What the champion plays. It cannot be a network with memory, a script that does not see what
-        it looks for, or a solution of other States or of fewer rounds.
-    team : {"pursuer", "evader"}
-        The champion's team.
-    world, steps, payoff
-        As in `solve`.
+    gets more, whatever it is trained with. The champion cannot be a network with memory, a script
+    that does not see what it looks for, or a solution of other States or of fewer rounds. `world`,
+    `steps` and `payoff` are as in `solve`.
     """
     checks.check_choice("team", team, TEAMS)
     return induct(world, steps, payoff, {team: champion})
