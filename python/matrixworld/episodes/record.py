@@ -15,7 +15,7 @@ from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, ca
 from matrixworld.episodes.replay import Screen
 from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.arrays import array_specs, integers
-from matrixworld.world.config import MapLike, WorldConfig
+from matrixworld.world.config import WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.masks import check_team
 from matrixworld.world.policy import EnginePolicy
@@ -108,23 +108,15 @@ class Recorder:
 
 
 def record_actions(
-    config: WorldConfig | Rules | str,
-    actions: ArrayLike,
-    *,
-    seed: int = 0,
-    episode: int = 0,
-    pursuers: ArrayLike | None = None,
-    evaders: ArrayLike | None = None,
-    obstacles: MapLike | None = None,
+    config: WorldConfig | Rules | str, actions: ArrayLike, *, seed: int = 0, episode: int = 0
 ) -> Episode:
     """Play given actions, (T, A), and return the episode with every moment of it.
 
-    `actions` after the end of the episode are ignored. `config` is as for `World`; `seed`,
-    `episode`, `pursuers`, `evaders` and `obstacles` as for `World.reset`, by default episode 0 of
-    seed 0.
+    `actions` after the end of the episode are ignored. `config` is as for `World`; `seed` and
+    `episode` as for `World.reset`, by default 0.
     """
     world = World(config)
-    world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
+    world.reset(seed, episode=episode)
     recorder = Recorder(world)
     rows = integers("actions", actions)
     for row in rows:

@@ -115,14 +115,12 @@ def comparison(
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
     teams: Sequence[str] = style.TEAMS,
-    title: str | None = None,
 ) -> Figure:
     """Draw single races side by side, on the same scales, at most 3 in a row.
 
     Each race has its heat map, its lag profile and its generalization curves, in a column below its
     name and its judgement: of `payoffs` of one run, as :func:`matrixworld.analysis.read_payoffs`
-    takes them, and `judgements`, both by the name of the race. The figure may have a `title`, and
-    other names of the `teams`.
+    takes them, and `judgements`, both by the name of the race. The `teams` may have other names.
     """
     style.check_some(payoffs, "race")
     words = style.words_of(teams)
@@ -156,7 +154,6 @@ def comparison(
         for axes in [axes for column in row[1:] for axes in column]:
             axes.set_ylabel("")
     style.legend_below(figure, style.labelled(panels[0][2], panels[0][1]), columns=min(columns, 3))
-    style.entitle(figure, title)
     # A first pass of the layout: one alone leaves the names of three races above the edge.
     layout = figure.get_layout_engine()
     if layout is not None:

@@ -245,13 +245,11 @@ def verdict_strip(
     judgements: Mapping[str, Judgement],
     seeds: Mapping[str, Sequence[int]],
     missing: Mapping[str, Sequence[int]] | None = None,
-    *,
-    title: str = "Verdict on each seed, and on all together",
 ) -> Figure:
     """Draw the verdicts on each seed and on all together: a block for each group of runs.
 
     By the names of the groups there are `judgements`, the `seeds` of the runs in their order, and
-    those that are `missing`, which have an empty column. The figure has a `title`.
+    those that are `missing`, which have an empty column.
     """
     style.check_some(judgements)
     of_seeds, absent = style.by_name("seeds", seeds), style.by_name("missing", missing)
@@ -277,6 +275,7 @@ def verdict_strip(
         axes.set_title(head, size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
     entries = {name: Patch(**look) for name, look in LOOKS.items()}
+    title = "Verdict on each seed, and on all together"
     return style.finished(figure, entries, title, columns=4)
 
 
