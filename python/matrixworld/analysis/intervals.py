@@ -45,21 +45,11 @@ UNIT: Bounds = (0.0, 1.0)
 class Estimate(Readable):
     """A number with its interval, if there is one.
 
-    Parameters
-    ----------
-    value : float
-        The number; NaN if it is not defined.
-    low, high : float or None, optional
-        Ends of the interval; None without an interval.
-    across : str, optional
-        What varies in the interval: ``"runs"``, ``"episodes"`` or ``"nothing"``.
-    samples : int, optional
-        Number of runs, or number of episodes of each cell; 0 if it is unknown.
-    note : str, optional
-        Why there is no interval, or what to know about it.
-    biased_low, biased_high : float or None, optional
-        Values that are not too high and not too low on average, where the number has a bias of
-        unknown size. Intervals over runs rest on them.
+    The `value` is NaN if it is not defined; the ends `low` and `high` are None without an interval.
+    What varies in it (`across`) is ``"runs"``, ``"episodes"`` or ``"nothing"``; there are so many
+    `samples`, runs or episodes of each cell, 0 if unknown. A `note` says why there is no interval,
+    or what to know about it. `biased_low` and `biased_high` are not too high and not too low on
+    average, where the number has a bias of unknown size; intervals over runs rest on them.
     """
 
     value: float

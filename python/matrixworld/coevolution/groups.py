@@ -148,11 +148,7 @@ def open_groups(*directories: str | Path) -> list[RunGroup]:
     """Return the runs in `directories`, or up to two levels below, in groups of different seeds.
 
     Those that are not finished are `RunGroup.missing`; a group may have no other ones.
-
-    Raises
-    ------
-    FileNotFoundError, ValueError
-        If a directory holds no run, or the same run is there twice.
+    FileNotFoundError or ValueError if a directory holds no run, or the same run is there twice.
     """
     runs: dict[Path, RaceSettings] = {}
     for directory in map(Path, directories):

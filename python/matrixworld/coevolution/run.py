@@ -60,13 +60,9 @@ def create(
 
     A `directory` that holds a run of the same `settings` is left as it is. A team that learns alone
     may be given a population of `opponents`, in place of `schedule.opponent`, and a genome (genes,)
-    to `start` from, in place of `schedule.start`.
-
-    Raises
-    ------
-    FileExistsError, ValueError, PluginError
-        If the directory holds anything else, opponents do not fit the world, or code of your own
-        fails or refuses its settings.
+    to `start` from, in place of `schedule.start`. FileExistsError, ValueError or PluginError if the
+    directory holds anything else, opponents do not fit the world, or code of your own fails or
+    refuses its settings.
     """
     check_instance("settings", settings, RaceSettings)
     path, schedule = Path(directory), settings.schedule

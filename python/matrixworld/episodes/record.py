@@ -139,16 +139,9 @@ def record(
 ) -> Episode:
     """Play one episode and return it with every moment.
 
-    Parameters
-    ----------
-    config, pursuers, evaders
-        As in `matrixworld.rollout`.
-    seed : int, optional
-        The seed of the match. The default is 0.
-    pursuer, evader : int, optional
-        Indices into the populations. The defaults are 0.
-    episode : int, optional
-        The number of the seed's episode: that of world ``episode`` of the match in `rollout`.
+    `config`, `pursuers` and `evaders` are as in `matrixworld.rollout`, and `pursuer` and `evader`
+    indices into the populations. The match has a `seed`; its `episode` is the number of the seed's
+    episode, that of this world of the match in `rollout`. All numbers are 0 by default.
     """
     config = WorldConfig.of(config)
     # The engine chooses the actions; a world that plays them again gives everything else.

@@ -239,13 +239,9 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def save_figure(figure: Figure, path: str | Path) -> Path:
-    """Write a figure, complete or not at all, in the format of the file's suffix; return the file.
+    """Write a `figure`, complete or not at all, in the format of the suffix; return the file.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-    path : str or Path
-        The file: ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
+    The `path` ends in ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
     """
     check_instance("figure", figure, Figure)
     file = Path(path)

@@ -33,26 +33,16 @@ class Solution(Readable):
     """Values of all states of a world for every number of rounds left, and who plays how.
 
     `solve` returns one in which both teams play perfectly, `best_response` one in which a team
-    replies to a champion.
+    replies to a champion. It is of some `states` and of episodes of `steps` rounds, T. The `payoff`
+    is what the pursuers maximize: the "capture-rate" after the last round; or, "capture-time",
+    minus the rounds until all evaders are captured, where T counts if they are not.
 
-    Parameters
-    ----------
-    states : States
-        The states.
-    steps : int
-        Rounds of an episode, T.
-    payoff : {"capture-rate", "capture-time"}
-        What the pursuers maximize: the capture rate after the last round; or minus the rounds until
-        all evaders are captured, where T counts if they are not.
-    values : tuple of ndarray of float64, each (R + 1, S)
-        What the pursuers get from each state of each turn when r rounds are left, this one included
-        (for later turns of a round, row 0 has no meaning and is 0). R is at most T: more rounds
-        have the values of the last row.
-    gap : float
-        The largest difference, over all states and rounds, between what the strategies of the two
-        teams guarantee in the game of one turn: rounding. Over an episode T times as much.
-    fixed : dict
-        The champion of the team that has one.
+    `values`, (R + 1, S) of each turn, are what the pursuers get from each state when r rounds are
+    left, this one included (for later turns of a round, row 0 has no meaning and is 0). R is at
+    most T: more rounds have the values of the last row. The `gap` is the largest difference, over
+    all states and rounds, between what the strategies of the two teams guarantee in the game of one
+    turn: rounding. Over an episode it is T times as much. `fixed` is the champion of the team that
+    has one.
     """
 
     states: States

@@ -355,12 +355,8 @@ def _logistic(x: NDArray[Any]) -> NDArray[Any]:
 class Population(Readable):
     """Genomes of one policy, which can play for a team.
 
-    Parameters
-    ----------
-    genomes : ndarray of float, shape (n, genome_size) or (genome_size,)
-        The genomes. A single one becomes a population of one; other floats are copied to float32.
-    policy : Network, Rating or Program
-        What all of them are genomes of.
+    `genomes` (n, genome_size) are of a `policy`: a `Network`, `Rating` or `Program`. A single one
+    (genome_size,) becomes a population of one; other floats are copied to float32.
     """
 
     genomes: NDArray[np.float32]
