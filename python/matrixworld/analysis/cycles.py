@@ -108,8 +108,8 @@ def checkerboards(
 ) -> Checkerboards:
     """Count checkerboards: pursuers p1 beat e1 but not e2, and p2 beat e2 but not e1.
 
-    Counted over pairs of rows and of columns of `payoff` (n, m), in time O(n^2 m^2) and memory O(n
-    m^2). A staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
+    Counted over pairs of rows and of columns of `payoff` (n, m), in time O(n^2 m^2) and memory
+    O(n m^2). A staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
 
     Each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of ``M[p1, e2]`` and ``M[p2, e1]`` by more
     than the `margin`, in [0, 1). Above the `level`, a capture rate in [0, 1], pursuers beat

@@ -100,10 +100,10 @@ class Disengagement:
 def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
     """Find the longest stretches of generations in which one team wins both team phases.
 
-    Pursuers win a team phase with a capture rate above .97, evaders with one below .03. `rates` (K,
-    2) are those after the pursuers' and after the evaders' team phase of generations 1, 2, ..., by
-    `team_phase_rates` or from a training log. A stretch has at least 3 generations; the last one
-    has not ended if its `last` is the newest generation.
+    Pursuers win a team phase with a capture rate above .97, evaders with one below .03. The `rates`
+    are those after the pursuers' and after the evaders' team phase of generations 1, 2, ..., (K,
+    2), by `team_phase_rates` or from a training log. A stretch has at least 3 generations; the last
+    one has not ended if its `last` is the newest generation.
     """
     # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
     winners = (
