@@ -306,11 +306,7 @@ class Rule(NamedTuple):
 
     measures: tuple[str, ...]
     rule: Callable[[Estimates, Findings], Finding]
-    missing: Callable[[Payoffs], str]
-
-
-def _nothing(payoffs: Payoffs) -> str:
-    return ""
+    missing: Callable[[Payoffs], str] = lambda payoffs: ""
 
 
 def _noise(payoffs: Payoffs) -> str:
@@ -329,10 +325,10 @@ RULES: Mapping[str, Rule] = {
     "disengagement": Rule(("one_sidedness", "capture_rate"), _disengagement, _noise),
     "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
     "cycling": Rule(RECURRENCES, _cycling, _noise),
-    "arms race": Rule(GAINS, _arms_race, _nothing),
-    "one-sided progress": Rule(GAINS, _one_sided_progress, _nothing),
-    "rise": Rule(CHANGES, _rise, _nothing),
+    "arms race": Rule(GAINS, _arms_race),
+    "one-sided progress": Rule(GAINS, _one_sided_progress),
+    "rise": Rule(CHANGES, _rise),
     "forgetting": Rule(DROPS, _forgetting, _single_episodes),
-    "stagnation": Rule(CHANGES, _stagnation, _nothing),
+    "stagnation": Rule(CHANGES, _stagnation),
 }
 """The rules of all `CONDITIONS`, in the order in which they are judged."""

@@ -22,8 +22,7 @@ TEAMS = ("pursuers", "evaders")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SafetySummary(Readable):
-    """Collisions of several `episodes`, by team (pursuers, evaders) and kind (see
-    `COLLISION_KINDS`).
+    """Collisions of several `episodes`, by team (pursuers, evaders) and kind (`COLLISION_KINDS`).
 
     An agent-step is one step of one agent that was alive as the step began; there are `agent_steps`
     of each team, (2,). A rate is the number of agent-steps with at least one collision of a kind,
