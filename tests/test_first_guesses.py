@@ -42,7 +42,6 @@ LEARNER = "class derived from Learner (docs/how_to_add.md)"
 GUESSES = [
     (lambda run: mw.make_vec("SB", n_envs=64), "did you mean num_envs?"),
     (lambda run: run.payoff_matrix, "did you mean run.payoff()?"),
-    (lambda run: np.asarray(run.payoff), "did you mean payoff()?"),
     (lambda run: run.resume(generations=25), "did you mean run.extend(generations="),
     (lambda run: mw.make(run.settings.world, opponent=run.best("evader")), "team: expected one of"),
     (lambda run: mw.plot, "mw.plots.payoff_heatmap(run.payoff()) or mw.plots.ciao_triangles(run.p"),

@@ -58,9 +58,6 @@ EXPLORE = [
     ([], 2, "Missing argument 'RUN...'"),
     (["race", "--each"], 2, "--each: expected --figures beside it"),
     (["race", "--figures", "--out", "x.svg"], 2, "--out: expected no --figures beside it"),
-    (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, each name once, got 'x'"),
-    (["race", "--figures", "--baseline", "x=race"], 2, "expected finished runs of one team"),
-    (["race", "--figures", "--baseline", "x=no"], 2, "no: expected a directory that holds runs"),
 ]
 ALONE = ["--schedule", "against"]
 EVOLVE = [

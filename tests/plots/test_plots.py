@@ -49,44 +49,25 @@ def test_heatmap_shows_the_matrix_with_pursuers_upwards():
     np.testing.assert_array_equal(above % 1, 0.5)
 
 
-def test_generalization_curves_and_baselines():
-    figure = generalization_curves(
-        {"race": analysis.read_payoffs(RACE)},
-        {"race": {"trained on random evaders": [0.7]}},
-        {"race": {"trained on random pursuers": [0.1], "on pursuers": [0.3]}},
-    )
+def test_generalization_curves():
+    figure = generalization_curves(analysis.read_payoffs(RACE))
     (axes,) = figure.axes
-    scores = analysis.generalization(RACE)
-    for line, expected in zip(axes.lines, [*scores, [0.7] * 2, [0.1] * 2, [0.3] * 2], strict=True):
+    for line, expected in zip(axes.lines, analysis.generalization(RACE), strict=True):
         np.testing.assert_allclose(line.get_ydata(), expected)
-    assert len({str(line._dash_pattern) for line in axes.lines}) == 5  # in grey, too
-    assert legend_texts(figure)[2:] == [
-        "trained on random evaders", "trained on random pursuers", "on pursuers",
-    ]  # fmt: skip
     assert not axes.collections  # a single run without episodes has no interval
 
 
 def test_generalization_curves_show_intervals_over_episodes_or_seeds():
-    seeds, scores = np.clip(RACE + RNG.normal(0, 0.1, (4, 31, 31)), 0, 1), [0.2, 0.3, 0.35, 0.1]
+    seeds = np.clip(RACE + RNG.normal(0, 0.1, (4, 31, 31)), 0, 1)
     run = analysis.read_payoffs(SINGLE, per_episode=True)
-    figure = generalization_curves(
-        {"one": run, "four": analysis.read_payoffs(seeds)},
-        {"one": {}, "four": {}},
-        {"one": {}, "four": {"trained alone": scores}},
-    )
-    one, four = figure.axes
     bands = race_bands(seeds)
     of_seeds = [bands[f"{team}_generalization"] for team in ("pursuer", "evader")]
-    for axes, expected in ((one, generalization_over_episodes(SINGLE)), (four, of_seeds)):
+    of_episodes = generalization_over_episodes(SINGLE)
+    for payoffs, expected in ((run, of_episodes), (analysis.read_payoffs(seeds), of_seeds)):
+        (axes,) = generalization_curves(payoffs).axes
         for line, drawn, band in zip(axes.lines, axes.collections, expected, strict=False):
             np.testing.assert_allclose(line.get_ydata(), band.mean)
             check_band(drawn, band)
-    level = analysis.interval_over_runs(scores, bounds=(0, 1))
-    assert four.lines[2].get_ydata()[0] == pytest.approx(level.value)
-    (span,) = four.patches
-    # Before Matplotlib 3.9 it is a polygon.
-    ends = span.get_patch_transform().transform_path(span.get_path()).get_extents().intervaly
-    assert ends == pytest.approx(level.ends)
 
 
 def test_lag_profile_is_solid_where_it_rests_on_enough_cells():

@@ -1,16 +1,13 @@
 """The figures of saved runs, and ``matrixworld explore --figures``."""
 
 import re
-from pathlib import Path
 
-import numpy as np
 import pytest
 from matplotlib.text import Text
 
 from command_line import matrixworld_command
 from matrixworld import analysis
-from matrixworld.coevolution import evolve, open_groups, open_run, open_runs
-from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution import evolve, open_groups
 from matrixworld.plots import saved
 from own_games import pictures, short_race, words
 from tiny_race import tiny_race, tiny_single
@@ -25,12 +22,10 @@ def elsewhere(tmp_path, monkeypatch):
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """Two seeds of a race, and a baseline of each team: one for both seeds, one for each."""
+    """Two seeds of a race, another race, and a team that learns alone."""
     root = tmp_path_factory.mktemp("runs")
     for seed in (5, 6):
         evolve(tiny_race(seed=seed), root / "job" / f"seed-{seed}", threads=1)
-        evaders = tiny_single(team="evader", seed=seed)
-        evolve(evaders, root / "evaders" / f"seed-{seed}", threads=1)
     evolve(tiny_race(schedule="hall-of-fame"), root / "hall", threads=1)
     evolve(tiny_single(team="pursuer"), root / "pursuers", threads=1)
     return root
@@ -49,12 +44,8 @@ def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
     assert files_of(runs, "job") == [f"{name}.png" for name in TOGETHER]
     seeds = [f"job/seed-{seed}/{name}" for seed in (5, 6) for name in of_run]
     assert files_of(runs, "job", each=True) == [*seeds, *(f"{name}.png" for name in TOGETHER)]
-    assert files_of(runs, "job", name="payoff") == [f"job/seed-{n}/payoff.png" for n in (5, 6)]
-    baselines = {"alone": open_runs(runs / "pursuers")}
-    assert files_of(runs, "job", baselines=baselines)[-1] == "generalization.png"
-    for chosen in ({"name": "payof"}, {"suffix": "bmp"}):  # would be no figure, without a word
-        with pytest.raises(ValueError, match=r"expected one of .* got"):
-            files_of(runs, "hall", **chosen)
+    with pytest.raises(ValueError, match=r"expected one of .* got"):
+        files_of(runs, "hall", suffix="bmp")
     both = [f"{place}/{name}" for place in ("hall", "job/seed-5") for name in of_run]
     assert files_of(runs, "hall", "job/seed-5") == [*both, "comparison.png"]
 
@@ -85,9 +76,6 @@ def test_figures_of_your_own_game_have_its_words(tmp_path):
             assert any("hosts" in t for t in texts) or file.stem == "verdicts"
             seen.append(file.stem)
     assert {*seen} == {*saved.OF_RUN, "seeds", "verdicts", "comparison"} - {*saved.OF_PURSUIT}
-    for name in saved.OF_PURSUIT:
-        with pytest.raises(ValueError, match=f"expected one that all games have, got '{name}'"):
-            saved.figures_of(open_groups(tmp_path / "words"), tmp_path, name=name)
 
 
 def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
@@ -98,40 +86,6 @@ def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
     assert rates[1, 0, 0] == pytest.approx(1000 * row / steps[1, :, 0].sum())
     column = sum(collisions[g, 2, 1, 1] for g in range(3))
     assert rates[2, 1, 1] == pytest.approx(1000 * column / steps[:, 2, 1].sum())
-
-
-def levels(runs, place, **baselines):
-    groups = open_groups(runs / place)
-    opened = {name: open_runs(runs / path) for name, path in baselines.items()}
-    [draw] = saved.figures_of(groups, runs, name="generalization", baselines=opened).values()
-    (axes,) = draw().axes
-    return {line.get_label(): line.get_ydata()[0] for line in axes.lines[2:]}, len(axes.patches)
-
-
-def mean_score(race, baseline):
-    alone, settings = open_run(baseline), open_run(race).settings
-    [team] = alone.settings.learning_teams
-    sides = {**open_run(race).teams, team: alone.last(team)}
-    played = {"seed": settings.seed, "episodes": settings.evaluation_episodes}
-    rates = tournament(settings.world, *sides.values(), **played).matrix
-    return float(np.mean(rates if team == "pursuer" else 1 - rates))
-
-
-def test_baselines_are_level_lines_with_intervals_over_seeds(runs):
-    job, alone = runs / "job", runs / "pursuers"
-    # The baseline with the seed of the race.
-    lines, intervals = levels(runs, "job/seed-6", alone="pursuers", others="evaders")
-    one = mean_score(job / "seed-6", runs / "evaders" / "seed-6")
-    assert lines == {"alone": mean_score(job / "seed-6", alone), "others": one}
-    assert intervals == 0
-    lines, intervals = levels(runs, "job", alone="pursuers", others="evaders")
-    pairs = [(job / f"seed-{n}", runs / "evaders" / f"seed-{n}") for n in (5, 6)]
-    assert lines["others"] == pytest.approx(np.mean([mean_score(*pair) for pair in pairs]))
-    assert intervals == 1  # one run for both seeds has none
-    evolve(tiny_single(seed=7), "others/seed-7")
-    evolve(tiny_single(seed=8), "others/seed-8")
-    with pytest.raises(ValueError, match="baseline x: expected one run of seed 5, or one in all"):
-        levels(runs, "hall", x=str(Path("others").absolute()))
 
 
 def test_figures_in_a_format(runs):

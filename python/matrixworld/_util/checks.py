@@ -147,6 +147,11 @@ def check_sequence(name: str, value: Any, of: str) -> tuple[Any, ...]:
     return tuple(value)
 
 
+def check_sizes(name: str, value: Any, most: int = INT_MAX) -> tuple[int, ...]:
+    """Return an argument that is a sequence of integers from 1 on."""
+    return tuple(check_integer(name, size, 1, most) for size in check_sequence(name, value, "ints"))
+
+
 def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
     """Raise ValueError, listing the choices, unless `value` is one of them."""
     known = list(choices)

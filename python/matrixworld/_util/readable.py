@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
-from functools import partial, update_wrapper
 from itertools import chain, zip_longest
-from typing import Any, Generic, TypeVar, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +16,6 @@ Table = Sequence[Sequence[str]]
 """Rows of cells; the first row is the head."""
 Parts = Sequence["str | Table"]
 """What a result shows: texts and tables."""
-
-Result = TypeVar("Result")
 
 LONGEST = 60
 """Characters of a value that is shown as it is."""
@@ -56,26 +53,6 @@ class Readable:
         cells = [[_cell(v[i]) if i < len(v) else "" for v in columns.values()] for i in rows]
         table = [["", *columns], *([str(i), *row] for i, row in zip(rows, cells, strict=True))]
         return [others, table] if columns else [others]
-
-
-class called(Generic[Result]):  # noqa: N801, a decorator
-    """Decorates a method that could be taken for an array: NumPy makes an object of any other."""
-
-    def __init__(self, method: Callable[[Any], Result]) -> None:
-        self.method = method
-
-    def __get__(self, owner: Any, kind: type) -> Callable[[], Result]:
-        if owner is None:
-            return cast(Callable[[], Result], self.method)
-        return update_wrapper(_Bound(self.method, owner), self.method)
-
-
-class _Bound(partial[Any]):
-    def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
-        raise TypeError(f"expected an array, got a method; did you mean {self.__name__}()?")
-
-    def __getattr__(self, name: str) -> Any:
-        raise AttributeError(f"a method has no {name!r}; did you mean to call it, with ()?")
 
 
 def plain_values(value: Any) -> Any:

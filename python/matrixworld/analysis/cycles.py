@@ -111,15 +111,10 @@ def checkerboards(
     Counted over pairs of rows and of columns of `payoff` (n, m), in time O(n^2 m^2) and memory
     O(n m^2). A staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
 
-    Parameters
-    ----------
-    margin : float, optional
-        Each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of ``M[p1, e2]`` and ``M[p2, e1]`` by
-        more than this, in [0, 1).
-    level : float or None, optional
-        Capture rate in [0, 1] above which pursuers beat evaders: both winning cells lie above it,
-        both losing cells do not. None: cells are compared with each other only, so a cycle between
-        capture rates of .1 and .4 is found, too.
+    Each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of ``M[p1, e2]`` and ``M[p2, e1]`` by more
+    than the `margin`, in [0, 1). Above the `level`, a capture rate in [0, 1], pursuers beat
+    evaders: both winning cells lie above it, both losing cells do not. With None cells are compared
+    with each other only, so a cycle between capture rates of .1 and .4 is found, too.
     """
     matrix = check_payoff(payoff)
     require(0.0 <= check_real("margin", margin) < 1.0, "a margin in [0, 1)", margin)

@@ -45,21 +45,11 @@ UNIT: Bounds = (0.0, 1.0)
 class Estimate(Readable):
     """A number with its interval, if there is one.
 
-    Parameters
-    ----------
-    value : float
-        The number; NaN if it is not defined.
-    low, high : float or None, optional
-        Ends of the interval; None without an interval.
-    across : str, optional
-        What varies in the interval: ``"runs"``, ``"episodes"`` or ``"nothing"``.
-    samples : int, optional
-        Number of runs, or number of episodes of each cell; 0 if it is unknown.
-    note : str, optional
-        Why there is no interval, or what to know about it.
-    biased_low, biased_high : float or None, optional
-        Values that are not too high and not too low on average, where the number has a bias of
-        unknown size. Intervals over runs rest on them.
+    The `value` is NaN if it is not defined; the ends `low` and `high` are None without an interval.
+    What varies in it (`across`) is ``"runs"``, ``"episodes"`` or ``"nothing"``; there are so many
+    `samples`, runs or episodes of each cell, 0 if unknown. A `note` says why there is no interval,
+    or what to know about it. `biased_low` and `biased_high` are not too high and not too low on
+    average, where the number has a bias of unknown size; intervals over runs rest on them.
     """
 
     value: float
@@ -117,16 +107,11 @@ def interval_over_runs(
 ) -> Estimate:
     """Return the mean over training runs with Student's t interval.
 
-    A single run has no interval, and runs with equal values have none either: they do not show how
-    much runs vary. The coverage is exact for normal values; evolution/results/coverage has it for
-    others.
-
-    Parameters
-    ----------
-    values : array_like of float, shape (runs,)
-        One finite number for each independent run, which episodes or generations do not replace.
-    level, bounds : optional
-        Confidence level, in (0, 1); smallest and largest possible value, to which ends are clipped.
+    The `values` (runs,) are one finite number for each independent run, which episodes or
+    generations do not replace. The interval has a `level` in (0, 1), and is clipped to `bounds`,
+    the smallest and the largest possible value. A single run has none, and runs with equal values
+    have none either: they do not show how much runs vary. The coverage is exact for normal values;
+    evolution/results/coverage has it for others.
     """
     array = _check_values(values)
     check_level(level)
@@ -148,17 +133,10 @@ def difference_of_runs(
 ) -> Estimate:
     """Return the difference between the means of two groups of runs with a t interval.
 
-    There is no interval if a group has a single run, or if neither group varies.
-
-    Parameters
-    ----------
-    one, other : array_like of float, shapes (runs,) and (other_runs,)
-        One finite number for each run of both groups.
-    paired : bool, optional
-        Whether entry i of both groups belongs together, for example through the same seed. The
-        default is independent groups, whose variances may differ (Welch 1947).
-    level, bounds : optional
-        As for `interval_over_runs`.
+    `one` and `other` have one finite number for each run. The groups are independent, and their
+    variances may differ (Welch 1947); of `paired` ones entry i of both belongs together, for
+    example through the same seed. There is no interval if a group has a single run, or if neither
+    group varies. `level` and `bounds` are as for `interval_over_runs`.
     """
     first, second = (_check_values(each) for each in (one, other))
     check_level(level)
@@ -189,14 +167,9 @@ def band_over_runs(
 ) -> Band:
     """Return the mean curve over training runs with Student's t interval at each point, or NaN.
 
-    Parameters
-    ----------
-    curves : array_like of float, shape (runs, k)
-        One curve for each run; NaN where a run has no value. Every point needs a run.
-    places : array_like of float, shape (k,), optional
-        Where the points lie. The default is 0, 1, ...
-    level, bounds : optional
-        As for `interval_over_runs`, at each point: a whole curve leaves the band more often.
+    `curves` (runs, k) are NaN where a run has no value; every point needs a run. The points lie at
+    `places` (k,), by default 0, 1, ... `level` and `bounds` are as for `interval_over_runs`, at
+    each point: a whole curve leaves the band more often.
     """
     array = check_finite(curves, "curves (runs, k)", ndim=2, gaps=True)
     known = ~np.isnan(array)

@@ -71,19 +71,12 @@ def judge(
     team became stronger in what was played; "arms race" and "one-sided progress" say that no random
     walk explains it. Runs that are disengaged are left out of the other conditions.
     docs/analysis.md defines the conditions; evolution/results/judgement has how often verdicts are
-    wrong. Episodes of a pair are independent; pairs may share their worlds.
+    wrong.
 
-    Parameters
-    ----------
-    source : array_like, path, list of paths or Payoffs
-        Payoffs; see `read_payoffs`.
-    per_episode : bool, optional
-        Whether the last dimension of the array holds the episodes of each cell.
-    episodes : int, optional
-        Number of episodes behind each cell of a matrix of means. Without it only the gains of the
-        teams can be judged. Forgetting takes the single episodes.
-    level : float, optional
-        Level of the intervals, in (0, 1).
+    `source` and `per_episode` are as in `read_payoffs`. Episodes of a pair are independent; pairs
+    may share their worlds. Of a matrix of means `episodes` says how many are behind each cell:
+    without it only the gains of the teams can be judged, and forgetting takes the single episodes.
+    Intervals have a `level` in (0, 1).
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     check_level(level)
@@ -313,11 +306,7 @@ class Rule(NamedTuple):
 
     measures: tuple[str, ...]
     rule: Callable[[Estimates, Findings], Finding]
-    missing: Callable[[Payoffs], str]
-
-
-def _nothing(payoffs: Payoffs) -> str:
-    return ""
+    missing: Callable[[Payoffs], str] = lambda payoffs: ""
 
 
 def _noise(payoffs: Payoffs) -> str:
@@ -336,10 +325,10 @@ RULES: Mapping[str, Rule] = {
     "disengagement": Rule(("one_sidedness", "capture_rate"), _disengagement, _noise),
     "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
     "cycling": Rule(RECURRENCES, _cycling, _noise),
-    "arms race": Rule(GAINS, _arms_race, _nothing),
-    "one-sided progress": Rule(GAINS, _one_sided_progress, _nothing),
-    "rise": Rule(CHANGES, _rise, _nothing),
+    "arms race": Rule(GAINS, _arms_race),
+    "one-sided progress": Rule(GAINS, _one_sided_progress),
+    "rise": Rule(CHANGES, _rise),
     "forgetting": Rule(DROPS, _forgetting, _single_episodes),
-    "stagnation": Rule(CHANGES, _stagnation, _nothing),
+    "stagnation": Rule(CHANGES, _stagnation),
 }
 """The rules of all `CONDITIONS`, in the order in which they are judged."""

@@ -100,15 +100,10 @@ class Disengagement:
 def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
     """Find the longest stretches of generations in which one team wins both team phases.
 
-    Pursuers win a team phase with a capture rate above .97, evaders with one below .03. A stretch
-    has at least 3 generations; the last one has not ended if its `last` is the newest generation.
-
-    Parameters
-    ----------
-    rates : array_like of float, shape (K, 2)
-        Capture rate after the pursuers' and after the evaders' team phase of generations 1, 2, ...
-        A matrix gives them by `team_phase_rates`, a training log during the race. K may be 0,
-        before the first generation.
+    Pursuers win a team phase with a capture rate above .97, evaders with one below .03. The `rates`
+    are those after the pursuers' and after the evaders' team phase of generations 1, 2, ..., (K,
+    2), by `team_phase_rates` or from a training log. A stretch has at least 3 generations; the last
+    one has not ended if its `last` is the newest generation.
     """
     # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
     winners = (

@@ -7,7 +7,7 @@ import webbrowser
 from collections.abc import Iterable, Sequence
 from itertools import zip_longest
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import click
 
@@ -15,7 +15,7 @@ from matrixworld.cli import options
 from matrixworld.cli.console import note, print_wrapped, say, warnings_as_notes
 from matrixworld.cli.replay import source_of
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import SavedRun, open_run, open_runs
+from matrixworld.coevolution import open_run
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.explorer import playground
 from matrixworld.explorer.page import write_page
@@ -40,25 +40,6 @@ def open_page(page: Path, opens: bool) -> None:
         note("No browser was found here; open the file in one.")
 
 
-def _baselines(
-    ctx: click.Context, param: click.Parameter, values: Sequence[str]
-) -> dict[str, list[SavedRun]]:
-    opened: dict[str, list[SavedRun]] = {}
-    for value in values:
-        name, _, path = value.partition("=")
-        if not (name and path) or name in opened:
-            raise click.BadParameter(f"expected NAME=RUN, each name once, got {value!r}")
-        try:
-            opened[name] = open_runs(path)
-            teams = {team for run in opened[name] for team in run.settings.learning_teams}
-        except (FileNotFoundError, ValueError) as error:
-            raise click.BadParameter(f"{name}: {error}") from error
-        if len(teams) != 1:
-            got = "both" if teams else "none"
-            raise click.BadParameter(f"{path}: expected finished runs of one team, got {got}")
-    return opened
-
-
 @click.command("explore")
 @options.runs()
 @options.out(
@@ -72,16 +53,6 @@ def _baselines(
     type=click.Choice(FORMATS),
     help="format of the figures; pdf and svg are vector graphics  [default: png]",
 )
-@click.option(
-    "--baseline",
-    "baselines",
-    multiple=True,
-    callback=_baselines,
-    metavar="NAME=RUN",
-    help="a team that was trained in another way (evolve --schedule against): its last generation "
-    "plays against the race's opponents, and is a level line in the figure of generalization. RUN "
-    "may hold a run for each seed of the races. May be repeated",
-)
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
 @options.shared("force")
 def explore_command(
@@ -90,7 +61,6 @@ def explore_command(
     opens: bool,
     figures: bool,
     suffix: str | None,
-    baselines: dict[str, list[SavedRun]],
     each: bool,
     force: bool,
 ) -> None:
@@ -110,8 +80,7 @@ def explore_command(
         root = Path(os.path.commonpath([path.absolute() for path in runs]))
         root = root if runs[0].is_absolute() else Path(os.path.relpath(root))
     if not figures:
-        given = {"--format": suffix, "--baseline": baselines, "--each": each}
-        for option, value in given.items():
+        for option, value in {"--format": suffix, "--each": each}.items():
             if value:
                 raise click.UsageError(f"{option}: expected --figures beside it")
         page = out or root / PAGE
@@ -126,9 +95,9 @@ def explore_command(
     from matrixworld import plots
     from matrixworld.plots.saved import figures_of
 
-    chosen: Any = {"suffix": suffix or "png", "baselines": baselines, "each": each}
     with usage_errors():
-        files = figures_of([group.inside(root) for group in groups], root, **chosen)
+        inside = [group.inside(root) for group in groups]
+        files = figures_of(inside, root, suffix=suffix or "png", each=each)
     # All files are checked before the first is drawn.
     options.check_outputs(*files, force=force)
     for file, drawn in files.items():

@@ -148,11 +148,7 @@ def open_groups(*directories: str | Path) -> list[RunGroup]:
     """Return the runs in `directories`, or up to two levels below, in groups of different seeds.
 
     Those that are not finished are `RunGroup.missing`; a group may have no other ones.
-
-    Raises
-    ------
-    FileNotFoundError, ValueError
-        If a directory holds no run, or the same run is there twice.
+    FileNotFoundError or ValueError if a directory holds no run, or the same run is there twice.
     """
     runs: dict[Path, RaceSettings] = {}
     for directory in map(Path, directories):
@@ -212,13 +208,9 @@ def _inside(path: Path, root: Path) -> Path:
 def judge(source: Any, **known: Any) -> Judgement:
     """Judge a race, or several with the same settings; see `analysis.judge`.
 
-    Parameters
-    ----------
-    source : SavedRun, list of SavedRun, RunGroup, path, Payoff or array_like
-        Finished runs that differ in their seed only, or a directory that holds such runs; or
-        payoffs as `analysis.judge` takes them.
-    **known
-        Other arguments of `analysis.judge`.
+    The `source` is finished runs that differ in their seed only, one, a list, a `RunGroup`, or a
+    directory that holds such runs; or payoffs as `analysis.judge` takes them, whose other arguments
+    are `known`.
     """
     group = _group_of("source", source)
     return analysis.judge(source if group is None else group.payoffs, **known)
@@ -250,17 +242,9 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
     the measures that a judgement rests on. Groups with the same seeds are compared pair by pair.
     Two single runs have scores only, with intervals over episodes, not over seeds.
 
-    Parameters
-    ----------
-    one, other : SavedRun, list of SavedRun, RunGroup, path, Payoff or array_like
-        As `source` of `judge`. Payoffs have no scores.
-    level : float, optional
-        Level of each interval, in (0, 1); who asks many questions takes a higher one.
-
-    Raises
-    ------
-    ValueError
-        If the worlds of the runs differ: scores are of a world.
+    `one` and `other` are as `source` of `judge`; payoffs have no scores. Each interval has a
+    `level`, in (0, 1); who asks many questions takes a higher one. ValueError if the worlds of the
+    runs differ: scores are of a world.
     """
     groups = [_group_of("one", one), _group_of("other", other)]
     runs = [group for group in groups if group is not None]

@@ -60,13 +60,9 @@ def create(
 
     A `directory` that holds a run of the same `settings` is left as it is. A team that learns alone
     may be given a population of `opponents`, in place of `schedule.opponent`, and a genome (genes,)
-    to `start` from, in place of `schedule.start`.
-
-    Raises
-    ------
-    FileExistsError, ValueError, PluginError
-        If the directory holds anything else, opponents do not fit the world, or code of your own
-        fails or refuses its settings.
+    to `start` from, in place of `schedule.start`. FileExistsError, ValueError or PluginError if the
+    directory holds anything else, opponents do not fit the world, or code of your own fails or
+    refuses its settings.
     """
     check_instance("settings", settings, RaceSettings)
     path, schedule = Path(directory), settings.schedule
@@ -139,13 +135,6 @@ def check_same(run: storage.SavedRun, expected: RaceSettings) -> None:
 
 class RunInMemory:
     """A race in memory, with all that its loop works with.
-
-    ::
-
-        states of learners and samplers, archive (generation 0), stage = 0
-        train:
-            while stage < n_stages:
-                learn(stage); stage += 1
 
     The `settings` are those of a race; `threads` play its matches, by default one per usable core,
     which results do not depend on. Its parts are the `game` in which teams learn, the genomes of
@@ -404,23 +393,11 @@ class RunInMemory:
 class Run(RunInMemory):
     """A run that goes on in its directory, from its last finished stage.
 
-    ::
-
-        states of learners and samplers, archive (generation 0), stage = 0; saved by `create`
-        while stage < n_stages:
-            learn(stage); stage += 1; saved
-        payoff of the archives; saved
-
     The `directory` is one that `create` has made; `threads` are as for `RunInMemory`.
 
-    Raises
-    ------
-    FileNotFoundError, OtherVersionError, DamagedFileError
-        If the directory holds no run of this version, or no intact stage with a checkpoint.
-    ValueError
-        If its game cannot be imported, is another one, or has changed.
-    LockedError
-        If another process runs it.
+    FileNotFoundError, OtherVersionError or DamagedFileError if the directory holds no run of this
+    version, or no intact stage with a checkpoint; ValueError if its game cannot be imported, is
+    another one, or has changed; LockedError if another process runs it.
     """
 
     def __init__(self, directory: str | Path, *, threads: int | None = None) -> None:

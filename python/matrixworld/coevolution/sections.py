@@ -278,10 +278,7 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
     if get_origin(hint) is tuple:
         if isinstance(value, int) and not isinstance(value, bool):
             value = (value,)  # a single layer
-        return tuple(
-            checks.check_integer(name, size, 1)
-            for size in checks.check_sequence(name, value, "ints")
-        )
+        return checks.check_sizes(name, value)
     if get_origin(hint) is Mapping:
         return check_own_settings(name, value)
     if bool in accepted:

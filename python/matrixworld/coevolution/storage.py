@@ -39,7 +39,7 @@ from numpy.typing import NDArray
 from matrixworld._util import files
 from matrixworld._util.checks import check_choice
 from matrixworld._util.imports import no_attribute
-from matrixworld._util.readable import called, html_of
+from matrixworld._util.readable import html_of
 from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.progress import Report, silent
@@ -231,7 +231,6 @@ class SavedRun:
         lines = "".join(stage["log"].item().decode() for stage in stages)
         return f"{','.join(self.columns)}\n{lines}"
 
-    @called
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         arrays = self._load(PAYOFF)
@@ -363,21 +362,10 @@ class SavedRun:
     ) -> Any:
         """Return a genome of the run as a `NetworkPolicy`, or as a `RatingPolicy`.
 
-        It also plays as a built-in team of an environment.
-
-        Parameters
-        ----------
-        team : {"pursuer", "evader"}
-            The team.
-        generation : int, optional
-            The generation; negative numbers count from the end. The default is the last one.
-        sampled, seed : optional
-            As for these; `sampled` is for networks alone.
-
-        Raises
-        ------
-        IndexError, ValueError
-            If there is no such generation or team, or a script plays for the team.
+        It also plays as a built-in team of an environment. Negative numbers of generations count
+        from the end. `sampled`, for networks alone, and `seed` are as for these policies.
+        IndexError or ValueError if there is no such generation or team, or a script plays for the
+        team.
         """
         _ = self.pursuit
         check_choice("team", team, TEAMS)
@@ -393,13 +381,9 @@ class SavedRun:
         """Return the run of a race that goes on until it has so many `generations`.
 
         It is the same, bit for bit, as if the race had had them from the beginning. A run that is
-        stopped goes on by the same call, or as any other.
-
-        Raises
-        ------
-        ValueError
-            If it cannot go on: fewer generations than it has, one team alone, a learner that
-            anneals over the whole run, no checkpoint, or a game that has changed.
+        stopped goes on by the same call, or as any other. ValueError if it cannot go on: fewer
+        generations than it has, one team alone, a learner that anneals over the whole run, no
+        checkpoint, or a game that has changed.
         """
         from matrixworld.coevolution import run
 
@@ -429,28 +413,13 @@ class SavedRun:
         """Return what a generation of a team does, in words and numbers: an `Explanation`.
 
         Of a policy that rates moves it tells what its inputs do and cost; of a network over cells
-        it has a decision tree that imitates it (extra ``explain``).
+        it has a decision tree that imitates it (extra ``explain``). `options` are ``episodes``
+        against each held-out opponent, at least 2, by default 40; a ``seed``, by default 0, whose
+        matches no other call plays; the ``depth`` of a tree, 3 to 6, by default 4; and ``threads``
+        and ``report`` as for `Run`.
 
-        Parameters
-        ----------
-        team : {"pursuer", "evader"}
-            The team.
-        generation : int, optional
-            The generation; negative numbers count from the end. The default is the last one.
-        episodes : int, optional
-            Episodes against each held-out opponent, at least 2. The default is 40.
-        seed : int, optional
-            Seed of all random numbers, by default 0. No other matches are those of a seed here.
-        depth : int, optional
-            Most levels of a tree, 3 to 6. The default is 4.
-        threads, report
-            As for `Run`.
-
-        Raises
-        ------
-        IndexError, ValueError, MissingExtraError
-            If there is no such generation or team, a script plays for it, it has memory, or a tree
-            needs scikit-learn.
+        IndexError, ValueError or MissingExtraError if there is no such generation or team, a script
+        plays for it, it has memory, or a tree needs scikit-learn.
         """
         from matrixworld.coevolution.evaluation import explanation, scores
 

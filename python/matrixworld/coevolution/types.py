@@ -51,24 +51,15 @@ Matches: TypeAlias = tuple[NDArray[Any], NDArray[Any], Seeds]
 class Payoff(Readable):
     """Results of G members of the first team against H of the second, in n episodes a pair.
 
-    Row g is member g of the first team, column h member h of the second.
+    `scores` (G, H, n) are those of the first team, row g against column h, in [0, 1]; the other
+    team has 1 - score. A score is called `words`, the teams have names (`teams`), and in an `exact`
+    game more episodes would have the same scores.
 
-    Parameters
-    ----------
-    scores : ndarray of float32, shape (G, H, n)
-        Scores of the first team in each episode, in [0, 1]. The other team has 1 - score.
-    extras : mapping of str to ndarray, optional
-        What else the game tells, each (G, H, ...). Of pursuit: ``lengths`` (G, H, n), the steps of
-        each episode, int32; and means over the episodes, float64: ``collisions`` and ``faults``
-        (G, H, 2, 3), agent-steps in which an agent was involved, or at fault, in a collision, by
-        team and kind (obstacle, teammate, adversary); ``agent_steps`` (G, H, 2), steps of living
-        agents; ``pursuer_survivors`` and ``evader_survivors``, agents alive at the end.
-    teams : tuple of str, optional
-        Names of the teams.
-    exact : bool, optional
-        Whether more episodes would have the same scores. The default is False.
-    words : str, optional
-        What a score is called.
+    What else the game tells are `extras`, each (G, H, ...). Of pursuit: ``lengths`` (G, H, n), the
+    steps of each episode, int32; and means over the episodes, float64: ``collisions`` and
+    ``faults`` (G, H, 2, 3), agent-steps in which an agent was involved, or at fault, in a
+    collision, by team and kind (obstacle, teammate, adversary); ``agent_steps`` (G, H, 2), steps of
+    living agents; ``pursuer_survivors`` and ``evader_survivors``, agents alive at the end.
     """
 
     scores: NDArray[np.float32]

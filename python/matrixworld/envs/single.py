@@ -534,14 +534,8 @@ def make(
 ) -> MatrixWorldParallel:
     """Make a `parallel_env` of which the caller plays both teams, or one against an opponent.
 
-    Parameters
-    ----------
-    config, **settings
-        As for `parallel_env`, such as ``size=10`` or ``render_mode="rgb_array"``.
-    team : {"pursuer", "evader"}, optional
-        The team that the caller plays. By default both.
-    opponent : Opponents, optional
-        What plays the other team, see `matrixworld.envs.opponents`. The default is
-        ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
+    `config` and `settings` are as for `parallel_env`, such as ``size=10``. The caller plays a
+    `team`, "pursuer" or "evader", by default both, and an `opponent` the other one, see
+    `matrixworld.envs.opponents`; by default ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
     """
     return MatrixWorldParallel(config, **with_opponent(team, opponent, settings))

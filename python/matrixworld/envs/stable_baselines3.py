@@ -19,17 +19,11 @@ __all__ = ["policy", "vec_env"]
 def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settings: Any) -> Any:
     """Make a vector environment in which the agents of one team share the policy that learns.
 
-    Parameters
-    ----------
-    config, n_worlds, **settings
-        As for `matrixworld.VectorEnv`, with 8 worlds by default. ``pursuers`` or ``evaders`` says
-        what plays that team, by default ``evaders="clumsy-fleer"``.
-
-    Returns
-    -------
-    stable_baselines3.common.vec_env.VecMonitor
-        With ``num_envs`` of n_worlds times the agents of the team. Observations are float32, flat
-        unless ``flatten=False``. An agent's episode ends with its world, see `AgentVectorEnv`.
+    `config`, `n_worlds` and `settings` are as for `matrixworld.VectorEnv`, with 8 worlds by
+    default. ``pursuers`` or ``evaders`` says what plays that team, by default
+    ``evaders="clumsy-fleer"``. Returns a ``VecMonitor``, with ``num_envs`` of n_worlds times the
+    agents of the team. Observations are float32, flat unless ``flatten=False``. An agent's episode
+    ends with its world, see `AgentVectorEnv`.
     """
     library = imported("stable_baselines3.common.vec_env", "stable-baselines3")
 

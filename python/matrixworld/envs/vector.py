@@ -285,14 +285,8 @@ def make_vec(
 ) -> VectorEnv:
     """Make a `VectorEnv` with the names of arguments that ``gymnasium.make_vec`` uses.
 
-    Parameters
-    ----------
-    config, **settings
-        As for `VectorEnv`, such as ``size=10`` or ``flatten=True``.
-    num_envs : int, optional
-        The number of worlds.
-    team, opponent : optional
-        As for `make`.
+    There are `num_envs` worlds; `config` and `settings` are as for `VectorEnv`, such as ``size=10``
+    or ``flatten=True``, and `team` and `opponent` as for `make`.
     """
     known = WorldSettings.__annotations__.keys() | signature(VectorEnv).parameters.keys()
     checks.check_keywords(settings, known - {"n_worlds", "changes"}, make_vec)
@@ -331,24 +325,17 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     Sub-environment ``w * n + i`` is agent i of the n agents in world w: ``num_envs`` is W * n. A
     single observation is a Box and a single action is Discrete.
 
-    Parameters
-    ----------
-    worlds : VectorEnv
-        The W worlds, an attribute, too: ``worlds.infos["capture_rate"]``. Their settings hold here:
-        ``copy``, the autoreset mode, dtype and so on.
-    team : {None, "pursuer", "evader"}, optional
-        The team whose agents are sub-environments; None (the default) for all agents that the
-        caller plays. If that is both teams, the other one plays what ``worlds.actions`` holds for
-        it at a step: set ``worlds.evaders.actions`` before it. At first that is staying.
+    The `worlds` are an attribute, too: ``worlds.infos["capture_rate"]``. Their settings hold here:
+    ``copy``, the autoreset mode, dtype and so on. The sub-environments are the agents of a `team`,
+    "pursuer" or "evader", by default all that the caller plays. If that is both teams, the other
+    one plays what ``worlds.actions`` holds for it at a step: set ``worlds.evaders.actions`` before
+    it. At first that is staying.
 
-    Notes
-    -----
     **The episode of a sub-environment is the episode of its world.** All agents of a world end and
     start again in the same step, as Gymnasium's autoreset modes prescribe. An agent that disappears
-    earlier observes zeros until then, its rewards are 0 and its actions are ignored.
-
-    A learner that can mask transitions does better with those where ``infos["acted"]`` is True, and
-    with ``terminations | ~infos["alive"]`` as the ends of agents.
+    earlier observes zeros until then, its rewards are 0 and its actions are ignored. A learner that
+    can mask transitions does better with those where ``infos["acted"]`` is True, and with
+    ``terminations | ~infos["alive"]`` as the ends of agents.
 
     ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``, and
     ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.

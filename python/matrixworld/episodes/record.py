@@ -15,7 +15,7 @@ from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, ca
 from matrixworld.episodes.replay import Screen
 from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.arrays import array_specs, integers
-from matrixworld.world.config import MapLike, WorldConfig
+from matrixworld.world.config import WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.masks import check_team
 from matrixworld.world.policy import EnginePolicy
@@ -108,23 +108,15 @@ class Recorder:
 
 
 def record_actions(
-    config: WorldConfig | Rules | str,
-    actions: ArrayLike,
-    *,
-    seed: int = 0,
-    episode: int = 0,
-    pursuers: ArrayLike | None = None,
-    evaders: ArrayLike | None = None,
-    obstacles: MapLike | None = None,
+    config: WorldConfig | Rules | str, actions: ArrayLike, *, seed: int = 0, episode: int = 0
 ) -> Episode:
     """Play given actions, (T, A), and return the episode with every moment of it.
 
-    `actions` after the end of the episode are ignored. `config` is as for `World`; `seed`,
-    `episode`, `pursuers`, `evaders` and `obstacles` as for `World.reset`, by default episode 0 of
-    seed 0.
+    `actions` after the end of the episode are ignored. `config` is as for `World`; `seed` and
+    `episode` as for `World.reset`, by default 0.
     """
     world = World(config)
-    world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
+    world.reset(seed, episode=episode)
     recorder = Recorder(world)
     rows = integers("actions", actions)
     for row in rows:
@@ -147,16 +139,9 @@ def record(
 ) -> Episode:
     """Play one episode and return it with every moment.
 
-    Parameters
-    ----------
-    config, pursuers, evaders
-        As in `matrixworld.rollout`.
-    seed : int, optional
-        The seed of the match. The default is 0.
-    pursuer, evader : int, optional
-        Indices into the populations. The defaults are 0.
-    episode : int, optional
-        The number of the seed's episode: that of world ``episode`` of the match in `rollout`.
+    `config`, `pursuers` and `evaders` are as in `matrixworld.rollout`, and `pursuer` and `evader`
+    indices into the populations. The match has a `seed`; its `episode` is the number of the seed's
+    episode, that of this world of the match in `rollout`. All numbers are 0 by default.
     """
     config = WorldConfig.of(config)
     # The engine chooses the actions; a world that plays them again gives everything else.

@@ -95,30 +95,13 @@ def save(
     step: int = -1,
     **look: Any,
 ) -> None:
-    """Write an episode as an animation, a film, or a picture of one moment.
+    """Write an `episode` as an animation, a film, or a picture of one moment.
 
-    The file appears complete or not at all.
-
-    Parameters
-    ----------
-    episode : Episode
-        The recording.
-    path : path
-        The file. Its suffix decides: ``.gif``, ``.mp4``, or ``.png`` for one moment.
-    fps : float, optional
-        Frames per second, 0.1 to 50.
-    every : int, optional
-        Steps from one frame to the next. The last step is always shown.
-    step : int, optional
-        The moment of a PNG, as for `scene`.
-    **look
-        ``cell`` and ``numbers`` as for `render.rgb`. ``trail``: steps back that the trails of the
-        agents go, 6 by default.
-
-    Raises
-    ------
-    ImportError
-        If the extra ``video`` is not installed, which MP4 needs.
+    The suffix of the `path` decides: ``.gif``, ``.mp4`` (extra ``video``, else ImportError), or
+    ``.png`` for one moment, a `step` as for `scene`. There are `fps` frames per second, 0.1 to 50,
+    `every` so many steps, and the last step is always shown. `look` is ``cell`` and ``numbers`` as
+    for `render.rgb`, and ``trail``: steps back that the trails of the agents go, 6 by default. The
+    file appears complete or not at all.
     """
     step = checks.check_integer("step", step)
     suffix = Path(path).suffix.lower()

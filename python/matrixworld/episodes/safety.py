@@ -22,32 +22,20 @@ TEAMS = ("pursuers", "evaders")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SafetySummary(Readable):
-    """Collisions of several episodes, by team (pursuers, evaders) and kind (see `COLLISION_KINDS`).
+    """Collisions of several `episodes`, by team (pursuers, evaders) and kind (`COLLISION_KINDS`).
 
-    An agent-step is one step of one agent that was alive as the step began. A rate is the number of
-    agent-steps with at least one collision of a kind, per 1000 agent-steps of the team; it does not
-    count conflicts. Under occupation a contact of adversaries is nobody's fault, because contact is
-    the aim of the game.
+    An agent-step is one step of one agent that was alive as the step began; there are `agent_steps`
+    of each team, (2,). A rate is the number of agent-steps with at least one collision of a kind,
+    per 1000 agent-steps of the team; it does not count conflicts. Under occupation a contact of
+    adversaries is nobody's fault, because contact is the aim of the game. Safety means little
+    without success at the task: the `capture_rate` is the mean over the episodes.
 
-    Parameters
-    ----------
-    episodes : int
-        Number of episodes.
-    agent_steps : ndarray of int64, shape (2,)
-        Agent-steps of each team.
-    capture_rate : float
-        Mean over the episodes. Safety means little without success at the task.
-    involved_rate, fault_rate : ndarray of float64, shape (2, 3)
-        Agent-steps involved in a collision, and at fault in one, per 1000.
-    involved_interval, fault_interval : ndarray of float64, shape (2, 3, 2)
-        Ends of 95% intervals of the rates, by the bootstrap-t over episodes; NaN without an
-        interval, see `matrixworld.analysis.intervals.rate_intervals`.
-    safe_share : ndarray of float64, shape (2, 3)
-        Share of the episodes without an agent at fault.
-    safe_episodes : float
-        Share of the episodes without an agent at fault, of any team in any kind.
-    fault_median, fault_mean, fault_max : ndarray of float64, shape (2, 3)
-        Agent-steps at fault in an episode.
+    By team and kind, (2, 3), agents are involved in a collision (`involved_rate`), and at fault in
+    one (`fault_rate`). The ends (2, 3, 2) of 95% intervals by the bootstrap-t over episodes are
+    `involved_interval` and `fault_interval`; NaN without an interval, see
+    `matrixworld.analysis.intervals.rate_intervals`. Agent-steps at fault in an episode are
+    `fault_median`, `fault_mean` and `fault_max`, (2, 3). The share of the episodes without an agent
+    at fault is `safe_share`, (2, 3), and of any team in any kind `safe_episodes`.
     """
 
     episodes: int

@@ -83,20 +83,13 @@ Command = int | str  # what an agent does in a step: an `Action`, or what a scri
 class Playground:
     """A scene of the playground: a link to it, a page that begins with it, a frame in a notebook.
 
-    Parameters
-    ----------
-    world : World, optional
-        A world between two rounds; in the playground it goes on as it would here. By default the
-        page begins with its game "Can you escape it?".
-    actions : sequence, shape (A,), optional
-        What each agent does next: an `Action`, or the name of a script. By default all stay.
-    compare : Rules or str, optional
-        Rules to compare with, or the name of a variant: a second board plays the same actions.
+    In the playground a `world` between two rounds goes on as it would here; by default the page
+    begins with its game "Can you escape it?". `actions` (A,) are what each agent does next, an
+    `Action` or the name of a script; by default all stay. With rules to `compare` with, or the name
+    of a variant, a second board plays the same actions.
 
-    Raises
-    ------
-    ValueError, TypeError
-        If the world is in the middle of a round or too large, or another argument is not valid.
+    ValueError or TypeError if the world is in the middle of a round or too large, or another
+    argument is not valid.
     """
 
     def __init__(

@@ -75,23 +75,12 @@ def explore(
 ) -> Explorer:
     """Write the page of finished runs; the last expression of a notebook's cell shows it.
 
-    Parameters
-    ----------
-    *runs : str or path
-        Directories of runs, or of jobs: then all their finished runs. At least one run and at most
-        12.
-    file : str or path, optional
-        The page. The default is ``explorer.html`` in the directory, or in the one that holds all of
-        them.
-    force : bool, optional
-        Whether to replace a file that exists. The default is False.
+    The 1 to 12 `runs` are directories of runs, or of jobs: then all their finished runs. The page
+    is a `file`, by default ``explorer.html`` in the directory, or in the one that holds all of
+    them; with `force` it may replace one.
 
-    Raises
-    ------
-    ValueError, FileNotFoundError, DamagedFileError
-        If there are other numbers of runs, none in a directory, or a damaged one.
-    FileExistsError
-        If the file exists.
+    ValueError, FileNotFoundError or DamagedFileError if there are other numbers of runs, none in a
+    directory, or a damaged one; FileExistsError if the file exists.
     """
     paths = [Path(run) for run in runs]
     saved = [run for path in paths for run in open_runs(path) or [open_run(path)]]

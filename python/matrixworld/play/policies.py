@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, TypeAlias, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,11 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util.checks import check_bool, check_choice, check_instance, unmasked
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CHANNELS, TEAMS, Network, Policy, Population, Team
+from matrixworld.world.policy import CHANNELS, TEAMS, Layers, Network, Policy, Population, Team
 from matrixworld.world.rating import INPUTS, policy_of
-
-Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
-"""Weights (inputs, outputs) and biases (outputs,) of each layer."""
 
 
 def fits(policy: Policy, config: WorldConfig) -> bool:

@@ -22,12 +22,8 @@ from matrixworld.world.rules import Rules
 class Matches(NamedTuple):
     """M matches of pursuers against evaders.
 
-    Parameters
-    ----------
-    pursuer, evader : ndarray of int32, shape (M,)
-        Indices into the populations; 0 for a script.
-    seed : ndarray of uint64, shape (M,)
-        Seeds. Episode j of a match is episode j of its seed.
+    `pursuer` and `evader` (M,) int32 are indices into the populations, 0 for a script; episode j of
+    a match is episode j of its `seed`, of (M,) uint64.
     """
 
     pursuer: NDArray[np.int32]

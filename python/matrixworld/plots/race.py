@@ -25,9 +25,6 @@ from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, r
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
-Baselines = Mapping[str, Mapping[str, ArrayLike]]
-"""Scores (seeds,) of teams that were trained in another way, by race and by their name."""
-
 OVER_SEEDS = "95% interval of the mean over seeds"
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
@@ -103,28 +100,14 @@ def ciao_triangles(
 
 
 def generalization_curves(
-    payoffs: Mapping[str, Payoffs],
-    pursuer_baselines: Baselines,
-    evader_baselines: Baselines,
-    *,
-    teams: Sequence[str] = style.TEAMS,
-    title: str | None = None,
+    payoffs: Payoffs, *, teams: Sequence[str] = style.TEAMS, title: str | None = None
 ) -> Figure:
-    """Draw the mean score of each generation against all opponents, a panel for each race.
-
-    Baselines are levels with bands for their intervals.
-    """
-    words = style.words_of(teams)
-    figure, panels, columns = style.columns_of_groups(
-        len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
-    )
-    for number, ([axes], (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        _draw_generalization(axes, source, words)
-        _draw_baselines(axes, pursuer_baselines[name], evader_baselines[name])
-        head = style.wrapped(name, style.room(figure, columns, 1.2))
-        axes.set_title(head, size="medium", fontweight="bold")
-        style.label_first([axes], ["mean score"], is_first=number % columns == 0)
-    return style.finished(figure, style.labelled(*(axes for [axes] in panels)), title)
+    """Draw the mean score of each generation against all opponents."""
+    figure, axes = style.single(5.6, 4.4, title)
+    _draw_generalization(axes, payoffs, style.words_of(teams))
+    axes.set_ylabel("mean score")
+    style.legend_below(figure, style.labelled(axes))
+    return figure
 
 
 def comparison(
@@ -132,14 +115,12 @@ def comparison(
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
     teams: Sequence[str] = style.TEAMS,
-    title: str | None = None,
 ) -> Figure:
     """Draw single races side by side, on the same scales, at most 3 in a row.
 
     Each race has its heat map, its lag profile and its generalization curves, in a column below its
     name and its judgement: of `payoffs` of one run, as :func:`matrixworld.analysis.read_payoffs`
-    takes them, and `judgements`, both by the name of the race. The figure may have a `title`, and
-    other names of the `teams`.
+    takes them, and `judgements`, both by the name of the race. The `teams` may have other names.
     """
     style.check_some(payoffs, "race")
     words = style.words_of(teams)
@@ -173,7 +154,6 @@ def comparison(
         for axes in [axes for column in row[1:] for axes in column]:
             axes.set_ylabel("")
     style.legend_below(figure, style.labelled(panels[0][2], panels[0][1]), columns=min(columns, 3))
-    style.entitle(figure, title)
     # A first pass of the layout: one alone leaves the names of three races above the edge.
     layout = figure.get_layout_engine()
     if layout is not None:
@@ -261,18 +241,6 @@ def draw_teams(axes: Axes, bands: Iterable[Band], interval: str, words: style.Wo
         axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
     axes.set_xlabel("generation")
     style.generation_axis(axes)
-
-
-def _draw_baselines(axes: Axes, *teams: Mapping[str, ArrayLike]) -> None:
-    """Draw the levels of both teams, each with dashes of its own: in grey colours are equal."""
-    of_teams = zip(teams, colors.TEAMS, strict=True)
-    each = [(name, scores, color) for team, color in of_teams for name, scores in team.items()]
-    for index, (name, scores, color) in enumerate(each):
-        level = analysis.interval_over_runs(scores, bounds=UNIT)
-        dashes = style.LEVELS[index % len(style.LEVELS)]
-        axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
-        if level.low is not None and level.high is not None:
-            axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
 
 
 # ---- While it learns ---------------------------------------------------------------------------

@@ -36,22 +36,12 @@ def run_dots(
 ) -> Figure:
     """Draw one number of each run as a dot, and the mean of each group with its 95% interval.
 
-    The axis shows all of [0, 1] if the numbers are in it and reach half of it, as scores do.
-
-    Parameters
-    ----------
-    groups : mapping of str to array_like of float, shape (runs,)
-        Numbers by the name of the group. Each group has a row, with the interval of
-        :func:`matrixworld.analysis.interval_over_runs`.
-    label : str
-        What the numbers are.
-    levels : mapping of str to float, optional
-        Numbers to compare with, by name; each is a vertical line.
-    each : str, optional
-        What a dot stands for.
-    title : str, optional
-    bounds : tuple of float, optional
-        Smallest and largest possible number; intervals are clipped to them.
+    `groups` have numbers (runs,) by their names, and each a row, with the interval of
+    :func:`matrixworld.analysis.interval_over_runs`. The `label` says what the numbers are, and
+    `each` what a dot stands for. `levels` are numbers to compare with, by name: vertical lines.
+    Intervals are clipped to `bounds`, the smallest and the largest possible number. The figure may
+    have a `title`. The axis shows all of [0, 1] if the numbers are in it and reach half of it, as
+    scores do.
     """
     style.check_some(groups)
     figure, axes = style.single(6.6, 1.5 + 0.5 * len(groups))
@@ -106,24 +96,12 @@ def run_curves(
     title: str | None = None,
     bounds: Bounds = UNBOUNDED,
 ) -> Figure:
-    """Draw mean curves over runs with their 95% bands.
+    """Draw mean curves over runs with their 95% bands; thin lines are single runs, if at most 10.
 
-    Thin lines are single runs, if there are at most 10 in the group.
-
-    Parameters
-    ----------
-    groups : mapping of str to array_like of float, shape (runs, k)
-        Curves of the runs by the name of the group, with the bands of
-        :func:`matrixworld.analysis.band_over_runs`.
-    label : str
-        What the numbers are.
-    places : array_like of float, shape (k,), optional
-        Where the points lie along the horizontal axis. The default is 0, 1, ...
-    along : str, optional
-        Label of the horizontal axis.
-    title : str, optional
-    bounds : tuple of float, optional
-        Smallest and largest possible number; bands are clipped to them.
+    `groups` have curves (runs, k) by their names, and the bands of
+    :func:`matrixworld.analysis.band_over_runs`, which are clipped to `bounds`. The `label` says
+    what the numbers are. The points lie at `places` (k,), by default 0, 1, ..., `along` an axis of
+    this name. The figure may have a `title`.
     """
     style.check_some(groups)
     figure, axes = style.single(6.6, 3.6)
@@ -267,13 +245,11 @@ def verdict_strip(
     judgements: Mapping[str, Judgement],
     seeds: Mapping[str, Sequence[int]],
     missing: Mapping[str, Sequence[int]] | None = None,
-    *,
-    title: str = "Verdict on each seed, and on all together",
 ) -> Figure:
     """Draw the verdicts on each seed and on all together: a block for each group of runs.
 
     By the names of the groups there are `judgements`, the `seeds` of the runs in their order, and
-    those that are `missing`, which have an empty column. The figure has a `title`.
+    those that are `missing`, which have an empty column.
     """
     style.check_some(judgements)
     of_seeds, absent = style.by_name("seeds", seeds), style.by_name("missing", missing)
@@ -299,6 +275,7 @@ def verdict_strip(
         axes.set_title(head, size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
     entries = {name: Patch(**look) for name, look in LOOKS.items()}
+    title = "Verdict on each seed, and on all together"
     return style.finished(figure, entries, title, columns=4)
 
 

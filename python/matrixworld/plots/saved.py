@@ -16,71 +16,48 @@ from numpy.typing import NDArray
 from matrixworld._util.checks import check_choice
 from matrixworld.analysis import Judgement, sentence
 from matrixworld.analysis.payoffs import Payoffs
-from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
-from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS
 from matrixworld.plots import race as of_race
 from matrixworld.plots import style
 from matrixworld.plots.runs import seed_bands, seed_scores, verdict_strip
 
-Baselines = Mapping[str, Sequence[SavedRun]]
-"""Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
-
 
 def figures_of(
-    groups: Sequence[RunGroup],
-    root: str | Path,
-    *,
-    name: str | None = None,
-    suffix: str = "png",
-    baselines: Baselines | None = None,
-    each: bool = False,
+    groups: Sequence[RunGroup], root: str | Path, *, suffix: str = "png", each: bool = False
 ) -> dict[Path, Callable[[], Figure]]:
     """Return the files of the figures of runs, each with the function that draws it.
 
     Figures of a run go into its directory, those of several runs into `root`. Seeds of a race are
-    drawn together, and with `each` alone, too. `name`, of `OF_RUN` or `OF_GROUPS`, is for this one.
+    drawn together, and with `each` alone, too.
     """
-    if name is not None:
-        check_choice("name", name, {**OF_RUN, **OF_GROUPS})
-    of_pursuit = [group for group in groups if group.runs[0].settings.game is None]
-    if name in OF_PURSUIT and len(of_pursuit) < len(groups):
-        raise ValueError(f"figure: expected one that all games have, got {name!r}")
     check_choice("suffix", suffix, style.FORMATS)
-    baselines = baselines or {}
     races = [group for group in groups if group.is_race]
     seeds = [group for group in races if group.several]
-    if name in OF_GROUPS and name not in OF_RUN:
-        together: list[str] = [name]
-    elif seeds:
-        together = ["seeds", "verdicts", *(["held_out"] if len(of_pursuit) == len(groups) else [])]
-        together += ["generalization"] if name == "generalization" or baselines else []
-    else:
-        together = ["comparison"] if len(races) > 1 else []
-    alone = [group for group in groups if group not in seeds]
-    if each or (name in OF_RUN and name not in together):
-        alone = [*groups]
+    together = ["comparison"] if len(races) > 1 else []
+    if seeds:
+        own_games = any(group.runs[0].settings.game for group in groups)
+        together = ["seeds", "verdicts", *([] if own_games else ["held_out"])]
     found: dict[Path, Callable[[], Figure]] = {}
+    alone = [group for group in groups if each or group not in seeds]
     for single in [single for group in alone for single in group.singles]:
-        for figure in OF_RUN:
+        for figure, draw in OF_RUN.items():
             # A run of one team alone has the curve of its training only.
             missing = figure in OF_PURSUIT and single.runs[0].settings.game is not None
             if (single.is_race and not missing) or figure == "training":
-                file = single.runs[0].path / f"{figure}.{suffix}"
-                found[file] = partial(OF_RUN[figure], single, baselines)
+                found[single.runs[0].path / f"{figure}.{suffix}"] = partial(draw, single)
     drawn = {group.name: group for group in seeds or races}
     for figure in together:
-        found[Path(root) / f"{figure}.{suffix}"] = partial(OF_GROUPS[figure], drawn, baselines)
-    return {file: draw for file, draw in found.items() if name in (None, file.stem)}
+        found[Path(root) / f"{figure}.{suffix}"] = partial(OF_GROUPS[figure], drawn)
+    return found
 
 
 def _title(group: RunGroup, shown: str) -> str:
     return f"{group.runs[0].title}\n{shown}"
 
 
-def _training(group: RunGroup, baselines: Baselines) -> Figure:
+def _training(group: RunGroup) -> Figure:
     [run] = group.runs
     log, schedule, teams = run.log(), run.settings.schedule, run.settings.teams
     evaders = log["team"] == run.settings.keys[1]
@@ -107,8 +84,9 @@ def _teams(*groups: RunGroup) -> tuple[str, str]:
     return found.pop() if len(found) == 1 else ("first teams", "second teams")
 
 
-def _generalization(group: RunGroup, baselines: Baselines) -> Figure:
-    return _generalizations({_title(group, "Mean score against all opponents"): group}, baselines)
+def _generalization(group: RunGroup) -> Figure:
+    title = _title(group, "Mean score against all opponents")
+    return of_race.generalization_curves(group.payoffs, teams=_teams(group), title=title)
 
 
 def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
@@ -122,20 +100,18 @@ def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
     return 1000 * np.stack([pursuers, evaders], axis=1)
 
 
-def _collisions(group: RunGroup, baselines: Baselines) -> Figure:
+def _collisions(group: RunGroup) -> Figure:
     title = _title(group, "Collisions per 1000 agent-steps")
     return of_race.collision_rates(collisions_per_1000(group), title=title)
 
 
-def _drawn(
-    draw: Callable[..., Figure], shown: str, group: RunGroup, baselines: Baselines
-) -> Figure:
+def _drawn(draw: Callable[..., Figure], shown: str, group: RunGroup) -> Figure:
     """Draw the payoff of a race, titled by what it is; without words by what was judged."""
     title = _title(group, shown or sentence(group.judgement))
     return draw(group.payoffs.matrices[0], title=title, teams=_teams(group))
 
 
-OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
+OF_RUN: dict[str, Callable[[RunGroup], Figure]] = {
     "training": _training,
     "payoff": partial(_drawn, of_race.payoff_heatmap, ""),
     "generalization": _generalization,
@@ -149,7 +125,7 @@ OF_PURSUIT = ("collisions", "held_out")  # figures that games of your own have n
 Groups = Mapping[str, RunGroup]
 
 
-def _comparison(groups: Groups, baselines: Baselines) -> Figure:
+def _comparison(groups: Groups) -> Figure:
     singles = {
         f"{name}, seed {single.seeds[0]}" if group.several else name: single
         for name, group in groups.items()
@@ -160,11 +136,11 @@ def _comparison(groups: Groups, baselines: Baselines) -> Figure:
     )
 
 
-def _seeds(groups: Groups, baselines: Baselines) -> Figure:
+def _seeds(groups: Groups) -> Figure:
     return seed_bands(_payoffs(groups), _judgements(groups), teams=_teams(*groups.values()))
 
 
-def _verdicts(groups: Groups, baselines: Baselines) -> Figure:
+def _verdicts(groups: Groups) -> Figure:
     return verdict_strip(
         _judgements(groups),
         {name: group.seeds for name, group in groups.items()},
@@ -172,20 +148,9 @@ def _verdicts(groups: Groups, baselines: Baselines) -> Figure:
     )
 
 
-def _held_out(groups: Groups, baselines: Baselines) -> Figure:
+def _held_out(groups: Groups) -> Figure:
     return seed_scores(
         {name: {team: each.held_out(team) for team in TEAMS} for name, each in groups.items()}
-    )
-
-
-def _generalizations(groups: Groups, baselines: Baselines) -> Figure:
-    scores = {name: baseline_scores(group, baselines) for name, group in groups.items()}
-    return of_race.generalization_curves(
-        _payoffs(groups),
-        pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
-        evader_baselines={name: each["evader"] for name, each in scores.items()},
-        title="Generalization: mean score against all opponents" if len(groups) > 1 else None,
-        teams=_teams(*groups.values()),
     )
 
 
@@ -197,39 +162,10 @@ def _judgements(groups: Groups) -> dict[str, Judgement]:
     return {name: group.judgement for name, group in groups.items()}
 
 
-OF_GROUPS: dict[str, Callable[[Groups, Baselines], Figure]] = {
+OF_GROUPS: dict[str, Callable[[Groups], Figure]] = {
     "comparison": _comparison,
     "seeds": _seeds,
     "verdicts": _verdicts,
     "held_out": _held_out,
-    "generalization": _generalizations,
 }
 """Figures of several runs: side by side, or over the seeds."""
-
-
-def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
-    """Return the mean score of each baseline against all opponents of each race of a group."""
-    scores: dict[Team, dict[str, list[float]]] = {team: {} for team in TEAMS}
-    for name, runs in baselines.items():
-        means = []
-        for race in group.runs:
-            seed = race.settings.seed
-            trained = [run for run in runs if run.settings.seed == seed or len(runs) == 1]
-            if len(trained) != 1:
-                expected = f"one run of seed {seed}, or one in all"
-                raise ValueError(f"baseline {name}: expected {expected}, got {len(trained)}")
-            [team] = trained[0].settings.learning_teams
-            means.append(_mean_score(race, team, trained[0]))
-        # One run for all seeds tells nothing about other runs: its mean has no interval.
-        scores[team][name] = means if len(runs) > 1 else [sum(means) / len(means)]
-    return scores
-
-
-def _mean_score(race: SavedRun, team: Team, trained: SavedRun) -> float:
-    """Return the mean score of the last genome of a team against all opponents of a race."""
-    settings, episodes = race.settings, race.settings.evaluation_episodes
-    key = settings.keys[TEAMS.index(team)]
-    sides = {**race.teams, key: trained.last(key)}.values()
-    payoff = tournament(settings.evaluation_game, *sides, seed=settings.seed, episodes=episodes)
-    rates = payoff.matrix.ravel()
-    return float((rates if team == "pursuer" else 1 - rates).mean())

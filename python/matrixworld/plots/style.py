@@ -32,8 +32,6 @@ HANDLE = 7  # characters that a line of a legend takes beside its name
 DASHES = ("--", ":", "-.")  # line styles beside the solid one
 EVADERS = "--"
 """Line style of evaders: in grey both teams have the same tone. Pursuers have solid lines."""
-LEVELS = (":", "-.", (0, (5, 1, 1, 1, 1, 1)))
-"""Line styles of levels beside the curves of both teams."""
 _COLORS = (colors.BLUE, colors.VERMILLION, colors.GREEN, colors.PURPLE, colors.ORANGE)
 LINES: tuple[tuple[str, Any], ...] = tuple(
     (_COLORS[group % 5], ("-", *DASHES)[group % 4]) for group in range(20)
@@ -241,13 +239,9 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def save_figure(figure: Figure, path: str | Path) -> Path:
-    """Write a figure, complete or not at all, in the format of the file's suffix; return the file.
+    """Write a `figure`, complete or not at all, in the format of the suffix; return the file.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-    path : str or Path
-        The file: ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
+    The `path` ends in ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
     """
     check_instance("figure", figure, Figure)
     file = Path(path)

@@ -33,26 +33,16 @@ class Solution(Readable):
     """Values of all states of a world for every number of rounds left, and who plays how.
 
     `solve` returns one in which both teams play perfectly, `best_response` one in which a team
-    replies to a champion.
+    replies to a champion. It is of some `states` and of episodes of `steps` rounds, T. The `payoff`
+    is what the pursuers maximize: the "capture-rate" after the last round; or, "capture-time",
+    minus the rounds until all evaders are captured, where T counts if they are not.
 
-    Parameters
-    ----------
-    states : States
-        The states.
-    steps : int
-        Rounds of an episode, T.
-    payoff : {"capture-rate", "capture-time"}
-        What the pursuers maximize: the capture rate after the last round; or minus the rounds until
-        all evaders are captured, where T counts if they are not.
-    values : tuple of ndarray of float64, each (R + 1, S)
-        What the pursuers get from each state of each turn when r rounds are left, this one included
-        (for later turns of a round, row 0 has no meaning and is 0). R is at most T: more rounds
-        have the values of the last row.
-    gap : float
-        The largest difference, over all states and rounds, between what the strategies of the two
-        teams guarantee in the game of one turn: rounding. Over an episode T times as much.
-    fixed : dict
-        The champion of the team that has one.
+    `values`, (R + 1, S) of each turn, are what the pursuers get from each state when r rounds are
+    left, this one included (for later turns of a round, row 0 has no meaning and is 0). R is at
+    most T: more rounds have the values of the last row. The `gap` is the largest difference, over
+    all states and rounds, between what the strategies of the two teams guarantee in the game of one
+    turn: rounding. Over an episode it is T times as much. `fixed` is the champion of the team that
+    has one.
     """
 
     states: States
@@ -231,20 +221,13 @@ def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, 
 def solve(
     world: WorldConfig | States, *, steps: int | None = None, payoff: PayoffName = "capture-rate"
 ) -> Solution:
-    """Return values and perfect play of both teams in a small world.
+    """Return values and perfect play of both teams in a small `world`, or in its `States`.
 
     Backward induction over the rounds. Where both teams move at once, each state and round is a
     matrix game, in which it can be best to mix (Shapley 1953, "Stochastic games", PNAS 39); in
-    turns, a maximum or a minimum.
-
-    Parameters
-    ----------
-    world : WorldConfig or States
-        The world, or its states, which several calls can share.
-    steps : int, optional
-        Rounds of an episode. The default is the world's `max_steps`.
-    payoff : {"capture-rate", "capture-time"}, optional
-        What the teams play for, see `Solution`.
+    turns, a maximum or a minimum. An episode has `steps` rounds, by default the world's
+    `max_steps`; `payoff` is what the teams play for, see `Solution`. Several calls can share
+    `States`.
     """
     return induct(world, steps, payoff, {})
 
@@ -257,20 +240,12 @@ def best_response(
     steps: int | None = None,
     payoff: PayoffName = "capture-rate",
 ) -> Solution:
-    """Return the best that the other team can do against a champion, and how.
+    """Return the best that the other team can do against a `champion` of a `team`, and how.
 
     The responder knows the champion's play, sees the whole world and is one player. So no opponent
-    gets more, whatever it is trained with.
-
-    Parameters
-    ----------
-    champion : Champion
-        What the champion plays. It cannot be a network with memory, a script that does not see what
-        it looks for, or a solution of other States or of fewer rounds.
-    team : {"pursuer", "evader"}
-        The champion's team.
-    world, steps, payoff
-        As in `solve`.
+    gets more, whatever it is trained with. The champion cannot be a network with memory, a script
+    that does not see what it looks for, or a solution of other States or of fewer rounds. `world`,
+    `steps` and `payoff` are as in `solve`.
     """
     checks.check_choice("team", team, TEAMS)
     return induct(world, steps, payoff, {team: champion})

@@ -46,27 +46,14 @@ SENTENCE = "{event}: {outcome}"
 class Conflict:
     """A conflict of a step, between two agents or between an agent and an obstacle.
 
-    Parameters
-    ----------
-    kind : str
-        ``"obstacle"``, ``"teammate"`` or ``"adversary"``.
-    form : str
-        ``"vertex"``: both head for one cell. ``"edge"``: they swap cells. ``"chain"``: the first
-        agent enters the cell of the second, which has to stay. Obstacles are ``"vertex"``.
-    agents : tuple of int
-        The two agents, or the agent that ran into an obstacle.
-    cell : tuple of int
-        Row and column of the common target, or of the cell that the first of `agents` headed for.
-    at_fault : tuple of int
-        The agents at fault.
-    held : tuple of int
-        The agents that have to stay where they are because of this conflict alone.
-    doomed : tuple of int
-        The agents that this conflict removes.
-    turn : int
-        The turn of the round, from 0; always 0 where all agents move at once.
-    text : str
-        The conflict as a sentence, which is also ``str(conflict)``.
+    Its `kind` is "obstacle", "teammate" or "adversary", its `form` "vertex", if both head for one
+    cell, "edge", if they swap cells, or "chain", if the first agent enters the cell of the second,
+    which has to stay. Obstacles are "vertex". It is between the `agents`, two, or the one that ran
+    into an obstacle, about a `cell`: row and column of the common target, or of what the first of
+    them headed for. Of agents there are those `at_fault`, those that have to stay where they are
+    because of this conflict alone (`held`), and those that it removes (`doomed`). The `turn` of the
+    round is 0 where all agents move at once. The `text` is the conflict as a sentence, which is
+    also ``str(conflict)``.
     """
 
     kind: str

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
@@ -80,6 +81,20 @@ below -104, and other outputs are smaller by far, as `Network.check_genomes` see
 
 _MAX_FOV = 255  # as in a world
 _MAX_LAYER = 2**20
+
+
+Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
+"""Weights (inputs, outputs) and biases (outputs,) of each layer."""
+
+
+def layers_of(genome: NDArray[np.float32], shapes: Iterable[tuple[int, int]]) -> Layers:
+    """Return the layers of a genome by their inputs and outputs; the last may lack biases."""
+    layers, start = [], 0
+    for n_in, n_out in shapes:
+        middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
+        layers.append((genome[start:middle].reshape(n_in, n_out), genome[middle:end]))
+        start = end
+    return layers
 
 
 class Policy(ABC):
@@ -186,9 +201,7 @@ class Network(Policy):
     memory: Memory = "none"
 
     def __post_init__(self) -> None:
-        given = checks.check_sequence("hidden", self.hidden, "ints")
-        sizes = tuple(checks.check_integer("hidden", size, 1, _MAX_LAYER) for size in given)
-        object.__setattr__(self, "hidden", sizes)
+        object.__setattr__(self, "hidden", checks.check_sizes("hidden", self.hidden, _MAX_LAYER))
         self._check_world()
         checks.check_bool("sampled", self.sampled)
         checks.check_choice("activation", self.activation, ("relu", "tanh"))
@@ -227,20 +240,13 @@ class Network(Policy):
         """Number of weights and biases in a genome."""
         return sum((n_in + 1) * n_out for n_in, n_out in self.shapes)
 
-    def layers(
-        self, genome: NDArray[np.float32]
-    ) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+    def layers(self, genome: NDArray[np.float32]) -> Layers:
         """Return weights (inputs, outputs) and biases (outputs,) of each layer, views of a genome.
 
         Changing a returned array changes the genome.
         """
         checks.check_shape("genome", genome, self.genome_size)
-        layers, start = [], 0
-        for n_in, n_out in self.shapes:
-            middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
-            layers.append((genome[start:middle].reshape(n_in, n_out), genome[middle:end]))
-            start = end
-        return layers
+        return layers_of(genome, self.shapes)
 
     def logits(self, genome: NDArray[np.float32], views: NDArray[np.uint8]) -> NDArray[np.float32]:
         """Return the outputs before any softmax, float32 (n, n_actions), computed in NumPy.
@@ -349,12 +355,8 @@ def _logistic(x: NDArray[Any]) -> NDArray[Any]:
 class Population(Readable):
     """Genomes of one policy, which can play for a team.
 
-    Parameters
-    ----------
-    genomes : ndarray of float, shape (n, genome_size) or (genome_size,)
-        The genomes. A single one becomes a population of one; other floats are copied to float32.
-    policy : Network, Rating or Program
-        What all of them are genomes of.
+    `genomes` (n, genome_size) are of a `policy`: a `Network`, `Rating` or `Program`. A single one
+    (genome_size,) becomes a population of one; other floats are copied to float32.
     """
 
     genomes: NDArray[np.float32]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ast
 import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from types import MappingProxyType
-from typing import Any, ClassVar, NamedTuple, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ from matrixworld import _core
 from matrixworld._util import checks
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV, MASKS, Mask
-from matrixworld.world.policy import Network, Policy
+from matrixworld.world.policy import Layers, Network, Policy, layers_of
 
 _Floats: TypeAlias = NDArray[np.float32]
 
@@ -153,9 +153,7 @@ class Rating(_Rates):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        given = checks.check_sequence("hidden", self.hidden, "ints")
-        sizes = tuple(checks.check_integer("hidden", size, 1, 2**20) for size in given)
-        object.__setattr__(self, "hidden", sizes)
+        object.__setattr__(self, "hidden", checks.check_sizes("hidden", self.hidden, 2**20))
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -172,18 +170,13 @@ class Rating(_Rates):
         """The engine's form of this policy."""
         return self._core_of(hidden=self.hidden)
 
-    def layers(self, genome: _Floats) -> list[tuple[_Floats, _Floats]]:
+    def layers(self, genome: _Floats) -> Layers:
         """Return weights (inputs, outputs) and biases (outputs,) of each layer, views of a genome.
 
         The last layer has the outputs 1 and no bias. Changing an array changes the genome.
         """
         checks.check_shape("genome", genome, self.genome_size)
-        layers, start = [], 0
-        for n_in, n_out in pairwise(self.sizes):
-            middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
-            layers.append((genome[start:middle].reshape(n_in, n_out), genome[middle:end]))
-            start = end
-        return layers
+        return layers_of(genome, pairwise(self.sizes))
 
     def without(self, genome: _Floats, name: str) -> _Floats:
         """Return a genome that does not read an input: all weights that it enters by are 0."""
@@ -263,26 +256,21 @@ _SIGNS: dict[type[ast.operator], str] = {
 }  # fmt: skip
 
 
-class _Meaning(NamedTuple):
-    """What an operation does, and its text in Python and, where that differs, for arrays."""
-
-    function: Callable[..., Any]
-    text: str
-    of_arrays: str = ""
-
-
-_MEANINGS = {
-    "add": _Meaning(operator.add, "({}) + ({})"),
-    "subtract": _Meaning(operator.sub, "({}) - ({})"),
-    "multiply": _Meaning(operator.mul, "({}) * ({})"),
-    "min": _Meaning(lambda a, b: np.where(a < b, a, b), "min({}, {})", "np.minimum({}, {})"),
-    "max": _Meaning(lambda a, b: np.where(a < b, b, a), "max({}, {})", "np.maximum({}, {})"),
-    "negate": _Meaning(operator.neg, "-({})"),
-    "less": _Meaning(lambda a, b: (a < b).astype(np.float32), "({}) < ({})"),
-    "where": _Meaning(
-        lambda a, b, c: np.where(a > 0, b, c), "({1}) if {0} else ({2})", "np.where({}, {}, {})"
+_MEANINGS: dict[str, tuple[Any, ...]] = {
+    "add": (operator.add, "({}) + ({})"),
+    "subtract": (operator.sub, "({}) - ({})"),
+    "multiply": (operator.mul, "({}) * ({})"),
+    "min": (lambda a, b: np.where(a < b, a, b), "min({}, {})", "np.minimum({}, {})"),
+    "max": (lambda a, b: np.where(a < b, b, a), "max({}, {})", "np.maximum({}, {})"),
+    "negate": (operator.neg, "-({})"),
+    "less": (lambda a, b: (a < b).astype(np.float32), "({}) < ({})"),
+    "where": (
+        lambda a, b, c: np.where(a > 0, b, c),
+        "({1}) if {0} else ({2})",
+        "np.where({}, {}, {})",
     ),
 }
+"""What each operation does, its text in Python and, where that differs, its text for arrays."""
 
 Token: TypeAlias = str | float
 """A name of `INPUTS` or `OPERATIONS`, or a constant."""
@@ -463,7 +451,7 @@ class Program(_Rates):
                     stack.append(named[token])
                 else:
                     first = len(stack) - OPERATIONS[token]
-                    stack[first:] = [_MEANINGS[token].function(*stack[first:])]
+                    stack[first:] = [_MEANINGS[token][0](*stack[first:])]
             return np.asarray(np.fmax(stack[0], _LOWEST))
 
     def expression(self, genome: _Floats) -> str:
@@ -493,8 +481,8 @@ class Program(_Rates):
                 if token == "where":
                     text, less = stack[first]
                     parts[0] = text if less else f"({text}) > 0"
-                meaning = _MEANINGS[token]
-                form = (of_arrays and meaning.of_arrays) or meaning.text
+                _, *forms = _MEANINGS[token]
+                form = forms[-1 if of_arrays else 0]
                 stack[first:] = [(form.format(*parts), token == "less")]
         text, less = stack[0]
         whole = ast.parse(truth.format(text) if less else text, mode="eval")
@@ -507,7 +495,7 @@ def _shorter(name: str, parts: list[list[Token]]) -> list[Token]:
     numbers = [each if isinstance(each, float) else None for each in alone]
     if None not in numbers:
         with np.errstate(over="ignore", invalid="ignore"):
-            value = float(_MEANINGS[name].function(*map(np.float32, numbers)))
+            value = float(_MEANINGS[name][0](*map(np.float32, numbers)))
         if np.isfinite(value):
             return [value]
     first, *others = parts

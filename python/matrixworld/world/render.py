@@ -121,19 +121,11 @@ class Scene:
 
 
 def rgb(scene: Scene, *, cell: int | None = None, numbers: bool = False) -> NDArray[np.uint8]:
-    """Draw a scene as an array of pixels, uint8 (height, width, 3).
+    """Draw a `scene` as an array of pixels, uint8 (height, width, 3).
 
-    Scenes of the same grid and cell size give pictures of the same size, as animations need.
-
-    Parameters
-    ----------
-    scene : Scene
-        What to draw.
-    cell : int, optional
-        Pixels per cell. By default the size of the grid decides.
-    numbers : bool, optional
-        Whether agents carry their numbers in their teams: 3 for ``pursuer_3`` and ``evader_3``.
-        Cells then have at least 20 pixels. The default is False.
+    Scenes of the same grid and `cell` size give pictures of the same size, as animations need; by
+    default the size of the grid decides on the pixels per cell. With `numbers` agents carry theirs
+    in their teams, 3 for ``pursuer_3`` and ``evader_3``, and cells have at least 20 pixels.
     """
     checks.check_instance("scene", scene, Scene)
     least = SMALLEST_NUMBERED if checks.check_bool("numbers", numbers) else 1
@@ -334,22 +326,15 @@ ASCII = {"pursuer": "P", "evader": "E", "captured": "e", "obstacle": "##", "free
 
 
 def ansi(scene: Scene, *, color: bool = True, compact: bool = False) -> str:
-    """Draw a scene as lines of text, without a newline at the end.
+    """Draw a `scene` as lines of text, without a newline at the end.
 
     A cell is two characters wide. The second one is the number of agents if there are several. If
     both teams share a cell, colored text shows the sign or the number of each team in its color;
     plain text shows X, and the number of agents if it is 3 or more.
 
-    Parameters
-    ----------
-    scene : Scene
-        What to draw.
-    color : bool, optional
-        Escape codes of the palette of 256 colors (the default), or plain ASCII: P pursuer,
-        E evader, e captured evader, X both teams, x a death, # obstacle.
-    compact : bool, optional
-        Whether to draw half blocks: two rows of cells per line and one character per column. Only
-        colors tell the teams apart then, so it needs colors.
+    With `color` there are escape codes of the palette of 256 colors, else plain ASCII: P pursuer, E
+    evader, e captured evader, X both teams, x a death, # obstacle. `compact` draws half blocks: two
+    rows of cells per line and one character per column. Only colors tell the teams apart then.
     """
     checks.check_instance("scene", scene, Scene)
     colored = checks.check_bool("color", color)

@@ -143,22 +143,14 @@ class World(Turns, arrays.WorldArrays):
     ) -> None:
         """Start an episode. The same seed and number give the same start, on every machine.
 
-        Parameters
-        ----------
-        seed : int, optional
-            0 to 2**64 - 1. Without it the next episode of the present seed starts.
-        episode : int, optional
-            Number of the episode of `seed`, 0 to 2**64 - 1. Needs a seed. The default is 0.
-        pursuers, evaders : array_like of int, shape (n, 2), optional
-            Start cells of a whole team. By default they are drawn.
-        obstacles : map, optional
-            A map for this episode only, as `read_map` takes it. By default that of the config.
+        Without a `seed`, 0 to 2**64 - 1, the next episode of the present seed starts. With one,
+        `episode` is the number of its episode, by default 0. `pursuers` and `evaders` (n, 2) are
+        start cells of a whole team, which are else drawn; `obstacles` are a map for this episode
+        only, as `read_map` takes it, by default that of the config.
 
-        Raises
-        ------
-        ValueError, TypeError
-            If start cells overlap, lie outside the grid or on an obstacle; if a map has another
-            size or no room for the agents; and for wrong numbers. The world stays as it was.
+        ValueError or TypeError if start cells overlap, lie outside the grid or on an obstacle; if a
+        map has another size or no room for the agents; and for wrong numbers. The world stays as it
+        was.
         """
         if seed is None:
             # Numbers of episodes wrap around, so that a world never runs out of them.

@@ -294,22 +294,13 @@ def score(
     report: Report = silent,
     executor: Executor | None = None,
 ) -> dict[Team, HeldOutScores]:
-    """Score each team that learned in a run against the held-out opponents of its variant.
+    """Score each team that learned in a `run` against the held-out opponents of its variant.
 
-    Parameters
-    ----------
-    run : SavedRun
-        The run, finished or not.
-    generation : int or None, optional
-        Generation to score, by default the last one; negative numbers count from the end, None
-        means all generations. IndexError if there is none.
-    episodes, seed : int, optional
-        Episodes of each pair, at least 2, and their seed, by default the same for all runs.
-    world, steps : optional
-        A world with another size or map, or other numbers of agents, and the most steps of an
-        episode; by default those of the run.
-    threads, executor, report
-        As for `tournament` and `evolve`.
+    By default the last `generation`; negative numbers count from the end, None means all
+    generations; IndexError if there is none. Each pair plays `episodes`, at least 2, of a `seed`,
+    by default the same for all runs. The `world` may have another size or map, or other numbers of
+    agents, and the most `steps` of an episode; by default it is that of the run. `threads`,
+    `executor` and `report` are as for `tournament` and `evolve`.
     """
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)

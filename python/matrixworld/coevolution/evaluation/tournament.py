@@ -36,30 +36,19 @@ def tournament(
 ) -> Payoff:
     """Play every member of the first team against every member of the second.
 
-    Parameters
-    ----------
-    game : Game or WorldConfig
-        The game, or the world of pursuit.
-    first, second : population, or name of a script
-        What `Game.population` returns of G and H genomes; in pursuit also names of scripts.
-    seed, episodes : int
-        Seed of the run, and episodes of each pair.
-    threads : int, optional
-        Threads that the game may use. By default all cores. Results do not depend on it.
-    generations : tuple of int, optional
-        Generations of the first members of both teams, which the seeds depend on.
-    known : Payoff, optional
-        Results of the first members of both teams, which are not played again.
-    on_row : callable, optional
-        Called after each row of the matrix with the number of episodes played so far.
-    executor : concurrent.futures.Executor, optional
-        Plays the rows, each with `threads` threads, by default one. Else they are played here.
+    In a `game`, or a world of pursuit, `first` and `second` are what `Game.population` returns of G
+    and H genomes; in pursuit also names of scripts. Each pair plays `episodes` of the run's `seed`:
+    the seed of a pair is ``evaluation_seed(seed, pursuer generation, evader generation)``. It does
+    not depend on the other pairs, so that each can be replayed alone. The first members of both
+    teams have these `generations`; results of the first members that are `known` are not played
+    again.
 
-    Notes
-    -----
-    The seed of a pair is ``evaluation_seed(seed, pursuer generation, evader generation)``. It does
-    not depend on the other pairs, so that each can be replayed alone. It is the "master tournament"
-    of Floreano and Nolfi 1997, "God save the red queen! Competition in co-evolutionary robotics".
+    `on_row` is called after each row of the matrix with the number of episodes played so far. An
+    `executor` plays the rows, each with `threads` threads, by default one; else they are played
+    here, by default on all cores, on which results do not depend.
+
+    It is the "master tournament" of Floreano and Nolfi 1997, "God save the red queen! Competition
+    in co-evolutionary robotics".
     """
     game = game if isinstance(game, Game) else Pursuit(world=game)
     episodes = check_integer("episodes", episodes, 1)

@@ -59,13 +59,6 @@ def advantages(
     return found
 
 
-def critic_rows(e: Experience) -> tuple[Views, Views]:
-    """Return what a critic sees before steps and after the last ones: all states, or views."""
-    if e.states is None or e.last_states is None:
-        return e.views, e.last_views
-    return e.states.reshape(-1, e.states.shape[-1]), e.last_states
-
-
 def dense_values(e: Experience, before: Reals, after: Reals) -> Reals:
     """Return a critic's values of its rows as (T + 1, W, A)."""
     steps, worlds, agents = e.acted.shape
@@ -379,7 +372,10 @@ class Update:
 
     def _learn(self, seen: Experience) -> None:
         chosen, acted = self.chosen, seen.acted
-        before, after = critic_rows(seen)
+        # What a critic sees before steps, and after the last ones: views, or all states.
+        before, after = seen.views, seen.last_views
+        if seen.states is not None and seen.last_states is not None:
+            before, after = seen.states.reshape(-1, seen.states.shape[-1]), seen.last_states
         known, ends = self._parts(before), self._parts(after)
         estimates = []
         for critic, signal in zip(self._critics.values(), (seen.rewards, seen.costs), strict=False):
