@@ -151,7 +151,8 @@ class Game:
         self.config, self.rounds = config, config.max_steps
         self.states = States(config, threads=1)
         self.succ = [self.states.successors(k).astype(np.intp) for k in range(self.states.n_turns)]
-        self.starts, self.payoffs = self.states.starts.astype(np.intp), self.states.payoffs
+        self.starts = self.states.starts.astype(np.intp)
+        self.payoffs = np.asarray(self.states.captured().mean(axis=1), np.float64)
 
     @cached_property
     def value(self) -> float:

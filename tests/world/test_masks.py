@@ -13,7 +13,7 @@ from matrixworld.play.experience import experience
 from matrixworld.world import masks
 from matrixworld.world.arrays import new_arrays
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network, Population
+from matrixworld.world.policy import FORBIDDEN, Network, Population
 from matrixworld.world.rules import VARIANTS
 from reference import MOVES
 from right_of_way import MASK, OBSTACLES, ROWS, forbidden_in_s, play, random_teams
@@ -283,13 +283,13 @@ def test_the_engine_never_plays_a_forbidden_move(mask, team, hidden, activation,
     assert refused.any(axis=0)[1:].all()  # each move was forbidden somewhere
     assert not refused[each, played.actions].any()
     # No other move is forbidden, and none is more or less likely than without the mask.
-    without = np.where(weights.values == masks.FORBIDDEN, np.float32(0), genomes[0])
+    without = np.where(weights.values == FORBIDDEN, np.float32(0), genomes[0])
     # Agents remember anything, but not what was forbidden.
     states = np.random.default_rng(2).uniform(-1, 1, (len(views), network.state_size))
     states = states.astype(np.float32)
     (logits, _), (bare, _) = (network.advance(g, views, states) for g in (genomes[0], without))
     np.testing.assert_array_equal(logits[~refused], bare[~refused])
-    assert (logits[refused] < masks.FORBIDDEN / 2).all()  # whatever the other weights add
+    assert (logits[refused] < FORBIDDEN / 2).all()  # whatever the other weights add
     assert len(np.unique(played.actions)) == config.n_actions
 
 
