@@ -82,7 +82,7 @@ def numbers_games(seed: int) -> Effects:
 
 
 def nim(seed: int) -> Effects:
-    """What the last first player scores in its race, and against perfect play."""
+    """What the first player of the last generation scores in its race, and against perfect play."""
     first, second = toys.race_of_nim(seed)
     rivals = second, toys.perfect_players(100)
     inside, outside = (toys.all_against_all(toys.NIM, first[-1:], r).mean() for r in rivals)
