@@ -64,7 +64,7 @@ from tabular import (
 )
 
 WORLDS, SEED, GENERATIONS = 30, 66, 64
-QUICK_WORLDS, QUICK_WORK, QUICK_GENERATIONS = 4, 10_000, 8
+QUICK_WORLDS, QUICK_WORK, QUICK_GENERATIONS = 4, 150_000, 4
 CLOSE, FAR, MARGIN = 0.01, 0.05, 0.05
 PSRO, RETAIN, PERFECT = "PSRO, Nash", "specialists that retain", "perfect"
 KINDS = {"in turns": "newest", "at once": "mixture"}

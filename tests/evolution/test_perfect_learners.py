@@ -114,6 +114,6 @@ def test_schedules_matter_only_if_told_apart_and_far_enough() -> None:
 
 @pytest.mark.nightly
 def test_the_script_goes_on_where_it_stopped(tmp_path: Path) -> None:
-    printed = run_quickly("perfect_learners", tmp_path, "--worlds", "2")
+    printed = run_quickly("perfect_learners", tmp_path)
     assert printed.startswith(read(tmp_path / "perfect_learners/quick/table.md"))
-    assert run_quickly("perfect_learners", tmp_path, "--worlds", "2") == printed
+    assert run_quickly("perfect_learners", tmp_path) == printed
