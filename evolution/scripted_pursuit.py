@@ -33,6 +33,7 @@ from tqdm import tqdm
 import matrixworld as mw
 from common import markdown, mean, script_parser
 from matrixworld.coevolution import open_run
+from matrixworld.coevolution.storage import find_runs
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.policy import TeamPolicy
 
@@ -252,9 +253,7 @@ def faults_of(rows: Mapping[Level, Row]) -> int:
 
 def learned_in(directory: Path) -> mw.Population:
     """Return the last pursuers of all runs in a directory."""
-    last = [
-        open_run(path.parent).last("pursuer") for path in sorted(directory.rglob("summary.json"))
-    ]
+    last = [open_run(path).last("pursuer") for path in find_runs(directory)]
     if not last:
         raise FileNotFoundError(f"{directory}: expected directories of finished runs, got none")
     return mw.Population(np.concatenate([team.genomes for team in last]), last[0].policy)

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources edc95504741875849bc391e0a14bf836169a4e6a01f06604def9a0121b317638 */
+/* built from web/ by "npm run build"; sources 375ad6f9c682ca80ffe5d51f8c090c2748043aaa7cd41730dfe01403747bff92 */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,wn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),[this.#e,this.#r,this.#n]=[e,r,n]}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
@@ -29,7 +29,8 @@ sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to th
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
 o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
 istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
-it is the direction that the agent draws for each 12 steps (0 to 1)"},Lt={free:".GS",blocked:"#@OTW"};var H=1+Ot.length;function se(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function j(t,e){return t<e?se(Ge[0],{number:t}):se(Ge[1],{number:t-e})}function xn(t,e){
+it is the direction that the agent draws for each 12 steps (0 to 1)",search:"1 if it leads on along the way on which an agent of team-surrounder searches the gr\
+id (0 to 1)"},Lt={free:".GS",blocked:"#@OTW"};var H=1+Ot.length;function se(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function j(t,e){return t<e?se(Ge[0],{number:t}):se(Ge[1],{number:t-e})}function xn(t,e){
 let[r,n,o,s,a,i,l,...u]=Array.from(t),m=a<0?[s]:[s,a],[c,f,d]=u.map(C=>m.filter((P,x)=>C>>x&1)),g=m.map(C=>j(C,e)),p=se(Pt[a<0?"obstacle":Be[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),b=se(It,{event:p,outcome:Mn(m.length,f,d,e)});return{kind:Rt[n],form:Be[o],agents:m,cell:[i,l],at_fault:c,held:f,doomed:d,turn:r,
 text:b}}function Mn(t,e,r,n){if(t===2&&e.length===2)return oe["both held"];if(t===2&&r.length===2)return oe["both doomed"];let o=s=>a=>se(oe[s],{agent:j(a,n)});

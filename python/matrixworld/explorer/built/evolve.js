@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources edc95504741875849bc391e0a14bf836169a4e6a01f06604def9a0121b317638 */
+/* built from web/ by "npm run build"; sources 375ad6f9c682ca80ffe5d51f8c090c2748043aaa7cd41730dfe01403747bff92 */
 "use strict";(()=>{var ys={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},dt={DISAPPEAR:0,REACH:1,BOUNCE:2},gs={OCCUPATION:0,SURROUND:1},vs={FAULT:0,INVOLVED:1};var tn=["obstacle","teammate","adversary"],rn=["vertex","edge","chain"],bs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],nn=["p\
 ursuer_{number}","evader_{number}"],ws={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},mt={"both held":"both bounce","both doomed":"\
@@ -16,7 +16,8 @@ sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to th
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
 o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
 istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
-it is the direction that the agent draws for each 12 steps (0 to 1)"},Ss={free:".GS",blocked:"#@OTW"};var He=1+bs.length;function pt(r,e){return r.replace(/\{(\w+)\}/g,(t,n)=>String(e[n]))}function se(r,e){return r<e?pt(nn[0],{number:r}):pt(nn[1],{number:r-e})}function Di(r,e){
+it is the direction that the agent draws for each 12 steps (0 to 1)",search:"1 if it leads on along the way on which an agent of team-surrounder searches the gr\
+id (0 to 1)"},Ss={free:".GS",blocked:"#@OTW"};var He=1+bs.length;function pt(r,e){return r.replace(/\{(\w+)\}/g,(t,n)=>String(e[n]))}function se(r,e){return r<e?pt(nn[0],{number:r}):pt(nn[1],{number:r-e})}function Di(r,e){
 let[t,n,s,o,a,i,l,...c]=Array.from(r),u=a<0?[o]:[o,a],[h,m,p]=c.map(v=>u.filter((x,w)=>v>>w&1)),y=u.map(v=>se(v,e)),f=pt(ws[a<0?"obstacle":rn[s]],{first:y[0],second:y[y.
 length-1],cell:`(${i}, ${l})`}),g=pt(xs,{event:f,outcome:Ui(u.length,m,p,e)});return{kind:tn[n],form:rn[s],agents:u,cell:[i,l],at_fault:h,held:m,doomed:p,turn:t,
 text:g}}function Ui(r,e,t,n){if(r===2&&e.length===2)return mt["both held"];if(r===2&&t.length===2)return mt["both doomed"];let s=o=>a=>pt(mt[o],{agent:se(a,n)});

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources edc95504741875849bc391e0a14bf836169a4e6a01f06604def9a0121b317638 */
+/* built from web/ by "npm run build"; sources 375ad6f9c682ca80ffe5d51f8c090c2748043aaa7cd41730dfe01403747bff92 */
 "use strict";(()=>{var un={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Xe={DISAPPEAR:0,REACH:1,BOUNCE:2},mn={OCCUPATION:0,SURROUND:1},dn={FAULT:0,INVOLVED:1};var mr=["obstacle","teammate","adversary"],dr=["vertex","edge","chain"],pn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],pr=["p\
 ursuer_{number}","evader_{number}"],hn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Qe={"both held":"both bounce","both doomed":"\
@@ -16,7 +16,8 @@ sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to th
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
 o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
 istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
-it is the direction that the agent draws for each 12 steps (0 to 1)"},yn={free:".GS",blocked:"#@OTW"};var Ie=1+pn.length;function et(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function Y(t,e){return t<e?et(pr[0],{number:t}):et(pr[1],{number:t-e})}function va(t,e){
+it is the direction that the agent draws for each 12 steps (0 to 1)",search:"1 if it leads on along the way on which an agent of team-surrounder searches the gr\
+id (0 to 1)"},yn={free:".GS",blocked:"#@OTW"};var Ie=1+pn.length;function et(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function Y(t,e){return t<e?et(pr[0],{number:t}):et(pr[1],{number:t-e})}function va(t,e){
 let[r,n,o,s,a,i,l,...c]=Array.from(t),m=a<0?[s]:[s,a],[d,p,h]=c.map(b=>m.filter((w,v)=>b>>v&1)),f=m.map(b=>Y(b,e)),y=et(hn[a<0?"obstacle":dr[o]],{first:f[0],second:f[f.
 length-1],cell:`(${i}, ${l})`}),g=et(fn,{event:y,outcome:ba(m.length,p,h,e)});return{kind:mr[n],form:dr[o],agents:m,cell:[i,l],at_fault:d,held:p,doomed:h,turn:r,
 text:g}}function ba(t,e,r,n){if(t===2&&e.length===2)return Qe["both held"];if(t===2&&r.length===2)return Qe["both doomed"];let o=s=>a=>et(Qe[s],{agent:Y(a,n)});

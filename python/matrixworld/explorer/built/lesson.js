@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources edc95504741875849bc391e0a14bf836169a4e6a01f06604def9a0121b317638 */
+/* built from web/ by "npm run build"; sources 375ad6f9c682ca80ffe5d51f8c090c2748043aaa7cd41730dfe01403747bff92 */
 "use strict";(()=>{var Ln={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Je={DISAPPEAR:0,REACH:1,BOUNCE:2},Nn={OCCUPATION:0,SURROUND:1},In={FAULT:0,INVOLVED:1};var Fn=["obstacle","teammate","adversary"],br=["vertex","edge","chain"],Dn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],wr=["p\
 ursuer_{number}","evader_{number}"],Wn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Xe={"both held":"both bounce","both doomed":"\
@@ -16,7 +16,8 @@ sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to th
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
 o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
 istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
-it is the direction that the agent draws for each 12 steps (0 to 1)"},Hn={free:".GS",blocked:"#@OTW"};var Oe=1+Dn.length;function Qe(r,e){return r.replace(/\{(\w+)\}/g,(t,n)=>String(e[n]))}function B(r,e){return r<e?Qe(wr[0],{number:r}):Qe(wr[1],{number:r-e})}function oi(r,e){
+it is the direction that the agent draws for each 12 steps (0 to 1)",search:"1 if it leads on along the way on which an agent of team-surrounder searches the gr\
+id (0 to 1)"},Hn={free:".GS",blocked:"#@OTW"};var Oe=1+Dn.length;function Qe(r,e){return r.replace(/\{(\w+)\}/g,(t,n)=>String(e[n]))}function B(r,e){return r<e?Qe(wr[0],{number:r}):Qe(wr[1],{number:r-e})}function oi(r,e){
 let[t,n,s,o,a,i,l,...c]=Array.from(r),d=a<0?[o]:[o,a],[m,h,p]=c.map(b=>d.filter((v,x)=>b>>x&1)),f=d.map(b=>B(b,e)),y=Qe(Wn[a<0?"obstacle":br[s]],{first:f[0],second:f[f.
 length-1],cell:`(${i}, ${l})`}),g=Qe(Un,{event:y,outcome:ai(d.length,h,p,e)});return{kind:Fn[n],form:br[s],agents:d,cell:[i,l],at_fault:m,held:h,doomed:p,turn:t,
 text:g}}function ai(r,e,t,n){if(r===2&&e.length===2)return Xe["both held"];if(r===2&&t.length===2)return Xe["both doomed"];let s=o=>a=>Qe(Xe[o],{agent:B(a,n)});

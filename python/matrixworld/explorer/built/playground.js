@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources edc95504741875849bc391e0a14bf836169a4e6a01f06604def9a0121b317638 */
+/* built from web/ by "npm run build"; sources 375ad6f9c682ca80ffe5d51f8c090c2748043aaa7cd41730dfe01403747bff92 */
 "use strict";(()=>{var dr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},tt={DISAPPEAR:0,REACH:1,BOUNCE:2},mr={OCCUPATION:0,SURROUND:1},pr={FAULT:0,INVOLVED:1};var nt=["obstacle","teammate","adversary"],pn=["vertex","edge","chain"],hr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],hn=["p\
 ursuer_{number}","evader_{number}"],fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},rt={"both held":"both bounce","both doomed":"\
@@ -16,7 +16,8 @@ sum over adversaries of 1 / (1 + moves)^2 (0 or more)",unclaimed:"distance to th
 t one, to the nearest adversary (0 to 2, in half views)",open_side:"distance to the nearest cell beside an adversary that holds no obstacle and no teammate (0 t\
 o 2, in half views)",teammate:"distance to the nearest teammate (0 to 2, in half views)",exits:"share of the cells around that are no obstacle (0 to 1)",room:"d\
 istance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",must_yield:"1 if right of way forbids the move (0 to 1)",ahead:"1 if \
-it is the direction that the agent draws for each 12 steps (0 to 1)"},br={free:".GS",blocked:"#@OTW"};var Pe=1+hr.length;function ot(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Q(e,t){return e<t?ot(hn[0],{number:e}):ot(hn[1],{number:e-t})}function ca(e,t){
+it is the direction that the agent draws for each 12 steps (0 to 1)",search:"1 if it leads on along the way on which an agent of team-surrounder searches the gr\
+id (0 to 1)"},br={free:".GS",blocked:"#@OTW"};var Pe=1+hr.length;function ot(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Q(e,t){return e<t?ot(hn[0],{number:e}):ot(hn[1],{number:e-t})}function ca(e,t){
 let[n,r,o,s,a,i,l,...c]=Array.from(e),u=a<0?[s]:[s,a],[m,p,h]=c.map(b=>u.filter((x,v)=>b>>v&1)),f=u.map(b=>Q(b,t)),y=ot(fr[a<0?"obstacle":pn[o]],{first:f[0],second:f[f.
 length-1],cell:`(${i}, ${l})`}),g=ot(yr,{event:y,outcome:ua(u.length,p,h,t)});return{kind:nt[r],form:pn[o],agents:u,cell:[i,l],at_fault:m,held:p,doomed:h,turn:n,
 text:g}}function ua(e,t,n,r){if(e===2&&t.length===2)return rt["both held"];if(e===2&&n.length===2)return rt["both doomed"];let o=s=>a=>ot(rt[s],{agent:Q(a,r)});
