@@ -11,6 +11,7 @@ printed. A person reads them: are they equal, or is a test missing? Run by hand.
 
 import ctypes
 import hashlib
+import itertools
 import os
 import re
 import shutil
@@ -103,15 +104,21 @@ def play(parts):
 
     import matrixworld as mw
     import right_of_way
+    from matrixworld.world.masks import right_of_way_cells
 
+    warnings.simplefilter("ignore")  # rows in which nobody can be captured
+    for row, team, diagonal in itertools.product(
+        right_of_way.ROWS, ("pursuer", "evader"), (False, True)
+    ):
+        # Of networks; those of scripts show in what they play.
+        config = mw.WorldConfig(row, rows=9, cols=9, fov=5, diagonal=diagonal)
+        parts.update(repr(right_of_way_cells(config, team)).encode())
     for number, row in enumerate(right_of_way.ROWS):
         rng = np.random.default_rng(number)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # rows in which nobody can be captured
-            config = mw.WorldConfig(
-                row, rows=4, cols=4, n_pursuers=4, n_evaders=3, obstacles=0.2, fov=5, max_steps=8,
-                diagonal=bool(number % 2),
-            )  # fmt: skip
+        config = mw.WorldConfig(
+            row, rows=4, cols=4, n_pursuers=4, n_evaders=3, obstacles=0.2, fov=5, max_steps=8,
+            diagonal=bool(number % 2),
+        )  # fmt: skip
         world = mw.World(config)
         while not (world.terminated or world.truncated):
             world.step(rng.integers(config.n_actions, size=7), explain=True)
