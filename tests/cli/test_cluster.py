@@ -46,7 +46,6 @@ def test_workers_of_another_version_are_refused(race, dask, monkeypatch):
 COMMANDS = {
     "evolve": ("--seeds", "0-1", *OPTIONS),
     "score": ("{job}", "--episodes", 5, "--generation", "all"),
-    "tournament": ("{race}", "--episodes", 4),
 }
 """Commands that a cluster plays, and their arguments."""
 
@@ -67,6 +66,15 @@ def test_a_cluster_gives_the_same_files(name, race, dask, tmp_path):
     alone, shared = (_files_in(target) for target in made)
     assert alone
     assert alone == shared
+
+
+@pytest.mark.slow
+def test_a_cluster_plays_the_same_tournament(race, dask):
+    file, found = Path(race) / "tournament-4-seed0.npz", []
+    for where in ((), ("--cluster", dask.scheduler_address)):
+        matrixworld_command("tournament", race, "--episodes", 4, "--force", *where)
+        found.append(file.read_bytes())
+    assert found[0] == found[1]
 
 
 def _files_in(target):

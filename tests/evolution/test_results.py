@@ -32,6 +32,7 @@ import rating_inputs
 import safe_learning
 import scripted_pursuit
 import yoked_races
+import yoked_variants
 import yoked_worlds
 from evolution_scripts import RESULTS, read
 from matrixworld.analysis import interval_over_runs
@@ -48,7 +49,7 @@ def of(table):
 OF_A_TABLE = (
     baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame, learned,
     page_races, perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning,
-    yoked_races, yoked_worlds,
+    yoked_races, yoked_variants, yoked_worlds,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES = {

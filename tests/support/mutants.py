@@ -130,6 +130,17 @@ def play(parts):
         teams = [("careful-random", "careful-chaser"), ("chaser", "random")][number % 2]
         found = mw.rollout(config, *teams, mw.Matches.of(0, 0, [number]), episodes=3, threads=1)
         parts.update(b"".join(each.tobytes() for each in vars(found).values()))
+    for number, row in enumerate(right_of_way.ROWS[::9]):  # two networks: in lockstep
+        config = mw.WorldConfig(
+            row, rows=5, cols=6, n_pursuers=4, n_evaders=3, obstacles=number % 2 / 10, fov=5,
+            max_steps=9, diagonal=number % 4 > 1,
+        )  # fmt: skip
+        network = mw.Network.for_config(config, (9, 7), memory=("none", "gru")[number % 3 // 2])
+        genomes = [test_fingerprint.random_genome(network, n) for n in range(3)]
+        team = mw.Population(np.stack(genomes), network)
+        matches = mw.Matches.of([0, 1, 2], [2, 2, 0], [number, 7, 8])
+        found = mw.rollout(config, team, team, matches, episodes=35, threads=1)
+        parts.update(b"".join(each.tobytes() for each in vars(found).values()))
     test_fingerprint.batches(parts)
     test_fingerprint.rollouts(parts)
 
