@@ -162,7 +162,7 @@ void play_lockstep(const Rules& rules, Random& random) {
 int main(int argc, char** argv) {
     using namespace matrixworld::tests;
     Random random(22);
-    play_all("a rollout", play_rollout, argc, argv, random);
-    play_all("lockstep", play_lockstep, argc, argv, random);
+    play_all("a rollout", play_rollout, argc, argv, random, 5);
+    play_all("lockstep", play_lockstep, argc, argv, random, 5);
     return finish("random rollouts");
 }

@@ -382,8 +382,8 @@ int main(int argc, char** argv) {
         play_all("a world", play_world, argc, argv, random);
         play_all("snapshots", play_snapshots, argc, argv, random);
     }
-    play_all("a batch", play_batch, argc, argv, random);
-    play_all("decisions", play_decisions, argc, argv, random);
+    play_all("a batch", play_batch, argc, argv, random, 5);
+    play_all("decisions", play_decisions, argc, argv, random, 5);
     play_all("a solution", solve_world, argc, argv, random);
     return finish("random worlds");
 }

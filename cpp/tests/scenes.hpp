@@ -320,7 +320,7 @@ void run(const std::string& name, Play play) {
 }
 
 // Plays under the combinations of the rules: each of them, or one out of `stride`, as many times as
-// the driver's argument says.
+// the driver's argument says. With a stride of 5, five times are all of them.
 template <typename Play>
 void play_all(const char* name, Play play, int argc, char** argv, Random& random, int stride = 1) {
     const std::vector<Rules> rows = all_rules();
