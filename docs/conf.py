@@ -37,7 +37,6 @@ include_patterns = [
     "benchmarks/*.md",
     "evolution/*.md",
     "evolution/games/*.md",
-    "evolution/maps/**",
     "evolution/results/**.md",
     "evolution/results/**.png",
     "tutorials/**",

@@ -269,7 +269,7 @@ SETTINGS = (
 COVERAGE = (
     "Share of the 95 % intervals of a team's change that contain the true change of its strength; "
     "single synthetic races, where the usual readings of the change agree within .005. Gains are "
-    "about a trend, not about this change: gains.md counts how often they are said to be above 0."
+    "about a trend, not about this change."
 )
 
 

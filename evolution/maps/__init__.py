@@ -1,1 +1,0 @@
-"""Races on maps that evolve, and held-out maps; `map_races.py` asks which maps help."""
