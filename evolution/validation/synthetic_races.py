@@ -143,11 +143,6 @@ SYNTHETIC: Mapping[str, Callable[[int, float, Draws], SyntheticRace]] = {
 """Kinds of races by name; `judgement_races` has more of them."""
 
 
-def synthetic_race(kind: str, n: int, seed: int) -> SyntheticRace:
-    """Return a race of a kind in `SYNTHETIC` with n generations; the seed is that of `Draws`."""
-    return SYNTHETIC[kind](n, 1.0, Draws(seed))
-
-
 TOGETHER = 4.0
 """Fates of an episode's evaders: Beta(4 M, 4 (1 - M)), so that their correlation is 1 / 5."""
 
