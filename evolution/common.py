@@ -48,6 +48,9 @@ PPO = {
 }  # fmt: skip
 """Policy gradients with the clipped objective of PPO, and rewards of the authors' code."""
 
+FIRST_TEST_SEED = 10**6
+"""Test episodes have seeds of their own; those of training are hashes."""
+
 SMALL_RACE = {
     "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
     "world.max_steps": 60, "train_steps": 40, "learner.population": 8,
