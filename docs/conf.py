@@ -37,6 +37,7 @@ include_patterns = [
     "benchmarks/*.md",
     "evolution/*.md",
     "evolution/games/*.md",
+    "evolution/maps/**",
     "evolution/results/**.md",
     "evolution/results/**.png",
     "tutorials/**",

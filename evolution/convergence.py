@@ -66,9 +66,14 @@ QUICK = {
     "evaluation_episodes": 8,
 }  # fmt: skip
 # A match is 16 episodes here, so that 2 matches of each pair are 32.
-META = {f"schedule.{team}s_meet": {"kind": "nash", "episodes": 2} for team in TEAMS}
+META = {f"schedule.{team}s_meet.episodes": 2 for team in TEAMS}
 GENERALISTS, HALLS = "generalists", "halls of fame"
 SELF_PLAY = "self-play by policy gradients"
+
+
+def meeting(sampler: str) -> dict[str, Any]:
+    """Return changes by which both teams, in turns, meet opponents of a sampler."""
+    return {"schedule": "alternating", **{f"schedule.{team}s_meet": sampler for team in TEAMS}}
 
 
 KINDS: dict[str, dict[str, Any]] = {
@@ -76,7 +81,7 @@ KINDS: dict[str, dict[str, Any]] = {
     GENERALISTS: {"schedule": "generalist-generalist", **EPOCHS, **STRATEGY},
     # Three opponents in an epoch of both teams.
     HALLS: {"schedule": "hall-of-fame", "schedule.joint_epochs": 50, **STRATEGY},
-    "PSRO, Nash": {"schedule": "alternating", **META, **EPOCHS, **STRATEGY},
+    "PSRO, Nash": {**meeting("nash"), **EPOCHS, **META, **STRATEGY},
     SELF_PLAY: {
         "schedule": "hall-of-fame", "schedule.contemporaries": 1, "schedule.hall_sample": 0,
         "schedule.joint_epochs": 50, **GRADIENTS, **REWARDS,
@@ -185,13 +190,13 @@ def within(numbers: common.Numbers, budget: float) -> Reached:
     return found
 
 
-def differences(reached: Reached) -> str:
-    """Return the differences of `CURVES` of all kinds from generalists as a table in Markdown."""
+def differences(reached: Reached, labels: Mapping[str, str]) -> str:
+    """Return the differences of all kinds from generalists as a table in Markdown."""
     # Pairs of the same seed: races of one learner start with the same genomes.
     found = {
         (kind, name): each[name] - reached[GENERALISTS][name]
         for kind, each in reached.items()
-        for name in CURVES
+        for name in labels
         if kind != GENERALISTS
     }
     rows: dict[str, list[str]] = {}
@@ -200,7 +205,7 @@ def differences(reached: Reached) -> str:
         verdict = "cannot tell" if p > common.SIGNIFICANCE else "lower" if lower else "higher"
         cells = [common.mean(found[kind, name], sign="+"), f"{common.shown_p(p)}, {verdict}"]
         rows.setdefault(kind, [kind]).extend(cells)
-    heads = ["race", *(head for label in CURVES.values() for head in (label, "Holm"))]
+    heads = ["race", *(head for label in labels.values() for head in (label, "Holm"))]
     return (
         f"Differences from generalists of the same seed:\n\n{common.markdown(heads, rows.values())}"
     )
@@ -228,7 +233,7 @@ def table(numbers: common.Numbers) -> str:
         f"After {budget / 10**6:.1f} million steps of agents; means over {len(ends[0])} seeds "
         f"[95 %]. The value is {numbers['value']:.3f}; perfect play has a NashConv of 0.",
         table_of_ends(within(numbers, budget)),
-        differences(within(numbers, budget)),
+        differences(within(numbers, budget), CURVES),
         f"At the ends of the races, after up to {longest / 10**6:.1f} million steps:",
         table_of_ends(within(numbers, np.inf)),
     ]

@@ -17,7 +17,9 @@ import ground_truth
 import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
+import learned_exploitability as learned
 import liveness
+import map_races
 import mask_price
 import matrixworld as mw
 import page_races
@@ -45,9 +47,9 @@ def of(table):
 
 
 OF_A_TABLE = (
-    baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame,
-    page_races, perfect_learners, policies, race_budgets, rating_inputs, safe_learning, yoked_races,
-    yoked_variants, yoked_worlds,
+    baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame, learned,
+    page_races, perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning,
+    yoked_races, yoked_variants, yoked_worlds,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES = {
@@ -128,6 +130,14 @@ def test_mixtures_of_a_race_are_equilibria_of_its_generations():
     first, whole = convergence.mixtures(matrix, 1)[0], convergence.mixtures(matrix, 2)[0]
     np.testing.assert_allclose(first, [0.0, 1.0, 0.0], atol=1e-9)  # paper beats rock
     np.testing.assert_allclose(whole, [1 / 3] * 3, atol=1e-9)
+
+
+def test_members_of_a_mixture_have_shares_next_to_the_weights():
+    weights = np.array([0.0, 0.53, 0.12, 0.35])
+    shares = np.bincount(learned.members(weights), minlength=4) / learned.PARTS
+    assert shares.sum() == 1.0
+    assert shares[0] == 0.0
+    np.testing.assert_allclose(shares, weights, atol=1 / learned.PARTS)
 
 
 COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
