@@ -30,10 +30,9 @@ from typing import Any
 
 import numpy as np
 
-from common import kept, markdown, play, script_parser, slug
+from common import kept, markdown, play, script_parser, slug, write_json
 from matrixworld import Matches, Population, WorldConfig, rollout
 from matrixworld._util.checks import check_threads
-from matrixworld._util.files import save_json
 from matrixworld.coevolution import TEAMS, RaceSettings
 
 KINDS = {
@@ -210,11 +209,7 @@ def main() -> None:
         place = runs / slug(name_of(row["world"]))
         played = partial(race, row["world"], place, args.quick, threads)
         found["raced"].append(kept(place / "rates.json", played))
-    results.mkdir(parents=True, exist_ok=True)
-    save_json(results / "numbers.json", found)
-    text = table(found)
-    (results / "table.md").write_text(text + "\n", encoding="utf-8")
-    print(text)
+    write_json(results, found, table(found))
 
 
 if __name__ == "__main__":

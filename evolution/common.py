@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -46,6 +47,9 @@ PPO = {
     "world.rewards": "published",
 }  # fmt: skip
 """Policy gradients with the clipped objective of PPO, and rewards of the authors' code."""
+
+FIRST_TEST_SEED = 10**6
+"""Test episodes have seeds of their own; those of training are hashes."""
 
 SMALL_RACE = {
     "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
@@ -238,6 +242,15 @@ def write(results: Path, numbers: Mapping[str, ArrayLike], table: Callable[[Numb
     (results / "table.md").write_text(text + "\n", encoding="utf-8")
     print(text)
     print(f"\nWritten: numbers.npz, table.md in {results}")
+
+
+def write_json(results: Path, found: Any, text: str) -> None:
+    """Write numbers of any shape to ``numbers.json``, and the table of them; print the table."""
+    results.mkdir(parents=True, exist_ok=True)
+    (results / "numbers.json").write_text(json.dumps(found) + "\n", encoding="utf-8")
+    (results / "table.md").write_text(text + "\n", encoding="utf-8")
+    print(text)
+    print(f"\nWritten: numbers.json, table.md in {results}")
 
 
 def kinds_in(numbers: Numbers) -> list[str]:

@@ -62,7 +62,7 @@ GRADIENTS = {
     "learner.critic_rate": 0.002, "learner.actor_updates": 2, "learner.entropy": 0.1,
 }  # fmt: skip
 QUICK = {
-    "schedule.generations": 4, "learner.population": 8, "match_episodes": 4,
+    "schedule.generations": 10, "learner.population": 8, "match_episodes": 4,
     "evaluation_episodes": 8,
 }  # fmt: skip
 # A match is 16 episodes here, so that 2 matches of each pair are 32.
@@ -147,7 +147,7 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return numbers of a race for every fifth generation, and the steps of agents so far."""
     matrix, log = run.payoff().matrix, run.log()
     short = shortfalls(run)
-    generations = range(EVERY if len(matrix) > EVERY else 1, len(matrix), EVERY)
+    generations = range(EVERY, len(matrix), EVERY)
     matches = [int(log["matches"][log["generation"] == k].max()) for k in generations]
     weights = [mixtures(matrix, k) for k in generations]
     each_match = run.summary()["training_agent_steps"] / int(log["matches"].max())

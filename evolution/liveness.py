@@ -18,7 +18,6 @@ and ratings have. All groups are looked at, in all orders.
 from __future__ import annotations
 
 import itertools
-import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -27,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from common import markdown, script_parser
+from common import markdown, script_parser, write_json
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.masks import right_of_way_cells
 from matrixworld.world.policy import TeamPolicy
@@ -161,11 +160,7 @@ def main() -> None:
             measure: [round(float(value), 4) for value in values]
             for measure, values in zip(MEASURES, zip(*played, strict=True), strict=True)
         })  # fmt: skip
-    text = table(rows)
-    print(text)
-    args.results.mkdir(parents=True, exist_ok=True)
-    (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
-    (args.results / "numbers.json").write_text(json.dumps(rows) + "\n", encoding="utf-8")
+    write_json(args.results, rows, table(rows))
 
 
 if __name__ == "__main__":

@@ -17,7 +17,6 @@ becomes if both teams keep it. Where agents take turns they keep right of way, t
 
 from __future__ import annotations
 
-import json
 from collections.abc import Collection
 from functools import cache
 from pathlib import Path
@@ -28,7 +27,7 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import markdown, script_parser
+from common import markdown, script_parser, write_json
 from matrixworld.analysis.games import game_value
 from matrixworld.coevolution import TEAMS, Team
 from matrixworld.solver import States, solve
@@ -192,12 +191,7 @@ def main() -> None:
     names = ["O", "SB"] if args.quick else [*VARIANTS]
     worlds = [World(n, *size) for n in names for size in SIZES[VARIANTS[n].capture]]
     rows = [measured(world) for world in tqdm(worlds, disable=None)]
-    text = table(rows)
-    print(text)
-    args.results.mkdir(parents=True, exist_ok=True)
-    (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
-    (args.results / "numbers.json").write_text(json.dumps(rows) + "\n", encoding="utf-8")
-    print(f"\nWritten: table.md and numbers.json in {args.results}")
+    write_json(args.results, rows, table(rows))
 
 
 if __name__ == "__main__":

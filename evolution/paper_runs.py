@@ -12,6 +12,7 @@ import numpy as np
 
 import matrixworld as mw
 from common import (
+    FIRST_TEST_SEED,
     SAME_STEPS,
     SMALL_STEPS,
     PenaltyOfRaces,
@@ -45,8 +46,6 @@ CANDIDATES: dict[coevolution.Team, tuple[str, ...]] = {
 """Runs whose last generation is tested, by team."""
 FEWER = 20
 """The race with few epochs has so many times fewer of them in each generation."""
-FIRST_TEST_SEED = 10**6
-"""Test episodes have seeds of their own; those of training are hashes."""
 
 Numbers = dict[str, np.ndarray]
 

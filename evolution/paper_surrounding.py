@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from common import Numbers, experiment, kinds_in, markdown, mean, of_each
+from common import FIRST_TEST_SEED, Numbers, experiment, kinds_in, markdown, mean, of_each
 from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -42,8 +42,6 @@ WINDOW = 100
 """Epochs of a mean, and between two archived generations."""
 CURVE_EPISODES, LAST_EPISODES = 20, 400
 """Test episodes of each archived generation, and of the last one."""
-FIRST_TEST_SEED = 10**6
-"""Test episodes have seeds of their own; those of training are hashes."""
 
 BASE = RaceSettings.of({
     "schedule": "against", "schedule.team": "pursuer", "schedule.archive_every": WINDOW,

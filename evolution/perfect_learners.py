@@ -36,7 +36,8 @@ Worlds are the units of all tests and intervals (Student's t).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import sys
+from collections.abc import Callable, Mapping
 from functools import partial
 from itertools import combinations
 from pathlib import Path
@@ -57,14 +58,15 @@ from tabular import (
     LEARNERS,
     SCHEDULES,
     SPECIALISTS,
+    WORLDS,
     Game,
     Race,
-    World,
-    drawn_worlds,
+    config_of,
 )
 
-WORLDS, SEED, GENERATIONS = 30, 66, 64
-QUICK_WORLDS, QUICK_WORK, QUICK_GENERATIONS = 4, 150_000, 4
+QUICK_WORLDS = 4
+GENERATIONS = {False: 64, True: 4}
+"""Full length, or with ``--quick``."""
 CLOSE, FAR, MARGIN = 0.01, 0.05, 0.05
 PSRO, RETAIN, PERFECT = "PSRO, Nash", "specialists that retain", "perfect"
 KINDS = {"in turns": "newest", "at once": "mixture"}
@@ -81,11 +83,11 @@ def told_at(generations: int) -> list[int]:
     return [2**k for k in range(generations.bit_length()) if 2**k <= generations]
 
 
-def measured(world: World, seed: int, generations: int) -> dict[str, Any]:
+def measured(world: str, quick: bool) -> dict[str, Any]:
     """Return the numbers of all races in a world."""
-    game = Game(world.config)
+    game, seed, generations = Game(config_of(world)), WORLDS.index(world), GENERATIONS[quick]
     found: dict[str, Any] = {
-        "world": world.name, "together": world.together, "value": game.value,
+        "world": world, "together": game.together, "value": game.value,
         "mixing": game.mixing, "states": game.states.total,
         "watched": watched(generations),
     }  # fmt: skip
@@ -332,24 +334,32 @@ def figure(numbers: common.Numbers) -> Figure:
     return found
 
 
-def main() -> None:
-    """Play all worlds; write numbers, tables and figure of those that are finished."""
-    parser = common.script_parser(__doc__, quick="four small worlds, some seconds")
-    parser.add_argument("--worlds", type=int, default=WORLDS, help="how many, in their order")
-    parser.add_argument("--runs", type=Path, default=Path("runs/perfect_learners"))
-    parser.add_argument("--results", type=Path, default=Path("perfect_learners"))
+def play_worlds(
+    doc: str | None,
+    measure: Callable[[str, bool], dict[str, Any]],
+    table: Callable[[common.Numbers], str],
+    draw: Callable[[common.Numbers], Figure],
+) -> None:
+    """Play all worlds; write numbers, tables and figure of those that are finished.
+
+    `measure` takes the name of a world and whether ``--quick`` is given. Numbers are kept by world.
+    """
+    parser = common.script_parser(doc, quick="four worlds and few generations, some seconds")
+    name = Path(sys.argv[0]).stem
+    parser.add_argument("--worlds", type=int, default=len(WORLDS), help="how many, in their order")
+    parser.add_argument("--runs", type=Path, default=Path("runs", name))
+    parser.add_argument("--results", type=Path, default=Path(name))
     args = parser.parse_args()
     quick = args.quick
     runs, results = (each / "quick" if quick else each for each in (args.runs, args.results))
-    worlds = drawn_worlds(QUICK_WORLDS, SEED, QUICK_WORK) if quick else drawn_worlds(WORLDS, SEED)
-    generations = QUICK_GENERATIONS if quick else GENERATIONS
+    worlds = WORLDS[: QUICK_WORLDS if quick else None][: args.worlds]
     kept = [
-        common.kept(runs / f"{place}.json", partial(measured, world, place, generations))
-        for place, world in enumerate(tqdm(worlds[: args.worlds], unit=" worlds", disable=None))
+        common.kept(runs / f"{place}.json", partial(measure, world, quick))
+        for place, world in enumerate(tqdm(worlds, unit=" worlds", disable=None))
     ]
     common.write(results, stacked(kept), table)
-    save_figure(figure(dict(np.load(results / "numbers.npz"))), results / "figure.png")
+    save_figure(draw(dict(np.load(results / "numbers.npz"))), results / "figure.png")
 
 
 if __name__ == "__main__":
-    main()
+    play_worlds(__doc__, measured, table, figure)

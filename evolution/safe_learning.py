@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 
 import matrixworld as mw
 from common import (
+    FIRST_TEST_SEED,
     SIGNIFICANCE,
     SMALL_STEPS,
     Numbers,
@@ -43,8 +44,6 @@ from matrixworld.world.rules import COLLISION_KINDS
 
 LIMIT = 20.0
 """Collisions at fault per 1000 agent-steps that the limited methods may have."""
-FIRST_TEST_SEED = 10**6
-"""Test episodes have seeds of their own; those of training are hashes."""
 
 SEEDS, FEW_SEEDS = 10, 5
 """Seeds of a method, and of those whose runs take longest."""

@@ -25,13 +25,13 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from time import process_time
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import markdown, mean, script_parser
+from common import markdown, mean, script_parser, write_json
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.storage import find_runs
 from matrixworld.world.arrays import MOVES
@@ -274,14 +274,12 @@ def rows_of(kinds: Iterable[Kind], levels: Iterable[Level], quick: bool) -> Rows
     return found
 
 
-def plain_rows(rows: Rows) -> str:
-    """Return rows as JSON."""
-    return json.dumps(
-        {
-            kind: [{"level": at, **row._asdict()} for at, row in e.items()]
-            for kind, e in rows.items()
-        }
-    )
+def plain_rows(rows: Rows) -> dict[str, Any]:
+    """Return rows as JSON has them."""
+    return {
+        kind: [{"level": at, **row._asdict()} for at, row in of_kind.items()]
+        for kind, of_kind in rows.items()
+    }
 
 
 def read_rows(text: str) -> Rows:
@@ -304,12 +302,7 @@ def main() -> None:
         kinds.append(Kind("learned, SB", learned, every=True))
         kinds.append(Kind("learned, the authors' setting", learned, authors=True, every=True))
     rows = rows_of(kinds, SOME[:2] if args.quick else published(), args.quick)
-    text = table(rows)
-    print(text)
-    args.results.mkdir(parents=True, exist_ok=True)
-    (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
-    (args.results / "numbers.json").write_text(plain_rows(rows) + "\n", encoding="utf-8")
-    print(f"\nWritten: table.md and numbers.json in {args.results}")
+    write_json(args.results, plain_rows(rows), table(rows))
 
 
 if __name__ == "__main__":

@@ -38,107 +38,62 @@ TIE = 1e-9
 
 # Worlds
 
-IN_TURNS = {
-    "agents in turns": {"interaction": Interaction.AGENT_TURNS},
-    "teams in turns": {"interaction": Interaction.SWARM_TURNS},
-}
+WORLDS = """\
+agents in turns, occupied; 1 v 1; 3 x 4 with walls .#../..../.#..; 7 steps
+R; 1 v 1; 4 x 5; 4 steps, 8 ways
+teams in turns, surrounded; 2 v 1; 3 x 3 with walls ##./.../...; 3 steps
+R; 2 v 1; 3 x 3; 3 steps
+agents in turns, surrounded; 1 v 2; 3 x 3 with walls .#./.../#..; 5 steps
+O; 1 v 2; 3 x 3 with walls #../.../#.#; 5 steps
+agents in turns, occupied; 1 v 1; 3 x 5 with walls ...../..#../#....; 5 steps
+O; 1 v 1; 3 x 3 with walls #../.../...; 3 steps, 8 ways
+agents in turns, surrounded; 2 v 1; 3 x 4 with walls ..../..../##..; 5 steps
+SD; 2 v 1; 3 x 3; 4 steps
+teams in turns, occupied; 1 v 2; 3 x 4; 4 steps
+R; 1 v 2; 3 x 3 with walls .../#.#/#..; 4 steps
+teams in turns, occupied; 1 v 1; 3 x 5; 3 steps
+O; 1 v 1; 4 x 5 with walls #..../...../...../#..#.; 3 steps, 8 ways
+teams in turns, occupied; 2 v 1; 4 x 4 with walls .#../.#.#/..../....; 4 steps
+O; 2 v 1; 3 x 4 with walls ..##/..../#...; 3 steps
+agents in turns, occupied; 1 v 2; 3 x 4 with walls ##../..../.#..; 6 steps
+B; 1 v 2; 3 x 3 with walls #../#.#/...; 5 steps
+teams in turns, occupied; 1 v 1; 3 x 5 with walls ...../...../#..#.; 4 steps
+O; 1 v 1; 3 x 3 with walls .##/.../#..; 4 steps, 8 ways
+teams in turns, occupied; 2 v 1; 4 x 4 with walls ..../...#/..../....; 3 steps
+O; 2 v 1; 3 x 3 with walls .../..#/...; 3 steps
+agents in turns, occupied; 1 v 2; 3 x 4 with walls ..../.#../....; 5 steps, 8 ways
+B; 1 v 2; 3 x 3 with walls .../..#/#.#; 3 steps
+agents in turns, occupied; 1 v 1; 3 x 3 with walls #../.../...; 6 steps
+B; 1 v 1; 3 x 3 with walls .#./.../#.#; 6 steps, 8 ways
+teams in turns, surrounded; 2 v 1; 4 x 4 with walls ...#/#.../...#/....; 6 steps
+B; 2 v 1; 3 x 4 with walls #.../..#./...#; 4 steps
+teams in turns, occupied; 1 v 2; 3 x 5 with walls ..#../...../.#...; 5 steps
+B; 1 v 2; 3 x 3 with walls ..#/.../#.#; 5 steps
+""".splitlines()
+"""The worlds in the order in which they were drawn by chance (commit 4fd12303, seed 66).
+
+In turns and at once in alternation, with one against one, two against one and one against two, one
+pair after the other; rules, one of six boards up to 5 x 5, 0 to 3 walls, 3 to 8 steps, and in one
+of four worlds eight directions, evenly. Drawn anew: values outside of .1 and .9, tables of
+successors with more than 200,000 entries times steps, worlds at once in which it is worth less than
+.02 to move second, and those that differ from another one in steps or collisions alone.
+"""
+TURNS = {"agents in turns": Interaction.AGENT_TURNS, "teams in turns": Interaction.SWARM_TURNS}
 CAPTURES = {"occupied": {}, "surrounded": {"evader": Outcome.BOUNCE, "capture": Capture.SURROUND}}
-BOARDS = ((3, 3), (3, 4), (4, 4), (3, 5), (4, 5), (5, 5))
-TEAMS_OF = ((1, 1), (2, 1), (1, 2))
-"""Pursuers and evaders, of two worlds one after the other."""
-MOST_WALLS = 3
-STEPS = (3, 4, 5, 6, 7, 8)
-WORK = 200_000
-"""Most entries of all tables of successors, times steps: a response takes about a millisecond."""
-FAIR = 0.1, 0.9
-"""Values of the worlds: in others one team wins nearly always."""
-MIXING = 0.02
-"""What it is worth at least, where all move at once, to move second: else nobody has to mix."""
 
 
-@dataclass(frozen=True)
-class World:
-    """A world, as drawn. Worlds that are `like` each other differ in steps or collisions alone."""
-
-    name: str
-    like: str
-    config: mw.WorldConfig
-
-    @property
-    def together(self) -> bool:
-        """Whether all agents move at once, so that it can be best to mix."""
-        return self.config.rules.interaction is Interaction.SIMULTANEOUS
-
-
-def drawn_worlds(count: int, seed: int, work: int = WORK) -> list[World]:
-    """Return worlds drawn by chance, in turns and at once in alternation, none like another.
-
-    Each choice is drawn evenly: rules, board, walls, steps, and in one of four worlds moves in
-    eight directions; the teams are those of `TEAMS_OF` in their order. Worlds with values out of
-    `FAIR`, with more than `WORK`, or in which all move at once and `mixing` is worth less than
-    `MIXING`, are drawn anew.
-    """
-    rng, found = np.random.default_rng(seed), dict[str, World]()
-    while len(found) < count:
-        pair, at_once = divmod(len(found), 2)
-        each = _drawn(rng, TEAMS_OF[pair % len(TEAMS_OF)], bool(at_once))
-        if each is None or each.like in found or _work(each.config) > work:
-            continue
-        game = Game(each.config)
-        fair = FAIR[0] <= game.value <= FAIR[1]
-        if fair and (not each.together or game.mixing >= MIXING):
-            found[each.like] = each
-    return list(found.values())
-
-
-def _drawn(rng: np.random.Generator, teams: tuple[int, int], at_once: bool) -> World | None:
-    def one(choices: Any) -> Any:
-        return choices[int(rng.integers(len(choices)))]
-
-    if at_once:
-        variant = one(("R", "B", "O", "S", "SB", "SD", "SDB"))
-        rules = mw.VARIANTS[variant]
-    else:
-        moves, capture = one([*IN_TURNS]), one([*CAPTURES])
-        rules = Rules(**{"interaction": Interaction.AGENT_TURNS, **CAPTURES[capture]})
-        rules = replace(rules, **IN_TURNS[moves])
-        variant = f"{moves}, {capture}"
-    (rows, cols), (pursuers, evaders) = one(BOARDS), teams
-    walls, steps = int(rng.integers(MOST_WALLS + 1)), one(STEPS)
-    diagonal = bool(rng.integers(4) == 0)
-    blocked = np.zeros(rows * cols, bool)
-    blocked[rng.choice(rows * cols, walls, replace=False)] = True
-    if not _connected(blocked.reshape(rows, cols)):
-        return None
-    lines = ["".join(".#"[cell] for cell in row) for row in blocked.reshape(rows, cols).astype(int)]
-    shown = f"{rows} x {cols}" + (f" with walls {'/'.join(lines)}" if walls else "")
-    name = f"{variant}; {pursuers} v {evaders}; {shown}; {steps} steps" + ", 8 ways" * diagonal
-    config = mw.WorldConfig(
-        rules, rows=rows, cols=cols, n_pursuers=pursuers, n_evaders=evaders, max_steps=steps,
-        diagonal=diagonal, obstacles=lines if walls else None, fov=2 * max(rows, cols) - 1,
+def config_of(name: str) -> mw.WorldConfig:
+    """Return the world of a name, as those in `WORLDS`."""
+    rules, teams, board, steps = name.split("; ")
+    turns, _, capture = rules.partition(", ")
+    size, *walls = board.split(" with walls ")
+    (pursuers, evaders), (rows, cols) = teams.split(" v "), size.split(" x ")
+    return mw.WorldConfig(
+        Rules(TURNS[turns], **CAPTURES[capture]) if capture else rules,
+        rows=int(rows), cols=int(cols), n_pursuers=int(pursuers), n_evaders=int(evaders),
+        max_steps=int(steps.split()[0]), diagonal=steps.endswith("8 ways"),
+        obstacles=walls[0].split("/") if walls else None, fov=2 * max(int(rows), int(cols)) - 1,
     )  # fmt: skip
-    capture = rules.capture.name.lower()
-    like = f"{rules.interaction.name}; {capture}; {pursuers} v {evaders}; {shown}; {diagonal}"
-    return World(name, like, config)
-
-
-def _connected(blocked: NDArray[np.bool_]) -> bool:
-    free = {(int(row), int(col)) for row, col in np.argwhere(~blocked)}
-    seen, left = set[tuple[int, int]](), [min(free)]
-    while left:
-        row, col = left.pop()
-        if (row, col) in free and (row, col) not in seen:
-            seen.add((row, col))
-            left += [(row + 1, col), (row - 1, col), (row, col + 1), (row, col - 1)]
-    return seen == free
-
-
-def _work(config: mw.WorldConfig) -> float:
-    from matrixworld.solver.states import size_of, turn_sizes
-
-    if size_of(config)[1] > 1e8:
-        return np.inf
-    return config.max_steps * sum(count * p * q for count, p, q in turn_sizes(config))
 
 
 # Games
@@ -153,6 +108,11 @@ class Game:
         self.succ = [self.states.successors(k).astype(np.intp) for k in range(self.states.n_turns)]
         self.starts = self.states.starts.astype(np.intp)
         self.payoffs = np.asarray(self.states.captured().mean(axis=1), np.float64)
+
+    @property
+    def together(self) -> bool:
+        """Whether all agents move at once, so that it can be best to mix."""
+        return self.config.rules.interaction is Interaction.SIMULTANEOUS
 
     @cached_property
     def value(self) -> float:
@@ -355,97 +315,78 @@ keeps the response only if its mean score against all past opponents is not belo
 own generation, which stays otherwise."""
 
 
-# Learners: (game, team, own newest table, opponents' tables, weights, rng) -> the next table
-
-Learner = Callable[[Game, Team, Table, list[Table], Floats, np.random.Generator], Table]
+# Learners
 
 
-def perfect(
-    game: Game, team: Team, own: Table, past: list[Table], weights: Floats,
-    rng: np.random.Generator,
-) -> Table:  # fmt: skip
-    """Return the best response in every state, also in those that are not met."""
-    return game.respond(team, game.mixed(other(team), past, weights), own)[0]
+@dataclass(frozen=True)
+class Task:
+    """A team, its newest table, and the tables of the other team that it meets, with weights."""
+
+    game: Game
+    team: Team
+    own: Table
+    past: list[Table]
+    weights: Floats
+    rng: np.random.Generator
+
+    @cached_property
+    def opponents(self) -> Play:
+        """The mixture that is met."""
+        return self.game.mixed(other(self.team), self.past, self.weights)
+
+    @cached_property
+    def best(self) -> Table:
+        """The best response in every state, also in those that are not met."""
+        return self.game.respond(self.team, self.opponents, self.own)[0]
+
+    def changed(self, table: Table) -> Table:
+        """Return the own table with the actions of another one where the best response leads."""
+        met = self.game.reached(self.team, self.best, self.opponents)
+        return [np.where(each > 0.0, b, o) for each, b, o in zip(met, table, self.own, strict=True)]
 
 
-def on_the_way(
-    game: Game, team: Team, own: Table, past: list[Table], weights: Floats,
-    rng: np.random.Generator,
-) -> Table:  # fmt: skip
+Learner = Callable[[Task], Table]
+"""The next table."""
+
+
+def perfect(task: Task) -> Table:
+    """Return the best response in every state."""
+    return task.best
+
+
+def on_the_way(task: Task) -> Table:
     """Return a best response that changes only states that it meets."""
-    opponents = game.mixed(other(team), past, weights)
-    best, _ = game.respond(team, opponents, own)
-    met = game.reached(team, best, opponents)
-    return [np.where(each > 0.0, b, o) for each, b, o in zip(met, best, own, strict=True)]
+    return task.changed(task.best)
 
 
-@dataclass(frozen=True)
-class Sampled:
-    """The best response, on the way, to some opponents drawn by their weights."""
-
-    count: int
-
-    def __call__(
-        self, game: Game, team: Team, own: Table, past: list[Table], weights: Floats,
-        rng: np.random.Generator,
-    ) -> Table:  # fmt: skip
-        """Return the next table."""
-        drawn = rng.choice(len(past), self.count, p=weights)
-        shares = np.bincount(drawn, minlength=len(past)) / self.count
-        return on_the_way(game, team, own, past, shares, rng)
+def sampled(task: Task, count: int) -> Table:
+    """Return the best response, on the way, to some opponents drawn by their weights."""
+    drawn = task.rng.choice(len(task.past), count, p=task.weights)
+    shares = np.bincount(drawn, minlength=len(task.past)) / count
+    return on_the_way(replace(task, weights=shares))
 
 
-@dataclass(frozen=True)
-class Noisy:
-    """The best response, on the way, of which a share of the met states has random actions."""
-
-    share: float
-
-    def __call__(
-        self, game: Game, team: Team, own: Table, past: list[Table], weights: Floats,
-        rng: np.random.Generator,
-    ) -> Table:  # fmt: skip
-        """Return the next table."""
-        opponents = game.mixed(other(team), past, weights)
-        best, _ = game.respond(team, opponents, own)
-        met = game.reached(team, best, opponents)
-        return [
-            np.where(
-                each > 0.0, np.where(rng.random(each.shape) < self.share, wrong, right), before
-            )
-            for each, wrong, right, before in zip(
-                met, game.random(team, rng), best, own, strict=True
-            )
-        ]
+def noisy(task: Task, share: float) -> Table:
+    """Return the best response, on the way, of which a share of the met states acts at random."""
+    tables = zip(task.game.random(task.team, task.rng), task.best, strict=True)
+    return task.changed(
+        [np.where(task.rng.random(b.shape) < share, wrong, b) for wrong, b in tables]
+    )
 
 
-@dataclass(frozen=True)
-class Slow:
-    """Each state that the best response meets changes to its action with a probability."""
-
-    share: float
-
-    def __call__(
-        self, game: Game, team: Team, own: Table, past: list[Table], weights: Floats,
-        rng: np.random.Generator,
-    ) -> Table:  # fmt: skip
-        """Return the next table."""
-        best = on_the_way(game, team, own, past, weights, rng)
-        return [
-            np.where(rng.random(b.shape) < self.share, b, o) for b, o in zip(best, own, strict=True)
-        ]
+def slow(task: Task, share: float) -> Table:
+    """Change each state that the best response meets to its action with a probability."""
+    tables = zip(on_the_way(task), task.own, strict=True)
+    return [np.where(task.rng.random(b.shape) < share, b, o) for b, o in tables]
 
 
-def improved(
-    game: Game, team: Team, own: Table, past: list[Table], weights: Floats,
-    rng: np.random.Generator,
-) -> Table:  # fmt: skip
+def improved(task: Task) -> Table:
     """Return one step of policy improvement in the states that the own table meets.
 
     The action changes to the best one, if the own table plays afterwards. States that it does not
     meet never change, nor does it learn what they are good for.
     """
-    opponents = game.mixed(other(team), past, weights)
+    game, team, own, opponents = task.game, task.team, task.own, task.opponents
     sign, after = (1.0 if team == "pursuer" else -1.0), game.payoffs
     better, met = [each.copy() for each in own], game.reached(team, own, opponents)
     for left in range(game.rounds):
@@ -461,54 +402,44 @@ def improved(
     return better
 
 
-@dataclass(frozen=True)
-class BestOf:
-    """The best of some random changes of the own table, itself included.
+def best_of(task: Task, candidates: int, opponents: int = 4, starts: int = 64) -> Table:
+    """Return the best of some random changes of the own table, itself included.
 
     Opponents are drawn by their weights and meet all candidates from some starts. A candidate
     changes each action with a probability between .001 and .1, drawn evenly in its logarithm.
     """
-
-    candidates: int
-    opponents: int = 4
-    starts: int = 64
-
-    def __call__(
-        self, game: Game, team: Team, own: Table, past: list[Table], weights: Floats,
-        rng: np.random.Generator,
-    ) -> Table:  # fmt: skip
-        """Return the next table."""
-        rates = np.append(0.0, 10.0 ** rng.uniform(-3, -1, self.candidates - 1))
-        tried = [np.repeat(each[None], self.candidates, axis=0) for each in own]
-        for each, (rounds, count, actions) in zip(tried, game.shapes(team), strict=True):
-            if actions > 1:
-                for place, rate in enumerate(rates):
-                    n = rng.binomial(rounds * count, rate)
-                    where = rng.integers(rounds * count, size=n)
-                    each[place].reshape(-1)[where] = rng.integers(actions, size=n)
-        drawn = rng.choice(len(past), self.opponents, p=weights)
-        rivals = [np.stack([past[k][turn] for k in drawn]) for turn in range(len(own))]
-        starts = rng.choice(game.starts, min(self.starts, len(game.starts)), replace=False)
-        sides = (tried, rivals) if team == "pursuer" else (rivals, tried)
-        rates = game.played(
-            [each[:, None] for each in sides[0]], [each[None] for each in sides[1]], starts
-        )
-        mean = rates.mean(axis=1) if team == "pursuer" else 1.0 - rates.mean(axis=0)
-        best = int(mean.argmax())
-        return [each[best] for each in tried]
+    game, rng = task.game, task.rng
+    rates = np.append(0.0, 10.0 ** rng.uniform(-3, -1, candidates - 1))
+    tried = [np.repeat(each[None], candidates, axis=0) for each in task.own]
+    for each, (rounds, count, actions) in zip(tried, game.shapes(task.team), strict=True):
+        if actions > 1:
+            for place, rate in enumerate(rates):
+                n = rng.binomial(rounds * count, rate)
+                where = rng.integers(rounds * count, size=n)
+                each[place].reshape(-1)[where] = rng.integers(actions, size=n)
+    drawn = rng.choice(len(task.past), opponents, p=task.weights)
+    rivals = [np.stack([task.past[k][turn] for k in drawn]) for turn in range(len(task.own))]
+    begun = rng.choice(game.starts, min(starts, len(game.starts)), replace=False)
+    sides = (tried, rivals) if task.team == "pursuer" else (rivals, tried)
+    rates = game.played(
+        [each[:, None] for each in sides[0]], [each[None] for each in sides[1]], begun
+    )
+    mean = rates.mean(axis=1) if task.team == "pursuer" else 1.0 - rates.mean(axis=0)
+    best = int(mean.argmax())
+    return [each[best] for each in tried]
 
 
 LEARNERS: Mapping[str, Learner] = {
     "perfect": perfect,
     "perfect where it plays": on_the_way,
-    "against 3 of the past": Sampled(3),
-    "against 1 of the past": Sampled(1),
-    "10 % wrong": Noisy(0.1),
-    "30 % wrong": Noisy(0.3),
-    "10 % of the changes": Slow(0.1),
-    "2 % of the changes": Slow(0.02),
+    "against 3 of the past": partial(sampled, count=3),
+    "against 1 of the past": partial(sampled, count=1),
+    "10 % wrong": partial(noisy, share=0.1),
+    "30 % wrong": partial(noisy, share=0.3),
+    "10 % of the changes": partial(slow, share=0.1),
+    "2 % of the changes": partial(slow, share=0.02),
     "improves what it meets": improved,
-    "best of 32 changes": BestOf(32),
+    "best of 32 changes": partial(best_of, candidates=32),
 }
 
 
@@ -549,11 +480,17 @@ class Race:
         for team in TEAMS:
             own, past = self.tables[team], self.opponents(team)
             weights = self.schedule.meets(team)(len(past), partial(self.scores, team))
-            answer = self.learner(self.game, team, own[-1], past, weights, self.rng)
+            answer = self.learner(Task(self.game, team, own[-1], past, weights, self.rng))
             if self.schedule.keeps:
                 new, old = self._scores(team, [answer, own[-1]], past).mean(axis=1)
                 answer = answer if new >= old - TIE else own[-1]
             own.append(answer)
+
+    def run(self, generations: int) -> Race:
+        """Add so many generations; return the race."""
+        for _ in range(generations):
+            self.go()
+        return self
 
     def chosen(self, team: Team, choice: str) -> Play:
         """Return the newest generation, the one of the highest mean score, or a mixture of all."""

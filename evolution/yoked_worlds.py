@@ -27,21 +27,17 @@ Decided before the worlds were played:
 
 from __future__ import annotations
 
-from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 from scipy import stats
-from tqdm import tqdm
 
 import common
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import TEAMS, Team
 from matrixworld.coevolution.types import other
-from matrixworld.plots import save_figure
-from perfect_learners import KINDS, MARGIN, QUICK_WORK, QUICK_WORLDS, SEED, WORLDS, of_kind, stacked
+from perfect_learners import KINDS, MARGIN, of_kind, play_worlds
 from tabular import (
     GENERALISTS,
     LEARNERS,
@@ -51,12 +47,11 @@ from tabular import (
     Game,
     Race,
     Table,
-    World,
-    drawn_worlds,
+    config_of,
 )
 
-SEEDS, GENERATIONS = 20, 32
-QUICK_SEEDS, QUICK_GENERATIONS = 3, 4
+SEEDS, GENERATIONS = {False: 20, True: 3}, {False: 32, True: 4}
+"""Full length, or with ``--quick``."""
 LEARNS = ("perfect", "perfect where it plays", "10 % of the changes", "improves what it meets")
 MEETS = (SPECIALISTS, GENERALISTS)
 KIND = [f"{learner}; {schedule}" for learner in LEARNS for schedule in MEETS]
@@ -117,25 +112,21 @@ def shortfalls(race: Race, unit: str) -> list[float]:
     return [round(value - pursuers, 6), round(evaders - value, 6)]
 
 
-def measured(world: World, seeds: int, generations: int) -> dict[str, Any]:
+def measured(world: str, quick: bool) -> dict[str, Any]:
     """Return the properties of a world, and the shortfalls of all races in it."""
-    game = Game(world.config)
-    unit = KINDS["at once" if world.together else "in turns"]
-    found: dict[str, Any] = {"world": world.name, "together": world.together, **properties(game)}
+    game = Game(config_of(world))
+    unit = KINDS["at once" if game.together else "in turns"]
+    found: dict[str, Any] = {"world": world, "together": game.together, **properties(game)}
     for learner in LEARNS:
         for schedule in MEETS:
             settings = SCHEDULES[schedule], LEARNERS[learner]
-            races = [Race(game, *settings, seed) for seed in range(seeds)]
-            for race in races:
-                for _ in range(generations):
-                    race.go()
+            races = [
+                Race(game, *settings, seed).run(GENERATIONS[quick]) for seed in range(SEEDS[quick])
+            ]
             yoked = [
-                YokedRace(replayed, game, *settings, seed)
+                YokedRace(replayed, game, *settings, seed).run(GENERATIONS[quick])
                 for seed, replayed in enumerate([*races[1:], races[0]])
             ]
-            for each in yoked:
-                for _ in range(generations):
-                    each.go()
             kind = f"{learner}; {schedule}"
             for name, of_name in (("race", races), ("yoked", yoked)):
                 found[f"{kind} / {name}"] = [shortfalls(each, unit) for each in of_name]
@@ -272,24 +263,5 @@ def figure(numbers: common.Numbers) -> Figure:
     return found
 
 
-def main() -> None:
-    """Play all worlds; write numbers, tables and figure of those that are finished."""
-    parser = common.script_parser(__doc__, quick="four small worlds and three seeds, some seconds")
-    parser.add_argument("--worlds", type=int, default=WORLDS, help="how many, in their order")
-    parser.add_argument("--runs", type=Path, default=Path("runs/yoked_worlds"))
-    parser.add_argument("--results", type=Path, default=Path("yoked_worlds"))
-    args = parser.parse_args()
-    quick = args.quick
-    runs, results = (each / "quick" if quick else each for each in (args.runs, args.results))
-    worlds = drawn_worlds(QUICK_WORLDS, SEED, QUICK_WORK) if quick else drawn_worlds(WORLDS, SEED)
-    size = (QUICK_SEEDS, QUICK_GENERATIONS) if quick else (SEEDS, GENERATIONS)
-    kept = [
-        common.kept(runs / f"{place}.json", partial(measured, world, *size))
-        for place, world in enumerate(tqdm(worlds[: args.worlds], unit=" worlds", disable=None))
-    ]
-    common.write(results, stacked(kept), table)
-    save_figure(figure(dict(np.load(results / "numbers.npz"))), results / "figure.png")
-
-
 if __name__ == "__main__":
-    main()
+    play_worlds(__doc__, measured, table, figure)

@@ -12,12 +12,19 @@ from typing import NamedTuple
 import numpy as np
 
 from common import SAME_STEPS, SMALL_RACE
-from judgement_races import HARD, KINDS, disengagement, synthetic_races
+from judgement_races import (
+    HARD,
+    KINDS,
+    Draws,
+    SyntheticRace,
+    disengagement,
+    play_episodes,
+    synthetic_races,
+)
 from judgement_toys import RACES
 from judgement_truths import WINDOWS, Truth, Truths, change_of_strength, truths_of_group
 from matrixworld.analysis import CONDITIONS
 from matrixworld.coevolution import RaceSettings, evolve
-from synthetic_races import Draws, SyntheticRace, play_episodes
 
 SIZES = (8, 15, 31, 60)
 RUNS = (1, 1, 1, 2, 3, 5, 10)
@@ -28,7 +35,7 @@ EFFECTS = (0.25, 0.5, 1.0, 2.0)
 
 
 class Noise(NamedTuple):
-    """How matches of known capture rates turn out; see `synthetic_races.play_episodes`."""
+    """How matches of known capture rates turn out; see `judgement_races.play_episodes`."""
 
     episodes: int
     evaders: int = 1

@@ -42,7 +42,6 @@ import judgement_cases
 import judgement_races
 import judgement_toys
 import judgement_truths
-import synthetic_races
 from common import executor_of, script_parser
 from course import toys
 from judgement_cases import SOURCES
@@ -95,7 +94,7 @@ def _changes(
 def version() -> str:
     """Return a checksum of everything that a judgement or a synthetic race depends on."""
     # Once: files that change while the script runs are not those that it imported.
-    modules = synthetic_races, toys, judgement_cases, judgement_races, judgement_toys
+    modules = toys, judgement_cases, judgement_races, judgement_toys
     files = sorted(Path(analysis.__file__).parent.glob("*.py"))
     files += [Path(each.__file__) for each in (*modules, judgement_truths)]
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:16]

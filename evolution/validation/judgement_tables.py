@@ -269,7 +269,7 @@ SETTINGS = (
 COVERAGE = (
     "Share of the 95 % intervals of a team's change that contain the true change of its strength; "
     "single synthetic races, where the usual readings of the change agree within .005. Gains are "
-    "about a trend, not about this change: gains.md counts how often they are said to be above 0."
+    "about a trend, not about this change."
 )
 
 
@@ -400,17 +400,16 @@ def read_counts(file: Path) -> list[Row]:
         return list(csv.DictReader(rows))
 
 
-COUNTS = ("races", "counts", "settings", "changes")
+COUNTS = {
+    "races": count_races, "counts": count_verdicts, "settings": count_by_setting,
+    "changes": count_changes,
+}  # fmt: skip
+"""Files of counts, from which the tables follow."""
 
 
 def report_of(results: Path) -> str:
     """Return the tables that follow from the counts in a directory."""
-    return report(
-        *(
-            read_counts(results / f"{name}.csv")
-            for name in ("races", "counts", "settings", "changes")
-        )
-    )
+    return report(*(read_counts(results / f"{name}.csv") for name in COUNTS))
 
 
 def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
@@ -418,17 +417,8 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     sizes = count_by_size(one for one in judgements if one["source"] == "power")
     # Effects of the power curves are small on purpose, and would hide those of the other races.
     others = [one for one in judgements if one["source"] != "power"]
-    races, counts, settings, changes = (
-        count(others) for count in (count_races, count_verdicts, count_by_setting, count_changes)
-    )
-    files = {
-        "races": races,
-        "counts": counts,
-        "settings": settings,
-        "changes": changes,
-        "power": sizes,
-    }
-    for name, rows in files.items():
+    files = {name: count(others) for name, count in COUNTS.items()}
+    for name, rows in (files | {"power": sizes}).items():
         write_counts(rows, results / f"{name}.csv")
     text = report_of(results)
     (results / "errors.md").write_text(text, encoding="utf-8")

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from course import toys
+from judgement_races import SyntheticRace
 from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
 from matrixworld.coevolution.types import TEAMS, FloatArray, Indices
-from synthetic_races import SyntheticRace
 
 GENERATIONS = 31
 """Generations of each race that play against each other."""

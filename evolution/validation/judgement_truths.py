@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from judgement_races import SyntheticRace
 from matrixworld.analysis import checkerboards
 from matrixworld.coevolution.types import BoolArray, FloatArray
-from synthetic_races import SyntheticRace
 
 WINDOWS: Mapping[str, tuple[float, float]] = {
     "whole": (0.0, 1.0),

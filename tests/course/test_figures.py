@@ -15,7 +15,7 @@ def test_the_situations_are_of_the_forms_and_kinds_that_they_name() -> None:
     found = {}
     for situation in SITUATIONS:
         world = world_of(situation, mw.Outcome.BOUNCE)
-        world.step(moves_of(situation, world), explain=True)
+        world.step(moves_of(situation), explain=True)
         found[situation.name] = {(each.kind, each.form) for each in world.conflicts}
     assert found == {
         "vertex": {("teammate", "vertex")},

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from course import toys
+from judgement_races import play_episodes
 from matrices import ROCK_PAPER_SCISSORS
 from matrixworld import analysis
 from matrixworld.coevolution import check_game
 from matrixworld.coevolution.types import TEAMS
-from synthetic_races import play_episodes
 
 
 def test_generalists_do_not_cycle():

@@ -8,11 +8,10 @@ import pytest
 import judgement_tables as tables
 from course import toys
 from course.toys import History
-from judgement_races import synthetic_races
+from judgement_races import SyntheticRace, synthetic_races
 from judgement_toys import chances_of_history, truths_of_history
 from judgement_truths import truths, truths_of_group
 from matrixworld.analysis import CONDITIONS
-from synthetic_races import SyntheticRace
 
 
 def held(found):

@@ -9,7 +9,7 @@ import pytest
 import matrixworld as mw
 import perfect_learners
 import tabular
-from evolution_scripts import read, run_quickly
+from evolution_scripts import RESULTS, read, run_quickly
 from matrixworld.coevolution import TEAMS, Team
 from matrixworld.coevolution.types import other
 from matrixworld.solver import solve
@@ -60,8 +60,8 @@ def test_responses_and_payoffs_agree_with_a_slow_reading(name: str) -> None:
         answered = {team: play, other(team): game.mixed(other(team), [answer], one)}
         assert rate == pytest.approx(slow_value(game, answered))
         # Off the way to where both lead nothing changes.
-        lazy = tabular.on_the_way(game, other(team), game.random(other(team), rng), past, weights,
-                                  rng)  # fmt: skip
+        own = game.random(other(team), rng)
+        lazy = tabular.on_the_way(tabular.Task(game, other(team), own, past, weights, rng))
         answered[other(team)] = game.mixed(other(team), [lazy], one)
         assert rate == pytest.approx(slow_value(game, answered))
         sides = ([answer], past) if team == "evader" else (past, [answer])
@@ -95,8 +95,7 @@ def test_perfect_specialists_play_one_turn_more_perfectly_in_each_generation() -
     race = tabular.Race(
         game, tabular.SCHEDULES[tabular.SPECIALISTS], tabular.LEARNERS["perfect"], 0
     )
-    for _ in range(game.rounds * len(game.succ)):
-        race.go()
+    race.run(game.rounds * len(game.succ))
     assert race.nash_conv() == pytest.approx(0.0, abs=1e-9)
 
 
@@ -110,6 +109,17 @@ def test_schedules_matter_only_if_told_apart_and_far_enough() -> None:
     curves = np.array([[1, 0, 1, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 1]], float)
     at = np.array([0, 1, 2, 4, 8])
     np.testing.assert_array_equal(perfect_learners.settles(curves, at), [4, 0, np.nan])
+
+
+def test_kept_numbers_begin_as_the_races_do() -> None:
+    kept, place = np.load(RESULTS / "perfect_learners/numbers.npz"), 3
+    assert [*kept["world"]] == tabular.WORLDS[: len(kept["world"])]
+    found = perfect_learners.measured(tabular.WORLDS[place], True)
+    # Another SciPy may find another equilibrium.
+    names = [name for name in found if name.endswith("/ newest") and "Nash" not in name]
+    assert len(names) == 60
+    for name in names:
+        np.testing.assert_allclose(found[name], kept[name][place, :5], atol=1e-4)
 
 
 @pytest.mark.nightly

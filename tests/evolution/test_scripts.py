@@ -7,11 +7,8 @@ import numpy as np
 import pytest
 
 import common
-import deap_example
-import matrixworld as mw
 import readable
 from evolution_scripts import SCRIPTS, read, run_quickly
-from matrixworld import coevolution
 from tiny_race import tiny_race
 
 LIBRARIES = {"common", "paper_runs", "tabular"}
@@ -102,26 +99,6 @@ def test_an_unknown_kind_is_refused(tmp_path, monkeypatch, capsys):
         played(monkeypatch, "--kinds", "race-3")
     assert "races-1-epochs, races-2-epochs, got race-3" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
-
-
-def test_the_deap_example_scores_each_player_against_each_rival():
-    world, rng = deap_example.SMALL, np.random.default_rng(0)
-    network = mw.Network.for_config(world)
-    own, rivals = (np.stack([network.initial(rng) for _ in range(n)]) for n in (3, 2))
-    seeds = rng.integers(2**63, size=(3, 2))
-    for team in coevolution.TEAMS:
-        expected = np.zeros(3)
-        for i, j in np.ndindex(3, 2):
-            sides = (own[i], rivals[j]) if team == "pursuer" else (rivals[j], own[i])
-            pursuer, evader = (mw.Population(genome, network) for genome in sides)
-            match = mw.Matches.of(0, 0, seeds[i, j])
-            scores = mw.rollout(world, pursuer, evader, match)
-            captured = float(scores.captured_fraction[0, 0])
-            escaped = 1 - captured - 0.2 * float(scores.evader_overlap[0, 0])
-            expected[i] += (captured if team == "pursuer" else escaped) / 2
-        np.testing.assert_allclose(
-            deap_example.score(team, world, own, rivals, seeds), expected, rtol=1e-5
-        )
 
 
 def test_the_readable_example_evolves_programs_that_beat_untrained_ones():

@@ -17,12 +17,6 @@ GAME = tabular.Game(
 SETTINGS = tabular.SCHEDULES[tabular.GENERALISTS], tabular.LEARNERS["perfect where it plays"]
 
 
-def raced(race: tabular.Race) -> tabular.Race:
-    for _ in range(3):
-        race.go()
-    return race
-
-
 def captured(table: tabular.Table, evaders: tabular.Play) -> float:
     """Return the capture rate of pursuers that play a table, forward from all starts."""
     at_last = GAME.reached("pursuer", table, evaders)[0][0]  # before the last round
@@ -32,8 +26,8 @@ def captured(table: tabular.Table, evaders: tabular.Play) -> float:
 
 
 def test_a_yoked_race_answers_the_opponents_of_the_other_race() -> None:
-    replayed = raced(tabular.Race(GAME, *SETTINGS, 1))
-    yoked = raced(yoked_worlds.YokedRace(replayed, GAME, *SETTINGS, 0))
+    replayed = tabular.Race(GAME, *SETTINGS, 1).run(3)
+    yoked = yoked_worlds.YokedRace(replayed, GAME, *SETTINGS, 0).run(3)
     race = tabular.Race(GAME, *SETTINGS, 0)
     for team in TEAMS:
         np.testing.assert_array_equal(yoked.tables[team][0][0], race.tables[team][0][0])
@@ -46,8 +40,8 @@ def test_a_yoked_race_answers_the_opponents_of_the_other_race() -> None:
     expected = 1.0 - GAME.scores(replayed.tables["pursuer"], yoked.tables["evader"]).T
     np.testing.assert_allclose(yoked.scores("evader"), expected)
     # A race that is yoked to itself is that race.
-    same, own = raced(race), yoked_worlds.YokedRace(race, GAME, *SETTINGS, 0)
-    assert yoked_worlds.shortfalls(raced(own), "newest") == yoked_worlds.shortfalls(same, "newest")
+    same, own = race.run(3), yoked_worlds.YokedRace(race, GAME, *SETTINGS, 0)
+    assert yoked_worlds.shortfalls(own.run(3), "newest") == yoked_worlds.shortfalls(same, "newest")
 
 
 def test_words_on_differences() -> None:

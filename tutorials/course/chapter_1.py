@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from operator import index
 from typing import Any
 
 from course.boards import SITUATIONS, Cell, after_step, pack
-from course.checks import Mistake, actions, comparison
+from course.checks import Mistake, actions, array, comparison, whole
 from matrixworld import Action, Capture, Interaction, Outcome, Rules
 from matrixworld.explorer.playground import drawn_world
 
@@ -75,10 +74,7 @@ def _conflicts(cells: list[Cell], targets: list[Cell]) -> set[int]:
 
 
 def _agents(value: Any) -> set[int]:
-    try:
-        return {index(each) for each in value}
-    except TypeError:
-        raise Mistake(f"Expected a set of agents' numbers, got {value!r}.") from None
+    return {whole(each) for each in array(value, "a set of agents' numbers", ...)}
 
 
 def _difference(found: set[int], expected: set[int], cells: list[Cell], targets: list[Cell]) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import permutations
-from operator import index
 from typing import Any
 
 import numpy as np
@@ -119,10 +118,7 @@ def in_conflict(cells: list[Cell], targets: list[Cell]) -> set[int]:
 
 
 def _cells(value: Any) -> list[Cell]:
-    try:
-        return [(index(row), index(col)) for row, col in value]
-    except (TypeError, ValueError):
-        raise Mistake(f"Expected a list of cells, got {value!r}.") from None
+    return [(whole(row), whole(col)) for row, col in array(value, "a list of cells", ..., 2)]
 
 
 def _difference(

@@ -36,7 +36,7 @@ KINDS: dict[str, Callable[[FloatArray, Rng], FloatArray]] = {
 }
 """Strengths of both teams (2, n), in logits, at times t (n,) from 0 to 1.
 
-`evolution/validation/synthetic_races.py` has more kinds, with which the judgement is measured.
+`evolution/validation/judgement_races.py` has more kinds, with which the judgement is measured.
 """
 
 

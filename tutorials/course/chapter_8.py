@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from course.chapter_9 import WORLD
 from course.checks import Mistake, comparison, described
-from matrixworld import Matches, Population, Program, WorldConfig, rollout
+from matrixworld import Matches, Population, Program, rollout
 from matrixworld.coevolution import RaceSettings, Results, Task
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes
 from matrixworld.world.policy import Policy
 
-WORLD = WorldConfig("S", rows=10, cols=10, n_pursuers=6, n_evaders=1, max_steps=60)
-"""Six pursuers have to surround a fleer, as in notebook 9."""
 PROGRAM = Program(fov=WORLD.fov)
 LEARNERS = {"program": {"kind": "gp", "population": 48}, "rating": {"kind": "es", "population": 32}}
 """Learners by kind of policy."""

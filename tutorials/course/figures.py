@@ -15,8 +15,7 @@ J. K. Terry et al. (2021). PettingZoo: Gym for multi-agent reinforcement learnin
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -24,8 +23,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.transforms import Bbox
 
-from course.boards import CELL, Cell, Picture, after, plan
+from course.boards import CELL, Picture, after, plan
 from matrixworld._util import colors
+from matrixworld.explorer.playground import drawn_world
 from matrixworld.plots.style import legend_below, new_figure
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.canvas import Layout
@@ -48,78 +48,46 @@ MARGIN = 7
 """Pixels around the cells, for rings that are larger."""
 
 
-@dataclass(frozen=True)
-class Situation:
-    """Agents of a small world, each with its action, and cells with obstacles."""
+class Situation(NamedTuple):
+    """A drawing of a small world, and the actions of its agents, pursuers first."""
 
     name: str
     text: str
-    rows: int
-    cols: int
-    pursuers: tuple[tuple[Cell, Action], ...]
-    evaders: tuple[tuple[Cell, Action], ...] = ()
-    obstacles: tuple[Cell, ...] = ()
-
-    @property
-    def agents(self) -> tuple[tuple[Cell, Action], ...]:
-        """All agents, pursuers first."""
-        return self.pursuers + self.evaders
+    drawing: str
+    moves: tuple[Action, ...]
 
 
 N, E, S, W = Action.NORTH, Action.EAST, Action.SOUTH, Action.WEST
 SITUATIONS = (
-    Situation("vertex", "two enter one cell", 1, 3, (((0, 0), E), ((0, 2), W))),
-    Situation("edge", "two swap their cells", 1, 2, (((0, 0), E), ((0, 1), W))),
-    Situation(
-        "following", "one enters the cell\nthat another leaves", 1, 3, (((0, 0), E), ((0, 1), E)),
-    ),
-    Situation(
-        "cycle", "each enters the cell\nof the next", 2, 2,
-        (((0, 0), E), ((0, 1), S), ((1, 1), W), ((1, 0), N)),
-    ),
-    Situation(
-        "blocked", "one follows another\nthat is stopped", 1, 3,
-        (((0, 0), E), ((0, 1), E)), obstacles=((0, 2),),
-    ),
-    Situation("obstacle", "one runs into an\nobstacle", 1, 2, (((0, 0), E),), obstacles=((0, 1),)),
-    Situation(
-        "adversary", "a pursuer and an evader\nenter one cell", 1, 3,
-        (((0, 0), E),), (((0, 2), W),),
-    ),
-)  # fmt: skip
+    Situation("vertex", "two enter one cell", "A . B", (E, W)),
+    Situation("edge", "two swap their cells", "A B", (E, W)),
+    Situation("following", "one enters the cell\nthat another leaves", "A B .", (E, E)),
+    Situation("cycle", "each enters the cell\nof the next", "A B / D C", (E, S, W, N)),
+    Situation("blocked", "one follows another\nthat is stopped", "A B #", (E, E)),
+    Situation("obstacle", "one runs into an\nobstacle", "A #", (E,)),
+    Situation("adversary", "a pursuer and an evader\nenter one cell", "A . a", (E, W)),
+)
 """The rows of the figure: the forms of a conflict between teammates, then the other kinds."""
 
 
 def world_of(situation: Situation, outcome: Outcome) -> World:
     """Return a world in a situation; every kind of collision has one outcome.
 
-    The agents of the situation come first. A world has agents of both teams: if no evader is in
-    the situation, one waits behind a wall on the right, outside of the drawing.
+    A world has agents of both teams: one more evader waits behind a wall on the right, outside of
+    the drawing.
     """
-    walled = situation.cols + 3
-    obstacles = np.zeros((situation.rows, walled), bool)
-    obstacles[:, situation.cols + 1] = True
-    for cell in situation.obstacles:
-        obstacles[cell] = True
-    pursuers = [cell for cell, _ in situation.pursuers]
-    evaders = [cell for cell, _ in situation.evaders] or [(0, walled - 1)]
     # Evaders that are surrounded: a meeting is a collision, and no capture.
     rules = Rules(
         obstacle=outcome, teammate=outcome, evader=outcome, pursuer=outcome,
         capture=Capture.SURROUND,
     )  # fmt: skip
-    world = World(
-        rules, rows=situation.rows, cols=walled, n_pursuers=len(pursuers), n_evaders=len(evaders),
-        obstacles=obstacles,
-    )  # fmt: skip
-    world.reset(0, pursuers=pursuers, evaders=evaders)
-    return world
+    first, *others = situation.drawing.split(" / ")
+    return drawn_world(rules, "/".join([f"{first} . # z", *(f"{row} . # ." for row in others)]))
 
 
-def moves_of(situation: Situation, world: World) -> list[Action]:
-    """Return the actions of all agents of a world in a situation; who is not in it waits."""
-    actions = [action for _, action in situation.agents]
-    return actions + [Action.STAY] * (world.config.n_agents - len(actions))
+def moves_of(situation: Situation) -> list[Action]:
+    """Return the actions of all agents of the world in a situation; who is not in it waits."""
+    return [*situation.moves, Action.STAY]
 
 
 def conflict_outcomes() -> Figure:
@@ -128,12 +96,12 @@ def conflict_outcomes() -> Figure:
     A row for each of `SITUATIONS`: the planned moves, then the result of the outcomes disappear,
     reach and bounce.
     """
-    heights = [HEIGHT * situation.rows + BELOW for situation in SITUATIONS]
+    heights = [HEIGHT * (1 + each.drawing.count("/")) + BELOW for each in SITUATIONS]
     figure = new_figure(8.0, 1.1 + sum(heights))
     grid = figure.subplots(len(SITUATIONS), 4, height_ratios=heights)
     for situation, panels in zip(SITUATIONS, grid, strict=True):
         world = world_of(situation, Outcome.BOUNCE)
-        _show(panels[0], plan(world, moves_of(situation, world)), situation, world)
+        _show(panels[0], plan(world, moves_of(situation)), world)
         label = f"$\\bf{{{situation.name}}}$\n{situation.text}"
         panels[0].annotate(
             label, (0, 0.5), xytext=(-10, 0), xycoords="axes fraction", textcoords="offset points",
@@ -141,7 +109,7 @@ def conflict_outcomes() -> Figure:
         )  # fmt: skip
         for axes, outcome in zip(panels[1:], OUTCOME_TEXTS, strict=True):
             world = world_of(situation, outcome)
-            _show(axes, after(world, moves_of(situation, world)), situation, world)
+            _show(axes, after(world, moves_of(situation)), world)
             texts = [conflict.text.split(": ", 1)[1] for conflict in world.conflicts]
             text = "\n".join(texts) or "no conflict: all move"
             axes.set_xlabel(text, size="small", color=colors.MUTED, labelpad=3)
@@ -151,10 +119,11 @@ def conflict_outcomes() -> Figure:
     return figure
 
 
-def _show(axes: Axes, picture: Picture, situation: Situation, world: World) -> None:
+def _show(axes: Axes, picture: Picture, world: World) -> None:
     """Show the cells of a situation, in the same scale in all panels."""
     left, top, *_ = Layout.of(world.map.shape, CELL).field
-    rows, cols, edge = situation.rows, situation.cols, MARGIN / CELL
+    (rows, cols), edge = world.map.shape, MARGIN / CELL
+    cols -= 3  # the wall on the right is not shown
     down, right = (
         slice(at - MARGIN, at + n * CELL + MARGIN) for at, n in ((top, rows), (left, cols))
     )
@@ -177,8 +146,10 @@ CROSSINGS = (
 
 def around(moves: Sequence[Action]) -> Situation:
     """Return the situation of pursuers that mean to enter the middle of 3 x 3 cells."""
-    pursuers = tuple(((1 - row, 1 - col), move) for move in moves for row, col in [MOVES[move]])
-    return Situation("", "", 3, 3, pursuers)
+    cells = np.full((3, 3), ".")
+    for letter, move in zip("ABCD", moves, strict=False):
+        cells[tuple(1 - MOVES[move])] = letter
+    return Situation("", "", " / ".join(map(" ".join, cells)), tuple(moves))
 
 
 def may_go(moves: Sequence[Action]) -> list[bool]:
@@ -197,9 +168,8 @@ def right_of_way() -> Figure:
     figure = new_figure(8.0, 2.9)
     panels = figure.subplots(1, len(CROSSINGS))
     for axes, (title, text, moves) in zip(panels, CROSSINGS, strict=True):
-        situation = around(moves)
-        world = world_of(situation, Outcome.BOUNCE)
-        _show(axes, plan(world, [Action.STAY] * world.config.n_agents), situation, world)
+        world = world_of(around(moves), Outcome.BOUNCE)
+        _show(axes, plan(world, [Action.STAY] * world.config.n_agents), world)
         for move, goes in zip(moves, may_go(moves), strict=True):
             down, right = MOVES[move].tolist()
             x, y = -right / 2, 1.5 + down / 2  # on the border of the free cell

@@ -14,6 +14,7 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+from races import DATA
 
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "evolution" / "validation"), str(ROOT / "evolution")]
@@ -23,7 +24,6 @@ from ground_truth import numbers_of
 from matrixworld._util.files import load_toml, save_arrays
 from matrixworld.coevolution import RaceSettings, SavedRun
 
-DATA = ROOT / "tutorials" / "course" / "data"
 RUNS = Path("runs", "chapter_10")
 SMALL = load_toml(ROOT / "evolution" / "small_world.toml")
 SHORT = {"match_episodes": 4, "schedule.generations": 20}

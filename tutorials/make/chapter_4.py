@@ -15,13 +15,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from penalised import finish
+from races import DATA, SMALL, counts, finish
 
 import matrixworld as mw
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score_policy
 
-DATA = Path(__file__).parents[1] / "course" / "data"
 RUNS = Path("runs/chapter_4")
 SEEDS = range(10)
 EVERY = 3  # generations from one that is scored to the next
@@ -30,31 +29,12 @@ EPISODES = 40  # of each generation against each held-out opponent
 
 def settings(seed: int) -> RaceSettings:
     """Return the settings of a race."""
-    return RaceSettings.of(
-        {
-            "schedule": "specialist-specialist",
-            "world.rows": 20,
-            "world.cols": 20,
-            "world.n_pursuers": 4,
-            "world.n_evaders": 10,
-            "policy.hidden": (16,),
-            "schedule.generations": 24,
-            "schedule.pursuer_epochs": 20,
-            "schedule.evader_epochs": 50,
-            "learner.relative_sigma": 0.0,
-            "learner.learning_rate": 0.02,
-            "learner.population": 32,
-            "train_steps": 100,
-            "world.max_steps": 200,
-            "seed": seed,
-        }
-    )
-
-
-def captured(run: SavedRun) -> np.ndarray:
-    """Return the evaders captured in all episodes of each pair, (generations, generations)."""
-    payoff = run.payoff()
-    return np.rint(payoff.scores.sum(axis=2) * run.settings.world.n_evaders).astype(np.uint8)
+    return RaceSettings.of({
+        **SMALL, "schedule": "specialist-specialist", "schedule.generations": 24,
+        "schedule.evader_epochs": 50, "world.rows": 20, "world.cols": 20, "world.n_pursuers": 4,
+        "world.n_evaders": 10, "world.max_steps": 200, "train_steps": 100,
+        "learner.population": 32, "seed": seed,
+    })  # fmt: skip
 
 
 def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:
@@ -69,16 +49,16 @@ def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:
 
 
 def main() -> None:
-    counts, held_out = [], []
+    captured, held_out = [], []
     for seed in SEEDS:
         print(f"seed {seed}", flush=True)
         run = finish(settings(seed), RUNS / str(seed))
         generations = np.arange(0, run.settings.schedule.generations + 1, EVERY)
-        counts.append(captured(run))
+        captured.append(counts(run.payoff().scores.sum(axis=2), run.settings.world.n_evaders))
         held_out.append(scores(run, generations))
     pursuer, evader = np.array(held_out).swapaxes(0, 1)
     met = run.settings.evaluation_episodes * run.settings.world.n_evaders
-    arrays = {"captured": np.array(counts), "evaders_met": np.array(met)}
+    arrays = {"captured": np.array(captured), "evaders_met": np.array(met)}
     arrays |= {"generations": generations, "pursuer": pursuer, "evader": evader}
     save_arrays(DATA / "chapter_4.npz", arrays)
 

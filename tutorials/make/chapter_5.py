@@ -13,11 +13,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from races import DATA, counts
 
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import SCHEDULES, ProgressBar, RaceSettings, evolve
 
-DATA = Path(__file__).parents[1] / "course" / "data"
 RUNS = Path("runs/chapter_5")
 SEEDS = range(10)
 EVADERS = RaceSettings().world.n_evaders
@@ -25,16 +25,10 @@ EVADERS = RaceSettings().world.n_evaders
 
 def settings_of(schedule: str, seed: int) -> RaceSettings:
     """Return the settings of a race."""
-    return RaceSettings.of(
-        {
-            "schedule": schedule,
-            "schedule.pursuer_epochs": 60,
-            "schedule.evader_epochs": 120,
-            "learner.relative_sigma": 0.0,
-            "learner.learning_rate": 0.02,
-            "seed": seed,
-        }
-    )
+    return RaceSettings.of({
+        "schedule": schedule, "schedule.pursuer_epochs": 60, "schedule.evader_epochs": 120,
+        "learner.relative_sigma": 0.0, "learner.learning_rate": 0.02, "seed": seed,
+    })  # fmt: skip
 
 
 def main() -> None:
@@ -44,7 +38,7 @@ def main() -> None:
     arrays = {"evaders": np.array(EVADERS)}
     for name in SCHEDULES:
         rates = [run.payoff().scores for run in runs if run.settings.schedule.name == name]
-        arrays[name.replace("-", "_")] = np.rint(np.stack(rates) * EVADERS).astype(np.uint8)
+        arrays[name.replace("-", "_")] = counts(np.stack(rates), EVADERS)
     save_arrays(DATA / "paper_races.npz", arrays)
 
 

@@ -12,50 +12,31 @@ samplers, seeds) the evaders that the last pursuers captured from the last evade
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import numpy as np
+from races import DATA, SMALL, counts, finish
 from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, tournament
 
-sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
-
-from penalised import finish
-
-from course.questions import DATA
-
 SAMPLERS = ("latest", "round-robin", "uniform")
 RUNS = Path("runs/chapter_6")
 SEEDS = range(10)
-SMALL = RaceSettings.of(
-    {
-        "schedule": "alternating",
-        "world.rows": 16,
-        "world.cols": 16,
-        "world.n_pursuers": 4,
-        "world.n_evaders": 8,
-        "world.fov": 9,
-        "policy.hidden": (16,),
-        "schedule.generations": 20,
-        "schedule.pursuer_epochs": 20,
-        "schedule.evader_epochs": 40,
-        "learner.relative_sigma": 0.0,
-        "learner.learning_rate": 0.02,
-        "learner.population": 32,
-        "train_steps": 100,
-        "world.max_steps": 200,
-    }
-)
+RACE = RaceSettings.of({
+    **SMALL, "schedule": "alternating", "schedule.generations": 20, "schedule.evader_epochs": 40,
+    "world.rows": 16, "world.cols": 16, "world.n_pursuers": 4, "world.n_evaders": 8, "world.fov": 9,
+    "world.max_steps": 200, "train_steps": 100, "learner.population": 32,
+})  # fmt: skip
+WORLD = RACE.world
 CROSS_EPISODES = 5
 
 
 def race(sampler: str, seed: int) -> RaceSettings:
     """Return the settings of a race whose teams meet opponents that a sampler chooses."""
-    return SMALL.changed(
+    return RACE.changed(
         {"schedule.pursuers_meet": sampler, "schedule.evaders_meet": sampler, "seed": seed}
     )
 
@@ -76,11 +57,11 @@ def numbers_of(runs: list[SavedRun]) -> dict[str, np.ndarray]:
     matches = np.array([run.log()["matches"][-1] for run in runs])
     return {
         "samplers": np.array(SAMPLERS),
-        "evaders": np.array(SMALL.world.n_evaders),
-        "captured": counts(rates, SMALL.world.n_evaders).reshape(*shape, *rates.shape[1:]),
+        "evaders": np.array(WORLD.n_evaders),
+        "captured": counts(rates, WORLD.n_evaders).reshape(*shape, *rates.shape[1:]),
         "matches": matches.reshape(shape),
         "cross_play": cross_play(runs, int(matches.min())).reshape(*shape, *shape),
-        "cross_evaders": np.array(SMALL.world.n_evaders * CROSS_EPISODES),
+        "cross_evaders": np.array(WORLD.n_evaders * CROSS_EPISODES),
     }
 
 
@@ -93,16 +74,8 @@ def cross_play(runs: list[SavedRun], budget: int) -> np.ndarray:
         )
         for team in TEAMS
     }
-    world = SMALL.world
-    played = tournament(
-        world, champions["pursuer"], champions["evader"], seed=0, episodes=CROSS_EPISODES
-    )
-    return counts(played.matrix, SMALL.world.n_evaders * CROSS_EPISODES)
-
-
-def counts(rates: np.ndarray, evaders: int) -> np.ndarray:
-    """Return capture rates as numbers of evaders."""
-    return np.rint(rates * evaders).astype(np.uint8)
+    played = tournament(WORLD, *champions.values(), seed=0, episodes=CROSS_EPISODES)
+    return counts(played.matrix, WORLD.n_evaders * CROSS_EPISODES)
 
 
 if __name__ == "__main__":

@@ -21,39 +21,21 @@ from matrixworld.coevolution import RaceSettings, SavedRun, Team, create
 from matrixworld.coevolution.types import TEAMS, FloatArray
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
-from penalised import Penalised
+from races import DATA, SMALL, Penalised, counts
 
 from course.toys import reduced_virulence
 
-DATA = Path(__file__).parents[1] / "course" / "data"
 RUNS = Path("runs/chapter_7")
 SEEDS = range(10)
 EPISODES = 30
 """Episodes of each pair that are kept, of 40, so that the file stays small."""
-EVEN = RaceSettings.of(
-    {
-        "world.rows": 12,
-        "world.cols": 12,
-        "world.n_pursuers": 4,
-        "world.n_evaders": 8,
-        "world.fov": 9,
-        "policy.hidden": (16,),
-        "learner.population": 24,
-        "schedule.generations": 14,
-        "schedule.pursuer_epochs": 20,
-        "schedule.evader_epochs": 40,
-        "learner.relative_sigma": 0.0,
-        "learner.learning_rate": 0.02,
-        "train_steps": 80,
-        "world.max_steps": 300,
-        "evaluation_episodes": 40,
-    }
-)
-RACES = {
-    "even": EVEN,
-    "few evader epochs": EVEN.changed({"schedule.evader_epochs": 2}),
-    "restrained pursuers": EVEN.changed({"schedule.evader_epochs": 2}),
-}
+EVEN = RaceSettings.of({
+    **SMALL, "schedule.generations": 14, "schedule.evader_epochs": 40, "world.rows": 12,
+    "world.cols": 12, "world.n_pursuers": 4, "world.n_evaders": 8, "world.fov": 9,
+    "world.max_steps": 300, "train_steps": 80, "learner.population": 24, "evaluation_episodes": 40,
+})  # fmt: skip
+FEW = EVEN.changed({"schedule.evader_epochs": 2})
+RACES = {"even": EVEN, "few evader epochs": FEW, "restrained pursuers": FEW}
 """Settings of the races by name, without their seeds."""
 
 
@@ -88,8 +70,7 @@ def spread(run: SavedRun) -> np.ndarray:
 
 def captures(run: SavedRun) -> np.ndarray:
     """Return the evaders captured in each episode, uint8 of shape (n, n, episodes)."""
-    rates = run.payoff().scores[..., :EPISODES]
-    return np.rint(rates * EVEN.world.n_evaders).astype(np.uint8)
+    return counts(run.payoff().scores[..., :EPISODES], EVEN.world.n_evaders)
 
 
 def main() -> None:

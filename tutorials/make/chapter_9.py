@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from races import DATA
 from tqdm import tqdm
 
 import matrixworld as mw
@@ -30,7 +31,6 @@ from matrixworld.world.masks import action_masks, forbidding_cells
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
 
 from course.chapter_9 import WORLD, idle_pack, pack, play_masked
-from course.questions import DATA
 
 PENALTIES = (0.0, 0.1, 0.3, 1.0, 3.0, 12.0, 40.0)
 SEEDS = 20

@@ -21,7 +21,7 @@ import chapter_6
 import chapter_7
 import numpy as np
 from chapter_9 import EPISODES, evolve, evolve_masked, tested_masked
-from penalised import finish
+from races import DATA, finish
 from tqdm import tqdm
 
 import matrixworld as mw
@@ -34,7 +34,6 @@ sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lie
 
 from course import chapter_3, toys
 from course.chapter_5 import noisy_race
-from course.questions import DATA
 
 KEPT = DATA / "other_seeds.npz"
 NOTEBOOKS = Path(__file__).parents[1]
@@ -176,13 +175,9 @@ def cures(seed: int) -> Effects:
         evaders = cure(name, seed).teams["evader"]
         last = mw.Population(evaders.genomes[-1:], evaders.policy)
         payoff = coevolution.tournament(
-            chapter_6.SMALL.world,
-            mw.Population(np.stack(rivals), evaders.policy),
-            last,
-            seed=0,
-            episodes=chapter_6.CROSS_EPISODES,
-            threads=1,
-        )
+            chapter_6.WORLD, mw.Population(np.stack(rivals), evaders.policy), last, seed=0,
+            episodes=chapter_6.CROSS_EPISODES, threads=1,
+        )  # fmt: skip
         escape[name] = 1 - payoff.matrix.mean()
     return {
         "transitive share of round-robin": share["round-robin"] - share["latest"],

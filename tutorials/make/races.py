@@ -1,4 +1,4 @@
-"""Runs whose evaders lose another share of their fitness where they share cells than usual."""
+"""Small races of the notebooks, whose evaders lose another share where they share cells."""
 
 from __future__ import annotations
 
@@ -6,7 +6,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from matrixworld.coevolution import RaceSettings, Run, SavedRun, create
+
+DATA = Path(__file__).parents[1] / "course" / "data"
+SMALL = {
+    "policy.hidden": (16,), "learner.relative_sigma": 0.0, "learner.learning_rate": 0.02,
+    "schedule.pursuer_epochs": 20,
+}  # fmt: skip
+"""Settings of the races of notebooks 4, 6 and 7."""
 
 
 class Penalised(Run):
@@ -21,3 +30,8 @@ def finish(settings: RaceSettings, directory: Path, penalty: float = 0.5) -> Sav
     """Return the finished run of these settings, with a penalty on evaders that share cells."""
     create(settings, directory)
     return Penalised(directory, penalty, threads=1).run()
+
+
+def counts(rates: np.ndarray, evaders: int) -> np.ndarray:
+    """Return shares of captured evaders as their numbers."""
+    return np.rint(rates * evaders).astype(np.uint8)
