@@ -33,9 +33,9 @@ PNG, GIF = b"\x89PNG", b"GIF89a"
 
 
 def words(options):
-    """Settings by the names of their fields, as options of ``evolve``."""
+    """Settings by the names of their fields, as options of ``evolve``: changes of the paper's."""
     known = {option.name for option in main.commands["evolve"].params}
-    typed = []
+    typed = [] if "game" in options else ["--paper"]
     for name, value in options.items():
         own = [option_name(name), str(value)]
         typed += own if name in known else ["--set", f"{paths_of(name)[0]}={value}"]

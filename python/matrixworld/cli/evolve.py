@@ -38,6 +38,7 @@ Examples:
   matrixworld evolve
   matrixworld evolve --out my-race --variant SB --schedule generalist-generalist
   matrixworld evolve --out my-races --seeds 0-9
+  matrixworld evolve --paper
   matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
   matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
   matrixworld evolve --resume my-race
@@ -120,6 +121,12 @@ def _shows(function: Any) -> Any:
 )
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
+    "--paper",
+    is_flag=True,
+    help="networks over cells in the paper's world, O on 40 x 40 cells, in place of ratings in the "
+    "courtyard",
+)
+@click.option(
     "--schedule",
     type=click.Choice([*ALL_SCHEDULES, Against.kind, setting_options.ALL]),
     multiple=True,
@@ -178,9 +185,10 @@ def evolve_command(
 ) -> None:
     """Let two populations evolve against each other: pursuers and evaders, or those of your game.
 
-    Without options: three races at equal numbers of training matches. In the first, each team
-    learns against the newest opponents only (specialists), in the second against living ones and a
-    hall of fame, in the third against all earlier generations (generalists). A race ends with a
+    Without options: three races at equal numbers of training matches, of policies that one can
+    read, in a world in which good teams win about half. In the first, each team learns against the
+    newest opponents only (specialists), in the second against living ones and a hall of fame, in
+    the third against all earlier generations (generalists). A race ends with a
     payoff matrix, a judgement, scores against held-out opponents and figures. With --schedule
     against the team schedule.team evolves alone, against the fixed opponents schedule.opponent: a
     script, or the last generation of a run. With --seeds there is a run of each seed.
@@ -455,7 +463,7 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
     if isinstance(schedule, Against):
         team = f"--set schedule.team={other(schedule.team)}"
         met = f"--set schedule.opponent={path}"
-        opponent = console.command("evolve --schedule against", team, met)
+        opponent = console.command(f"evolve --config {last.path / 'config.json'}", team, met)
         return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]
     more = ("Verdict on each seed:", console.command("judge --each", root))
     if not any(group.several for group in groups):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import fields, replace
 from difflib import get_close_matches
@@ -23,7 +23,7 @@ from matrixworld.coevolution import ActorCritic, OtherVersionError, RaceSettings
 from matrixworld.coevolution.pursuit import WORLD_HELP
 from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce
 from matrixworld.coevolution.sections import Section, hints_of, sections_in
-from matrixworld.coevolution.settings import paths_of
+from matrixworld.coevolution.settings import DEFAULT_RACE, paths_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 
@@ -52,8 +52,9 @@ OTHER_DEFAULTS = {
     "schedule=against, schedule.team=pursuer": Against().defaults,
     "schedule=against, schedule.team=evader": Against(team="evader").defaults,
     "learner=actor-critic": ActorCritic.defaults,
+    "without --paper and --config": DEFAULT_RACE,
 }
-"""The defaults that kinds of races and learners have of their own, by these kinds."""
+"""The defaults that kinds of races and learners have of their own, and those of the command."""
 
 
 # Values:
@@ -121,17 +122,28 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
         # "" stands for the schedule of the file.
         usual = [""] if "schedule" in file else MAIN_JOB
         names = [changes.pop("schedule")] if "schedule" in changes else usual
+    if "paper" in given and (beside := given.keys() & {"config", "game"}):
+        options.refuse_beside("--paper", [*beside])
+    is_plain = given.keys() & {"config", "paper"} or "game" in changes
     known = sections_in(HINTS["schedule"])
     own = {n: {item.name for item in fields(known[n])} if n in known else set() for n in names}
     settings = []
     with usage_errors():
-        for name in own:
+        for name, parts in own.items():
+            usual = {p: v for p, v in DEFAULT_RACE.items() if _is_part(p, parts)}
+            start = file if is_plain else {"schedule": name, **usual}
             # What this schedule lacks and another one of the job has belongs to that one.
             others = {f"schedule.{part}" for part in set().union(*own.values()) - own[name]}
             kept = {p: v for p, v in changes.items() if ".".join(p.split(".")[:2]) not in others}
             kept = {"schedule": name, **kept} if name else kept
-            settings.append(_with_runs(RaceSettings.of(file, kept)))
+            settings.append(_with_runs(RaceSettings.of(start, kept)))
     return settings
+
+
+def _is_part(path: str, parts: Collection[str]) -> bool:
+    """Return whether a path is one of a schedule with these parts, or of no schedule."""
+    section, _, name = path.partition(".")
+    return section != "schedule" or name in parts
 
 
 def _with_runs(settings: RaceSettings) -> RaceSettings:

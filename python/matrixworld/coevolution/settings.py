@@ -369,6 +369,14 @@ class RaceSettings(Section):
         return cls(**given)
 
 
+DEFAULT_RACE: Mapping[str, Any] = {
+    "world": "courtyard", "policy": "rating", "policy.initial_weight": 0.2,
+    "learner.population": 12, "learner.sigma": 0.3, "learner.learning_rate": 0.0025,
+    "schedule.pursuer_epochs": 20, "schedule.evader_epochs": 20, "schedule.joint_epochs": 10,
+}  # fmt: skip
+"""What the command ``matrixworld evolve`` starts from: policies that one can read, in a world in
+which good teams win about half. ``RaceSettings()`` has the paper's world and networks, as
+``evolve --paper`` has them. A schedule takes the epochs that it has."""
 SHORT = {"variant": ("world.rules",), "size": ("world.rows", "world.cols")}
 """Names of settings that are not the last part of their path."""
 
