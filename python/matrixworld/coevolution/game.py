@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from PIL import Image
 
 from matrixworld._util import checks
-from matrixworld.coevolution.sections import PATH, Section, documented, imported, no_exit, setting
+from matrixworld.coevolution.sections import PATH, Section, imported, no_exit, section, setting
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Matches, Rng, Team
 
 Play = Callable[[Genomes, Genomes, Rng], ArrayLike]
@@ -259,8 +259,7 @@ class Game:
 # Games of your own, by name:
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class OwnGame(Section):
     """A game of your own: its name, and what a run must know of it without an import."""
 

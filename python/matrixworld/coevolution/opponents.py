@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.games import nash_averaging
-from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
+from matrixworld.coevolution.sections import OwnCode, Section, section, setting
 from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
 
 __all__ = [
@@ -39,7 +38,7 @@ WEIGHT_DECIMALS = 6
 """Decimals of the weights of a mixture: the last bits differ from processor to processor."""
 
 
-@dataclass(frozen=True)
+@section
 class Opponents(Section):
     """Base of the samplers of opponents. A sampler is its settings; its state is a dict of arrays.
 
@@ -79,8 +78,7 @@ class Opponents(Section):
         return state
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class Latest(Opponents):
     """The newest opponents: ``available - 1, available - 2, ...``."""
 
@@ -91,8 +89,7 @@ class Latest(Opponents):
         return np.arange(available)[::-1][:count]
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class Uniform(Opponents):
     """Opponents drawn evenly without replacement.
 
@@ -107,8 +104,7 @@ class Uniform(Opponents):
         return rng.choice(available, size=min(count, available), replace=False)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class RoundRobin(Opponents):
     """All opponents in turn: ``epoch mod available``, as the paper's generalists.
 
@@ -124,8 +120,7 @@ class RoundRobin(Opponents):
         return np.asarray((epoch * count + turns) % available)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class NewestAndOlder(Opponents):
     """Half of the opponents are the newest, and the other half, or one more, older ones by chance.
 
@@ -157,8 +152,7 @@ WEIGHTINGS: dict[str, Callable[[FloatArray], FloatArray]] = {
 beaten, or on those that are beaten half of the time."""
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class Prioritized(Opponents):
     """Opponents drawn with probability ~ f(win rate), without replacement.
 
@@ -247,8 +241,7 @@ def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
     return np.asarray(order[chosen], dtype=np.intp)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class SharedSampling(Opponents):
     """Strong and different opponents, by the last scores against each (`shared_sample`).
 
@@ -282,8 +275,7 @@ def _known(beats: FloatArray, size: int) -> FloatArray:
     return np.pad(beats, ((0, max(0, size - len(beats))), (0, 0)), constant_values=1.0)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class NashOpponents(Opponents):
     """Opponents drawn from a Nash mixture of all generations: policy-space response oracles (PSRO).
 
@@ -333,8 +325,7 @@ class NashOpponents(Opponents):
         return rng.choice(support, size=size, replace=False, p=weights[support])
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class OwnOpponents(OwnCode):
     """Opponents by a sampler of your own (see `Opponents`)."""
 

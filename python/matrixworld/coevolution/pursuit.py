@@ -115,7 +115,7 @@ def _mask(default: str, more: str = "") -> Any:
     )
 
 
-@dataclass(frozen=True)
+@sections.section
 class PolicySettings(Section):
     """Base of the settings of policies: both teams have policies of the same shape."""
 
@@ -139,8 +139,7 @@ class PolicySettings(Section):
         return None
 
 
-@sections.documented
-@dataclass(frozen=True)
+@sections.section
 class Cells(PolicySettings):
     """Networks that see the cells of the view."""
 
@@ -174,8 +173,7 @@ class Cells(PolicySettings):
         return masks.mask_weights(self.policy(world), cells)
 
 
-@sections.documented
-@dataclass(frozen=True)
+@sections.section
 class Ratings(PolicySettings):
     """Small networks that rate each move by named inputs of the cell that it leads to."""
 
@@ -193,8 +191,7 @@ class Ratings(PolicySettings):
         return Rating(fov=world.fov, n_actions=world.n_actions, **shape)
 
 
-@sections.documented
-@dataclass(frozen=True)
+@sections.section
 class Programs(PolicySettings):
     """Programs that rate each move by named inputs of the cell that it leads to."""
 

@@ -24,7 +24,6 @@ import math
 import re
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -44,7 +43,7 @@ from matrixworld.coevolution.opponents import (
     Uniform,
 )
 from matrixworld.coevolution.pursuit import SCRIPTS
-from matrixworld.coevolution.sections import Section, by_race, documented, kinds_in, setting
+from matrixworld.coevolution.sections import Section, by_race, kinds_in, section, setting
 from matrixworld.coevolution.seeding import Phase, Purpose, training_seeds
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Payoff, Team, other
 
@@ -54,7 +53,7 @@ if TYPE_CHECKING:
 CONFIDENCE = 0.95  # probability with which an interval of the summary covers the true mean
 
 
-@dataclass(frozen=True)
+@section
 class Race(Section):
     """Base of the kinds of races."""
 
@@ -130,7 +129,7 @@ class Race(Section):
         return self.stages_per_generation * (self.entries - 1)
 
 
-@dataclass(frozen=True)
+@section
 class OfGenerations(Race):
     """Base of the races in which both teams learn."""
 
@@ -171,8 +170,7 @@ HIDES_CYCLING = (
 """By ``evolution/race_budgets.py``; epochs of pursuers and of evaders."""
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class InTurns(OfGenerations):
     """The teams learn in turns, against archived opponents that their samplers choose.
 
@@ -297,8 +295,7 @@ def match_seeds(run: RunInMemory, team: Team, generation: int, epoch: int, met: 
 # At the same time:
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class AtOnce(OfGenerations):
     """Both teams learn at the same time, from living opponents and a hall of fame.
 
@@ -450,8 +447,7 @@ def table_of_individuals(
 # Against fixed opponents:
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class Against(Race):
     """One team learns alone, against fixed opponents, one of them in each epoch.
 

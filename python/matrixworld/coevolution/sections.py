@@ -24,6 +24,7 @@ from types import NoneType
 from typing import Any, ClassVar, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
+from typing_extensions import dataclass_transform
 
 from matrixworld._util import checks
 
@@ -72,8 +73,10 @@ def by_race(default: Any, text: str, **limits: Any) -> Any:
     return setting(default, text, by_race=True, **limits)
 
 
-def documented(cls: type[AnySection]) -> type[AnySection]:
-    """Add the help texts of the fields to a docstring, as its section of parameters."""
+@dataclass_transform(frozen_default=True)
+def section(cls: type[AnySection]) -> type[AnySection]:
+    """Make a class a frozen dataclass whose docstring has the help texts of its fields."""
+    cls = dataclass(frozen=True)(cls)
     lines = [cleandoc(cls.__doc__ or ""), "", "Parameters", "----------"]
     for item in fields(cls):
         lines += [f"{item.name} : {item.type}, optional", f"    {item.metadata['help']}"]
@@ -126,7 +129,7 @@ def no_exit(where: str) -> Iterator[None]:
         raise PluginError(f"{where}: code of your own called exit") from error
 
 
-@dataclass(frozen=True)
+@section
 class OwnCode(Section):
     """Base of what stands for a section of your own: its name, and its settings.
 

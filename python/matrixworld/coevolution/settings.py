@@ -6,7 +6,7 @@ The number of threads is not a setting, because results do not depend on it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from difflib import get_close_matches
 from functools import cached_property, partial
 from typing import Any
@@ -28,8 +28,7 @@ OF_PURSUIT = ("world", "policy", "train_steps", "training_worlds")
 """Settings that a game of your own has not."""
 
 
-@sections.documented
-@dataclass(frozen=True)
+@sections.section
 class RaceSettings(Section):
     """Settings of a run: a race, in which both teams learn, or one team `Against` fixed opponents.
 

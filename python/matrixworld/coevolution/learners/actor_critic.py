@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from itertools import chain, cycle, islice, pairwise
 from math import sqrt
@@ -27,7 +26,7 @@ from matrixworld.coevolution import pursuit, types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.pursuit import Cells, Experience, Network, Pursuit, Reals, Views
-from matrixworld.coevolution.sections import documented, setting
+from matrixworld.coevolution.sections import section, setting
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import Genome, Genomes, Indices, Rng, State, Team
 from matrixworld.version import imported
@@ -187,8 +186,7 @@ def orthogonal(sizes: tuple[int, ...], rng: Rng, *, head: float = 1.0) -> Genome
     return np.concatenate(parts).astype(np.float32)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class ActorCritic(learner.Learner):
     """Actor-critic: policy gradient with generalized advantage estimation.
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
 from matrixworld._util.checks import shown
 from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.sections import by_race, documented, setting
+from matrixworld.coevolution.sections import by_race, section, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 
@@ -22,8 +21,7 @@ def centred_ranks(fitness: FloatArray) -> FloatArray:
     return (below + not_above - 1) / (2 * (len(fitness) - 1)) - 0.5
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class EvolutionStrategy(learner.Learner):
     """An evolution strategy with mirrored samples and ranks.
 

@@ -7,7 +7,6 @@ DEAP, mating and mutation change their argument and return it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -15,7 +14,7 @@ from deap import base
 
 from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.learners.learner import fittest, select_tournament
-from matrixworld.coevolution.sections import by_race, documented, setting
+from matrixworld.coevolution.sections import by_race, section, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 TOURNAMENT = 5  # individuals in a tournament, unless another number is given
@@ -53,8 +52,7 @@ def mutate(genomes: Genomes, rng: Rng, *, state: State, sigma: float) -> Genomes
     return genomes
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class GeneticAlgorithm(learner.Learner):
     """A generational genetic algorithm with elitism, its operators in a DEAP toolbox.
 

@@ -8,7 +8,6 @@ Python's global `random`.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, ClassVar, TypeAlias
 
@@ -18,7 +17,7 @@ from deap import gp
 from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.learners.learner import fittest, select_tournament
 from matrixworld.coevolution.pursuit import OPERATIONS, Program, policy_of
-from matrixworld.coevolution.sections import by_race, documented, setting
+from matrixworld.coevolution.sections import by_race, section, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 Tree: TypeAlias = gp.PrimitiveTree
@@ -130,8 +129,7 @@ def select_twice(
     return chosen
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class GeneticProgramming(learner.Learner):
     """Genetic programming of rating programs.
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from matrixworld._util.checks import check_floats, shown
 from matrixworld.coevolution import types
 from matrixworld.coevolution.game import Game
-from matrixworld.coevolution.sections import PluginError, Section, by_race
+from matrixworld.coevolution.sections import PluginError, Section, by_race, section
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
@@ -88,7 +88,7 @@ class Results:
     experience: Callable[..., Any] = _no_experience
 
 
-@dataclass(frozen=True)
+@section
 class Learner(Section):
     """Base of the learners. A learner is its settings; its state is a dict of arrays.
 
