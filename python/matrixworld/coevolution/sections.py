@@ -28,7 +28,6 @@ from typing_extensions import dataclass_transform
 
 from matrixworld._util import checks
 
-RECIPES = "docs/how_to_add.md"
 AnySection = TypeVar("AnySection", bound="Section")
 
 
@@ -310,15 +309,7 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     own: Any = known.get("own")
     if own is not None and isinstance(given, own.base):
         given = own.named(given)
-    if isinstance(given, str) or (isinstance(given, type) and issubclass(given, Section)):
-        given = {"kind": given}
-    if not isinstance(given, Mapping):
-        names = [each.__name__ for each in known.values() if each.kind != "own"]
-        if "own" in known:
-            names.append(f"class derived from {known['own'].base.__name__} ({RECIPES})")  # type: ignore[attr-defined]
-        expected = " or ".join(dict.fromkeys(names))
-        raise TypeError(f"{item.name}: expected {expected}, got {checks.shown(given)}")
-    changes = dict(given)
+    changes = dict(given) if isinstance(given, Mapping) else {"kind": given}
     usual = before or item.metadata["default"]
     if "kind" in changes or usual is None:
         cls, sets = _named(item.name, hint, changes.pop("kind", None))
@@ -332,19 +323,22 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
 
 def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str, Any]]:
     """Return the section of a kind, a shorthand or own code, and the fields that this sets."""
-    known, names = sections_in(hint), kinds_in(hint)
+    known: Any = sections_in(hint)
+    names = kinds_in(hint)
     if isinstance(kind, str) and kind in known:
         return known[kind], known[kind].shorthands.get(kind, {})
     if "own" in known:
-        if isinstance(kind, type):
+        if isinstance(kind, type) and issubclass(kind, Section):
             kind = name_of(kind)
         if isinstance(kind, str) and PATH.fullmatch(kind):
             return known["own"], {"code": kind}
         names.append("or module:object" if names else "module:object")
-    expected = ", ".join(names) if names else known[""].__name__
-    if len(names) > 1:
-        expected = f"one of {expected}"
-    raise ValueError(f"{name}: expected {expected}, got {checks.shown(kind)}")
+        if not isinstance(kind, str):
+            base = known["own"].base.__name__
+            names.append(f"or a class derived from {base} (docs/how_to_add.md)")
+    expected = f"{'one of ' * (len(names) > 1)}{', '.join(names) or known[''].__name__}"
+    error = ValueError if isinstance(kind, str) else TypeError
+    raise error(f"{name}: expected {expected}, got {checks.shown(kind)}")
 
 
 # Sections as values that JSON and TOML can hold:
@@ -357,18 +351,14 @@ def merged(
 
     A section in it that stays of its class keeps what is not changed.
     """
-    check_names(changes, [item.name for item in fields(cls)])
-    values = dict(before)
-    for item in fields(cls):
-        if item.name not in changes:
-            continue
-        change, hint = changes[item.name], hints_of(cls)[item.name]
+    known, values = {item.name: item for item in fields(cls)}, dict(before)
+    check_names(changes, known)
+    for name, change in changes.items():
+        hint, earlier = hints_of(cls)[name], before.get(name)
         if sections_in(hint) and change is not None:
-            values[item.name] = _section(item, hint, values.get(item.name), change)
-        elif isinstance(change, Mapping):
-            values[item.name] = _joined(values.get(item.name), change)
+            values[name] = _section(known[name], hint, earlier, change)
         else:
-            values[item.name] = change
+            values[name] = _joined(earlier, change)
     return values
 
 
