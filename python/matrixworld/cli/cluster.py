@@ -11,8 +11,7 @@ from typing import Any
 import click
 import numpy as np
 
-from matrixworld._util.checks import usable_cores
-from matrixworld._util.files import DamagedFileError, read_json
+from matrixworld._util import checks, files
 from matrixworld.coevolution.jobs import without_interrupts
 from matrixworld.version import __version__, imported
 
@@ -42,7 +41,7 @@ def on_cluster(where: str | None, threads: int | None = None) -> Iterator[Execut
         if where == AUTO:
             with without_interrupts():
                 local = dask.LocalCluster(
-                    n_workers=usable_cores(),
+                    n_workers=checks.usable_cores(),
                     threads_per_worker=1,
                     host="127.0.0.1",
                     dashboard_address="127.0.0.1:0",
@@ -54,10 +53,10 @@ def on_cluster(where: str | None, threads: int | None = None) -> Iterator[Execut
                 address = stack.enter_context(local)
         elif address is None:
             file = Path(where)
-            address = read_json(file).get("address")
+            address = files.read_json(file).get("address")
             if not isinstance(address, str):
                 problem = "expected a scheduler file of Dask, got no address in it"
-                raise DamagedFileError(file, problem)
+                raise files.DamagedFileError(file, problem)
         client = stack.enter_context(
             dask.Client(address, timeout=CONNECT_SECONDS, set_as_default=False)
         )

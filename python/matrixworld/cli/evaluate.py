@@ -12,18 +12,15 @@ import click
 from matrixworld import analysis
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
+from matrixworld.analysis import intervals
 from matrixworld.analysis import judgement as judgements
-from matrixworld.analysis.intervals import fewest_runs
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, TEAMS, Payoffs
-from matrixworld.cli import console, options
-from matrixworld.cli.cluster import on_cluster
+from matrixworld.cli import cluster, console, options
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import Progress, ProgressBar, open_run, tournament, types
+from matrixworld.coevolution import Progress, ProgressBar, open_run, storage, tournament, types
 from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.explanation import EPISODES
 from matrixworld.coevolution.groups import RunGroup, by_clarity
-from matrixworld.coevolution.storage import find_runs
-from matrixworld.coevolution.types import team_size
 
 # Judgements:
 
@@ -168,7 +165,7 @@ LEGEND = (
 )
 SEEDS_LEGEND = (
     "In brackets: 95% interval of the mean over seeds. In the mean every opponent has the same "
-    f"weight. The interval of an interquartile mean takes {fewest_runs()} seeds."
+    f"weight. The interval of an interquartile mean takes {intervals.fewest_runs()} seeds."
 )
 
 
@@ -214,7 +211,7 @@ def score_command(
     with usage_errors():
         groups = options.finished_groups(runs, unfinished=True)
         every = [run for group in groups for run in group.runs]
-        with on_cluster(where, threads) as executor, ProgressBar() as bar:
+        with cluster.on_cluster(where, threads) as executor, ProgressBar() as bar:
             play = {"threads": threads, "executor": executor, "report": bar, **chosen}
             played = held_out.score_runs(every, **play)
             trained = [
@@ -295,14 +292,14 @@ def tournament_command(
     """
     from matrixworld import plots
 
-    runs = (find_runs(run) if race is None else []) or [options.run_in(run, race)]
+    runs = (storage.find_runs(run) if race is None else []) or [options.run_in(run, race)]
     for played in map(open_run, runs):
         target = played.path / f"tournament-{episodes}-seed{seed}.npz"
         figure = target.with_suffix(".png")
         options.check_outputs(target, figure, force=force)
         first, second = teams = [*played.teams.values()]
-        total = team_size(first) * team_size(second) * episodes
-        with on_cluster(where, threads) as executor, ProgressBar() as bar:
+        total = types.team_size(first) * types.team_size(second) * episodes
+        with cluster.on_cluster(where, threads) as executor, ProgressBar() as bar:
             on_row = partial(_tell, bar, total)
             on_row(0)  # the first row may take minutes, and the bar should be there before
             play: Any = {"episodes": episodes, "threads": threads, "executor": executor}

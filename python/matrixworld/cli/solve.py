@@ -11,7 +11,6 @@ import click
 
 from matrixworld.analysis import interval_over_runs
 from matrixworld.cli import console, options
-from matrixworld.cli.console import print_head, print_wrapped, say
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import ProgressBar, Team
 from matrixworld.coevolution.evaluation.scores import SCORE
@@ -77,7 +76,7 @@ def solve_command(
             with ProgressBar(after=1.0) as bar:
                 found = {group.name: _solve_runs(group, threads, bar) for group in groups}
             numbers = {"groups": found}
-    print_wrapped(SOLVE_LEGEND if run is None else f"\n{RUN_LEGEND}")
+    console.print_wrapped(SOLVE_LEGEND if run is None else f"\n{RUN_LEGEND}")
     options.write_json(json_file, numbers)
 
 
@@ -93,9 +92,9 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
         solution = solve(States(config, threads=threads, report=bar.share))
     seconds = time.perf_counter() - began
     size = f"{config.rows} x {config.cols} cells"
-    print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
-    say(solution)
-    say(f"It took {seconds:.2f} seconds.\n")
+    console.print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
+    console.say(solution)
+    console.say(f"It took {seconds:.2f} seconds.\n")
     return {
         "world": config.to_json(),
         "value": solution.value,
@@ -129,9 +128,9 @@ def _solve_runs(group: RunGroup, threads: int | None, bar: ProgressBar) -> dict[
         if len(group.runs) > 1:
             means = (interval_over_runs(columns[name]) for name in ("gain", "exploitability"))
             rows.append(["mean", "", "", *map(str, means)])
-        print_head(f"{group.name}: exact {rate} against the last {champion}s")
+        console.print_head(f"{group.name}: exact {rate} against the last {champion}s")
         console.print_table(rows, ">>><<")
-        print_wrapped(f"Under perfect play of both teams the {rate} is {perfect:.3f}.")
+        console.print_wrapped(f"Under perfect play of both teams the {rate} is {perfect:.3f}.")
         found[f"{champion}s"] = columns
     console.print_missing(group)
     return found

@@ -25,14 +25,10 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util import checks
-from matrixworld._util.files import DamagedFileError, sentence_of
-from matrixworld._util.imports import HAS_PROCESSES
-from matrixworld.coevolution import progress, run, storage, types
+from matrixworld._util import checks, files, imports
+from matrixworld.coevolution import progress, pursuit, run, storage, types
 from matrixworld.coevolution.learners.learner import table_length
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
-from matrixworld.coevolution.pursuit import CHANNELS, SCRIPTS, Pursuit, world_name
-from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.settings import RaceSettings
 
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
@@ -87,7 +83,7 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
     absolute: dict[str, Any] = {
         name: str(Path(path).absolute())
         for name, path in paths.items()
-        if path is not None and path not in SCRIPTS
+        if path is not None and path not in pursuit.SCRIPTS
     }
     return replace(settings, schedule=replace(settings.schedule, **absolute))
 
@@ -101,7 +97,7 @@ def default_directory(job: Job) -> Path:
         named = ",".join(map(str, seeds[:MOST_NAMED])) + ",..." * (len(seeds) > MOST_NAMED)
     seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
     what = "" if settings.is_race else f"-{settings.schedule.name}"
-    world = settings.world and world_name(settings.world)
+    world = settings.world and pursuit.world_name(settings.world)
     first = RUNS / f"{world or settings.variant}{what}-{seed}"
     others = (first.with_name(f"{first.name}-{number}") for number in itertools.count(2))
     return next(path for path in itertools.chain([first], others) if not path.exists())
@@ -144,7 +140,7 @@ class FailedRunsError(RuntimeError):
 
 def described(path: Path, error: BaseException) -> str:
     """Return an error of a run in words, without the path if the message begins with it."""
-    kind, text = type(error), sentence_of(error) or type(error).__name__
+    kind, text = type(error), files.sentence_of(error) or type(error).__name__
     # Such as KeyError, in the user's own code: its message alone says little.
     if kind.__module__ == "builtins" and not isinstance(error, OSError | ValueError):
         text = f"{kind.__name__}: {error}"
@@ -307,10 +303,10 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
         "payoff": 90 * pairs * settings.evaluation_episodes,  # what a tournament keeps
     }
     if any("fitness" in each.ignores for each in learners):  # views, for actor and critic
-        assert isinstance(game, Pursuit)  # as these learners need
+        assert isinstance(game, pursuit.Pursuit)  # as these learners need
         worlds = settings.training_worlds or [replace(game.world, max_steps=settings.train_steps)]
         steps = max(w.max_steps * max(w.n_pursuers, w.n_evaders) for w in worlds)
-        needed["views"] = 4 * episodes * steps * CHANNELS * game.world.fov**2
+        needed["views"] = 4 * episodes * steps * pursuit.CHANNELS * game.world.fov**2
     return needed
 
 
@@ -349,7 +345,7 @@ def play_job(
     left = sorted((n for n in job if n not in watch.ended), key=lambda n: job[n].seed)
     # No other process can import what is in a notebook.
     here = any(each.game and each.game.code.startswith("__main__:") for each in job.values())
-    if executor is None and (len(left) == 1 or here or not HAS_PROCESSES):
+    if executor is None and (len(left) == 1 or here or not imports.HAS_PROCESSES):
         for name in left:
             _play_here(watch, name, threads)
     elif left:
@@ -371,7 +367,7 @@ def _play_here(watch: _Watch, name: str, threads: int | None) -> None:
     on_epoch = watch.on_epoch if len(watch.job) == 1 else None  # the watch tells of several runs
     called = {} if name == ITSELF else {"run": name}
     try:
-        finish(
+        run.finish(
             watch.root / name,
             threads=threads,
             report=lambda now: watch.tell({name: now}),
@@ -394,7 +390,7 @@ def _submitted(
         with without_interrupts():  # which the processes inherit that this starts
             for name in names:
                 path = (root / name).absolute()
-                futures[executor.submit(finish, path, threads=threads)] = name
+                futures[executor.submit(run.finish, path, threads=threads)] = name
         yield futures
     except BaseException:
         # After Ctrl-C or an error: what has not begun does not begin.
@@ -443,7 +439,7 @@ class _Watch:
             # A run that is a job of its own is restored in any case, to tell of any damage.
             if name != ITSELF and storage.SavedRun(self.root / name).finished:
                 self.end(name)
-        except (DamagedFileError, storage.OtherVersionError, OSError, ValueError) as error:
+        except (files.DamagedFileError, storage.OtherVersionError, OSError, ValueError) as error:
             self.fail(name, error)
 
     def fail(self, name: str, error: BaseException) -> None:

@@ -31,20 +31,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from matrixworld._util.checks import check_choice, check_integer
-from matrixworld.analysis.intervals import does_not_vary, t_ends
-from matrixworld.analysis.payoffs import in_words_of
-from matrixworld.coevolution import types
-from matrixworld.coevolution.opponents import (
-    AnyOpponents,
-    NashOpponents,
-    Opponents,
-    OwnOpponents,
-    RoundRobin,
-    Uniform,
-)
-from matrixworld.coevolution.pursuit import SCRIPTS
+from matrixworld.analysis import intervals, payoffs
+from matrixworld.coevolution import opponents as samplers
+from matrixworld.coevolution import pursuit, seeding, types
 from matrixworld.coevolution.sections import Section, by_race, kinds_in, section, setting
-from matrixworld.coevolution.seeding import Phase, Purpose, training_seeds
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Payoff, Team, other
 
 if TYPE_CHECKING:
@@ -105,9 +95,9 @@ class Race(Section):
         """Return the epochs of all stages before one."""
         return sum(map(self.epochs_in, range(stage)))
 
-    def sampler(self, team: Team) -> Opponents:
+    def sampler(self, team: Team) -> samplers.Opponents:
         """Return how a team chooses opponents; imports code of your own."""
-        return RoundRobin()
+        return samplers.RoundRobin()
 
     @abstractmethod
     def learn(self, run: RunInMemory, stage: int) -> None:
@@ -120,7 +110,7 @@ class Race(Section):
     def summary(self, run: Run, payoff: Payoff) -> dict[str, Any]:
         """Return what summary.json holds besides counts."""
         teams = run.settings.teams
-        stretches = [in_words_of(teams, str(stretch)) for stretch in run.disengagements()]
+        stretches = [payoffs.in_words_of(teams, str(stretch)) for stretch in run.disengagements()]
         return {"disengagement": stretches}
 
     @property
@@ -134,12 +124,12 @@ class OfGenerations(Race):
     """Base of the races in which both teams learn."""
 
     generations: int = setting(30, "generations after the untrained generation 0", least=1)
-    pursuers_meet: AnyOpponents = setting(
-        Uniform(), f"which evaders pursuers meet: {', '.join(kinds_in(AnyOpponents))} or "
-        "module:object",
-    )  # fmt: skip
-    evaders_meet: AnyOpponents = setting(
-        Uniform(), "which pursuers evaders meet; as for the pursuers"
+    pursuers_meet: samplers.AnyOpponents = setting(
+        samplers.Uniform(),
+        f"whom pursuers meet: {', '.join(kinds_in(samplers.AnyOpponents))} or module:object",
+    )
+    evaders_meet: samplers.AnyOpponents = setting(
+        samplers.Uniform(), "whom evaders meet; as for the pursuers"
     )
 
     @property
@@ -147,10 +137,10 @@ class OfGenerations(Race):
         """Genomes in the archive of a team at the end of a race."""
         return 1 + self.generations
 
-    def sampler(self, team: Team) -> Opponents:
+    def sampler(self, team: Team) -> samplers.Opponents:
         """Return how a team chooses opponents; imports code of your own."""
         met = self.pursuers_meet if team == "pursuer" else self.evaders_meet
-        sampler: Opponents = met.load() if isinstance(met, OwnOpponents) else met
+        sampler: samplers.Opponents = met.load() if isinstance(met, samplers.OwnOpponents) else met
         return sampler
 
 
@@ -200,7 +190,7 @@ class InTurns(OfGenerations):
     @property
     def name(self) -> str:
         """The name in the paper of a schedule that has one, "psro", or "alternating"."""
-        if self.pursuers_meet.kind == self.evaders_meet.kind == NashOpponents.kind:
+        if self.pursuers_meet.kind == self.evaders_meet.kind == samplers.NashOpponents.kind:
             return PSRO
         kinds = (self.pursuers_meet.kind, self.evaders_meet.kind)
         names = [name for name, each in PAPER.items() if kinds == tuple(each.values())]
@@ -265,7 +255,7 @@ def improve(
     for epoch in epochs:
         run.begin_epoch(team, generation, epoch)
         candidates = run.ask(team, generation, epoch)
-        rng = run.generator(Purpose.OPPONENTS, team, generation, epoch)
+        rng = run.generator(seeding.Purpose.OPPONENTS, team, generation, epoch)
         met = run.sample(team, types.team_size(opponents), count, epoch, rng)
         seeds = match_seeds(run, team, generation, epoch, met)
         scores = run.play_candidates(team, candidates, opponents, met, seeds)
@@ -286,9 +276,9 @@ def match_seeds(run: RunInMemory, team: Team, generation: int, epoch: int, met: 
     for opponent in map(int, met):
         # They depend on both generations, so that no two phases play the same episodes.
         pair = (generation, opponent) if team == "pursuer" else (opponent, generation)
-        phase = Phase.PURSUERS_LEARN if team == "pursuer" else Phase.EVADERS_LEARN
+        phase = seeding.Phase.PURSUERS_LEARN if team == "pursuer" else seeding.Phase.EVADERS_LEARN
         count = int(groups.max()) + 1
-        seeds.append(training_seeds(run.settings.seed, *pair, phase, epoch, count)[groups])
+        seeds.append(seeding.training_seeds(run.settings.seed, *pair, phase, epoch, count)[groups])
     return np.stack(seeds, axis=1)
 
 
@@ -326,7 +316,7 @@ class AtOnce(OfGenerations):
         if not self.opponents_met:
             raise ValueError("contemporaries and hall_sample: expected at least 1 opponent, got 0")
         for name in ("pursuers_meet", "evaders_meet"):
-            if not self.hall_sample and getattr(self, name) != Uniform():
+            if not self.hall_sample and getattr(self, name) != samplers.Uniform():
                 raise ValueError(f"{name}: expected no value with a hall_sample of 0")
 
     @property
@@ -368,7 +358,7 @@ class AtOnce(OfGenerations):
         Returns the fitness (n,), all possible opponents, and those of the fittest, of each team.
         """
         # One for both teams: their matches are drawn together.
-        rng = run.generator(Purpose.OPPONENTS, "pursuer", generation, epoch)
+        rng = run.generator(seeding.Purpose.OPPONENTS, "pursuer", generation, epoch)
         sampled: dict[Team, Indices] = dict.fromkeys(TEAMS, np.zeros(0, dtype=np.intp))
         if self.hall_sample:
             size = len(run.archive["pursuer"])
@@ -382,8 +372,8 @@ class AtOnce(OfGenerations):
             team: run.population(team, np.concatenate([populations[team], halls[team]]))
             for team in TEAMS
         }
-        key = (run.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch)
-        seeds = training_seeds(*key, int(group.max()) + 1)[group]
+        key = (run.settings.seed, generation, generation, seeding.Phase.BOTH_LEARN, epoch)
+        seeds = seeding.training_seeds(*key, int(group.max()) + 1)[group]
         scores = run.play(everyone["pursuer"], everyone["evader"], (pursuers, evaders, seeds))
         found: dict[Team, tuple[FloatArray, Any, Indices]] = {}
         players = dict(zip(TEAMS, (pursuers, evaders), strict=True))
@@ -466,7 +456,7 @@ class Against(Race):
 
     team: Team = setting("pursuer", "team that learns: pursuer or evader", choices=TEAMS)
     opponent: str = setting(
-        "random", f"{', '.join(SCRIPTS)}, or a run directory (its last generation)"
+        "random", f"{', '.join(pursuit.SCRIPTS)}, or a run directory (its last generation)"
     )
     start: str | None = setting(
         None, "run directory; start from its last generation instead of an untrained genome"
@@ -552,8 +542,8 @@ class Against(Race):
         for name, episodes, most in rows:
             values = np.asarray(episodes, dtype=np.float64).ravel()
             # Equal episodes say nothing of their spread: the interval would have a width of 0.
-            varies = not does_not_vary(values)
-            low, high = t_ends(values, CONFIDENCE, (0.0, most)) if varies else (None, None)
+            same = intervals.does_not_vary(values)
+            low, high = (None, None) if same else intervals.t_ends(values, CONFIDENCE, (0.0, most))
             found |= {
                 name: float(values.mean()),
                 f"{name}_low": low,
@@ -564,8 +554,8 @@ class Against(Race):
 
 
 SCHEDULES: dict[str, InTurns] = {
-    name: InTurns(**samplers)  # type: ignore[arg-type]  # a text stands for a section
-    for name, samplers in PAPER.items()
+    name: InTurns(**kinds)  # type: ignore[arg-type]  # a text stands for a section
+    for name, kinds in PAPER.items()
 }
 """The paper's schedules by name."""
 ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)  # names of all schedules of races

@@ -17,11 +17,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld import analysis
-from matrixworld._util import checks
-from matrixworld._util.readable import Parts, Readable, plain_values
-from matrixworld.analysis import Estimate
-from matrixworld.analysis.intervals import LEVEL, t_ends
+from matrixworld import analysis, version
+from matrixworld._util import checks, readable
+from matrixworld.analysis import Estimate, intervals
+from matrixworld.coevolution import seeding, storage
 from matrixworld.coevolution.evaluation.scores import (
     SCORE,
     opponents_in,
@@ -29,12 +28,9 @@ from matrixworld.coevolution.evaluation.scores import (
     score_policy,
 )
 from matrixworld.coevolution.progress import Progress, Report, silent
-from matrixworld.coevolution.seeding import Phase, match_seed
-from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import FloatArray, Genome, Team
 from matrixworld.episodes.record import record
 from matrixworld.play.policies import GenomePolicy, NetworkPolicy, RatingPolicy
-from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.rating import INPUTS
@@ -108,7 +104,7 @@ class Tree(NamedTuple):
 
 
 @dataclass(frozen=True, repr=False)
-class Explanation(Readable):
+class Explanation(readable.Readable):
     """What a team does: of what rates moves its `terms`, of a network a `tree` that imitates it."""
 
     team: Team
@@ -119,7 +115,7 @@ class Explanation(Readable):
     terms: tuple[Term, ...] = ()
     tree: Tree | None = None
 
-    def _parts(self) -> Parts:
+    def _parts(self) -> readable.Parts:
         kind = SCORE[self.team]
         told = [self.sentence, f"{kind.capitalize()} against held-out opponents: {self.score}"]
         if self.tree:
@@ -147,7 +143,7 @@ class Explanation(Readable):
 
     def to_json(self) -> dict[str, Any]:
         """Return everything as values that JSON can hold."""
-        plain: dict[str, Any] = plain_values(self)
+        plain: dict[str, Any] = readable.plain_values(self)
         return plain
 
 
@@ -199,7 +195,7 @@ class _Matches:
 
     def seed_of(self, number: int) -> int:
         """Return the seed of a set of matches; no other matches of the package have it."""
-        return match_seed(self.seed, int(Phase.EXPLAIN), number)
+        return seeding.match_seed(self.seed, int(seeding.Phase.EXPLAIN), number)
 
     def rates(
         self, policy: Any, number: int, part: int = 0, of: int = 1, **play: Any
@@ -221,7 +217,7 @@ def _score(rates: FloatArray) -> Estimate:
 def _difference(one: FloatArray, another: FloatArray) -> Estimate:
     """Return the difference of two scores (opponents, episodes) in the same episodes."""
     each = (one - another).mean(axis=0)
-    ends = t_ends(each, LEVEL, (-1.0, 1.0))
+    ends = intervals.t_ends(each, intervals.LEVEL, (-1.0, 1.0))
     return Estimate(float(each.mean()), *ends, "episodes", len(each))
 
 
@@ -303,7 +299,7 @@ def _by_program(matches: _Matches) -> dict[str, Any]:
     return found
 
 
-def sentence_of(run: SavedRun, team: Team) -> str:
+def sentence_of(run: storage.SavedRun, team: Team) -> str:
     """Return in a sentence what the last generation of a team does, if it rates moves; else ""."""
     if run.settings.game or run.settings.policy.kind == "cells":
         return ""
@@ -367,7 +363,7 @@ def features(views: NDArray[Any], team: Team) -> dict[str, NDArray[np.float32]]:
 
 def _by_tree(matches: _Matches) -> dict[str, Any]:
     """Explain a network by a tree that imitates it, also where only the tree would go."""
-    trees: Any = imported("sklearn.tree", "explain")
+    trees: Any = version.imported("sklearn.tree", "explain")
     acts, team, world = matches.acts, matches.team, matches.world
     assert isinstance(acts, NetworkPolicy)
     if acts.policy.memory != "none":

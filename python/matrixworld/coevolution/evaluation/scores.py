@@ -11,22 +11,19 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cache, partial
-from importlib.resources import as_file, files
+from importlib import resources
 from typing import Any, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
-from matrixworld._util import checks
-from matrixworld._util.files import DamagedFileError, load_arrays, read_json, save_json
-from matrixworld._util.readable import Parts, Readable
+from matrixworld._util import checks, files, readable
 from matrixworld.analysis import Estimate
+from matrixworld.coevolution import race, seeding
 from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.pursuit import Network, Pursuit
-from matrixworld.coevolution.race import Against
-from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other, team_size
 from matrixworld.play.matches import Callback, Plays, capture_rates
@@ -96,8 +93,8 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
 # Read once: scores of many runs need it.
 @cache
 def _shipped() -> dict[str, NDArray[np.float16]]:
-    with as_file(files("matrixworld.coevolution.evaluation") / FILE) as path:
-        return load_arrays(path)
+    with resources.as_file(resources.files(__package__) / FILE) as path:
+        return files.load_arrays(path)
 
 
 def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
@@ -131,7 +128,7 @@ def _plays_in(opponent: TeamPolicy, config: WorldConfig) -> bool:
 
 
 @dataclass(frozen=True, repr=False)
-class HeldOutScores(Readable):
+class HeldOutScores(readable.Readable):
     """Scores of G genomes of a team against N held-out opponents, by their names."""
 
     team: Team
@@ -141,7 +138,7 @@ class HeldOutScores(Readable):
     """Share of evaders captured, or for evaders 1 minus it, shape (G, N, episodes)."""
     left_out: str = ""  # which opponents of the variant are left out, and why; empty if none is
 
-    def _parts(self) -> Parts:
+    def _parts(self) -> readable.Parts:
         head, rows = _rows([self])
         first = "opponent" if len(self.generations) == 1 else "generation"
         cells = ((name.strip(), str(score)) for name, score in rows.items())
@@ -241,7 +238,7 @@ def _scores(
         rates[team] = np.empty(shape)
         for number, opponent in enumerate(opponents.values()):
             # The generation is not part of the key: all genomes play the same episodes.
-            match = match_seed(seed, TEAMS.index(team), number, int(Phase.HELD_OUT))
+            match = seeding.match_seed(seed, TEAMS.index(team), number, int(seeding.Phase.HELD_OUT))
             blocks.append(partial(_played, config, team, policy, opponent, match, episodes))
             places.append((team, number))
     done, total = 0, sum(each.size for each in rates.values())
@@ -329,7 +326,7 @@ def opponents_in(
     """Return what `opponents_of` returns, without an opponent that the run trained against."""
     opponents, left_out = opponents_of(team, world)
     schedule = run.settings.schedule
-    if isinstance(schedule, Against) and schedule.opponent in opponents:
+    if isinstance(schedule, race.Against) and schedule.opponent in opponents:
         del opponents[schedule.opponent]
         seen = f"not {schedule.opponent}: the run trained against it"
         left_out = f"{seen}; {left_out}" if left_out else seen
@@ -399,15 +396,15 @@ def kept_scores(
                 }
                 for team, each in teams.items()
             }
-            save_json(run.path / SCORES, {**SCORED_BY, **plain})
+            files.save_json(run.path / SCORES, {**SCORED_BY, **plain})
     return [_kept(run) or {} for run in runs]
 
 
 def _kept(run: SavedRun) -> dict[str, Any] | None:
     """Return the scores in a run directory; None if none are kept there, or other ones."""
     try:
-        kept = read_json(run.path / SCORES)
-    except (FileNotFoundError, DamagedFileError):
+        kept = files.read_json(run.path / SCORES)
+    except (FileNotFoundError, files.DamagedFileError):
         return None
     # A race that has gone on has other last generations.
     teams = {team: kept.get(f"{team}s", {}) for team in run.settings.learning_teams}

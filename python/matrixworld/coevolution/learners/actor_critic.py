@@ -22,12 +22,11 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 
 from matrixworld._util.checks import shown
-from matrixworld.coevolution import pursuit, types
+from matrixworld.coevolution import pursuit, seeding, types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.pursuit import Cells, Experience, Network, Pursuit, Reals, Views
 from matrixworld.coevolution.sections import section, setting
-from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import Genome, Genomes, Indices, Rng, State, Team
 from matrixworld.version import imported
 
@@ -296,7 +295,7 @@ class ActorCritic(learner.Learner):
         cells = world.rows * world.cols
         seen = pursuit.CHANNELS * cells if self.central_critic else network.sizes[0]
         sizes = (seen, *network.hidden, 1)
-        rng = keyed_generator(task.seed, Purpose.NOISE, task.team)
+        rng = seeding.keyed_generator(task.seed, seeding.Purpose.NOISE, task.team)
         weights = {"actor": np.array(task.genomes(1)[0], np.float32)}
         for name in ("critic",) if self.cost_limit is None else ("critic", "cost_critic"):
             weights[name] = orthogonal(sizes, rng)
