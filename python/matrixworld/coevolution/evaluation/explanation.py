@@ -27,7 +27,7 @@ from matrixworld.coevolution.evaluation.scores import (
     opponents_of,
     score_policy,
 )
-from matrixworld.coevolution.progress import Progress, Report, silent
+from matrixworld.coevolution.progress import Report, part_of, silent
 from matrixworld.coevolution.types import FloatArray, Genome, Team
 from matrixworld.episodes.record import record
 from matrixworld.play.policies import GenomePolicy, NetworkPolicy, RatingPolicy
@@ -201,12 +201,8 @@ class _Matches:
         self, policy: Any, number: int, part: int = 0, of: int = 1, **play: Any
     ) -> FloatArray:
         """Return scores (genomes, opponents, episodes): a part of the whole work."""
-
-        def told(one: Progress) -> None:
-            done, total = part * one.total + one.done, of * one.total
-            self.report(Progress(f"{self.team}s explained", done, total))
-
-        play = {**self.play, "seed": self.seed_of(number), "report": told, **play}
+        how = {"seed": self.seed_of(number), "report": part_of(self.report, part, of)}
+        play = {**self.play, **how, **play}
         return score_policy(policy, self.team, self.world, opponents=self.opponents, **play).rates
 
 

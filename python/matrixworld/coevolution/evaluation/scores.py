@@ -12,7 +12,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from importlib import resources
-from typing import Any, TypeAlias, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,7 @@ from matrixworld._util import checks, files, readable
 from matrixworld.analysis import Estimate
 from matrixworld.coevolution import race, seeding
 from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks
-from matrixworld.coevolution.progress import Progress, Report, silent
+from matrixworld.coevolution.progress import Progress, Report, part_of, silent
 from matrixworld.coevolution.pursuit import Network, Pursuit
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other, team_size
@@ -216,41 +216,32 @@ def _rows(scores: Sequence[HeldOutScores]) -> tuple[str, dict[str, Estimate]]:
     return f"{team}s by generation: mean {SCORE[team]}", means
 
 
-Side: TypeAlias = tuple[Team, Plays, Sequence[int], Mapping[str, Plays], str]
-"""A team to be scored: its policy, generations, opponents by name, and who is left out of these."""
-
-
 def _scores(
     config: WorldConfig,
-    teams: Sequence[Side],
+    team: Team,
+    policy: Plays,
+    generations: Sequence[int],
+    opponents: Mapping[str, Plays],
+    left_out: str = "",
     *,
     episodes: int,
     seed: int,
-    threads: int | None,
-    report: Report,
+    threads: int | None = None,
+    report: Report = silent,
     executor: Executor | None = None,
-) -> dict[Team, HeldOutScores]:
-    """Play teams against their opponents, one opponent at a time."""
-    blocks, places = [], []
-    rates: dict[Team, NDArray[np.float64]] = {}
-    for team, policy, generations, opponents, _ in teams:
-        shape = len(generations), len(opponents), episodes
-        rates[team] = np.empty(shape)
-        for number, opponent in enumerate(opponents.values()):
-            # The generation is not part of the key: all genomes play the same episodes.
-            match = seeding.match_seed(seed, TEAMS.index(team), number, int(seeding.Phase.HELD_OUT))
-            blocks.append(partial(_played, config, team, policy, opponent, match, episodes))
-            places.append((team, number))
-    done, total = 0, sum(each.size for each in rates.values())
-    for block, found in play_blocks(blocks, threads, executor):
-        team, number = places[block]
-        rates[team][:, number] = found if team == "pursuer" else 1.0 - found
+) -> HeldOutScores:
+    """Play the generations of a team against its opponents, one opponent at a time."""
+    blocks = []
+    for number, opponent in enumerate(opponents.values()):
+        # The generation is not part of the key: all genomes play the same episodes.
+        match = seeding.match_seed(seed, TEAMS.index(team), number, int(seeding.Phase.HELD_OUT))
+        blocks.append(partial(_played, config, team, policy, opponent, match, episodes))
+    rates, done = np.empty((len(generations), len(opponents), episodes)), 0
+    for number, found in play_blocks(blocks, threads, executor):
+        rates[:, number] = found if team == "pursuer" else 1.0 - found
         done += found.size
-        report(Progress(f"{team}s against held-out opponents", done, total))
-    return {
-        team: HeldOutScores(team, tuple(generations), tuple(opponents), rates[team], left_out)
-        for team, _, generations, opponents, left_out in teams
-    }
+        report(Progress(f"{team}s against held-out opponents", done, rates.size))
+    return HeldOutScores(team, tuple(generations), tuple(opponents), rates, left_out)
 
 
 def _played(
@@ -304,20 +295,19 @@ def score(
     checks.check_threads(threads)
     world = world or run.pursuit.world
     world = world if steps is None else replace(world, max_steps=steps)
-    sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
-    play: Any = {"threads": threads, "report": report, "executor": executor}
-    return _scores(world, sides, episodes=episodes, seed=seed, **play)
-
-
-def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> Side:
-    """Return a team of a run, and the opponents that it did not train against."""
-    archive = cast(Population, run.teams[team])  # never a script, because the team learned
-    generations = [*range(len(archive.genomes))]
-    if generation is not None:
-        generations = [run.generation(team, generation, "generation")]
-    opponents, left_out = opponents_in(run, team, world)
-    chosen = Population(archive.genomes[generations], archive.policy)
-    return team, chosen, generations, opponents, left_out
+    found, teams = {}, run.settings.learning_teams
+    for number, team in enumerate(teams):
+        archive = cast(Population, run.teams[team])  # never a script, because the team learned
+        chosen = [*range(len(archive.genomes))]
+        if generation is not None:
+            chosen = [run.generation(team, generation, "generation")]
+        genomes = Population(archive.genomes[chosen], archive.policy)
+        found[team] = _scores(
+            world, team, genomes, chosen, *opponents_in(run, team, world), episodes=episodes,
+            seed=seed, threads=threads, report=part_of(report, number, len(teams)),
+            executor=executor,
+        )  # fmt: skip
+    return found
 
 
 def opponents_in(
@@ -350,11 +340,12 @@ def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Scri
     for team in TEAMS:
         opponents, _ = opponents_of(team, config)
         fitting = [n for n in held_out_scripts(team, config.rules) if _plays_in(n, config)]
-        sides: list[Side] = [(team, script, [0], opponents, "") for script in fitting]
-        play: Any = {"episodes": episodes, "seed": SEED, "threads": None, "report": silent}
-        found = [_scores(config, [side], **play) for side in sides]
-        means = [float(each[team].means[0]) for each in found]
-        best[team] = max(zip(fitting, means, strict=True), key=lambda pair: pair[1])
+        means = {
+            script: _scores(config, team, script, [0], opponents, episodes=episodes, seed=SEED)
+            for script in fitting
+        }
+        found = [(script, float(each.means[0])) for script, each in means.items()]
+        best[team] = max(found, key=lambda pair: pair[1])
     return best
 
 
@@ -364,12 +355,8 @@ def score_runs(
     """Return the scores of runs, with the options of `score`, and one progress for all."""
     found = []
     for number, run in enumerate(runs):
-        # Runs of a job play about equally many matches.
-        def part(one: Progress, number: int = number) -> None:
-            place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
-            done = number * one.total + one.done
-            report(Progress(place + one.what, done, len(runs) * one.total))
-
+        place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
+        part = part_of(report, number, len(runs), place)
         # A reader of its own: the archives of all runs together may be large.
         found.append(score(SavedRun(run.path), report=part, **options))
     return found
@@ -481,9 +468,10 @@ def score_policy(
     theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
     if not theirs:
         raise ValueError("opponents: expected at least one, got none")
-    side: Side = team, mine, range(team_size(mine)), theirs, left_out
-    found = _scores(config, [side], episodes=episodes, seed=seed, threads=threads, report=report)
-    return found[team]
+    return _scores(
+        config, team, mine, range(team_size(mine)), theirs, left_out, episodes=episodes, seed=seed,
+        threads=threads, report=report,
+    )  # fmt: skip
 
 
 def _plays(name: str, policy: Any, most: int | None = None) -> Any:

@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, shown
-from matrixworld.coevolution import seeding, types
+from matrixworld.coevolution import types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.sections import PluginError, Section, by_race, section, setting
+from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 MUTATION = 0.05  # standard deviation of a mutation, unless another one is given
@@ -49,7 +50,7 @@ class Task:
 
         The first ones do not depend on `count`. `sigma` is the standard deviation of the mutants.
         """
-        rng = seeding.keyed_generator(self.seed, seeding.Purpose.INITIAL, self.team)
+        rng = keyed_generator(self.seed, Purpose.INITIAL, self.team)
         if self.begin is None:
             genomes = np.stack([self.untrained(rng) for _ in range(count)])
         else:
@@ -61,7 +62,7 @@ class Task:
 
     def noise_state(self) -> State:
         """Return what a state holds of mutations: the key of their noise, and genes without."""
-        key = np.array([self.seed, seeding.Purpose.NOISE, self.team], np.int64)
+        key = np.array([self.seed, Purpose.NOISE, self.team], np.int64)
         state = {"noise": key, **self.bounds()}
         return state if self.mask is None else {**state, "fixed": self.mask.fixed}
 
@@ -261,7 +262,7 @@ def table_length(genes: int) -> int:
 @lru_cache(maxsize=4)  # both teams of two runs; made again from its key where it is missing
 def _table(key: tuple[int, ...], genes: int, sigma: float) -> Genome:
     seed, purpose, team = key
-    rng = seeding.keyed_generator(seed, seeding.Purpose(purpose), team)
+    rng = keyed_generator(seed, Purpose(purpose), team)
     numbers = rng.standard_normal(table_length(genes), dtype=np.float32)
     with np.errstate(over="ignore"):
         numbers *= np.float32(sigma)
