@@ -29,8 +29,6 @@ Option = Callable[[Any], Any]
 STDOUT = Path("-")
 MOST_SEEDS = 100_000
 """Most seeds that a range names. Each is a directory."""
-MOST_NAMES = 5
-"""Most runs that a message names."""
 FAILURES = (
     BrokenExecutor,  # a lost cluster
     DivergedError,
@@ -314,7 +312,7 @@ def run_in(
     ]
     if len(chosen) == 1:
         return chosen[0]
-    listed = ", ".join([*map(str, found)][:MOST_NAMES]) + ", ..." * (len(found) > MOST_NAMES)
+    listed = storage.some([*map(str, found)])
     if setting:
         raise click.UsageError(f"{begin}expected one run, got a directory of several: {listed}")
     if not chosen:

@@ -13,13 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
+from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis import Estimate, Judgement, intervals
 from matrixworld.analysis.judgement import CANNOT_TELL, clarity
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import SCORE, kept_scores, score
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
+from matrixworld.coevolution.storage import SEED, SavedRun, find_runs, runs_in
 from matrixworld.coevolution.types import TEAMS, Team, payoffs_of
 
 
@@ -152,9 +153,7 @@ def open_groups(*directories: str | Path) -> list[RunGroup]:
     """
     runs: dict[Path, RaceSettings] = {}
     for directory in map(Path, directories):
-        paths = find_runs(directory)
-        if not paths:
-            raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
+        paths = runs_in(directory)
         runs |= {path: SavedRun(path).settings for path in paths}
     return grouped(runs)
 
@@ -252,8 +251,8 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
     single = len(runs) == 2 and not any(group.several for group in runs)
     if len(runs) == 2:
         first, second = (group.runs[0].settings for group in runs)
-        if (first.world, first.game) != (second.world, second.game):
-            raise ValueError("other: expected runs in the same world or game as one, got another")
+        same = (first.world, first.game) == (second.world, second.game)
+        checks.expect(same, "other", "runs in the same world or game as one", "another")
         both = [team for team in first.learning_teams if team in second.learning_teams]
         for team in both if first.game is None else ():
             name = f"{team}s against held-out opponents, {SCORE[team]}"
@@ -294,9 +293,7 @@ def _group_of(name: str, source: Any) -> RunGroup | None:
         groups = grouped({run.path: run.settings for run in runs})
     else:
         return None
-    if len(groups) > 1 or not groups[0].runs:
-        got = "; ".join(f"{each.name}, seeds {each.seeds}" for each in groups)
-        raise ValueError(
-            f"{name}: expected finished runs that differ in their seed only, got {got}"
-        )
+    got = "; ".join(f"{each.name}, seeds {each.seeds}" for each in groups)
+    is_one = len(groups) == 1 and groups[0].runs
+    checks.expect(is_one, name, "finished runs that differ in their seed only", got)
     return groups[0]

@@ -38,7 +38,6 @@ FEW = 3
 """Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
 
 RUNS = Path("runs")  # parent directory of runs for which no directory is given
-MOST_NAMED = 5  # most seeds that such a directory names one by one
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""
@@ -62,18 +61,14 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
         if not isinstance(name, str) or not NAME.fullmatch(name):
             expected = "names such as sigma-0.1 or sigma-0.1/seed-3"
             raise ValueError(f"settings: expected {expected}, got {checks.shown(name)}")
-        if name in runs:
-            raise ValueError(
-                f"settings: expected runs of different schedules or seeds, or a name for each, "
-                f"got two of {name}"
-            )
+        expected = "runs of different schedules or seeds, or a name for each"
+        checks.expect(name not in runs, "settings", expected, f"two of {name}")
         runs[name] = _from_anywhere(each)
         # Equal runs are no independent observations.
         other = names.setdefault(runs[name], name)
-        if other != name:
-            raise ValueError(f"settings: expected different runs, got {other} and {name}, equal")
-    if not runs:
-        raise ValueError("settings: expected at least one run, got none")
+        got = f"{other} and {name}, equal"
+        checks.expect(other == name, "settings", "different runs", got)
+    checks.expect(runs, "settings", "at least one run", "none")
     return runs
 
 
@@ -94,7 +89,7 @@ def default_directory(job: Job) -> Path:
     seeds = [*dict.fromkeys(each.seed for each in job.values())]
     named = f"{seeds[0]}-{seeds[-1]}"
     if seeds != [*range(seeds[0], seeds[0] + len(seeds))]:
-        named = ",".join(map(str, seeds[:MOST_NAMED])) + ",..." * (len(seeds) > MOST_NAMED)
+        named = storage.some([*map(str, seeds)]).replace(", ", ",")
     seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
     what = "" if settings.is_race else f"-{settings.schedule.name}"
     world = settings.world and pursuit.world_name(settings.world)
@@ -217,8 +212,7 @@ def evolve(
     root = default_directory(job) if out is None else Path(out)
     if executor is not None:
         checks.check_instance("executor", executor, Executor)
-        if threads is not None:
-            raise ValueError(f"threads: expected None with an executor, got {threads}")
+        checks.expect(threads is None, "threads", "None with an executor", threads)
     check_job(job, root, threads, elsewhere=executor is not None)
     create_job(job, root)
     errors = play_job(
@@ -256,11 +250,9 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     found = found_job(root)
     if not found:
         storage.check_empty(root)
-    elif found.keys() != job.keys():
-        names = sorted(found.keys() ^ job.keys())
+    elif others := sorted(found.keys() ^ job.keys()):
         raise ValueError(
-            f"{root}: expected the runs of this job, got others: "
-            f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
+            f"{root}: expected the runs of this job, got others: {storage.some(others)}"
         )
     for name in found:
         saved = storage.SavedRun(root / name)

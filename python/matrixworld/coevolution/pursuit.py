@@ -216,13 +216,12 @@ def check_mask(mask: str, world: WorldConfig, learns: bool) -> None:
     """Raise ValueError unless a mask fits a world; `learns` says whether pursuers do."""
     rules = world.rules
     masks.check_mask("policy.mask", mask, world)
-    masked = mask == "right-of-way" and learns
-    if masked and rules.captures and not masks.leaves_captures(world):
-        raise ValueError(
-            f"policy.mask: expected none or obstacles for pursuers whose captures are collisions "
-            f"at fault (capture {rules.capture.name}, evader {rules.evader.name}, pursuer "
-            f"{rules.pursuer.name}), got {mask!r}"
-        )
+    masked = mask == "right-of-way" and learns and rules.captures
+    expected = (
+        f"none or obstacles for pursuers whose captures are collisions at fault (capture "
+        f"{rules.capture.name}, evader {rules.evader.name}, pursuer {rules.pursuer.name})"
+    )
+    checks.expect(not masked or masks.leaves_captures(world), "policy.mask", expected, repr(mask))
 
 
 OVERLAP_PENALTY, OVERLAP_PENALTY_ALONE = 0.2, 0.5

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from matrixworld._util import checks
 from matrixworld.coevolution import pursuit, sections
 from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game, OwnGame
@@ -98,12 +99,10 @@ class RaceSettings(Section):
             pursuit.check_mask(self.policy.mask, self.world, masked)
             self._read_training_worlds()
         self._check_idle()
-        if self.evader_learner and not isinstance(self.schedule, InTurns):
-            why = "one team learns" if isinstance(self.schedule, Against) else "both learn at once"
-            raise ValueError(
-                f"evader_learner: expected no value with the schedule {self.schedule.kind}, in "
-                f"which {why}, got {self.evader_learner.kind}"
-            )
+        if self.evader_learner:
+            expected = f"no value with the schedule {self.schedule.kind}, which is not in turns"
+            in_turns, got = isinstance(self.schedule, InTurns), self.evader_learner.kind
+            checks.expect(in_turns, "evader_learner", expected, got)
         for team in self.learning_teams:
             learner = getattr(self, self.learner_path(team))
             if not isinstance(learner, sections.OwnCode):  # which is not imported yet
@@ -117,31 +116,23 @@ class RaceSettings(Section):
             for world in worlds:
                 for name in ("rules", "fov", "diagonal"):
                     expected, got = getattr(self.world, name), getattr(world, name)
-                    if got != expected:
-                        raise ValueError(f"{name}: expected {expected}, as in world, got {got}")
+                    checks.expect(got == expected, name, f"{expected}, as in world", got)
         object.__setattr__(self, "training_worlds", worlds)
-        shares = len(self.training_shares)
-        if shares not in (0, len(worlds)):
-            raise ValueError(f"training_shares: expected {len(worlds)} or none, got {shares}")
+        shares, expected = len(self.training_shares), f"{len(worlds)} or none"
+        checks.expect(shares in (0, len(worlds)), "training_shares", expected, shares)
 
     def _check_fits(self, path: str, learner: Learner) -> None:
         """Raise ValueError if a learner cannot learn here, or would change what a mask fixes."""
-        if self.game and not learner.any_game:
-            raise ValueError(
-                f"{path}: expected es, ga, cma or your own in a game of your own, got "
-                f"{learner.kind}"
-            )
-        kind = None if self.game else self.policy.kind
-        if kind and kind not in learner.policies:
-            raise ValueError(
-                f"policy: expected {' or '.join(learner.policies)} with the learner "
-                f"{learner.kind or type(learner).__name__}, got {kind}"
-            )
-        if kind == "cells" and self.policy.mask != "none" and "policy.mask" in learner.ignores:
-            raise ValueError(
-                f"policy.mask: expected 'none', got {self.policy.mask!r}; it has no effect with "
-                f"{learner.kind or type(learner).__name__}"
-            )
+        name = learner.kind or type(learner).__name__
+        if self.game:
+            expected = "es, ga, cma or your own in a game of your own"
+            checks.expect(learner.any_game, path, expected, name)
+        else:
+            kind, mask = self.policy.kind, self.policy.mask
+            expected = f"{' or '.join(learner.policies)} with the learner {name}"
+            checks.expect(kind in learner.policies, "policy", expected, kind)
+            idle = kind == "cells" and mask != "none" and "policy.mask" in learner.ignores
+            checks.expect(not idle, "policy.mask", f"'none' with {name}", repr(mask))
         # A run is read without an import of its game.
         learner.check_fits(path, self.game.known if self.game else self.evaluation_game)
 
@@ -175,8 +166,8 @@ class RaceSettings(Section):
             given.append("fitness.cost_limit")
         if isinstance(self.schedule, Against) and self.schedule.opponent in pursuit.SCRIPTS:
             expected = f"a run directory of the game {self.game.code}"
-            got = self.schedule.opponent
-            raise ValueError(f"schedule.opponent: expected {expected}, got the script {got}")
+            got = f"the script {self.schedule.opponent}"
+            raise ValueError(f"schedule.opponent: expected {expected}, got {got}")
         once = ("match_episodes", "evaluation_episodes") if self.game.deterministic else ()
         given += [name for name in once if getattr(self, name) not in (None, 1)]
         if given:
@@ -213,11 +204,10 @@ class RaceSettings(Section):
                         f"effect {why}"
                     )
         rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
-        if self.game is None and not rewarded and self.world.rewards != pursuit.Rewards():
-            raise ValueError(
-                f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
-                f"have an effect only with the fitness rewards or the learner actor-critic"
-            )
+        if self.game is None and not rewarded:
+            expected = "the default without the fitness rewards or the learner actor-critic"
+            usual = self.world.rewards == pursuit.Rewards()
+            checks.expect(usual, "world.rewards", expected, self.world.rewards)
 
     # What follows from the settings:
 

@@ -37,7 +37,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util import files
-from matrixworld._util.checks import check_choice
+from matrixworld._util.checks import check_choice, expect
 from matrixworld._util.imports import no_attribute
 from matrixworld._util.readable import html_of
 from matrixworld.analysis import Judgement, judge
@@ -59,6 +59,7 @@ PAYOFF, SUMMARY = "payoff.npz", "summary.json"
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], AtOnce.kind, list(SCHEDULES)[-1], PSRO, InTurns.kind]
 """The order in which the runs of one job are played and shown."""
+MOST_NAMED = 5  # most names that a message lists
 SEED = re.compile(r"seed-(\d+)")  # names of the directories of a job's runs
 
 COLUMNS: dict[str, type] = {
@@ -194,11 +195,6 @@ class SavedRun:
         # A race that was made longer has results of its first stages.
         return exist and bool(self.summary()["stages"] >= self.settings.schedule.n_stages)
 
-    @property
-    def has_checkpoint(self) -> bool:
-        """Whether there is a checkpoint of the newest stage."""
-        return self.newest() in self._numbers("checkpoint")
-
     # What the files hold:
 
     def archive(self) -> Archive:
@@ -253,9 +249,10 @@ class SavedRun:
 
     def newest(self) -> int:
         """Return the number of the newest stage, 0 before the first."""
-        return max(self._numbers("stage"), default=0)
+        return max(self.numbers("stage"), default=0)
 
-    def _numbers(self, kind: str) -> list[int]:
+    def numbers(self, kind: str) -> list[int]:
+        """Return the stages of which there is a file of a kind, such as a checkpoint."""
         names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
         return [int(name) for name in names if name.isdigit()]
 
@@ -291,11 +288,9 @@ class SavedRun:
     @property
     def pursuit(self) -> Pursuit:
         """The game, if it is pursuit and evasion; ValueError for another one."""
-        if self.settings.game:
-            raise ValueError(
-                f"{self.path}: expected a run of pursuers and evaders, got one of the game "
-                f"{self.settings.game.code}"
-            )
+        own = self.settings.game
+        expected, got = "a run of pursuers and evaders", f"one of the game {own and own.code}"
+        expect(not own, str(self.path), expected, got)
         return cast(Pursuit, self.game)
 
     @cached_property
@@ -370,8 +365,8 @@ class SavedRun:
         _ = self.pursuit
         check_choice("team", team, TEAMS)
         policy = self.teams[team]
-        if isinstance(policy, str):
-            raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
+        got = f"{team}: {policy} plays for it"
+        expect(not isinstance(policy, str), "team", "one that learned", got)
         genome = policy.genomes[self.generation(team, generation, "generation")]
         return acting(policy.policy, genome, sampled=sampled, seed=seed)
 
@@ -434,9 +429,8 @@ class SavedRun:
         IndexError, which begins with `name` or the team, if there is no such generation.
         """
         count = len(self.archive()[self.key_of(team)]) or 1  # a script has one
-        if not -count <= index < count:
-            expected = f"a generation from 0 to {count - 1}"
-            raise IndexError(f"{name or team}: expected {expected}, got {index}")
+        expected = f"a generation from 0 to {count - 1}"
+        expect(-count <= index < count, name or team, expected, index, IndexError)
         return index % count
 
 
@@ -458,8 +452,8 @@ def last_generation(directory: str | Path, team: Team) -> Any:
     """Return the last genome of a team in a run directory; ValueError if there is none."""
     run = open_run(directory)
     last = run.last(run.settings.keys[TEAMS.index(team)])
-    if isinstance(last, str):
-        raise ValueError(f"{directory}: expected a run with genomes of {team}s, got none")
+    expected = f"a run with genomes of {team}s"
+    expect(not isinstance(last, str), str(directory), expected, "none")
     return last
 
 
@@ -470,6 +464,13 @@ def find_runs(path: Path) -> list[Path]:
         return [path]
     found = [file.parent for depth in ("*", "*/*") for file in path.glob(f"{depth}/{CONFIG}")]
     return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
+
+
+def runs_in(path: Path) -> list[Path]:
+    """Return what `find_runs` returns; FileNotFoundError if that is nothing."""
+    runs = find_runs(path)
+    expect(runs, str(path), "a directory that holds runs", "none", FileNotFoundError)
+    return runs
 
 
 def place_in_job(name: PurePath | str) -> list[tuple[int, int, str]]:
@@ -490,10 +491,7 @@ def open_runs(directory: str | Path) -> list[SavedRun]:
     FileNotFoundError
         If the directory holds no run; other errors are those of `open_run`.
     """
-    paths = find_runs(Path(directory))
-    if not paths:
-        raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
-    return [open_run(path) for path in paths if SavedRun(path).finished]
+    return [open_run(path) for path in runs_in(Path(directory)) if SavedRun(path).finished]
 
 
 # Writing:
@@ -566,7 +564,7 @@ class RunWriter(SavedRun):
                 stages.append(self._stage(len(stages)))
         except files.DamagedFileError as error:
             problems.append(error)
-        saved = [number for number in self._numbers("checkpoint") if number < len(stages)]
+        saved = [number for number in self.numbers("checkpoint") if number < len(stages)]
         for number in sorted(saved, reverse=True):
             try:
                 state = self._load(_name("checkpoint", number))
@@ -581,7 +579,7 @@ class RunWriter(SavedRun):
             warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=3)
             if problem.path.exists():
                 os.replace(problem.path, f"{problem.path}.damaged")
-        for number in self._numbers("checkpoint"):
+        for number in self.numbers("checkpoint"):
             if number < len(stages) - 2:
                 (self.path / _name("checkpoint", number)).unlink()
         archive = _archive_of(stages)
@@ -623,14 +621,17 @@ def _name(kind: str, stage: int) -> str:
     return f"{kind}-{stage:04}.npz"
 
 
+def some(names: Sequence[str]) -> str:
+    """Return the first of several names, in a list."""
+    return ", ".join([*names[:MOST_NAMED], *["..."] * (len(names) > MOST_NAMED)])
+
+
 def check_empty(path: Path) -> None:
     """Raise FileExistsError if a directory is there and not empty."""
     found = sorted(item.name for item in path.iterdir()) if path.exists() else []
     if found:
-        raise FileExistsError(
-            f"{path}: expected a new or empty directory for a new run, found "
-            f"{', '.join(found[:3])}{' ...' if len(found) > 3 else ''}"
-        )
+        expected = "expected a new or empty directory for a new run"
+        raise FileExistsError(f"{path}: {expected}, found {some(found)}")
 
 
 @contextmanager

@@ -68,8 +68,7 @@ SCORED_BY = {
 def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
     """Return the scripts of a team that make sense under the rules of a variant."""
     rules = rules_of(variant)
-    if team not in TEAMS:
-        raise ValueError(f"team: expected one of {', '.join(TEAMS)}, got {team!r}")
+    checks.check_choice("team", team, TEAMS)
     if team == "evader":
         return ESCAPERS
     return SURROUNDERS if rules.capture is Capture.SURROUND else OCCUPIERS
@@ -466,8 +465,7 @@ def score_policy(
     checks.check_instance("opponents", opponents, Mapping)
     mine = _plays("policy", policy)
     theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
-    if not theirs:
-        raise ValueError("opponents: expected at least one, got none")
+    checks.expect(theirs, "opponents", "at least one", "none")
     return _scores(
         config, team, mine, range(team_size(mine)), theirs, left_out, episodes=episodes, seed=seed,
         threads=threads, report=report,

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, shown
+from matrixworld._util.checks import check_floats, expect, shown
 from matrixworld.coevolution import types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.sections import PluginError, Section, by_race, section, setting
@@ -218,11 +218,9 @@ def check_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
 def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
     """Return `fitness` as (n,) float64; ValueError if it has another shape or is not finite."""
     values = check_floats("fitness", fitness)
-    if values.shape != (n,):
-        raise ValueError(f"fitness: expected shape ({n},), got {values.shape}")
+    expect(values.shape == (n,), "fitness", f"shape ({n},)", values.shape)
     # One NaN would spread to the whole genome, or be taken for the best.
-    if not np.isfinite(values).all():
-        raise ValueError(f"fitness: expected finite numbers, got {values}")
+    expect(np.isfinite(values).all(), "fitness", "finite numbers", values)
     return values
 
 
