@@ -267,7 +267,7 @@ class OwnGame(Section):
 
     code: str = setting("", "module:object")
     genes: tuple[int, ...] = setting((), "length of the genomes of each team")
-    teams: tuple[str, ...] = setting((), "names of the teams")
+    teams: tuple[str, str] = setting((), "names of the teams")
     deterministic: bool = setting(False, "whether equal genomes always have equal scores")
     digest: str = setting("", "digest of its source")
 
@@ -295,8 +295,8 @@ class OwnGame(Section):
     @property
     def known(self) -> Game:
         """What is known of the game without an import: all but its functions."""
-        (one, other), (first, second) = self.genes, self.teams
-        return Game(_not_imported, (one, other), (first, second), deterministic=self.deterministic)
+        one, other = self.genes
+        return Game(_not_imported, (one, other), self.teams, deterministic=self.deterministic)
 
     def load(self) -> Game:
         """Return the game; ValueError if there is none of this name, or another one."""

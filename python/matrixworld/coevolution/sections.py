@@ -15,7 +15,7 @@ import re
 import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import Field, dataclass, field, fields
+from dataclasses import Field, dataclass, field, fields, replace
 from functools import cache
 from importlib import import_module
 from inspect import cleandoc
@@ -339,6 +339,16 @@ def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str,
     expected = f"{'one of ' * (len(names) > 1)}{', '.join(names) or known[''].__name__}"
     error = ValueError if isinstance(kind, str) else TypeError
     raise error(f"{name}: expected {expected}, got {checks.shown(kind)}")
+
+
+def filled(section: AnySection, usual: Mapping[str, Any], path: str) -> AnySection:
+    """Return a section in which fields `by_race` have their usual values, by path, or defaults."""
+    empty = {
+        item.name: usual.get(f"{path}.{item.name}", item.metadata["default"])
+        for item in fields(section)
+        if item.metadata.get("by_race") and getattr(section, item.name) is None
+    }
+    return replace(section, **empty)
 
 
 # Sections as values that JSON and TOML can hold:

@@ -82,21 +82,17 @@ class RaceSettings(Section):
         if self.game is not None:
             self._check_own_game()
         # First the schedule: the steps of a learner may follow from its epochs.
-        for name in ("schedule", *(item.name for item in fields(self) if item.name != "schedule")):
-            value = getattr(self, name)
+        for item in sorted(fields(self), key=lambda item: item.name != "schedule"):
+            value = getattr(self, item.name)
+            if value is None and not (self.game and item.name in OF_PURSUIT):
+                value = self._defaults().get(item.name, item.metadata["default"])
             if isinstance(value, Section):
-                value = self._filled(name, value)
-            elif value is None and not (self.game and name in OF_PURSUIT):
-                item = next(item for item in fields(self) if item.name == name)
-                value = self._defaults().get(name, item.metadata["default"])
-                if isinstance(value, Section):
-                    value = self._filled(name, value)
-            object.__setattr__(self, name, value)
+                value = self._filled(item.name, value)
+            object.__setattr__(self, item.name, value)
         if self.game is None:
-            masked = "pursuer" in self.learning_teams
             if isinstance(self.schedule, Against):
                 pursuit.check_script("schedule.opponent", self.schedule.opponent, self.world)
-            pursuit.check_mask(self.policy.mask, self.world, masked)
+            pursuit.check_mask(self.policy.mask, self.world, "pursuer" in self.learning_teams)
             self._read_training_worlds()
         self._check_idle()
         if self.evader_learner:
@@ -145,16 +141,10 @@ class RaceSettings(Section):
 
     def _filled(self, name: str, section: sections.AnySection) -> sections.AnySection:
         """Return a section with its defaults; ValueError if these do not fit the rest of it."""
-        is_learner = name in ("learner", "evader_learner")
+        is_learner = isinstance(section, Learner)
         usual = self._defaults(section if is_learner else None)
-        section_path = "learner" if is_learner else name
-        empty = {
-            item.name: usual.get(f"{section_path}.{item.name}", item.metadata["default"])
-            for item in fields(section)
-            if item.metadata.get("by_race") and getattr(section, item.name) is None
-        }
         with sections.inside(name):
-            return replace(section, **empty)
+            return sections.filled(section, usual, "learner" if is_learner else name)
 
     def _check_own_game(self) -> None:
         """Raise ValueError for settings that a game of your own has not."""
@@ -197,12 +187,10 @@ class RaceSettings(Section):
                 value = getattr(part, item.name)
                 usual = self._defaults().get(f"{section}.{item.name}", item.metadata["default"])
                 # Settings that were made from others may have the default of these.
-                if name in ("", item.name) and value not in (usual, item.metadata["default"]):
-                    expected = "no value" if usual is None else f"{usual!r}, the default"
-                    raise ValueError(
-                        f"{section}.{item.name}: expected {expected}, got {value!r}; it has no "
-                        f"effect {why}"
-                    )
+                unset = name not in ("", item.name) or value in (usual, item.metadata["default"])
+                expected = "no value" if usual is None else f"{usual!r}, the default"
+                got = f"{value!r}; it has no effect {why}"
+                checks.expect(unset, f"{section}.{item.name}", expected, got)
         rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
         if self.game is None and not rewarded:
             expected = "the default without the fitness rewards or the learner actor-critic"
@@ -289,8 +277,7 @@ class RaceSettings(Section):
     @property
     def teams(self) -> tuple[str, str]:
         """What the teams are called."""
-        first, second = pursuit.Pursuit.teams if self.game is None else self.game.teams
-        return first, second
+        return pursuit.Pursuit.teams if self.game is None else self.game.teams
 
     @property
     def keys(self) -> tuple[str, str]:
