@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +16,7 @@ from matrixworld.analysis import judgement as judgements
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, TEAMS, Payoffs
 from matrixworld.cli import cluster, console, options
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import Progress, ProgressBar, open_run, storage, tournament, types
+from matrixworld.coevolution import ProgressBar, open_run, storage, tournament, types
 from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.explanation import EPISODES
 from matrixworld.coevolution.groups import RunGroup, by_clarity
@@ -297,13 +296,11 @@ def tournament_command(
         target = played.path / f"tournament-{episodes}-seed{seed}.npz"
         figure = target.with_suffix(".png")
         options.check_outputs(target, figure, force=force)
-        first, second = teams = [*played.teams.values()]
-        total = types.team_size(first) * types.team_size(second) * episodes
         with cluster.on_cluster(where, threads) as executor, ProgressBar() as bar:
-            on_row = partial(_tell, bar, total)
-            on_row(0)  # the first row may take minutes, and the bar should be there before
-            play: Any = {"episodes": episodes, "threads": threads, "executor": executor}
-            payoff = tournament(played.game, *teams, seed=seed, on_row=on_row, **play)
+            payoff = tournament(
+                played.game, *played.teams.values(), seed=seed, episodes=episodes, threads=threads,
+                report=bar, executor=executor,
+            )  # fmt: skip
         judgement = analysis.judge(payoff.payoffs())
         title = f"{played.title}\n{analysis.sentence(judgement)}"
         save_arrays(target, payoff.arrays())
@@ -313,10 +310,6 @@ def tournament_command(
         print_judgement(judgement)
         console.say(f"\n{console.TERMS}")
         console.say(f"\nWritten: {target}, {figure.name}")
-
-
-def _tell(bar: ProgressBar, total: int, played: int) -> None:
-    bar(Progress("tournament", played, total))
 
 
 # Explanations:

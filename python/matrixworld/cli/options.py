@@ -26,7 +26,6 @@ from matrixworld.world.rules import VARIANTS
 Option = Callable[[Any], Any]
 """What adds an option to the function of a command."""
 
-STDOUT = Path("-")
 MOST_SEEDS = 100_000
 """Most seeds that a range names. Each is a directory."""
 FAILURES = (
@@ -84,12 +83,6 @@ def seeds_of(
             raise click.BadParameter(f"expected {expected}, got {part}")
         seeds += found
     return tuple(dict.fromkeys(seeds))
-
-
-def _json(ctx: click.Context, param: click.Parameter, value: Path | None) -> Path | None:
-    if value == STDOUT:
-        ctx.meta[console.TO_STDOUT] = True
-    return value
 
 
 def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
@@ -157,7 +150,6 @@ SHARED: dict[str, Option] = {
         "json_file",
         type=click.Path(path_type=Path),
         metavar="FILE",
-        callback=_json,
         help="write the numbers to this file, too; -: to standard output, and the text to the "
         "other",
     ),
@@ -348,7 +340,7 @@ def check_outputs(*outputs: Path | None, force: bool, redraws: bool = True) -> N
     drawn are drawn again without a question, if `redraws`.
     """
     for file in outputs:
-        if file is None or file == STDOUT:
+        if file is None or file == console.STDOUT:
             continue
         try:
             files.check_replaceable(file)
@@ -367,7 +359,7 @@ def check_outputs(*outputs: Path | None, force: bool, redraws: bool = True) -> N
 
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
     """Write values to what --json names, if it is given, and print the name of a file."""
-    if file == STDOUT:
+    if file == console.STDOUT:
         click.echo(json.dumps(values, indent=2, allow_nan=False))
     elif file is not None:
         files.save_json(file, values)

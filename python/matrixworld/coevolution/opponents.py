@@ -140,8 +140,10 @@ class NewestAndOlder(Opponents):
         return np.append(newest, drawn)
 
 
-def _padded(values: FloatArray, size: int) -> FloatArray:
-    return np.pad(values, (0, max(0, size - len(values))))
+def _longer(rows: FloatArray, size: int, unknown: float = 0.0) -> FloatArray:
+    """Return rows, one for each opponent, with `unknown` ones up to a size."""
+    widths = [(0, max(0, size - len(rows))), *[(0, 0)] * (rows.ndim - 1)]
+    return np.pad(rows, widths, constant_values=unknown)
 
 
 WEIGHTINGS: dict[str, Callable[[FloatArray], FloatArray]] = {
@@ -191,7 +193,7 @@ class Prioritized(Opponents):
 
     def probabilities(self, state: State, available: int) -> FloatArray:
         """Return the probability (available,) of each opponent; even if all weights are 0."""
-        wins, games = (_padded(state[name], available)[:available] for name in ("wins", "games"))
+        wins, games = (_longer(state[name], available)[:available] for name in ("wins", "games"))
         rates = np.full(available, UNKNOWN)
         # Where there are no games, `out` keeps the assumed rate.
         np.divide(wins, games, out=rates, where=games > 0.0)
@@ -214,7 +216,7 @@ class Prioritized(Opponents):
         """Count one game against each opponent, won by the mean of its scores."""
         # The archive grows during a run, and so do the counts.
         size = int(opponents.max()) + 1
-        wins, games = (_padded(state[name], size) for name in ("wins", "games"))
+        wins, games = (_longer(state[name], size) for name in ("wins", "games"))
         wins[opponents] = self.decay * wins[opponents] + scores.mean(axis=0)
         games[opponents] = self.decay * games[opponents] + 1.0
         return {"wins": wins, "games": games}
@@ -257,7 +259,7 @@ class SharedSampling(Opponents):
 
     def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the sample, the strongest first."""
-        return shared_sample(_known(state["beats"], available)[:available], count, rng)
+        return shared_sample(_longer(state["beats"], available, 1.0)[:available], count, rng)
 
     def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
         """Record one minus the scores for each opponent."""
@@ -265,14 +267,9 @@ class SharedSampling(Opponents):
         # Columns are candidates; with another number of them old scores fit none.
         if beats.shape[1] != len(scores):
             beats = np.ones((0, len(scores)))
-        beats = _known(beats, int(opponents.max()) + 1)
+        beats = _longer(beats, int(opponents.max()) + 1, 1.0)
         beats[opponents] = 1.0 - scores.T
         return {"beats": beats}
-
-
-def _known(beats: FloatArray, size: int) -> FloatArray:
-    """Return how surely each opponent beats each candidate, for at least so many opponents."""
-    return np.pad(beats, ((0, max(0, size - len(beats))), (0, 0)), constant_values=1.0)
 
 
 @section

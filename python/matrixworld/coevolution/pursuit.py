@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar, TypeAlias
 
@@ -83,12 +83,9 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
         parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
         kind = parts.pop("kind", usual)
         checks.check_choice(row, kind, kinds)
-        # Those that are not given are as in the row of that kind.
-        base = WorldConfig(**{row: kinds[kind]}).to_json()
         with sections.inside(row):
-            sections.check_names(parts, base[row])
-            changed = WorldConfig.from_json({**base, row: {**base[row], **parts}})
-        values[row] = getattr(changed, row)
+            sections.check_names(parts, vars(kinds[kind]))
+            values[row] = replace(kinds[kind], **parts)
     return WorldConfig(**values)
 
 

@@ -460,7 +460,7 @@ class Run(RunInMemory):
             threads=self.threads,
             generations=(g, h),
             known=self.files.payoff() if (self.files.path / storage.PAYOFF).exists() else None,
-            on_row=lambda played: self.report("tournament", played),
+            report=lambda now: self.report(now.what, now.done),
         )
 
     def summary(self, payoff: types.Payoff) -> dict[str, Any]:

@@ -208,12 +208,12 @@ def check_own_settings(name: str, given: Any) -> dict[str, Any]:
         raise TypeError(f"{name}: expected values by name, such as {{'sigma': 0.1}}, got {given!r}")
     values = {key: v.item() if isinstance(v, np.generic) else v for key, v in given.items()}
     for key, value in values.items():
-        if not isinstance(key, str) or not key.isidentifier():
-            raise ValueError(f"{name}: expected names such as sigma, got {key!r}")
-        is_number = isinstance(value, float) and math.isfinite(value)
-        if not is_number and not isinstance(value, bool | int | str):
-            expected = "a finite number, text, True or False"
-            raise TypeError(f"{name}: expected {expected} as {key}, got {value!r}")
+        is_name = isinstance(key, str) and key.isidentifier()
+        checks.expect(is_name, name, "names such as sigma", repr(key))
+        fits = isinstance(value, bool | int | str)
+        fits = fits or (isinstance(value, float) and math.isfinite(value))
+        expected = f"a finite number, text, True or False as {key}"
+        checks.expect(fits, name, expected, repr(value), TypeError)
     return dict(sorted(values.items()))
 
 
@@ -270,17 +270,14 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
                 value = PLAIN[hint].read(value)
         checks.check_instance(name, value, hint)
         return value
-    if get_origin(hint) is tuple and PLAIN.keys() & {*get_args(hint)}:
-        return checks.check_sequence(name, value, "mappings")  # read by `RaceSettings`
-    if get_origin(hint) is tuple and str in get_args(hint):
-        texts = checks.check_sequence(name, value, "texts")
-        if not all(isinstance(text, str) for text in texts):
-            raise TypeError(f"{name}: expected a sequence of texts, got {checks.shown(value)}")
-        return texts
-    if get_origin(hint) is tuple:
-        if isinstance(value, int) and not isinstance(value, bool):
-            value = (value,)  # a single layer
-        return checks.check_sizes(name, value)
+    if get_origin(hint) is tuple and int in accepted:
+        is_one = isinstance(value, int) and not isinstance(value, bool)  # such as a single layer
+        return checks.check_sizes(name, (value,) if is_one else value)
+    if get_origin(hint) is tuple:  # worlds are read by `RaceSettings`
+        parts = checks.check_sequence(name, value, "texts" if str in accepted else "mappings")
+        fits = str not in accepted or all(isinstance(part, str) for part in parts)
+        checks.expect(fits, name, "a sequence of texts", checks.shown(value), TypeError)
+        return parts
     if get_origin(hint) is Mapping:
         return check_own_settings(name, value)
     if bool in accepted:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, check_threads
 from matrixworld.coevolution.game import Game
+from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.pursuit import Pursuit, WorldConfig
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Payoff, team_size
@@ -31,7 +32,7 @@ def tournament(
     threads: int | None = None,
     generations: tuple[int, int] = (0, 0),
     known: Payoff | None = None,
-    on_row: Callable[[int], None] = lambda played: None,
+    report: Report = silent,
     executor: Executor | None = None,
 ) -> Payoff:
     """Play every member of the first team against every member of the second.
@@ -43,9 +44,9 @@ def tournament(
     teams have these `generations`; results of the first members that are `known` are not played
     again.
 
-    `on_row` is called after each row of the matrix with the number of episodes played so far. An
-    `executor` plays the rows, each with `threads` threads, by default one; else they are played
-    here, by default on all cores, on which results do not depend.
+    `report` is called after each row of the matrix with a `Progress` in episodes. An `executor`
+    plays the rows, each with `threads` threads, by default one; else they are played here, by
+    default on all cores, on which results do not depend.
 
     It is the "master tournament" of Floreano and Nolfi 1997, "God save the red queen! Competition
     in co-evolutionary robotics".
@@ -72,7 +73,8 @@ def tournament(
         for name, values in {"scores": known.scores, **known.extras}.items():
             kept[name] = np.zeros((*size, *values.shape[2:]), values.dtype)
             kept[name][: part[0], : part[1]] = values
-    played = 0
+    played, total = 0, episodes * sum(len(new) for _, new in places)
+    report(Progress("tournament", played, total))  # the first row may take minutes
     for number, scores in play_blocks(blocks, threads, executor):
         # Scores and lengths keep single episodes, from which intervals are computed.
         found = {"scores": scores.scores.astype(np.float32)}
@@ -83,7 +85,7 @@ def tournament(
                 kept[name] = np.zeros((*size, *values.shape[1:]), values.dtype)
             kept[name][places[number]] = values
         played += scores.scores.size
-        on_row(played)
+        report(Progress("tournament", played, total))
     rates, extras = kept.pop("scores"), kept
     return Payoff(rates, extras, game.teams, game.deterministic, game.score_words[0])
 
