@@ -112,24 +112,23 @@ class RunGroup:
         plain: dict[str, Any] = {"finished": list(self.seeds), "missing": list(self.missing)}
         if not self.runs:
             return plain
-        if not self.is_race:
-            return {**plain, "measures": plain_values(self.means())}
-        plain["judgement"] = self.judgement.to_json()
-        plain["measures"] = plain_values(analysis.measure_all(self.payoffs))
-        if self.runs[0].settings.game:
+        plain |= self._measured()
+        if not self.is_race or self.runs[0].settings.game:
             return plain
-        scores = {f"{team}s": self.held_out(team) for team in TEAMS}
-        over_runs = partial(analysis.interval_over_runs, bounds=(0.0, 1.0))
-        return {
-            **plain,
-            "held_out": {
-                team: {
-                    "mean": plain_values(over_runs(each.mean(axis=1))),
-                    "interquartile mean": plain_values(analysis.interquartile_mean(each)),
-                }
-                for team, each in scores.items()
-            },
-        }
+        over_runs, held_out = partial(analysis.interval_over_runs, bounds=(0.0, 1.0)), {}
+        for team in TEAMS:
+            scores = self.held_out(team)
+            held_out[f"{team}s"] = {
+                "mean": over_runs(scores.mean(axis=1)),
+                "interquartile mean": analysis.interquartile_mean(scores),
+            }
+        return {**plain, "held_out": plain_values(held_out)}
+
+    def _measured(self) -> dict[str, Any]:
+        if not self.is_race:
+            return {"measures": plain_values(self.means())}
+        measures = plain_values(analysis.measure_all(self.payoffs))
+        return {"judgement": self.judgement.to_json(), "measures": measures}
 
     def run_to_json(self) -> dict[str, Any]:
         """Return the summary of a single run, and of a race what was measured and judged."""
@@ -137,12 +136,7 @@ class RunGroup:
         if not self.is_race:
             return run.summary()
         held_out = {} if run.settings.game else {"held_out": kept_scores(self.runs)[0]}
-        return {
-            **run.summary(),
-            "measures": plain_values(analysis.measure_all(self.payoffs)),
-            "judgement": self.judgement.to_json(),
-            **held_out,
-        }
+        return {**run.summary(), **self._measured(), **held_out}
 
 
 def open_groups(*directories: str | Path) -> list[RunGroup]:
