@@ -55,12 +55,10 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
     runs: dict[str, RaceSettings] = {}
     names: dict[RaceSettings, str] = {}
     for key, each in named:
-        if not isinstance(each, RaceSettings):
-            raise TypeError(f"settings: expected RaceSettings, got {checks.shown(each)}")
+        checks.check_instance("settings", each, RaceSettings)
         name = f"{each.schedule.name}/seed-{each.seed}" if key is None else key
-        if not isinstance(name, str) or not NAME.fullmatch(name):
-            expected = "names such as sigma-0.1 or sigma-0.1/seed-3"
-            raise ValueError(f"settings: expected {expected}, got {checks.shown(name)}")
+        fits, expected = NAME.fullmatch(str(name)), "names such as sigma-0.1 or sigma-0.1/seed-3"
+        checks.expect(fits and name == str(name), "settings", expected, checks.shown(name))
         expected = "runs of different schedules or seeds, or a name for each"
         checks.expect(name not in runs, "settings", expected, f"two of {name}")
         runs[name] = _from_anywhere(each)

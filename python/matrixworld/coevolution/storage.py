@@ -117,12 +117,9 @@ class SavedRun:
 
     def _sizes(self) -> dict[str, str]:
         """Return the size of each team's archive by the team's name, or its script."""
+        script = getattr(self.settings.schedule, "opponent", "")
         archive = zip(self.settings.teams, self.archive().values(), strict=True)
-        return {name: str(len(each)) if len(each) else self._script for name, each in archive}
-
-    @property
-    def _script(self) -> str:
-        return cast(Against, self.settings.schedule).opponent
+        return {name: str(len(each) or script) for name, each in archive}
 
     def __repr__(self) -> str:
         """Return directory, kind and seed of the run, and the size of each team's archive."""
@@ -229,11 +226,10 @@ class SavedRun:
 
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
-        arrays = self._load(PAYOFF)
-        kind, settings = self.settings.kind_of_game, self.settings
+        arrays, settings = self._load(PAYOFF), self.settings
+        kind, exact = settings.kind_of_game, bool(settings.game and settings.game.deterministic)
         names = (*(f"{name}s" for name in kind.single), *kind.means)
         extras = {name: arrays[name] for name in names}
-        exact = settings.game is not None and settings.game.deterministic
         return Payoff(arrays["scores"], extras, settings.teams, exact, kind.score_words[0])
 
     def judge(self) -> Judgement:
@@ -305,7 +301,7 @@ class SavedRun:
         """Return genomes of a team as a population; without any, the script that plays for it."""
         settings = self.settings
         if not len(genomes):
-            return self._script
+            return cast(Against, settings.schedule).opponent  # a script
         if team in settings.learning_teams:
             return settings.evaluation_game.population(team, genomes)
         # Opponents of a single team may come from a run with other hidden layers.
@@ -314,10 +310,11 @@ class SavedRun:
 
     def key_of(self, team: str) -> str:
         """Return the key of a team in `teams`, of its key or name; ValueError for another one."""
-        keys = dict(zip(self.settings.teams, self.settings.keys, strict=True))
-        if team not in keys.values():
-            check_choice("team", team, keys)
-        return keys.get(team, team)
+        names, keys = self.settings.teams, self.settings.keys
+        if team in keys:
+            return team
+        check_choice("team", team, names)
+        return keys[names.index(team)]
 
     def last(self, team: str) -> Any:
         """Return the last generation of a team, as a population of one genome, or its script."""
@@ -329,12 +326,11 @@ class SavedRun:
 
         To compare runs at equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
         """
-        log = self.log()
-        own = log["team"] == self.key_of(team)
-        generations, played = log["generation"][own], log["matches"][own]
-        newest = int(generations.max(initial=0))
-        ends = np.array([played[generations == g].max() for g in range(1, newest + 1)])
-        return int(np.count_nonzero(ends <= matches))
+        key, ends = self.key_of(team), dict[int, int]()
+        for row in self.rows(0):
+            if row["team"] == key:  # counts never fall
+                ends[row["generation"]] = row["matches"]
+        return sum(end <= matches for end in ends.values())
 
     def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Episode:
         """Play one episode of the evaluation again and record every step.
@@ -399,10 +395,9 @@ class SavedRun:
 
     @cached_property
     def _best(self) -> dict[Team, int]:
-        # Scores are of runs, and so above this module.
-        from matrixworld.coevolution.evaluation.scores import best_generations
+        from matrixworld.coevolution.evaluation import scores
 
-        return best_generations(self)
+        return scores.best_generations(self)
 
     def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
         """Return what a generation of a team does, in words and numbers: an `Explanation`.
@@ -585,9 +580,7 @@ class RunWriter(SavedRun):
         archive = _archive_of(stages)
         self._saved = {team: len(archive[team]) for team in TEAMS}
         parts = self.settings.learning_teams
-        states: dict[str, State] = {
-            name: {} for team in parts for name in (team, f"{team}.opponents")
-        }
+        states: dict[str, State] = {n: {} for team in parts for n in (team, f"{team}.opponents")}
         for key, value in state.items():
             # "pursuer.opponents.x" belongs to the part "pursuer.opponents", not to "pursuer".
             part, _, name = key.rpartition(".")

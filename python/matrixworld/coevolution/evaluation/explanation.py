@@ -260,6 +260,14 @@ def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
     return sorted(terms, key=lambda term: -abs(term.effect))
 
 
+def _terms(matches: _Matches) -> tuple[list[Term], str]:
+    """Return what the inputs of a policy do in matches, and the sentence of it."""
+    acts = matches.acts
+    assert isinstance(acts, RatingPolicy)
+    terms = terms_of(acts, _inputs_seen(matches))
+    return terms, sentence(matches.team, {term.input: term.effect for term in terms})
+
+
 def pruned(matches: _Matches) -> tuple[Genome, Estimate | None]:
     """Return a program without parts that are worth nothing, and what is lost by it, if any."""
     # A shorter program is taken if its loss against the whole one is below `NO_LOSS` by the bound
@@ -300,10 +308,8 @@ def sentence_of(run: storage.SavedRun, team: Team) -> str:
     if run.settings.game or run.settings.policy.kind == "cells":
         return ""
     policy, world = run.policy(team, seed=0), run.pursuit.world
-    assert isinstance(policy, RatingPolicy)
     matches = _Matches(policy, team, world, opponents_in(run, team, world)[0], 0, 0, {}, silent)
-    terms = terms_of(policy, _inputs_seen(matches))
-    told = sentence(team, {term.input: term.effect for term in terms})
+    _, told = _terms(matches)
     shape: Any = policy.policy
     code = f" rating = {shape.expression(policy.genome)}" if shape.kind == "program" else ""
     return told + code
@@ -311,15 +317,13 @@ def sentence_of(run: storage.SavedRun, team: Team) -> str:
 
 def _by_inputs(matches: _Matches, *, costs: bool) -> dict[str, Any]:
     """Explain what rates moves; with `costs` of leaving inputs out."""
-    acts = matches.acts
-    assert isinstance(acts, RatingPolicy)
-    terms = terms_of(acts, _inputs_seen(matches))
+    acts: Any = matches.acts
+    terms, told = _terms(matches)
     left_out = [acts.policy.without(acts.genome, term.input) for term in terms if costs]
     team = Population(np.stack([acts.genome, *left_out]), acts.policy)
     own, *others = matches.rates(team, 0)
     for number, other in enumerate(others):
         terms[number] = terms[number]._replace(cost=_difference(own, other))
-    told = sentence(matches.team, {term.input: term.effect for term in terms})
     found = {"score": _score(own), "sentence": told, "terms": tuple(terms)}
     return found if costs else {**found, "text": acts.to_python()}
 
