@@ -33,8 +33,8 @@ def on_cluster(where: str | None, threads: int | None = None) -> Iterator[Execut
     if where is None:
         yield None
         return
-    if threads is not None:
-        raise click.UsageError("--threads: expected it without --cluster, got both")
+    expected = "it without --cluster"
+    checks.expect(threads is None, "--threads", expected, "both", click.UsageError)
     dask = imported("distributed", "cluster")
     with ExitStack() as stack:
         address: Any = where if "://" in where else None
@@ -62,11 +62,9 @@ def on_cluster(where: str | None, threads: int | None = None) -> Iterator[Execut
         )
         client.wait_for_workers(1, timeout=FIRST_WORKER_SECONDS)
         for worker, found in client.run(versions, on_error="return").items():
-            if found != versions():  # which would give other results
-                raise click.ClickException(
-                    f"--cluster: expected workers with the versions {versions()} of matrixworld "
-                    f"and NumPy, got {found!r} of {worker}"
-                )
+            expected = f"workers with the versions {versions()} of matrixworld and NumPy"
+            same, got = found == versions(), f"{found!r} of {worker}"  # for the same results
+            checks.expect(same, "--cluster", expected, got, click.ClickException)
         yield stack.enter_context(client.get_executor(pure=False))
 
 

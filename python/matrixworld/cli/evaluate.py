@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from matrixworld import analysis
+from matrixworld._util import checks
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import intervals
@@ -66,8 +67,8 @@ def judge_command(
     judged: dict[str, tuple[Payoffs, RunGroup | None]] = {}
     with usage_errors():
         for group in by_clarity(options.finished_groups(runs)) if runs else ():
-            if not group.is_race:
-                raise click.UsageError(f"{group.name}: expected a race, got a run of one team")
+            got = "a run of one team"
+            checks.expect(group.is_race, group.name, "a race", got, click.UsageError)
             for one in group.singles if each else [group]:
                 judged[one.name] = one.payoffs, one
         # One file may hold several runs; a list is of files of one run each.
@@ -75,10 +76,9 @@ def judge_command(
         for part in parts:
             name = ", ".join(map(str, part)) if isinstance(part, list) else str(part)
             judged[name] = analysis.read_payoffs(part, episodes=episodes), None
-    for payoffs, _ in judged.values():
-        if everything and min(payoffs.shape) < 2:
-            got = " x ".join(map(str, payoffs.shape))
-            raise click.UsageError(f"--all: expected at least 2 x 2 generations, got {got}")
+    for payoffs, _ in judged.values() if everything else ():
+        fits, got = min(payoffs.shape) >= 2, " x ".join(map(str, payoffs.shape))
+        checks.expect(fits, "--all", "at least 2 x 2 generations", got, click.UsageError)
     found: dict[str, Any] = {}
     for name, (payoffs, of_runs) in judged.items():
         judgement = of_runs.judgement if of_runs else analysis.judge(payoffs)

@@ -15,6 +15,7 @@ import click
 from tqdm import tqdm
 
 from matrixworld.__main__ import INTERRUPTED
+from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, LockedError, save_json
 from matrixworld.analysis import sentence
 from matrixworld.cli import cluster, console, options, pages, setting_options
@@ -251,9 +252,8 @@ def _resumable(root: Path) -> Iterator[None]:
 
 def job_of(given: Mapping[str, Any]) -> jobs.Job:
     """Return the job of the runs that options ask for, of several schedules and seeds."""
-    seeds = given.get("seeds")
-    if seeds is not None and "seed" in given:
-        raise click.UsageError("--seeds: expected it without --seed, got both")
+    seeds, one = given.get("seeds"), "seeds" not in given or "seed" not in given
+    checks.expect(one, "--seeds", "it without --seed", "both", click.UsageError)
     # The order in which find_runs finds them, so that --resume prints and draws the same.
     settings = setting_options.settings_of(given)
     settings.sort(key=lambda each: storage.place_in_job(each.schedule.name))

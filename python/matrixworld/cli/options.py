@@ -305,11 +305,10 @@ def run_in(
     if len(chosen) == 1:
         return chosen[0]
     listed = storage.some([*map(str, found)])
-    if setting:
-        raise click.UsageError(f"{begin}expected one run, got a directory of several: {listed}")
-    if not chosen:
-        expected = f"--race with one of its races, {listed}"
-        raise click.UsageError(f"{path}: expected {expected}, got {race}")
+    several = f"a directory of several: {listed}"
+    checks.expect(not setting, setting, "one run", several, click.UsageError)
+    expected = f"--race with one of its races, {listed}"
+    checks.expect(chosen, str(path), expected, race, click.UsageError)
     others = f"the first of {len(chosen)} races; --race chooses another: {listed}"
     console.note(f"{chosen[0]}: {others}")
     return chosen[0]

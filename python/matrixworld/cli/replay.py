@@ -177,10 +177,9 @@ def show_match(run: SavedRun, given: Mapping[str, Any], out: Path | None, *, for
         options.refuse_beside("the game shows text", {"out"} & given.keys())
         say(shown)
         return
-    if not out:
-        raise click.UsageError("--out: expected a .png, because the game shows an image")
-    if out.suffix.lower() != ".png":
-        raise click.UsageError(f"--out: expected a name that ends in .png, got {out}")
+    if not out or out.suffix.lower() != ".png":
+        expected = "expected a .png, because the game shows an image"
+        raise click.UsageError(f"--out: {expected}, got {out or 'none'}")
     with replacing(out) as file:
         file.write(shown)
     say(out)

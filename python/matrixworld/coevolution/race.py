@@ -146,11 +146,6 @@ class OfGenerations(Race):
 
 # In turns:
 
-PAPER: dict[str, dict[str, str]] = {
-    "specialist-specialist": {"pursuers_meet": "latest", "evaders_meet": "latest"},
-    "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
-    "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
-}
 PSRO = "psro"  # name of a schedule in which both teams meet Nash mixtures
 ENOUGH_EPOCHS = 60
 HIDES_CYCLING = (
@@ -179,7 +174,9 @@ class InTurns(OfGenerations):
     kind: ClassVar[str] = "alternating"
     stages_per_generation: ClassVar[int] = 2
     shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
-        **PAPER,
+        "specialist-specialist": {"pursuers_meet": "latest", "evaders_meet": "latest"},
+        "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
+        "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
         PSRO: {"pursuers_meet": "nash", "evaders_meet": "nash"},
     }
 
@@ -190,11 +187,9 @@ class InTurns(OfGenerations):
     @property
     def name(self) -> str:
         """The name in the paper of a schedule that has one, "psro", or "alternating"."""
-        if self.pursuers_meet.kind == self.evaders_meet.kind == samplers.NashOpponents.kind:
-            return PSRO
-        kinds = (self.pursuers_meet.kind, self.evaders_meet.kind)
-        names = [name for name, each in PAPER.items() if kinds == tuple(each.values())]
-        return names[0] if names and self.opponents == 1 else self.kind
+        kinds = {"pursuers_meet": self.pursuers_meet.kind, "evaders_meet": self.evaders_meet.kind}
+        names = [name for name, each in self.shorthands.items() if each == kinds]
+        return names[0] if names and (self.opponents == 1 or names == [PSRO]) else self.kind
 
     @property
     def limits(self) -> str:
@@ -554,11 +549,12 @@ class Against(Race):
 
 
 SCHEDULES: dict[str, InTurns] = {
-    name: InTurns(**kinds)  # type: ignore[arg-type]  # a text stands for a section
-    for name, kinds in PAPER.items()
+    name: InTurns(**kinds) for name, kinds in InTurns.shorthands.items() if name != PSRO
 }
 """The paper's schedules by name."""
-ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)  # names of all schedules of races
+ALL_SCHEDULES = (*[*SCHEDULES][:-1], AtOnce.kind, [*SCHEDULES][-1], PSRO, InTurns.kind)
+"""Names of the schedules of races, in the order in which a job plays them: from the newest
+opponents only to those of all generations."""
 
 
 def curve_window(schedule: Race) -> int:

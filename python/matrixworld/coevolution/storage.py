@@ -44,7 +44,7 @@ from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.pursuit import Pursuit, acting
-from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
+from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, State, Team
@@ -56,9 +56,6 @@ FORMAT = 11  # version of the directory's layout; another one is refused
 CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
 PAYOFF, SUMMARY = "payoff.npz", "summary.json"
 
-# From the newest opponents only to those of all generations: the generalists are the last schedule.
-ORDER = [*list(SCHEDULES)[:-1], AtOnce.kind, list(SCHEDULES)[-1], PSRO, InTurns.kind]
-"""The order in which the runs of one job are played and shown."""
 MOST_NAMED = 5  # most names that a message lists
 SEED = re.compile(r"seed-(\d+)")  # names of the directories of a job's runs
 
@@ -473,7 +470,7 @@ def place_in_job(name: PurePath | str) -> list[tuple[int, int, str]]:
     places = []
     for part in PurePath(name).parts:
         seed = SEED.fullmatch(part)  # seed-2 comes before seed-10
-        schedule = ORDER.index(part) if part in ORDER else len(ORDER)
+        schedule = [*ALL_SCHEDULES, part].index(part)
         places.append((schedule, int(seed[1]) if seed else -1, part))
     return places
 
@@ -551,26 +548,20 @@ class RunWriter(SavedRun):
         A damaged file is reported by a warning and renamed to ``*.damaged``.
         """
         files.remove_temporary_files(self.path)
-        problems: list[files.DamagedFileError] = []
-        stages: list[files.Arrays] = []
-        newest = self.newest()
-        try:
-            while len(stages) <= newest:
-                stages.append(self._stage(len(stages)))
-        except files.DamagedFileError as error:
-            problems.append(error)
-        saved = [number for number in self.numbers("checkpoint") if number < len(stages)]
-        for number in sorted(saved, reverse=True):
+        problems: dict[Path, files.DamagedFileError] = {}
+        # A run that was killed may have a checkpoint of a stage that it has not saved.
+        numbers = [number for number in self.numbers("checkpoint") if number <= self.newest()]
+        for number in sorted(numbers, reverse=True):
             try:
+                stages = [self._stage(each) for each in range(number + 1)]
                 state = self._load(_name("checkpoint", number))
                 break
             except files.DamagedFileError as error:
-                problems.append(error)
+                problems[error.path] = error
         else:
-            reasons = "; ".join(map(str, problems)) or "expected a file checkpoint-*.npz, got none"
+            reasons = "; ".join(map(str, problems.values())) or "got no file checkpoint-*.npz"
             raise files.DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
-        del stages[number + 1 :]
-        for problem in problems:
+        for problem in problems.values():
             warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=3)
             if problem.path.exists():
                 os.replace(problem.path, f"{problem.path}.damaged")
