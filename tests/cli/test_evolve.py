@@ -18,6 +18,7 @@ from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import RaceSettings, Run, create, evolve, open_run
 from matrixworld.coevolution import jobs as jobs_module
+from matrixworld.coevolution import run as run_module
 from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.sections import values_of
 from matrixworld.coevolution.storage import find_runs
@@ -189,7 +190,7 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeyp
         def stopped(path, *, threads, **told):
             return playing(Run(path, threads=threads), play).run(**told)
 
-        patch.setattr(jobs_module, "finish", stopped)
+        patch.setattr(run_module, "finish", stopped)
         result = evolved("--out", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = evolved("--resume", "out")

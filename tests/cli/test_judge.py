@@ -169,8 +169,7 @@ def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     assert f"Failed: {failed}: payoff.npz: cut or altered" in run_together(said)
     kept = read_json(job / "summary.json")["failed"]
     assert kept == {f"{FIRST}/seed-1": "payoff.npz: cut or altered"}
-    Path("none").mkdir()
-    report(asked, Path("none"), [], {}, 0.0)
+    report(asked, job, [], {}, 0.0)
     assert f"{FIRST}\n  0 of 4 seeds finished" in capsys.readouterr().out
 
 

@@ -354,8 +354,7 @@ def report(
     `failed` says why other runs of the job failed, by their directories; `began` is the time of
     `time.monotonic` when it began.
     """
-    runs = {root / name: settings for name, settings in job.items()}
-    found = grouped(runs, finished=[run.path for run in results])
+    found = grouped((SavedRun(root / name) for name in job), finished=[run.path for run in results])
     groups = [group.inside(root) for group in found]
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]

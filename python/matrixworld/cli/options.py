@@ -272,7 +272,7 @@ def finished_groups(
     found = groups.open_groups(*directories)
     every = [run for directory in directories for run in storage.find_runs(directory)]
     if unfinished and len(every) == 1:
-        return groups.grouped({every[0]: storage.SavedRun(every[0]).settings}, finished=every)
+        return groups.grouped(map(storage.SavedRun, every), finished=every)
     if not any(group.runs for group in found):
         again = resume_command(directories[0])
         raise click.UsageError(f"{directories[0]}: expected a finished run; {again} continues it")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -145,11 +145,8 @@ def open_groups(*directories: str | Path) -> list[RunGroup]:
     Those that are not finished are `RunGroup.missing`; a group may have no other ones.
     FileNotFoundError or ValueError if a directory holds no run, or the same run is there twice.
     """
-    runs: dict[Path, RaceSettings] = {}
-    for directory in map(Path, directories):
-        paths = runs_in(directory)
-        runs |= {path: SavedRun(path).settings for path in paths}
-    return grouped(runs)
+    paths = dict.fromkeys(path for each in directories for path in runs_in(Path(each)))
+    return grouped(map(SavedRun, paths))
 
 
 def by_clarity(groups: Sequence[RunGroup]) -> list[RunGroup]:
@@ -157,25 +154,25 @@ def by_clarity(groups: Sequence[RunGroup]) -> list[RunGroup]:
     return sorted(groups, key=lambda group: group.clarity, reverse=True)
 
 
-def grouped(
-    runs: Mapping[Path, RaceSettings], finished: Collection[Path] | None = None
-) -> list[RunGroup]:
+def grouped(runs: Iterable[SavedRun], finished: Collection[Path] | None = None) -> list[RunGroup]:
     """Return runs in groups; those of `finished` have their results, by default all that do."""
-    found: dict[RaceSettings, list[Path]] = {}
-    for path, settings in runs.items():
-        found.setdefault(settings.method, []).append(path)
+    methods: dict[RaceSettings, list[SavedRun]] = {}
+    for run in runs:
+        methods.setdefault(run.settings.method, []).append(run)
     groups = []
-    for paths in found.values():
-        seeds: dict[int, Path] = {}
-        for path in paths:
-            if SavedRun(path).finished if finished is None else path in finished:
-                first = seeds.setdefault(runs[path].seed, path)
-                if first != path:
+    for of_method in methods.values():
+        seeds: dict[int, SavedRun] = {}
+        for run in of_method:
+            if run.finished if finished is None else run.path in finished:
+                first = seeds.setdefault(run.settings.seed, run)
+                if first is not run:
                     expected = "expected runs with different seeds"
-                    raise ValueError(f"{expected}, got the same run twice: {first}, {path}")
-        missing = sorted({runs[path].seed for path in paths} - seeds.keys())
-        files = tuple(map(SavedRun, seeds.values()))
-        groups.append(RunGroup(_named(paths), files, tuple(missing)))
+                    raise ValueError(
+                        f"{expected}, got the same run twice: {first.path}, {run.path}"
+                    )
+        missing = sorted({run.settings.seed for run in of_method} - seeds.keys())
+        paths = _named([run.path for run in of_method])
+        groups.append(RunGroup(paths, tuple(seeds.values()), tuple(missing)))
     return groups
 
 
@@ -183,9 +180,8 @@ def _named(paths: Sequence[Path]) -> tuple[Path, ...]:
     """Return the directory of seeds if all of them are there, else the paths."""
     folder, absolute = paths[0].parent, {path.absolute() for path in paths}
     of_seeds = all(SEED.fullmatch(path.name) for path in paths)
-    if of_seeds and {*find_runs(folder.absolute())} <= absolute:
-        return (folder,)
-    return tuple(paths)
+    of_seeds = of_seeds and {*find_runs(folder.absolute())} <= absolute
+    return (folder,) if of_seeds else tuple(paths)
 
 
 def _inside(path: Path, root: Path) -> Path:
@@ -283,8 +279,7 @@ def _group_of(name: str, source: Any) -> RunGroup | None:
     elif isinstance(source, RunGroup):
         groups = [source]
     elif several and all(isinstance(each, SavedRun) for each in several):
-        runs = sorted(several, key=lambda run: run.settings.seed)
-        groups = grouped({run.path: run.settings for run in runs})
+        groups = grouped(sorted(several, key=lambda run: run.settings.seed))
     else:
         return None
     got = "; ".join(f"{each.name}, seeds {each.seeds}" for each in groups)

@@ -110,8 +110,7 @@ def explorer_page(
     """
     together: tuple[str, ...] = ()
     if so_far is None:
-        settings = {run.path: run.settings for run in runs}
-        every = groups or grouped(settings, finished=settings)
+        every = groups or grouped(runs, finished=[run.path for run in runs])
         runs, together = zip(*_in_order(runs, every), strict=True)
     paths = [run.path.absolute() for run in runs]
     common = _common(paths)
