@@ -149,25 +149,19 @@ class OwnCode(Section):
 
     def check(self) -> None:
         """Raise ValueError unless a name is given."""
-        if not PATH.fullmatch(self.code):
-            raise ValueError(f"code: expected module:object, got {checks.shown(self.code)}")
+        checks.expect(PATH.fullmatch(self.code), "code", "module:object", checks.shown(self.code))
 
     def load(self) -> Any:
         """Return the section of your own; ValueError if it refuses its settings, or PluginError."""
         cls = imported(self.code)
         # Before it is called: the files of a stranger's run must not name any function at all.
-        if not (isinstance(cls, type) and issubclass(cls, self.base)):
-            expected = f"a class derived from {self.base.__name__}"
-            raise ValueError(f"{self.code}: expected {expected}, got {checks.shown(cls)}")
+        derived = isinstance(cls, type) and issubclass(cls, self.base)
+        expected = f"a class derived from {self.base.__name__}"
+        checks.expect(derived, self.code, expected, checks.shown(cls))
         try:
+            check_names(self.settings, [item.name for item in fields(cls)])
             return cls(**self.settings)
-        except TypeError as error:
-            known = [item.name for item in fields(cls)]  # type: ignore[arg-type]  # a section
-            raise ValueError(
-                f"{self.code}: expected its settings ({', '.join(known)}), got "
-                f"{dict(self.settings)} ({error})"
-            ) from error
-        except ValueError as error:
+        except (TypeError, ValueError) as error:
             raise ValueError(f"{self.code}: {error}") from error
         except (Exception, SystemExit) as error:
             raise PluginError(f"{self.code}: {type(error).__name__}: {error}") from error
@@ -197,8 +191,8 @@ def imported(code: str) -> Any:
 def name_of(code: Any) -> str:
     """Return ``module:object`` of a class; ValueError if an import cannot find it."""
     name = f"{getattr(code, '__module__', '')}:{getattr(code, '__qualname__', '')}"
-    if not PATH.fullmatch(name):  # such as what is inside a function
-        raise ValueError(f"code: expected a class of a module, got {checks.shown(code)}")
+    found = PATH.fullmatch(name)  # unless it is inside a function
+    checks.expect(found, "code", "a class of a module", checks.shown(code))
     return name
 
 
