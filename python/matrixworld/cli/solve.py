@@ -112,19 +112,20 @@ def _solve_runs(group: RunGroup, threads: int | None, bar: ProgressBar) -> dict[
     found: dict[str, Any] = {"value": value, "seeds": list(group.seeds)}
     for champion in group.runs[0].settings.learning_teams:
         perfect, rate = _score(value, champion), SCORE[other(champion)]
-        columns: dict[str, list[float]] = {"met": [], "best": [], "gain": [], "exploitability": []}
+        rows = [
+            ["seed", f"the {other(champion)}s of the run", "the best", "gain", "exploitability"]
+        ]
+        numbers = []
         for run in group.runs:
             rates = expected_payoff(states, run.last("pursuer"), run.last("evader"))
             met = _score(rates, champion)
             best = _score(best_response(states, run.last(champion), champion).value, champion)
-            for column, number in zip(
-                columns.values(), (met, best, best - met, best - perfect), strict=True
-            ):
-                column.append(number)
-        rows = [["seed", f"the {other(champion)}s of the run", "the best", *[*columns][2:]]]
-        for seed, *numbers in zip(group.seeds, *columns.values(), strict=True):
+            numbers.append((met, best, best - met, best - perfect))
             # Adding 0.0 turns the -0.0 of a rounding error into 0.0.
-            rows.append([str(seed), *(f"{round(number, 3) + 0.0:.3f}" for number in numbers)])
+            cells = (f"{round(number, 3) + 0.0:.3f}" for number in numbers[-1])
+            rows.append([str(run.settings.seed), *cells])
+        names = ("met", "best", "gain", "exploitability")
+        columns = dict(zip(names, map(list, zip(*numbers, strict=True)), strict=True))
         if len(group.runs) > 1:
             means = (interval_over_runs(columns[name]) for name in ("gain", "exploitability"))
             rows.append(["mean", "", "", *map(str, means)])

@@ -145,12 +145,9 @@ class SavedRun:
             raise FileNotFoundError(f"{self.path}: holds no run, expected a file {CONFIG}")
         values = files.read_json(self.path / CONFIG)
         # Before any other entry is read: another format may not have it.
-        if values.get("format") != FORMAT:
-            raise OtherVersionError(
-                f"{self.path / CONFIG}: expected format {FORMAT}, got "
-                f"{files.one_line(values.get('format'))} (written by matrixworld "
-                f"{files.one_line(values.get('matrixworld', 'unknown'))})"
-            )
+        found, version = values.get("format"), values.get("matrixworld", "unknown")
+        got = files.one_line(f"{found} (written by matrixworld {version})")
+        expect(found == FORMAT, f"{self.path / CONFIG}", f"format {FORMAT}", got, OtherVersionError)
         return values
 
     @cached_property
@@ -161,11 +158,9 @@ class SavedRun:
         except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
             if isinstance(error, files.DamagedFileError | OtherVersionError):
                 raise
-            version = files.one_line(self.config.get("matrixworld", "unknown"))
-            raise OtherVersionError(
-                f"{self.path / CONFIG}: expected settings of matrixworld {__version__}, got those "
-                f"of {version}: {files.one_line(error)}"
-            ) from error
+            got = f"those of {self.config.get('matrixworld', 'unknown')}: {error}"
+            expected = f"{self.path / CONFIG}: expected settings of matrixworld {__version__}"
+            raise OtherVersionError(f"{expected}, got {files.one_line(got)}") from error
 
     @property
     def title(self) -> str:
