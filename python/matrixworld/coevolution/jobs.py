@@ -66,7 +66,7 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
         other = names.setdefault(runs[name], name)
         got = f"{other} and {name}, equal"
         checks.expect(other == name, "settings", "different runs", got)
-    checks.expect(runs, "settings", "at least one run", "none")
+    checks.expect(len(runs), "settings", "at least one run", "none")
     return runs
 
 

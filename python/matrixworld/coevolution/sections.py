@@ -353,12 +353,13 @@ def merged(
     A section in it that stays of its class keeps what is not changed.
     """
     known, values = {item.name: item for item in fields(cls)}, dict(before)
-    check_names(changes, known)
+    check_names(changes.keys(), known)
     for name, change in changes.items():
         hint, earlier = hints_of(cls)[name], before.get(name)
+        values[name] = change
         if sections_in(hint) and change is not None:
             values[name] = _section(known[name], hint, earlier, change)
-        else:
+        elif isinstance(change, Mapping):
             values[name] = _joined(earlier, change)
     return values
 
