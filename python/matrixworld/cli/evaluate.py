@@ -14,7 +14,7 @@ from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import intervals
 from matrixworld.analysis import judgement as judgements
-from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, TEAMS, Payoffs
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
 from matrixworld.cli import cluster, console, options
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import ProgressBar, open_run, storage, tournament, types
@@ -109,15 +109,11 @@ def print_judgement(judgement: analysis.Judgement) -> None:
     """Print a judgement: its sentence, what was judged, its table, what limits it."""
     console.print_wrapped(analysis.sentence(judgement))
     runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
-    pursuers, evaders = judgement.shape
+    (rows, columns), (first, second) = judgement.shape, judgement.teams
     played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
     if judgement.exact:
         played = ", all episodes equal"
-    if judgement.teams == TEAMS:
-        counted = f"{pursuers} pursuer and {evaders} evader generations"
-    else:
-        first, second = judgement.teams
-        counted = f"{pursuers} generations of {first} and {evaders} of {second}"
+    counted = f"{rows} generations of {first} and {columns} of {second}"
     console.say(f"\n{runs}, {counted}{played}")
     console.print_table(judgements.judgement_cells(judgement), "<<<<")
     if judgement.episodes is None:

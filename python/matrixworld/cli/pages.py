@@ -13,8 +13,7 @@ import click
 
 from matrixworld.cli import console, options, replay
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import open_run
-from matrixworld.coevolution.groups import RunGroup
+from matrixworld.coevolution import RunGroup, open_run
 from matrixworld.explorer import playground, runs_page
 from matrixworld.explorer.page import write_page
 from matrixworld.world.rules import Rules

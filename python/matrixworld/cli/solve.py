@@ -12,9 +12,8 @@ import click
 from matrixworld.analysis import interval_over_runs
 from matrixworld.cli import console, options
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import ProgressBar, Team
+from matrixworld.coevolution import ProgressBar, RunGroup, Team
 from matrixworld.coevolution.evaluation.scores import SCORE
-from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.types import other
 from matrixworld.solver import States, best_response, expected_payoff, solve
 from matrixworld.world.config import WorldConfig
