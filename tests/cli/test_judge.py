@@ -82,7 +82,7 @@ def test_files_of_means_need_their_number_of_episodes():
     assert found["circle.csv"] == judge(means_of("circle"), episodes=30).to_json()
     assert "--episodes" not in known
     told, found = judged("race.npz", "again.npz", "--episodes", 30)
-    assert "2 runs, 31 pursuer" in told
+    assert "2 runs, 31 generations of pursuers" in told
     twice = np.array([means_of("race")] * 2)
     assert found == {"race.npz, again.npz": judge(twice, episodes=30).to_json()}
     np.savez("small.npz", scores=np.random.default_rng(0).random((4, 4, 2)))
