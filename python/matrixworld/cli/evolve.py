@@ -33,16 +33,6 @@ from matrixworld.world.config import WORLDS, WorldConfig, world_name
 from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row, variant_name
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
-# \b keeps click from wrapping the lines.
-EXAMPLES = """\b
-Examples:
-  matrixworld evolve
-  matrixworld evolve --out my-race --variant SB --schedule generalist-generalist
-  matrixworld evolve --out my-races --seeds 0-9
-  matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
-  matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
-  matrixworld evolve --resume my-race
-"""
 
 
 # The table of variants:
@@ -98,7 +88,7 @@ def _shows(function: Any) -> Any:
     return function
 
 
-@click.command("evolve", epilog=EXAMPLES)
+@click.command("evolve")
 @click.option(
     "--out",
     "-o",
@@ -193,6 +183,15 @@ def evolve_command(
 
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
+
+    \b
+    Examples:
+      matrixworld evolve
+      matrixworld evolve --out my-race --variant SB --schedule generalist-generalist
+      matrixworld evolve --out my-races --seeds 0-9
+      matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
+      matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
+      matrixworld evolve --resume my-race
     """
     context = click.get_current_context()
     everything = options.given(context.params)

@@ -21,13 +21,6 @@ from matrixworld.world.rules import Rules
 Run = TypeVar("Run")
 
 FORMATS = ("png", "pdf", "svg")
-# \b keeps click from wrapping the lines.
-PLAYGROUND_EXAMPLES = """\b
-Examples:
-  matrixworld playground
-  matrixworld playground SB
-  matrixworld playground runs/O-seed0 --race hall-of-fame
-"""
 
 
 def open_page(page: Path, opens: bool) -> None:
@@ -123,7 +116,7 @@ def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:
     return [run for group in runs for run in group if run in chosen]
 
 
-@click.command("playground", epilog=PLAYGROUND_EXAMPLES)
+@click.command("playground")
 @click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=replay.source_of)
 @options.shared("race")
 @options.out(f"the page  [default: {playground.PAGE}, of a RUN in its directory]")
@@ -140,6 +133,12 @@ def playground_command(
 
     The page is a single file that needs no network. It keeps a played match as a file, which
     matrixworld replay FILE shows.
+
+    \b
+    Examples:
+      matrixworld playground
+      matrixworld playground SB
+      matrixworld playground runs/O-seed0 --race hall-of-fame
     """
     title = "matrixworld playground"
     if isinstance(source, Rules):

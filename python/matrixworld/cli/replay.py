@@ -32,14 +32,6 @@ SUFFIXES = (".gif", ".mp4", ".png", ".npz")
 FRAMES = 100
 """About how many frames a GIF or film has: as many as are shown in 10 seconds."""
 CHASER, FLEER = "chaser", "fleer"
-# \b keeps click from wrapping the lines.
-EXAMPLES = """\b
-Examples:
-  matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
-  matrixworld replay my-race --out match.gif
-  matrixworld replay SB --pursuer surrounder --obstacles 0.1
-  matrixworld replay my-race --step 17 --explain
-"""
 
 
 def _out(ctx: click.Context, param: click.Parameter, path: Path | None) -> Path | None:
@@ -62,7 +54,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
         raise click.BadParameter(told) from None
 
 
-@click.command("replay", epilog=EXAMPLES)
+@click.command("replay")
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=source_of)
 @options.shared("race")
 @click.option(
@@ -121,6 +113,13 @@ def replay_command(
 
     RUN of a game of your own: what the game shows of a match of two generations, --pursuer of its
     first team and --evader of the second. An image needs --out, a .png.
+
+    \b
+    Examples:
+      matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
+      matrixworld replay my-race --out match.gif
+      matrixworld replay SB --pursuer surrounder --obstacles 0.1
+      matrixworld replay my-race --step 17 --explain
     """
     given = options.given(click.get_current_context().params)
     if isinstance(source, Path) and source.is_dir():

@@ -18,13 +18,6 @@ from matrixworld.coevolution.types import other
 from matrixworld.solver import States, best_response, expected_payoff, solve
 from matrixworld.world.config import WorldConfig
 
-SOLVE_EXAMPLES = """\b
-Examples:
-  matrixworld solve --rows 4 --cols 4 --steps 5
-  matrixworld solve --variant TO --rows 8 --cols 8
-  matrixworld solve --variant O --rows 4 --cols 4 --n-pursuers 2 --n-evaders 1 --steps 5 --json -
-  matrixworld solve --run runs/small-race
-"""
 SOLVE_LEGEND = (
     "Both teams see everything and choose for all their members together. The "
     "mean is over all starts on distinct free cells."
@@ -36,7 +29,7 @@ RUN_LEGEND = (
 )
 
 
-@click.command("solve", epilog=SOLVE_EXAMPLES)
+@click.command("solve")
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders", "steps")
 @options.shared("diagonal", "obstacles")
 @click.option(
@@ -62,6 +55,13 @@ def solve_command(
 
     With --run the best responses to the last generations of a run are computed, which no other can
     surpass. Its networks must see the whole board.
+
+    \b
+    Examples:
+      matrixworld solve --rows 4 --cols 4 --steps 5
+      matrixworld solve --variant TO --rows 8 --cols 8
+      matrixworld solve --rows 4 --cols 4 --n-pursuers 2 --n-evaders 1 --steps 5 --json -
+      matrixworld solve --run runs/small-race
     """
     options.check_outputs(json_file, force=force)
     given = options.given(world)
