@@ -109,10 +109,8 @@ def change(root: Path, *, generations: int | None = None, force: bool = False) -
         for path in paths:
             run.accept_source(path)
     if generations is not None:
-        for path in paths:
-            run.lengthen(path, generations, only_check=True)
-        for path in paths:
-            run.lengthen(path, generations)
+        for only_check, path in itertools.product((True, False), paths):
+            run.lengthen(path, generations, only_check=only_check)
 
 
 class FailedRunsError(RuntimeError):

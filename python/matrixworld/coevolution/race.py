@@ -40,8 +40,6 @@ from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, P
 if TYPE_CHECKING:
     from matrixworld.coevolution.run import Run, RunInMemory
 
-CONFIDENCE = 0.95  # probability with which an interval of the summary covers the true mean
-
 
 @section
 class Race(Section):
@@ -538,11 +536,11 @@ class Against(Race):
             values = np.asarray(episodes, dtype=np.float64).ravel()
             # Equal episodes say nothing of their spread: the interval would have a width of 0.
             same = intervals.does_not_vary(values)
-            low, high = (None, None) if same else intervals.t_ends(values, CONFIDENCE, (0.0, most))
+            ends = (None, None) if same else intervals.t_ends(values, intervals.LEVEL, (0.0, most))
             found |= {
                 name: float(values.mean()),
-                f"{name}_low": low,
-                f"{name}_high": high,
+                f"{name}_low": ends[0],
+                f"{name}_high": ends[1],
                 f"{name}_std": float(values.std()),
             }
         return found

@@ -80,7 +80,6 @@ epoch of a generation, which choose its champion, count in the row of that epoch
 """
 Row = dict[str, Any]
 Archive = dict[str, Genomes]
-Counters = Mapping[str, float]  # what a run has counted until the end of a stage, by name
 
 
 OTHER_NAMES = {
@@ -520,7 +519,7 @@ class RunWriter(SavedRun):
         stage: int,
         archive: Mapping[Team, Genomes | Sequence[Genome]],
         rows: Sequence[Row],
-        counters: Counters,
+        counters: Mapping[str, float],
         states: Mapping[str, State],
     ) -> None:
         """Save a stage and its checkpoint.

@@ -155,15 +155,12 @@ class HeldOutScores(readable.Readable):
 
     def against(self, opponent: str, row: int = -1) -> Estimate:
         """Return the mean of one genome against one opponent, with an interval over episodes."""
-        return self._estimate(row, [self.opponents.index(opponent)])
+        return analysis.mean_over_episodes(self.rates[row, self.opponents.index(opponent)])
 
     def mean(self, row: int = -1) -> Estimate:
         """Return the mean of one genome over the opponents, with an interval over episodes."""
-        return self._estimate(row, range(len(self.opponents)))
-
-    def _estimate(self, row: int, chosen: Sequence[int]) -> Estimate:
         # Episode e against each opponent is one independent sample of the mean.
-        return analysis.mean_over_episodes(self.rates[row][list(chosen)].mean(axis=0))
+        return analysis.mean_over_episodes(self.rates[row].mean(axis=0))
 
     def to_json(self) -> dict[str, Any]:
         """Return everything except the single episodes as values that JSON can hold."""
