@@ -140,10 +140,22 @@ class RunGroup:
 
 
 def open_groups(*directories: str | Path) -> list[RunGroup]:
-    """Return the runs in `directories`, or up to two levels below, in groups of different seeds.
+    """Return runs in groups, in which they differ in their seed only.
 
-    Those that are not finished are `RunGroup.missing`; a group may have no other ones.
-    FileNotFoundError or ValueError if a directory holds no run, or the same run is there twice.
+    Parameters
+    ----------
+    *directories : str or Path
+        Directories of runs, or of runs up to two levels below.
+
+    Returns
+    -------
+    list of RunGroup
+        Runs that are not finished are `RunGroup.missing`; a group may have no other ones.
+
+    Raises
+    ------
+    FileNotFoundError, ValueError
+        If a directory holds no run, or the same run is there twice.
     """
     paths = dict.fromkeys(path for each in directories for path in runs_in(Path(each)))
     return grouped(map(SavedRun, paths))
@@ -197,9 +209,23 @@ def _inside(path: Path, root: Path) -> Path:
 def judge(source: Any, **known: Any) -> Judgement:
     """Judge a race, or several with the same settings; see `analysis.judge`.
 
-    The `source` is finished runs that differ in their seed only, one, a list, a `RunGroup`, or a
-    directory that holds such runs; or payoffs as `analysis.judge` takes them, whose other arguments
-    are `known`.
+    Parameters
+    ----------
+    source : SavedRun, list of SavedRun, RunGroup, str or Path, or payoffs
+        Finished runs that differ in their seed only, or a directory that holds such runs; or
+        payoffs as `analysis.judge` takes them.
+    **known
+        Other arguments of `analysis.judge`, for payoffs.
+
+    Returns
+    -------
+    Judgement
+        What happened in the races.
+
+    Raises
+    ------
+    ValueError
+        If runs differ in more than their seed, or none is finished.
     """
     group = _group_of("source", source)
     return analysis.judge(source if group is None else group.payoffs, **known)
@@ -231,9 +257,22 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
     the measures that a judgement rests on. Groups with the same seeds are compared pair by pair.
     Two single runs have scores only, with intervals over episodes, not over seeds.
 
-    `one` and `other` are as `source` of `judge`; payoffs have no scores. Each interval has a
-    `level`, in (0, 1); who asks many questions takes a higher one. ValueError if the worlds of the
-    runs differ: scores are of a world.
+    Parameters
+    ----------
+    one, other
+        As `source` of `judge`; payoffs have no scores.
+    level : float, optional
+        Level of each interval, in (0, 1); who asks many questions takes a higher one.
+
+    Returns
+    -------
+    Comparison
+        Means of both groups, and their differences.
+
+    Raises
+    ------
+    ValueError
+        If the worlds of the runs differ: scores are of a world.
     """
     groups = [_group_of("one", one), _group_of("other", other)]
     runs = [group for group in groups if group is not None]

@@ -58,11 +58,27 @@ def create(
 ) -> storage.SavedRun:
     """Make the directory of a run, as of its stage 0: nothing is played yet.
 
-    A `directory` that holds a run of the same `settings` is left as it is. A team that learns alone
-    may be given a population of `opponents`, in place of `schedule.opponent`, and a genome (genes,)
-    to `start` from, in place of `schedule.start`. FileExistsError, ValueError or PluginError if the
-    directory holds anything else, opponents do not fit the world, or code of your own fails or
-    refuses its settings.
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the run.
+    directory : str or Path
+        A new or empty directory; one that holds a run of the same settings is left as it is.
+    opponents : population, optional
+        Opponents of a team that learns alone, in place of `schedule.opponent`.
+    start : array_like of float32, optional
+        Genome (genes,) that such a team starts from, in place of `schedule.start`.
+
+    Returns
+    -------
+    SavedRun
+        The run.
+
+    Raises
+    ------
+    FileExistsError, ValueError, PluginError
+        If the directory holds anything else, opponents do not fit the world, or code of your own
+        fails or refuses its settings. Nothing is written then.
     """
     checks.check_instance("settings", settings, RaceSettings)
     path, schedule = Path(directory), settings.schedule
@@ -591,10 +607,23 @@ def finish(
     report: Report = silent,
     on_epoch: OnEpoch | None = None,
 ) -> storage.SavedRun:
-    """Return the finished run of a `directory` that `create` has made, which may have begun.
+    """Return the finished run of a directory: play what is left of it.
 
-    An executor can call it wherever the directory has the same path. `threads` and errors are those
-    of `Run`, `report` and `on_epoch` are as for `evolve`.
+    An executor can call it wherever the directory has the same path. Errors are those of `Run`.
+
+    Parameters
+    ----------
+    directory : str or Path
+        A directory that `create` has made, of a run which may have begun.
+    threads : int, optional
+        As in `Run`.
+    report, on_epoch : callable, optional
+        As in `evolve`.
+
+    Returns
+    -------
+    SavedRun
+        The finished run.
     """
     files = storage.RunWriter(directory)
     if files.exists and files.finished and not [*files.path.glob("checkpoint-*")]:  # of a page

@@ -421,7 +421,17 @@ class SavedRun:
 
 
 def open_run(directory: str | Path) -> SavedRun:
-    """Return the run in a `directory`, whether it is finished or not.
+    """Return the run in a directory, whether it is finished or not.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Directory of the run.
+
+    Returns
+    -------
+    SavedRun
+        The run, whose files have been checked.
 
     Raises
     ------
@@ -470,7 +480,17 @@ def place_in_job(name: PurePath | str) -> list[tuple[int, int, str]]:
 
 
 def open_runs(directory: str | Path) -> list[SavedRun]:
-    """Return the finished runs in a `directory`, or up to two levels below, by schedule and seed.
+    """Return the finished runs in a directory, by schedule and seed.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Directory of a run, or of runs up to two levels below.
+
+    Returns
+    -------
+    list of SavedRun
+        The runs that are finished.
 
     Raises
     ------

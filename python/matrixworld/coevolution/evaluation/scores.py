@@ -77,10 +77,24 @@ def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
 def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
     """Return the held-out opponents of a variant by name.
 
-    First the scripts, then genomes, each a population of one and named ``evolved-1`` and so on.
-    They play for `team` under the rules of `variant`. Genomes are from
-    ``evolution/evolve_held_out.py``, rounded to float16; other rules have none. ValueError if there
-    is no such team or variant.
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        Team that they play for.
+    variant : Rules or str
+        Rules under which they play.
+
+    Returns
+    -------
+    dict of str to policy
+        First the scripts, then genomes, each a population of one and named ``evolved-1`` and so on.
+        Genomes are from ``evolution/evolve_held_out.py``, rounded to float16; rules that are none
+        of the package's variants have none.
+
+    Raises
+    ------
+    ValueError
+        If there is no such team or variant.
     """
     opponents: dict[str, TeamPolicy] = {name: name for name in held_out_scripts(team, variant)}
     genomes = _shipped().get(f"{variant_name(rules_of(variant))}.{team}s", ())
@@ -278,13 +292,32 @@ def score(
     report: Report = silent,
     executor: Executor | None = None,
 ) -> dict[Team, HeldOutScores]:
-    """Score each team that learned in a `run` against the held-out opponents of its variant.
+    """Score each team that learned in a run against the held-out opponents of its variant.
 
-    By default the last `generation`; negative numbers count from the end, None means all
-    generations; IndexError if there is none. Each pair plays `episodes`, at least 2, of a `seed`,
-    by default the same for all runs. The `world` may have another size or map, or other numbers of
-    agents, and the most `steps` of an episode; by default it is that of the run. `threads`,
-    `executor` and `report` are as for `tournament` and `evolve`.
+    Parameters
+    ----------
+    run : SavedRun
+        The run, which need not be finished.
+    generation : int, optional
+        The generation; negative numbers count from the end, None means all. By default the last.
+    episodes, seed : int, optional
+        Episodes of each pair, at least 2, and their seed, by default the same for all runs.
+    world : WorldConfig, optional
+        A world with another size or map, or other numbers of agents. By default that of the run.
+    steps : int, optional
+        The most steps of an episode. By default those of the world.
+    threads, executor, report
+        As in `tournament` and `evolve`.
+
+    Returns
+    -------
+    dict of {"pursuer", "evader"} to HeldOutScores
+        The scores of each team that learned.
+
+    Raises
+    ------
+    IndexError
+        If there is no such generation.
     """
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)

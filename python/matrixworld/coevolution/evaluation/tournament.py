@@ -37,19 +37,35 @@ def tournament(
 ) -> Payoff:
     """Play every member of the first team against every member of the second.
 
-    In a `game`, or a world of pursuit, `first` and `second` are what `Game.population` returns of G
-    and H genomes; in pursuit also names of scripts. Each pair plays `episodes` of the run's `seed`:
-    the seed of a pair is ``evaluation_seed(seed, pursuer generation, evader generation)``. It does
-    not depend on the other pairs, so that each can be replayed alone. The first members of both
-    teams have these `generations`; results of the first members that are `known` are not played
-    again.
-
-    `report` is called after each row of the matrix with a `Progress` in episodes. An `executor`
-    plays the rows, each with `threads` threads, by default one; else they are played here, by
-    default on all cores, on which results do not depend.
-
     It is the "master tournament" of Floreano and Nolfi 1997, "God save the red queen! Competition
     in co-evolutionary robotics".
+
+    Parameters
+    ----------
+    game : Game or WorldConfig
+        What is played; a world stands for pursuit in it.
+    first, second : population or str
+        What `Game.population` returns of G and H genomes; in pursuit also names of scripts.
+    seed : int
+        Seed of the run. That of a pair is ``evaluation_seed(seed, pursuer generation, evader
+        generation)``, which does not depend on the other pairs: each can be replayed alone.
+    episodes : int
+        Episodes of each pair.
+    threads : int, optional
+        Threads, on which results do not depend. By default one per core, with an executor one.
+    generations : tuple of two int, optional
+        Generations of the first members of both teams.
+    known : Payoff, optional
+        Results of the first members of both teams, which are not played again.
+    report : callable, optional
+        Called after each row of the matrix with a `Progress` in episodes.
+    executor : concurrent.futures.Executor, optional
+        Plays the rows, each with `threads` threads. By default they are played here.
+
+    Returns
+    -------
+    Payoff
+        Scores (G, H, episodes) of the first team, and what else the game tells.
     """
     game = game if isinstance(game, Game) else Pursuit(world=game)
     episodes = check_integer("episodes", episodes, 1)
