@@ -16,7 +16,7 @@ from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, w
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.setting_options import settings_of
-from matrixworld.coevolution import RaceSettings, Run, create, evolve, open_run
+from matrixworld.coevolution import SCHEDULES, RaceSettings, Run, create, evolve, open_run
 from matrixworld.coevolution import jobs as jobs_module
 from matrixworld.coevolution import run as run_module
 from matrixworld.coevolution.jobs import found_job
@@ -157,7 +157,7 @@ def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
 
 
 def test_the_runs_of_a_job_are_in_the_order_of_their_schedules():
-    job = job_of({"schedule": ("hall-of-fame", "all"), "seeds": (10, 2)})
+    job = job_of({"schedule": ("hall-of-fame", *SCHEDULES), "seeds": (10, 2)})
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
     assert [*job] == [f"{name}/seed-{seed}" for name in schedules for seed in (10, 2)]
 

@@ -112,12 +112,11 @@ def _shows(function: Any) -> Any:
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
-    type=click.Choice([*ALL_SCHEDULES, Against.kind, setting_options.ALL]),
+    type=click.Choice([*ALL_SCHEDULES, Against.kind]),
     multiple=True,
     metavar="NAME",
     help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; or {Against.kind}: one team evolves "
-    f"alone; may be given several times; {setting_options.ALL}: the first "
-    f"three  [default: {', '.join(setting_options.MAIN_JOB)}]",
+    f"alone; may be given several times  [default: {', '.join(setting_options.MAIN_JOB)}]",
 )
 @click.option(
     "--learner",

@@ -21,14 +21,13 @@ from matrixworld._util import files
 from matrixworld.cli import console, options
 from matrixworld.coevolution import ActorCritic, OtherVersionError, RaceSettings
 from matrixworld.coevolution.pursuit import WORLD_HELP
-from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce
+from matrixworld.coevolution.race import Against, AtOnce
 from matrixworld.coevolution.sections import Section, hints_of, sections_in
 from matrixworld.coevolution.settings import paths_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
-ALL = "all"
 HINTS = hints_of(RaceSettings)
 
 NAMES = (
@@ -115,9 +114,7 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
             raise click.UsageError(f"--set {path}: expected one value of a setting, got several")
         taken.add(path)
         changes[path] = value
-    if ALL in names:
-        names = [*SCHEDULES, *(name for name in names if name != ALL)]
-    elif not names:
+    if not names:
         # "" stands for the schedule of the file.
         usual = [""] if "schedule" in file else MAIN_JOB
         names = [changes.pop("schedule")] if "schedule" in changes else usual
