@@ -246,10 +246,8 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     found = found_job(root)
     if not found:
         storage.check_empty(root)
-    elif others := sorted(found.keys() ^ job.keys()):
-        raise ValueError(
-            f"{root}: expected the runs of this job, got others: {storage.some(others)}"
-        )
+    others = storage.some(sorted(found.keys() ^ job.keys())) if found else ""
+    checks.expect(not others, str(root), "the runs of this job", f"others: {others}")
     for name in found:
         saved = storage.SavedRun(root / name)
         run.check_same(saved, job[name])

@@ -47,7 +47,6 @@ class Race(Section):
 
     stages_per_generation: ClassVar[int] = 1
     """Stages of a generation; a run is saved after each of them."""
-    is_race: ClassVar[bool] = True  # whether both teams learn
 
     # What a kind of race states:
 
@@ -445,7 +444,6 @@ class Against(Race):
     """
 
     kind: ClassVar[str] = "against"
-    is_race: ClassVar[bool] = False
 
     team: Team = setting("pursuer", "team that learns: pursuer or evader", choices=TEAMS)
     opponent: str = setting(

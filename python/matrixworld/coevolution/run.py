@@ -87,7 +87,6 @@ def create(
         check_same(storage.SavedRun(path), settings)
         return storage.SavedRun(path)
     # Everything that can be wrong is checked before the directory is made.
-    storage.check_empty(path)
     begin: types.Genome | None = None
     archive: dict[Team, Any] = {team: [] for team in TEAMS}
     config: dict[str, Any] = {}

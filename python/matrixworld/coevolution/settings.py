@@ -202,7 +202,7 @@ class RaceSettings(Section):
     @property
     def is_race(self) -> bool:
         """Whether both teams learn."""
-        return self.schedule.is_race
+        return self.learning_teams == TEAMS
 
     @property
     def method(self) -> RaceSettings:

@@ -143,8 +143,7 @@ class Explanation(readable.Readable):
 
     def to_json(self) -> dict[str, Any]:
         """Return everything as values that JSON can hold."""
-        plain: dict[str, Any] = readable.plain_values(self)
-        return plain
+        return dict(readable.plain_values(self))
 
 
 def _curve(dependence: Sequence[tuple[float, float]]) -> str:

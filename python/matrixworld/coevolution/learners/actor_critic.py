@@ -243,8 +243,8 @@ class ActorCritic(learner.Learner):
 
     def check(self) -> None:
         """Raise ValueError for a multiplier that nothing uses, or parts that nothing learns."""
-        updates, parts, rate = self.actor_updates, self.minibatches, self.cost_rate
-        updates = min(updates, self.critic_updates)
+        updates = min(self.actor_updates, self.critic_updates)
+        parts, rate = self.minibatches, self.cost_rate
         expected = f"at most {updates}, as many as updates of actor and critic in an epoch"
         checks.expect(parts <= updates, "minibatches", expected, parts)
         used = rate is None or self.cost_limit is not None
