@@ -16,8 +16,9 @@ from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, w
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.setting_options import settings_of
-from matrixworld.coevolution import RaceSettings, Run, create, evolve, open_run
+from matrixworld.coevolution import SCHEDULES, RaceSettings, Run, create, evolve, open_run
 from matrixworld.coevolution import jobs as jobs_module
+from matrixworld.coevolution import run as run_module
 from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.sections import values_of
 from matrixworld.coevolution.storage import find_runs
@@ -62,7 +63,7 @@ def test_a_setting_of_one_schedule_of_a_job_is_left_out_of_the_others():
     every = [("learner.sigma", 0.2)]
     in_turns = [("schedule.evader_epochs", 5)]
     joint = [("schedule.joint_epochs", 7), ("schedule.contemporaries", 3)]
-    assert settings_of({"sets": [*every, *in_turns, *joint]}) == [
+    assert settings_of({"paper": True, "sets": [*every, *in_turns, *joint]}) == [
         RaceSettings.of(
             {"schedule": name, **dict(every), **dict(joint if "hall" in name else in_turns)}
         )
@@ -117,10 +118,10 @@ def test_worlds_with_names_are_told():
 @pytest.mark.parametrize(
     ("options", "name"),
     [
-        ({"seeds": (0, 1), "schedule": ("against",)}, "O-pursuer-against-random-seeds0-1"),
+        ({"seeds": (0, 1), "schedule": ("against",)}, "courtyard-pursuer-against-random-seeds0-1"),
         ({"variant": "SB", "seeds": (4,)}, "SB-seed4"),
-        ({"seeds": (0, 3, 9)}, "O-seeds0,3,9"),
-        ({"schedule": ("alternating",), "seed": 3}, "O-seed3"),
+        ({"seeds": (0, 3, 9)}, "courtyard-seeds0,3,9"),
+        ({"schedule": ("alternating",), "seed": 3, "paper": True}, "O-seed3"),
         ({"world": "park"}, "park-seed0"),
         ({"world": "park", "n_evaders": 5}, "TO-seed0"),
     ],
@@ -156,7 +157,7 @@ def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
 
 
 def test_the_runs_of_a_job_are_in_the_order_of_their_schedules():
-    job = job_of({"schedule": ("hall-of-fame", "all"), "seeds": (10, 2)})
+    job = job_of({"schedule": ("hall-of-fame", *SCHEDULES), "seeds": (10, 2)})
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
     assert [*job] == [f"{name}/seed-{seed}" for name in schedules for seed in (10, 2)]
 
@@ -189,7 +190,7 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeyp
         def stopped(path, *, threads, **told):
             return playing(Run(path, threads=threads), play).run(**told)
 
-        patch.setattr(jobs_module, "finish", stopped)
+        patch.setattr(run_module, "finish", stopped)
         result = evolved("--out", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = evolved("--resume", "out")

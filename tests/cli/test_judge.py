@@ -82,7 +82,7 @@ def test_files_of_means_need_their_number_of_episodes():
     assert found["circle.csv"] == judge(means_of("circle"), episodes=30).to_json()
     assert "--episodes" not in known
     told, found = judged("race.npz", "again.npz", "--episodes", 30)
-    assert "2 runs, 31 pursuer" in told
+    assert "2 runs, 31 generations of pursuers" in told
     twice = np.array([means_of("race")] * 2)
     assert found == {"race.npz, again.npz": judge(twice, episodes=30).to_json()}
     np.savez("small.npz", scores=np.random.default_rng(0).random((4, 4, 2)))
@@ -169,8 +169,7 @@ def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     assert f"Failed: {failed}: payoff.npz: cut or altered" in run_together(said)
     kept = read_json(job / "summary.json")["failed"]
     assert kept == {f"{FIRST}/seed-1": "payoff.npz: cut or altered"}
-    Path("none").mkdir()
-    report(asked, Path("none"), [], {}, 0.0)
+    report(asked, job, [], {}, 0.0)
     assert f"{FIRST}\n  0 of 4 seeds finished" in capsys.readouterr().out
 
 

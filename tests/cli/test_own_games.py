@@ -26,7 +26,7 @@ def show(a, b):
 numbers = Game(beats, 3, ("hosts", "parasites"), deterministic=True, show=show)
 """
 SHORT = {"generations": 7, "joint_epochs": 2, "population": 6}
-TYPED = ("--game", "numbers_game:numbers", "--schedule", "hall-of-fame", *words(SHORT))
+TYPED = words({"game": "numbers_game:numbers", "schedule": "hall-of-fame", **SHORT})
 
 
 @pytest.fixture

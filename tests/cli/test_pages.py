@@ -29,7 +29,7 @@ def test_pages_are_written_and_opened(main_job, monkeypatch):
 
 def test_many_seeds_show_some_of_each_group_and_say_so(main_job, monkeypatch):
     assert pages.first_seeds(["abc", "d", "efg"], 5) == [*"abdef"]
-    monkeypatch.setattr(pages, "MOST_RUNS", 2)
+    monkeypatch.setattr(pages.runs_page, "MOST_RUNS", 2)
     told = matrixworld_command("explore", main_job[0], "-o", "page.html", "--no-open").output
     data = data_of(Path("page.html"))
     assert [run["name"] for run in data["runs"]] == PLACES[:2]

@@ -61,7 +61,7 @@ EXPLORE = [
 ]
 ALONE = ["--schedule", "against"]
 EVOLVE = [
-    (["--n-pursuers", 30, "--rows", 6, "--cols", 6], 2, "--rows: expected at least "),
+    (["--paper", "--n-pursuers", 30, "--rows", 6, "--cols", 6], 2, "--rows: expected at least "),
     (["--set", "learner.population=7"], 2, "learner.population: expected an even number for es, g"),
     (["--variant", "Q"], 2, "--variant: expected one of D, R, B, O, S, SB"),
     (["--config", "q.toml"], 2, "--variant: expected one of D, R, B, O, S, SB"),

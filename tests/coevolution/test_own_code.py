@@ -112,9 +112,9 @@ def test_what_cannot_be_found_is_said(name, message, tmp_path):
 @pytest.mark.parametrize(
     ("value", "message"),
     [
-        ({"sgima": 1}, r"expected its settings \(population, sigma, shrink\), got {'sgima': 1}"),
+        ({"sgima": 1}, "sgima: expected one of the settings population, sigma, shrink"),
         ({"sigma": -1}, "sigma: expected a number above 0, got -1"),
-        ({"sigma": "x"}, r"expected its settings .*{'sigma': 'x'} \(sigma: expected a number"),
+        ({"sigma": "x"}, "sigma: expected a number, got 'x'"),
     ],
 )
 def test_settings_are_those_of_the_fields(value, message):
@@ -123,7 +123,7 @@ def test_settings_are_those_of_the_fields(value, message):
 
 
 def test_a_mask_needs_a_learner_that_keeps_it(tmp_path):
-    with pytest.raises(ValueError, match="^policy.mask: expected 'none', got 'obstacles'; .* Hill"):
+    with pytest.raises(ValueError, match="^policy.mask: expected 'none' with HillClimber, got"):
         co.create(tiny_race(learner="own_code:HillClimber", mask="obstacles"), tmp_path / "run")
     assert not (tmp_path / "run").exists()
 

@@ -149,7 +149,7 @@ def test_runs_are_compared_at_equal_budgets(tmp_path):
 def test_progress_is_reported_when_asked(tmp_path):
     seen = []
     played(tiny_race(), tmp_path / "run", report=seen.append)
-    assert [each.done for each in seen] == [*range(1, 11), 12, 14, 17]
+    assert [each.done for each in seen] == [*range(1, 11), 10, 12, 14, 17]
     assert {(each.before, each.total) for each in seen} == {(0, 17)}
     assert (seen[0].what, seen[-1].what) == ("generation 1: pursuers", "tournament")
 

@@ -170,7 +170,7 @@ def test_commands_read_a_saved_race(tmp_path):
     archive = tmp_path / "race.zip"
     archive.write_bytes(base64.b64decode(run_node("race.mjs", given)["saved"]))
     told = matrixworld_command("judge", archive).output
-    assert "1 run, 4 pursuer and 4 evader generations" in told
+    assert "1 run, 4 generations of pursuers and 4 of evaders" in told
     assert "captured" in matrixworld_command("replay", archive, "--step", -1).output
     page = tmp_path / "page.html"
     matrixworld_command("explore", archive, "--no-open", "-o", page)

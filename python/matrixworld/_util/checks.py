@@ -43,6 +43,14 @@ def shown(value: object) -> str:
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
+def expect(
+    kept: object, name: str, expected: object, got: object, kind: type[Exception] = ValueError
+) -> None:
+    """Raise an error that says what was expected and what came, unless a condition is kept."""
+    if not kept:
+        raise kind(f"{name}: expected {expected}, got {got}")
+
+
 def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MAX) -> int:
     """Return an argument that Python takes for an index, but no bool, as an int within limits."""
     if isinstance(value, bool | np.bool_):

@@ -11,8 +11,7 @@ from typing import Any
 import click
 import numpy as np
 
-from matrixworld._util.checks import usable_cores
-from matrixworld._util.files import DamagedFileError, read_json
+from matrixworld._util import checks, files
 from matrixworld.coevolution.jobs import without_interrupts
 from matrixworld.version import __version__, imported
 
@@ -34,15 +33,15 @@ def on_cluster(where: str | None, threads: int | None = None) -> Iterator[Execut
     if where is None:
         yield None
         return
-    if threads is not None:
-        raise click.UsageError("--threads: expected it without --cluster, got both")
+    expected = "it without --cluster"
+    checks.expect(threads is None, "--threads", expected, "both", click.UsageError)
     dask = imported("distributed", "cluster")
     with ExitStack() as stack:
         address: Any = where if "://" in where else None
         if where == AUTO:
             with without_interrupts():
                 local = dask.LocalCluster(
-                    n_workers=usable_cores(),
+                    n_workers=checks.usable_cores(),
                     threads_per_worker=1,
                     host="127.0.0.1",
                     dashboard_address="127.0.0.1:0",
@@ -54,20 +53,18 @@ def on_cluster(where: str | None, threads: int | None = None) -> Iterator[Execut
                 address = stack.enter_context(local)
         elif address is None:
             file = Path(where)
-            address = read_json(file).get("address")
+            address = files.read_json(file).get("address")
             if not isinstance(address, str):
                 problem = "expected a scheduler file of Dask, got no address in it"
-                raise DamagedFileError(file, problem)
+                raise files.DamagedFileError(file, problem)
         client = stack.enter_context(
             dask.Client(address, timeout=CONNECT_SECONDS, set_as_default=False)
         )
         client.wait_for_workers(1, timeout=FIRST_WORKER_SECONDS)
         for worker, found in client.run(versions, on_error="return").items():
-            if found != versions():  # which would give other results
-                raise click.ClickException(
-                    f"--cluster: expected workers with the versions {versions()} of matrixworld "
-                    f"and NumPy, got {found!r} of {worker}"
-                )
+            expected = f"workers with the versions {versions()} of matrixworld and NumPy"
+            same, got = found == versions(), f"{found!r} of {worker}"  # for the same results
+            checks.expect(same, "--cluster", expected, got, click.ClickException)
         yield stack.enter_context(client.get_executor(pure=False))
 
 

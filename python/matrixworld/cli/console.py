@@ -18,14 +18,15 @@ from matrixworld._util.readable import table_lines
 from matrixworld.coevolution.groups import RunGroup
 
 TERMS = "What to do next: docs/my_result.md. Terms: docs/glossary.md."
-TO_STDOUT = "matrixworld.json"
-"""Key in the context of a command whose numbers take standard output, and its text the other."""
+STDOUT = Path("-")
+"""The file of a command whose numbers take standard output, and its text the other."""
 
 
 def say(text: object = "", *, bold: bool = False) -> None:
     """Print text, whatever names and files have brought into it; all commands print so."""
     context = click.get_current_context(silent=True)
-    click.secho(printable(text), bold=bold, err=context is not None and TO_STDOUT in context.meta)
+    err = context is not None and context.params.get("json_file") == STDOUT
+    click.secho(printable(text), bold=bold, err=err)
 
 
 def note(text: str) -> None:

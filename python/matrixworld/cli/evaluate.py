@@ -3,27 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 import click
 
 from matrixworld import analysis
+from matrixworld._util import checks
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
+from matrixworld.analysis import intervals
 from matrixworld.analysis import judgement as judgements
-from matrixworld.analysis.intervals import fewest_runs
-from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, TEAMS, Payoffs
-from matrixworld.cli import console, options
-from matrixworld.cli.cluster import on_cluster
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
+from matrixworld.cli import cluster, console, options
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import Progress, ProgressBar, open_run, tournament, types
+from matrixworld.coevolution import ProgressBar, open_run, storage, tournament, types
 from matrixworld.coevolution.evaluation import scores as held_out
 from matrixworld.coevolution.evaluation.explanation import EPISODES
 from matrixworld.coevolution.groups import RunGroup, by_clarity
-from matrixworld.coevolution.storage import find_runs
-from matrixworld.coevolution.types import team_size
 
 # Judgements:
 
@@ -70,8 +67,8 @@ def judge_command(
     judged: dict[str, tuple[Payoffs, RunGroup | None]] = {}
     with usage_errors():
         for group in by_clarity(options.finished_groups(runs)) if runs else ():
-            if not group.is_race:
-                raise click.UsageError(f"{group.name}: expected a race, got a run of one team")
+            got = "a run of one team"
+            checks.expect(group.is_race, group.name, "a race", got, click.UsageError)
             for one in group.singles if each else [group]:
                 judged[one.name] = one.payoffs, one
         # One file may hold several runs; a list is of files of one run each.
@@ -79,10 +76,9 @@ def judge_command(
         for part in parts:
             name = ", ".join(map(str, part)) if isinstance(part, list) else str(part)
             judged[name] = analysis.read_payoffs(part, episodes=episodes), None
-    for payoffs, _ in judged.values():
-        if everything and min(payoffs.shape) < 2:
-            got = " x ".join(map(str, payoffs.shape))
-            raise click.UsageError(f"--all: expected at least 2 x 2 generations, got {got}")
+    for payoffs, _ in judged.values() if everything else ():
+        fits, got = min(payoffs.shape) >= 2, " x ".join(map(str, payoffs.shape))
+        checks.expect(fits, "--all", "at least 2 x 2 generations", got, click.UsageError)
     found: dict[str, Any] = {}
     for name, (payoffs, of_runs) in judged.items():
         judgement = of_runs.judgement if of_runs else analysis.judge(payoffs)
@@ -113,15 +109,11 @@ def print_judgement(judgement: analysis.Judgement) -> None:
     """Print a judgement: its sentence, what was judged, its table, what limits it."""
     console.print_wrapped(analysis.sentence(judgement))
     runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
-    pursuers, evaders = judgement.shape
+    (rows, columns), (first, second) = judgement.shape, judgement.teams
     played = f", {judgement.episodes:,} episodes of each pair" if judgement.episodes else ""
     if judgement.exact:
         played = ", all episodes equal"
-    if judgement.teams == TEAMS:
-        counted = f"{pursuers} pursuer and {evaders} evader generations"
-    else:
-        first, second = judgement.teams
-        counted = f"{pursuers} generations of {first} and {evaders} of {second}"
+    counted = f"{rows} generations of {first} and {columns} of {second}"
     console.say(f"\n{runs}, {counted}{played}")
     console.print_table(judgements.judgement_cells(judgement), "<<<<")
     if judgement.episodes is None:
@@ -168,7 +160,7 @@ LEGEND = (
 )
 SEEDS_LEGEND = (
     "In brackets: 95% interval of the mean over seeds. In the mean every opponent has the same "
-    f"weight. The interval of an interquartile mean takes {fewest_runs()} seeds."
+    f"weight. The interval of an interquartile mean takes {intervals.fewest_runs()} seeds."
 )
 
 
@@ -214,7 +206,7 @@ def score_command(
     with usage_errors():
         groups = options.finished_groups(runs, unfinished=True)
         every = [run for group in groups for run in group.runs]
-        with on_cluster(where, threads) as executor, ProgressBar() as bar:
+        with cluster.on_cluster(where, threads) as executor, ProgressBar() as bar:
             play = {"threads": threads, "executor": executor, "report": bar, **chosen}
             played = held_out.score_runs(every, **play)
             trained = [
@@ -295,18 +287,16 @@ def tournament_command(
     """
     from matrixworld import plots
 
-    runs = (find_runs(run) if race is None else []) or [options.run_in(run, race)]
+    runs = (storage.find_runs(run) if race is None else []) or [options.run_in(run, race)]
     for played in map(open_run, runs):
         target = played.path / f"tournament-{episodes}-seed{seed}.npz"
         figure = target.with_suffix(".png")
         options.check_outputs(target, figure, force=force)
-        first, second = teams = [*played.teams.values()]
-        total = team_size(first) * team_size(second) * episodes
-        with on_cluster(where, threads) as executor, ProgressBar() as bar:
-            on_row = partial(_tell, bar, total)
-            on_row(0)  # the first row may take minutes, and the bar should be there before
-            play: Any = {"episodes": episodes, "threads": threads, "executor": executor}
-            payoff = tournament(played.game, *teams, seed=seed, on_row=on_row, **play)
+        with cluster.on_cluster(where, threads) as executor, ProgressBar() as bar:
+            payoff = tournament(
+                played.game, *played.teams.values(), seed=seed, episodes=episodes, threads=threads,
+                report=bar, executor=executor,
+            )  # fmt: skip
         judgement = analysis.judge(payoff.payoffs())
         title = f"{played.title}\n{analysis.sentence(judgement)}"
         save_arrays(target, payoff.arrays())
@@ -316,10 +306,6 @@ def tournament_command(
         print_judgement(judgement)
         console.say(f"\n{console.TERMS}")
         console.say(f"\nWritten: {target}, {figure.name}")
-
-
-def _tell(bar: ProgressBar, total: int, played: int) -> None:
-    bar(Progress("tournament", played, total))
 
 
 # Explanations:

@@ -15,6 +15,7 @@ import click
 from tqdm import tqdm
 
 from matrixworld.__main__ import INTERRUPTED
+from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, LockedError, save_json
 from matrixworld.analysis import sentence
 from matrixworld.cli import cluster, console, options, pages, setting_options
@@ -32,17 +33,6 @@ from matrixworld.world.config import WORLDS, WorldConfig, world_name
 from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row, variant_name
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
-# \b keeps click from wrapping the lines.
-EXAMPLES = """\b
-Examples:
-  matrixworld evolve
-  matrixworld evolve --out my-race --variant SB --schedule generalist-generalist
-  matrixworld evolve --out my-races --seeds 0-9
-  matrixworld evolve --paper
-  matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
-  matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
-  matrixworld evolve --resume my-race
-"""
 
 
 # The table of variants:
@@ -98,7 +88,7 @@ def _shows(function: Any) -> Any:
     return function
 
 
-@click.command("evolve", epilog=EXAMPLES)
+@click.command("evolve")
 @click.option(
     "--out",
     "-o",
@@ -128,12 +118,11 @@ def _shows(function: Any) -> Any:
 )
 @click.option(
     "--schedule",
-    type=click.Choice([*ALL_SCHEDULES, Against.kind, setting_options.ALL]),
+    type=click.Choice([*ALL_SCHEDULES, Against.kind]),
     multiple=True,
     metavar="NAME",
     help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; or {Against.kind}: one team evolves "
-    f"alone; may be given several times; {setting_options.ALL}: the first "
-    f"three  [default: {', '.join(setting_options.MAIN_JOB)}]",
+    f"alone; may be given several times  [default: {', '.join(setting_options.MAIN_JOB)}]",
 )
 @click.option(
     "--learner",
@@ -200,6 +189,15 @@ def evolve_command(
 
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
+
+    \b
+    Examples:
+      matrixworld evolve
+      matrixworld evolve --out my-race --variant SB --schedule generalist-generalist
+      matrixworld evolve --out my-races --seeds 0-9
+      matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
+      matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
+      matrixworld evolve --resume my-race
     """
     context = click.get_current_context()
     everything = options.given(context.params)
@@ -259,9 +257,8 @@ def _resumable(root: Path) -> Iterator[None]:
 
 def job_of(given: Mapping[str, Any]) -> jobs.Job:
     """Return the job of the runs that options ask for, of several schedules and seeds."""
-    seeds = given.get("seeds")
-    if seeds is not None and "seed" in given:
-        raise click.UsageError("--seeds: expected it without --seed, got both")
+    seeds, one = given.get("seeds"), "seeds" not in given or "seed" not in given
+    checks.expect(one, "--seeds", "it without --seed", "both", click.UsageError)
     # The order in which find_runs finds them, so that --resume prints and draws the same.
     settings = setting_options.settings_of(given)
     settings.sort(key=lambda each: storage.place_in_job(each.schedule.name))
@@ -362,8 +359,7 @@ def report(
     `failed` says why other runs of the job failed, by their directories; `began` is the time of
     `time.monotonic` when it began.
     """
-    runs = {root / name: settings for name, settings in job.items()}
-    found = grouped(runs, finished=[run.path for run in results])
+    found = grouped((SavedRun(root / name) for name in job), finished=[run.path for run in results])
     groups = [group.inside(root) for group in found]
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]

@@ -26,11 +26,8 @@ from matrixworld.world.rules import VARIANTS
 Option = Callable[[Any], Any]
 """What adds an option to the function of a command."""
 
-STDOUT = Path("-")
 MOST_SEEDS = 100_000
 """Most seeds that a range names. Each is a directory."""
-MOST_NAMES = 5
-"""Most runs that a message names."""
 FAILURES = (
     BrokenExecutor,  # a lost cluster
     DivergedError,
@@ -86,12 +83,6 @@ def seeds_of(
             raise click.BadParameter(f"expected {expected}, got {part}")
         seeds += found
     return tuple(dict.fromkeys(seeds))
-
-
-def _json(ctx: click.Context, param: click.Parameter, value: Path | None) -> Path | None:
-    if value == STDOUT:
-        ctx.meta[console.TO_STDOUT] = True
-    return value
 
 
 def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
@@ -159,7 +150,6 @@ SHARED: dict[str, Option] = {
         "json_file",
         type=click.Path(path_type=Path),
         metavar="FILE",
-        callback=_json,
         help="write the numbers to this file, too; -: to standard output, and the text to the "
         "other",
     ),
@@ -282,7 +272,7 @@ def finished_groups(
     found = groups.open_groups(*directories)
     every = [run for directory in directories for run in storage.find_runs(directory)]
     if unfinished and len(every) == 1:
-        return groups.grouped({every[0]: storage.SavedRun(every[0]).settings}, finished=every)
+        return groups.grouped(map(storage.SavedRun, every), finished=every)
     if not any(group.runs for group in found):
         again = resume_command(directories[0])
         raise click.UsageError(f"{directories[0]}: expected a finished run; {again} continues it")
@@ -314,12 +304,11 @@ def run_in(
     ]
     if len(chosen) == 1:
         return chosen[0]
-    listed = ", ".join([*map(str, found)][:MOST_NAMES]) + ", ..." * (len(found) > MOST_NAMES)
-    if setting:
-        raise click.UsageError(f"{begin}expected one run, got a directory of several: {listed}")
-    if not chosen:
-        expected = f"--race with one of its races, {listed}"
-        raise click.UsageError(f"{path}: expected {expected}, got {race}")
+    listed = storage.some([*map(str, found)])
+    several = f"a directory of several: {listed}"
+    checks.expect(not setting, setting, "one run", several, click.UsageError)
+    expected = f"--race with one of its races, {listed}"
+    checks.expect(chosen, str(path), expected, race, click.UsageError)
     others = f"the first of {len(chosen)} races; --race chooses another: {listed}"
     console.note(f"{chosen[0]}: {others}")
     return chosen[0]
@@ -350,7 +339,7 @@ def check_outputs(*outputs: Path | None, force: bool, redraws: bool = True) -> N
     drawn are drawn again without a question, if `redraws`.
     """
     for file in outputs:
-        if file is None or file == STDOUT:
+        if file is None or file == console.STDOUT:
             continue
         try:
             files.check_replaceable(file)
@@ -369,7 +358,7 @@ def check_outputs(*outputs: Path | None, force: bool, redraws: bool = True) -> N
 
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
     """Write values to what --json names, if it is given, and print the name of a file."""
-    if file == STDOUT:
+    if file == console.STDOUT:
         click.echo(json.dumps(values, indent=2, allow_nan=False))
     elif file is not None:
         files.save_json(file, values)

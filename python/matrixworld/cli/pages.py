@@ -11,39 +11,28 @@ from typing import TypeVar
 
 import click
 
-from matrixworld.cli import options
-from matrixworld.cli.console import note, print_wrapped, say, warnings_as_notes
-from matrixworld.cli.replay import source_of
+from matrixworld.cli import console, options, replay
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import open_run
-from matrixworld.coevolution.groups import RunGroup
-from matrixworld.explorer import playground
+from matrixworld.coevolution import RunGroup, open_run
+from matrixworld.explorer import playground, runs_page
 from matrixworld.explorer.page import write_page
-from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page
 from matrixworld.world.rules import Rules
 
 Run = TypeVar("Run")
 
 FORMATS = ("png", "pdf", "svg")
-# \b keeps click from wrapping the lines.
-PLAYGROUND_EXAMPLES = """\b
-Examples:
-  matrixworld playground
-  matrixworld playground SB
-  matrixworld playground runs/O-seed0 --race hall-of-fame
-"""
 
 
 def open_page(page: Path, opens: bool) -> None:
     """Open a page in a browser if it is asked for, or say that there is none."""
     if opens and not webbrowser.open(page.absolute().as_uri()):
-        note("No browser was found here; open the file in one.")
+        console.note("No browser was found here; open the file in one.")
 
 
 @click.command("explore")
 @options.runs()
 @options.out(
-    f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all runs]"
+    f"the page  [default: {runs_page.PAGE} in the directory of the job, or in that of all runs]"
 )
 @options.shared("open")
 @click.option("--figures", is_flag=True, help="draw figures, and write no page")
@@ -83,11 +72,11 @@ def explore_command(
         for option, value in {"--format": suffix, "--each": each}.items():
             if value:
                 raise click.UsageError(f"{option}: expected --figures beside it")
-        page = out or root / PAGE
+        page = out or root / runs_page.PAGE
         options.check_outputs(page, force=force)
-        with warnings_as_notes(), usage_errors():
+        with console.warnings_as_notes(), usage_errors():
             write_explorer(groups, page)
-        say(page)
+        console.say(page)
         open_page(page, opens)
         return
     if out is not None:
@@ -103,20 +92,20 @@ def explore_command(
     for file, drawn in files.items():
         with usage_errors():
             plots.save_figure(drawn(), file)
-        say(file)
+        console.say(file)
 
 
 def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:
     """Write the page of finished runs, of the first ones if there are many, and say which."""
-    shown = first_seeds([group.runs for group in groups], MOST_RUNS)
+    shown = first_seeds([group.runs for group in groups], runs_page.MOST_RUNS)
     count, left_out = sum(len(group.runs) for group in groups), ""
     if len(shown) < count:
         left_out = (
             f"The page shows {len(shown)} of {count} runs, the first seeds of each group; "
             "matrixworld explore RUN... makes one of others."
         )
-        print_wrapped(left_out)
-    write_page(page, explorer_page(shown, note=left_out, groups=groups))
+        console.print_wrapped(left_out)
+    write_page(page, runs_page.explorer_page(shown, note=left_out, groups=groups))
 
 
 def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:
@@ -127,8 +116,8 @@ def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:
     return [run for group in runs for run in group if run in chosen]
 
 
-@click.command("playground", epilog=PLAYGROUND_EXAMPLES)
-@click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=source_of)
+@click.command("playground")
+@click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=replay.source_of)
 @options.shared("race")
 @options.out(f"the page  [default: {playground.PAGE}, of a RUN in its directory]")
 @options.shared("open", "force")
@@ -144,6 +133,12 @@ def playground_command(
 
     The page is a single file that needs no network. It keeps a played match as a file, which
     matrixworld replay FILE shows.
+
+    \b
+    Examples:
+      matrixworld playground
+      matrixworld playground SB
+      matrixworld playground runs/O-seed0 --race hall-of-fame
     """
     title = "matrixworld playground"
     if isinstance(source, Rules):
@@ -155,5 +150,5 @@ def playground_command(
     page = out or directory / playground.PAGE
     options.check_outputs(page, force=force)
     write_page(page, playground.playground_page("", opponents, title))
-    say(page)
+    console.say(page)
     open_page(page, opens)

@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from matrixworld._util.checks import SEED_MAX, check_choice
+from matrixworld._util import checks
 from matrixworld._util.files import replacing
 from matrixworld.cli import options
 from matrixworld.cli.console import say, warnings_as_notes
@@ -32,14 +32,6 @@ SUFFIXES = (".gif", ".mp4", ".png", ".npz")
 FRAMES = 100
 """About how many frames a GIF or film has: as many as are shown in 10 seconds."""
 CHASER, FLEER = "chaser", "fleer"
-# \b keeps click from wrapping the lines.
-EXAMPLES = """\b
-Examples:
-  matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
-  matrixworld replay my-race --out match.gif
-  matrixworld replay SB --pursuer surrounder --obstacles 0.1
-  matrixworld replay my-race --step 17 --explain
-"""
 
 
 def _out(ctx: click.Context, param: click.Parameter, path: Path | None) -> Path | None:
@@ -62,7 +54,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
         raise click.BadParameter(told) from None
 
 
-@click.command("replay", epilog=EXAMPLES)
+@click.command("replay")
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=source_of)
 @options.shared("race")
 @click.option(
@@ -75,7 +67,11 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     "--evader", metavar="WHO", help=f"the same  [default: the last; of a VARIANT {FLEER}]"
 )
 @options.integer(
-    "--episode", "which episode of the match, or of the seed", least=0, most=SEED_MAX, default=0
+    "--episode",
+    "which episode of the match, or of the seed",
+    least=0,
+    most=checks.SEED_MAX,
+    default=0,
 )
 @options.shared("seed", "steps")
 @options.out(
@@ -117,6 +113,13 @@ def replay_command(
 
     RUN of a game of your own: what the game shows of a match of two generations, --pursuer of its
     first team and --evader of the second. An image needs --out, a .png.
+
+    \b
+    Examples:
+      matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
+      matrixworld replay my-race --out match.gif
+      matrixworld replay SB --pursuer surrounder --obstacles 0.1
+      matrixworld replay my-race --step 17 --explain
     """
     given = options.given(click.get_current_context().params)
     if isinstance(source, Path) and source.is_dir():
@@ -166,19 +169,16 @@ def show_match(run: SavedRun, given: Mapping[str, Any], out: Path | None, *, for
     with warnings_as_notes(), usage_errors():
         genomes = []
         for team, key in zip(TEAMS, run.settings.keys, strict=True):
-            who = str(given.get(team, -1))
-            if not re.fullmatch(r"-?\d+", who):
-                raise ValueError(f"{team}: expected a generation of the run, got {who!r}")
-            genomes.append(run.teams[key].genomes[run.generation(key, int(who), team)])
+            number = _generation(run, key, str(given.get(team, -1)), team)
+            genomes.append(run.teams[key].genomes[number])
         shown = run.settings.evaluation_game.shown(*genomes)
     if isinstance(shown, str):
         options.refuse_beside("the game shows text", {"out"} & given.keys())
         say(shown)
         return
-    if not out:
-        raise click.UsageError("--out: expected a .png, because the game shows an image")
-    if out.suffix.lower() != ".png":
-        raise click.UsageError(f"--out: expected a name that ends in .png, got {out}")
+    if not out or out.suffix.lower() != ".png":
+        expected = "expected a .png, because the game shows an image"
+        raise click.UsageError(f"--out: {expected}, got {out or 'none'}")
     with replacing(out) as file:
         file.write(shown)
     say(out)
@@ -222,14 +222,15 @@ def _player(
             return solve(States(config, report=bar.share)).policy(team), 0
     if who.lower().endswith(".npz"):
         found, population = read_genome(who)
-        if found != team:
-            raise ValueError(f"{team}: expected a file of {team}s, got one of {found}s: {who}")
+        checks.expect(found == team, team, f"a file of {team}s", f"one of {found}s: {who}")
         return population, 0
     if run is None:
-        check_choice(team, who, (*SCRIPTS, SOLVED))
+        checks.check_choice(team, who, (*SCRIPTS, SOLVED))
         return who, 0
-    try:
-        generation = int(who)
-    except ValueError:
-        raise ValueError(f"{team}: expected a generation of the run, got {who!r}") from None
-    return run.teams[team], run.generation(team, generation)
+    return run.teams[team], _generation(run, team, who, team)
+
+
+def _generation(run: SavedRun, key: str, who: str, option: Team) -> int:
+    is_number = re.fullmatch(r"-?\d+", who)
+    checks.expect(is_number, option, "a generation of the run", repr(who))
+    return run.generation(key, int(who), option)

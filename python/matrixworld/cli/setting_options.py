@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import fields, replace
 from difflib import get_close_matches
@@ -21,14 +21,13 @@ from matrixworld._util import files
 from matrixworld.cli import console, options
 from matrixworld.coevolution import ActorCritic, OtherVersionError, RaceSettings
 from matrixworld.coevolution.pursuit import WORLD_HELP
-from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce
+from matrixworld.coevolution.race import Against, AtOnce
 from matrixworld.coevolution.sections import Section, hints_of, sections_in
-from matrixworld.coevolution.settings import DEFAULT_RACE, paths_of
+from matrixworld.coevolution.settings import DEFAULT_RACE, default_race, paths_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
-ALL = "all"
 HINTS = hints_of(RaceSettings)
 
 NAMES = (
@@ -116,9 +115,7 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
             raise click.UsageError(f"--set {path}: expected one value of a setting, got several")
         taken.add(path)
         changes[path] = value
-    if ALL in names:
-        names = [*SCHEDULES, *(name for name in names if name != ALL)]
-    elif not names:
+    if not names:
         # "" stands for the schedule of the file.
         usual = [""] if "schedule" in file else MAIN_JOB
         names = [changes.pop("schedule")] if "schedule" in changes else usual
@@ -129,21 +126,14 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
     own = {n: {item.name for item in fields(known[n])} if n in known else set() for n in names}
     settings = []
     with usage_errors():
-        for name, parts in own.items():
-            usual = {p: v for p, v in DEFAULT_RACE.items() if _is_part(p, parts)}
-            start = file if is_plain else {"schedule": name, **usual}
+        for name in own:
+            start = file if is_plain else default_race(name)
             # What this schedule lacks and another one of the job has belongs to that one.
             others = {f"schedule.{part}" for part in set().union(*own.values()) - own[name]}
             kept = {p: v for p, v in changes.items() if ".".join(p.split(".")[:2]) not in others}
             kept = {"schedule": name, **kept} if name else kept
             settings.append(_with_runs(RaceSettings.of(start, kept)))
     return settings
-
-
-def _is_part(path: str, parts: Collection[str]) -> bool:
-    """Return whether a path is one of a schedule with these parts, or of no schedule."""
-    section, _, name = path.partition(".")
-    return section != "schedule" or name in parts
 
 
 def _with_runs(settings: RaceSettings) -> RaceSettings:

@@ -11,22 +11,13 @@ import click
 
 from matrixworld.analysis import interval_over_runs
 from matrixworld.cli import console, options
-from matrixworld.cli.console import print_head, print_wrapped, say
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import ProgressBar, Team
+from matrixworld.coevolution import ProgressBar, RunGroup, Team
 from matrixworld.coevolution.evaluation.scores import SCORE
-from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.types import other
 from matrixworld.solver import States, best_response, expected_payoff, solve
 from matrixworld.world.config import WorldConfig
 
-SOLVE_EXAMPLES = """\b
-Examples:
-  matrixworld solve --rows 4 --cols 4 --steps 5
-  matrixworld solve --variant TO --rows 8 --cols 8
-  matrixworld solve --variant O --rows 4 --cols 4 --n-pursuers 2 --n-evaders 1 --steps 5 --json -
-  matrixworld solve --run runs/small-race
-"""
 SOLVE_LEGEND = (
     "Both teams see everything and choose for all their members together. The "
     "mean is over all starts on distinct free cells."
@@ -38,7 +29,7 @@ RUN_LEGEND = (
 )
 
 
-@click.command("solve", epilog=SOLVE_EXAMPLES)
+@click.command("solve")
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders", "steps")
 @options.shared("diagonal", "obstacles")
 @click.option(
@@ -64,6 +55,13 @@ def solve_command(
 
     With --run the best responses to the last generations of a run are computed, which no other can
     surpass. Its networks must see the whole board.
+
+    \b
+    Examples:
+      matrixworld solve --rows 4 --cols 4 --steps 5
+      matrixworld solve --variant TO --rows 8 --cols 8
+      matrixworld solve --rows 4 --cols 4 --n-pursuers 2 --n-evaders 1 --steps 5 --json -
+      matrixworld solve --run runs/small-race
     """
     options.check_outputs(json_file, force=force)
     given = options.given(world)
@@ -77,7 +75,7 @@ def solve_command(
             with ProgressBar(after=1.0) as bar:
                 found = {group.name: _solve_runs(group, threads, bar) for group in groups}
             numbers = {"groups": found}
-    print_wrapped(SOLVE_LEGEND if run is None else f"\n{RUN_LEGEND}")
+    console.print_wrapped(SOLVE_LEGEND if run is None else f"\n{RUN_LEGEND}")
     options.write_json(json_file, numbers)
 
 
@@ -93,9 +91,9 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
         solution = solve(States(config, threads=threads, report=bar.share))
     seconds = time.perf_counter() - began
     size = f"{config.rows} x {config.cols} cells"
-    print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
-    say(solution)
-    say(f"It took {seconds:.2f} seconds.\n")
+    console.print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
+    console.say(solution)
+    console.say(f"It took {seconds:.2f} seconds.\n")
     return {
         "world": config.to_json(),
         "value": solution.value,
@@ -113,25 +111,26 @@ def _solve_runs(group: RunGroup, threads: int | None, bar: ProgressBar) -> dict[
     found: dict[str, Any] = {"value": value, "seeds": list(group.seeds)}
     for champion in group.runs[0].settings.learning_teams:
         perfect, rate = _score(value, champion), SCORE[other(champion)]
-        columns: dict[str, list[float]] = {"met": [], "best": [], "gain": [], "exploitability": []}
+        rows = [
+            ["seed", f"the {other(champion)}s of the run", "the best", "gain", "exploitability"]
+        ]
+        numbers = []
         for run in group.runs:
             rates = expected_payoff(states, run.last("pursuer"), run.last("evader"))
             met = _score(rates, champion)
             best = _score(best_response(states, run.last(champion), champion).value, champion)
-            for column, number in zip(
-                columns.values(), (met, best, best - met, best - perfect), strict=True
-            ):
-                column.append(number)
-        rows = [["seed", f"the {other(champion)}s of the run", "the best", *[*columns][2:]]]
-        for seed, *numbers in zip(group.seeds, *columns.values(), strict=True):
+            numbers.append((met, best, best - met, best - perfect))
             # Adding 0.0 turns the -0.0 of a rounding error into 0.0.
-            rows.append([str(seed), *(f"{round(number, 3) + 0.0:.3f}" for number in numbers)])
+            cells = (f"{round(number, 3) + 0.0:.3f}" for number in numbers[-1])
+            rows.append([str(run.settings.seed), *cells])
+        names = ("met", "best", "gain", "exploitability")
+        columns = dict(zip(names, map(list, zip(*numbers, strict=True)), strict=True))
         if len(group.runs) > 1:
             means = (interval_over_runs(columns[name]) for name in ("gain", "exploitability"))
             rows.append(["mean", "", "", *map(str, means)])
-        print_head(f"{group.name}: exact {rate} against the last {champion}s")
+        console.print_head(f"{group.name}: exact {rate} against the last {champion}s")
         console.print_table(rows, ">>><<")
-        print_wrapped(f"Under perfect play of both teams the {rate} is {perfect:.3f}.")
+        console.print_wrapped(f"Under perfect play of both teams the {rate} is {perfect:.3f}.")
         found[f"{champion}s"] = columns
     console.print_missing(group)
     return found

@@ -7,13 +7,12 @@ values, which become one fitness: their mean, or competitive fitness sharing.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from matrixworld.coevolution.game import Game, Scores
 from matrixworld.coevolution.pursuit import FITNESS
-from matrixworld.coevolution.sections import Section, documented, setting
+from matrixworld.coevolution.sections import Section, section, setting
 from matrixworld.coevolution.types import FloatArray, Team
 
 Table = Callable[[FloatArray], FloatArray]
@@ -24,8 +23,7 @@ SHARING = ("none", "competitive")
 """How the values of a candidate against several opponents become its fitness."""
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class FitnessSettings(Section):
     """What candidates are selected by."""
 

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from PIL import Image
 
 from matrixworld._util import checks
-from matrixworld.coevolution.sections import PATH, Section, documented, imported, no_exit, setting
+from matrixworld.coevolution.sections import PATH, Section, imported, no_exit, section, setting
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Matches, Rng, Team
 
 Play = Callable[[Genomes, Genomes, Rng], ArrayLike]
@@ -113,30 +113,30 @@ class Game:
 
     def __post_init__(self) -> None:
         for name in ("play", "initial", "show"):
-            if not callable(getattr(self, name) or len):
-                got = checks.shown(getattr(self, name))
-                raise TypeError(f"{name}: expected a function, got {got}")
+            given = getattr(self, name)
+            checks.expect(
+                callable(given or len), name, "a function", checks.shown(given), TypeError
+            )
         genes = self.genes if isinstance(self.genes, tuple | list) else (self.genes, self.genes)
         sizes = tuple(checks.check_integer("genes", n, 1) for n in genes)
         object.__setattr__(self, "genes", sizes)
         names = checks.check_sequence("teams", self.teams, "str")
         for given, name in ((sizes, "genes"), (names, "teams")):
-            if len(given) != 2:
-                raise ValueError(f"{name}: expected those of two teams, got {len(given)}")
-        if len({*names}) < 2 or not all(isinstance(n, str) and n.isidentifier() for n in names):
-            raise ValueError(f"teams: expected two different words, got {self.teams!r}")
+            checks.expect(len(given) == 2, name, "those of two teams", len(given))
+        words = all(isinstance(name, str) and name.isidentifier() for name in names)
+        two = words and names[0] != names[1]
+        checks.expect(two, "teams", "two different words", checks.shown(self.teams))
         checks.check_bool("deterministic", self.deterministic)
         if self.bounds is not None:
-            if len(checks.check_sequence("bounds", self.bounds, "numbers")) != 2:
-                expected = "the least and the largest value"
-                raise ValueError(f"bounds: expected {expected}, got {len(self.bounds)} values")
+            count = len(checks.check_sequence("bounds", self.bounds, "numbers"))
+            checks.expect(count == 2, "bounds", "the least and the largest value", count)
             low, high = (checks.check_floats("bounds", each, np.float32) for each in self.bounds)
             for each in (low, high):
-                if each.ndim and {each.shape} != {(size,) for size in sizes}:
-                    expected = "one value, or one for each gene of both teams"
-                    raise ValueError(f"bounds: expected {expected}, got {each.size} of {sizes}")
-            if not (low < high).all():
-                raise ValueError(f"bounds: expected least < largest value, got {low} and {high}")
+                fits = not each.ndim or {each.shape} == {(size,) for size in sizes}
+                expected = f"one value, or one for each gene of both teams, {sizes}"
+                checks.expect(fits, "bounds", expected, each.size)
+            ordered = (low < high).all()
+            checks.expect(ordered, "bounds", "least < largest value", (low, high))
             object.__setattr__(self, "bounds", (low, high))
 
     # What a run asks for:
@@ -156,8 +156,8 @@ class Game:
             name = self.teams[TEAMS.index(team)]
             drawn = self.initial(rng) if same else self.initial(rng, name)
             genome = checks.check_floats("initial", drawn, np.float32)
-            if genome.shape != (size,) or not np.isfinite(genome).all():
-                raise ValueError(f"initial: expected {size} finite genes, got {genome!r}")
+            fits = genome.shape == (size,) and np.isfinite(genome).all()
+            checks.expect(fits, "initial", f"{size} finite genes", genome)
         return self.clipped(genome)
 
     def clipped(self, genomes: Genomes) -> Genomes:
@@ -166,9 +166,9 @@ class Game:
 
     def population(self, team: Team, genomes: Genomes) -> Any:
         """Return genomes (n, genes) as what plays; ValueError unless they are finite."""
-        expected = (len(genomes), self.genome_size(team))
-        if np.shape(genomes) != expected or not np.isfinite(genomes).all():
-            raise ValueError(f"genomes: expected finite ones {expected}, got {np.shape(genomes)}")
+        shape, expected = np.shape(genomes), (len(genomes), self.genome_size(team))
+        fit = shape == expected and np.isfinite(genomes).all()
+        checks.expect(fit, "genomes", f"finite ones {expected}", shape)
         return Strategies(self.clipped(genomes))
 
     def scores(
@@ -189,14 +189,13 @@ class Game:
     def _checked(self, calls: list[ArrayLike], matches: int) -> NDArray[np.float32]:
         """Return the scores of all calls, each of so many matches."""
         for found in calls:
-            if checks.unmasked("scores of the game", found).shape != (matches,):
-                got = np.shape(found)
-                raise ValueError(f"scores of the game: expected shape ({matches},), got {got}")
+            shape = checks.unmasked("scores of the game", found).shape
+            fits = shape == (matches,)
+            checks.expect(fits, "scores of the game", f"shape ({matches},)", shape)
         scores = checks.check_floats("scores of the game", np.concatenate(calls), np.float32)
-        wrong = ~((scores >= 0.0) & (scores <= 1.0))  # NaN, too
-        if wrong.any():
-            got = scores[wrong][0]
-            raise ValueError(f"scores of the game: expected numbers in [0, 1], got {got}")
+        wrong = scores[~((scores >= 0.0) & (scores <= 1.0))]  # NaN, too
+        got = wrong[0] if wrong.size else ""
+        checks.expect(not wrong.size, "scores of the game", "numbers in [0, 1]", got)
         return scores
 
     def values(self, scores: Scores, team: Team, measure: str, *, raw: bool = False) -> FloatArray:
@@ -224,9 +223,9 @@ class Game:
         if isinstance(shown, str):
             return shown
         image = checks.unmasked("show", shown)
-        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3:
-            got = f"{image.dtype} {image.shape}"
-            raise ValueError(f"show: expected text or an image of uint8 (rows, cols, 3), got {got}")
+        fits = image.dtype == np.uint8 and image.ndim == 3 and image.shape[2] == 3
+        expected, got = "text or an image of uint8 (rows, cols, 3)", f"{image.dtype} {image.shape}"
+        checks.expect(fits, "show", expected, got)
         buffer = io.BytesIO()
         Image.fromarray(image).save(buffer, "PNG")
         return buffer.getvalue()
@@ -259,8 +258,7 @@ class Game:
 # Games of your own, by name:
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class OwnGame(Section):
     """A game of your own: its name, and what a run must know of it without an import."""
 
@@ -269,7 +267,7 @@ class OwnGame(Section):
 
     code: str = setting("", "module:object")
     genes: tuple[int, ...] = setting((), "length of the genomes of each team")
-    teams: tuple[str, ...] = setting((), "names of the teams")
+    teams: tuple[str, str] = setting((), "names of the teams")
     deterministic: bool = setting(False, "whether equal genomes always have equal scores")
     digest: str = setting("", "digest of its source")
 
@@ -287,8 +285,7 @@ class OwnGame(Section):
 
     def check(self) -> None:
         """Import a game that is given by its name alone; errors as those of `load`."""
-        if not PATH.fullmatch(self.code):
-            raise ValueError(f"code: expected module:object, got {checks.shown(self.code)}")
+        checks.expect(PATH.fullmatch(self.code), "code", "module:object", checks.shown(self.code))
         if not self.digest:
             game = self._imported()
             facts = {"genes": game.genes, "teams": game.teams, "deterministic": game.deterministic}
@@ -298,18 +295,15 @@ class OwnGame(Section):
     @property
     def known(self) -> Game:
         """What is known of the game without an import: all but its functions."""
-        (one, other), (first, second) = self.genes, self.teams
-        return Game(_not_imported, (one, other), (first, second), deterministic=self.deterministic)
+        one, other = self.genes
+        return Game(_not_imported, (one, other), self.teams, deterministic=self.deterministic)
 
     def load(self) -> Game:
         """Return the game; ValueError if there is none of this name, or another one."""
         game = self._imported()
         for name in ("genes", "teams", "deterministic"):
             expected, found = getattr(self, name), getattr(game, name)
-            if found != expected:
-                raise ValueError(
-                    f"{self.code}: expected a game with {name} {expected}, got {found}"
-                )
+            checks.expect(found == expected, self.code, f"a game with {name} {expected}", found)
         return game
 
     def changed(self) -> str:
@@ -436,15 +430,13 @@ def check_game(game: Game) -> None:
             np.random.set_state(before)  # noqa: NPY002
 
     scores = played(matches, 1)
-    if not np.array_equal(scores, played(matches, 2)):
-        raise ValueError(
-            "play: expected equal scores from equal generators, got others; random numbers must "
-            "come from the rng that is passed, and nothing may change from call to call"
-        )
+    checks.expect(
+        np.array_equal(scores, played(matches, 2)), "play", "equal scores from equal generators",
+        "others; random numbers must come from the rng that is passed, and nothing may change from "
+        "call to call",
+    )  # fmt: skip
     order = rng.permutation(CHECKED)[: CHECKED // 2]
     a, b, seeds = matches
-    if not np.array_equal(scores[order], played((a[order], b[order], seeds[order]), 1)):
-        raise ValueError(
-            "play: expected scores of each match alone, got some that depend on other matches or "
-            "their order"
-        )
+    alone = np.array_equal(scores[order], played((a[order], b[order], seeds[order]), 1))
+    got = "some that depend on other matches or their order"
+    checks.expect(alone, "play", "scores of each match alone", got)

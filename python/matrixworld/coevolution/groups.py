@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -13,13 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
+from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis import Estimate, Judgement, intervals
 from matrixworld.analysis.judgement import CANNOT_TELL, clarity
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import SCORE, kept_scores, score
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
+from matrixworld.coevolution.storage import SEED, SavedRun, find_runs, runs_in
 from matrixworld.coevolution.types import TEAMS, Team, payoffs_of
 
 
@@ -111,24 +112,23 @@ class RunGroup:
         plain: dict[str, Any] = {"finished": list(self.seeds), "missing": list(self.missing)}
         if not self.runs:
             return plain
-        if not self.is_race:
-            return {**plain, "measures": plain_values(self.means())}
-        plain["judgement"] = self.judgement.to_json()
-        plain["measures"] = plain_values(analysis.measure_all(self.payoffs))
-        if self.runs[0].settings.game:
+        plain |= self._measured()
+        if not self.is_race or self.runs[0].settings.game:
             return plain
-        scores = {f"{team}s": self.held_out(team) for team in TEAMS}
-        over_runs = partial(analysis.interval_over_runs, bounds=(0.0, 1.0))
-        return {
-            **plain,
-            "held_out": {
-                team: {
-                    "mean": plain_values(over_runs(each.mean(axis=1))),
-                    "interquartile mean": plain_values(analysis.interquartile_mean(each)),
-                }
-                for team, each in scores.items()
-            },
-        }
+        over_runs, held_out = partial(analysis.interval_over_runs, bounds=(0.0, 1.0)), {}
+        for team in TEAMS:
+            scores = self.held_out(team)
+            held_out[f"{team}s"] = {
+                "mean": over_runs(scores.mean(axis=1)),
+                "interquartile mean": analysis.interquartile_mean(scores),
+            }
+        return {**plain, "held_out": plain_values(held_out)}
+
+    def _measured(self) -> dict[str, Any]:
+        if not self.is_race:
+            return {"measures": plain_values(self.means())}
+        measures = plain_values(analysis.measure_all(self.payoffs))
+        return {"judgement": self.judgement.to_json(), "measures": measures}
 
     def run_to_json(self) -> dict[str, Any]:
         """Return the summary of a single run, and of a race what was measured and judged."""
@@ -136,27 +136,29 @@ class RunGroup:
         if not self.is_race:
             return run.summary()
         held_out = {} if run.settings.game else {"held_out": kept_scores(self.runs)[0]}
-        return {
-            **run.summary(),
-            "measures": plain_values(analysis.measure_all(self.payoffs)),
-            "judgement": self.judgement.to_json(),
-            **held_out,
-        }
+        return {**run.summary(), **self._measured(), **held_out}
 
 
 def open_groups(*directories: str | Path) -> list[RunGroup]:
-    """Return the runs in `directories`, or up to two levels below, in groups of different seeds.
+    """Return runs in groups, in which they differ in their seed only.
 
-    Those that are not finished are `RunGroup.missing`; a group may have no other ones.
-    FileNotFoundError or ValueError if a directory holds no run, or the same run is there twice.
+    Parameters
+    ----------
+    *directories : str or Path
+        Directories of runs, or of runs up to two levels below.
+
+    Returns
+    -------
+    list of RunGroup
+        Runs that are not finished are `RunGroup.missing`; a group may have no other ones.
+
+    Raises
+    ------
+    FileNotFoundError, ValueError
+        If a directory holds no run, or the same run is there twice.
     """
-    runs: dict[Path, RaceSettings] = {}
-    for directory in map(Path, directories):
-        paths = find_runs(directory)
-        if not paths:
-            raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
-        runs |= {path: SavedRun(path).settings for path in paths}
-    return grouped(runs)
+    paths = dict.fromkeys(path for each in directories for path in runs_in(Path(each)))
+    return grouped(map(SavedRun, paths))
 
 
 def by_clarity(groups: Sequence[RunGroup]) -> list[RunGroup]:
@@ -164,25 +166,25 @@ def by_clarity(groups: Sequence[RunGroup]) -> list[RunGroup]:
     return sorted(groups, key=lambda group: group.clarity, reverse=True)
 
 
-def grouped(
-    runs: Mapping[Path, RaceSettings], finished: Collection[Path] | None = None
-) -> list[RunGroup]:
+def grouped(runs: Iterable[SavedRun], finished: Collection[Path] | None = None) -> list[RunGroup]:
     """Return runs in groups; those of `finished` have their results, by default all that do."""
-    found: dict[RaceSettings, list[Path]] = {}
-    for path, settings in runs.items():
-        found.setdefault(settings.method, []).append(path)
+    methods: dict[RaceSettings, list[SavedRun]] = {}
+    for run in runs:
+        methods.setdefault(run.settings.method, []).append(run)
     groups = []
-    for paths in found.values():
-        seeds: dict[int, Path] = {}
-        for path in paths:
-            if SavedRun(path).finished if finished is None else path in finished:
-                first = seeds.setdefault(runs[path].seed, path)
-                if first != path:
+    for of_method in methods.values():
+        seeds: dict[int, SavedRun] = {}
+        for run in of_method:
+            if run.finished if finished is None else run.path in finished:
+                first = seeds.setdefault(run.settings.seed, run)
+                if first is not run:
                     expected = "expected runs with different seeds"
-                    raise ValueError(f"{expected}, got the same run twice: {first}, {path}")
-        missing = sorted({runs[path].seed for path in paths} - seeds.keys())
-        files = tuple(map(SavedRun, seeds.values()))
-        groups.append(RunGroup(_named(paths), files, tuple(missing)))
+                    raise ValueError(
+                        f"{expected}, got the same run twice: {first.path}, {run.path}"
+                    )
+        missing = sorted({run.settings.seed for run in of_method} - seeds.keys())
+        paths = _named([run.path for run in of_method])
+        groups.append(RunGroup(paths, tuple(seeds.values()), tuple(missing)))
     return groups
 
 
@@ -190,9 +192,8 @@ def _named(paths: Sequence[Path]) -> tuple[Path, ...]:
     """Return the directory of seeds if all of them are there, else the paths."""
     folder, absolute = paths[0].parent, {path.absolute() for path in paths}
     of_seeds = all(SEED.fullmatch(path.name) for path in paths)
-    if of_seeds and {*find_runs(folder.absolute())} <= absolute:
-        return (folder,)
-    return tuple(paths)
+    of_seeds = of_seeds and {*find_runs(folder.absolute())} <= absolute
+    return (folder,) if of_seeds else tuple(paths)
 
 
 def _inside(path: Path, root: Path) -> Path:
@@ -208,9 +209,23 @@ def _inside(path: Path, root: Path) -> Path:
 def judge(source: Any, **known: Any) -> Judgement:
     """Judge a race, or several with the same settings; see `analysis.judge`.
 
-    The `source` is finished runs that differ in their seed only, one, a list, a `RunGroup`, or a
-    directory that holds such runs; or payoffs as `analysis.judge` takes them, whose other arguments
-    are `known`.
+    Parameters
+    ----------
+    source : SavedRun, list of SavedRun, RunGroup, str or Path, or payoffs
+        Finished runs that differ in their seed only, or a directory that holds such runs; or
+        payoffs as `analysis.judge` takes them.
+    **known
+        Other arguments of `analysis.judge`, for payoffs.
+
+    Returns
+    -------
+    Judgement
+        What happened in the races.
+
+    Raises
+    ------
+    ValueError
+        If runs differ in more than their seed, or none is finished.
     """
     group = _group_of("source", source)
     return analysis.judge(source if group is None else group.payoffs, **known)
@@ -242,9 +257,22 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
     the measures that a judgement rests on. Groups with the same seeds are compared pair by pair.
     Two single runs have scores only, with intervals over episodes, not over seeds.
 
-    `one` and `other` are as `source` of `judge`; payoffs have no scores. Each interval has a
-    `level`, in (0, 1); who asks many questions takes a higher one. ValueError if the worlds of the
-    runs differ: scores are of a world.
+    Parameters
+    ----------
+    one, other
+        As `source` of `judge`; payoffs have no scores.
+    level : float, optional
+        Level of each interval, in (0, 1); who asks many questions takes a higher one.
+
+    Returns
+    -------
+    Comparison
+        Means of both groups, and their differences.
+
+    Raises
+    ------
+    ValueError
+        If the worlds of the runs differ: scores are of a world.
     """
     groups = [_group_of("one", one), _group_of("other", other)]
     runs = [group for group in groups if group is not None]
@@ -252,8 +280,8 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
     single = len(runs) == 2 and not any(group.several for group in runs)
     if len(runs) == 2:
         first, second = (group.runs[0].settings for group in runs)
-        if (first.world, first.game) != (second.world, second.game):
-            raise ValueError("other: expected runs in the same world or game as one, got another")
+        same = (first.world, first.game) == (second.world, second.game)
+        checks.expect(same, "other", "runs in the same world or game as one", "another")
         both = [team for team in first.learning_teams if team in second.learning_teams]
         for team in both if first.game is None else ():
             name = f"{team}s against held-out opponents, {SCORE[team]}"
@@ -290,13 +318,10 @@ def _group_of(name: str, source: Any) -> RunGroup | None:
     elif isinstance(source, RunGroup):
         groups = [source]
     elif several and all(isinstance(each, SavedRun) for each in several):
-        runs = sorted(several, key=lambda run: run.settings.seed)
-        groups = grouped({run.path: run.settings for run in runs})
+        groups = grouped(sorted(several, key=lambda run: run.settings.seed))
     else:
         return None
-    if len(groups) > 1 or not groups[0].runs:
-        got = "; ".join(f"{each.name}, seeds {each.seeds}" for each in groups)
-        raise ValueError(
-            f"{name}: expected finished runs that differ in their seed only, got {got}"
-        )
+    got = "; ".join(f"{each.name}, seeds {each.seeds}" for each in groups)
+    is_one = len(groups) == 1 and groups[0].runs
+    checks.expect(is_one, name, "finished runs that differ in their seed only", got)
     return groups[0]

@@ -25,14 +25,10 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util import checks
-from matrixworld._util.files import DamagedFileError, sentence_of
-from matrixworld._util.imports import HAS_PROCESSES
-from matrixworld.coevolution import progress, run, storage, types
+from matrixworld._util import checks, files, imports
+from matrixworld.coevolution import progress, pursuit, run, storage, types
 from matrixworld.coevolution.learners.learner import table_length
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
-from matrixworld.coevolution.pursuit import CHANNELS, SCRIPTS, Pursuit, world_name
-from matrixworld.coevolution.run import finish
 from matrixworld.coevolution.settings import RaceSettings
 
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
@@ -42,7 +38,6 @@ FEW = 3
 """Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
 
 RUNS = Path("runs")  # parent directory of runs for which no directory is given
-MOST_NAMED = 5  # most seeds that such a directory names one by one
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""
@@ -60,24 +55,18 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
     runs: dict[str, RaceSettings] = {}
     names: dict[RaceSettings, str] = {}
     for key, each in named:
-        if not isinstance(each, RaceSettings):
-            raise TypeError(f"settings: expected RaceSettings, got {checks.shown(each)}")
+        checks.check_instance("settings", each, RaceSettings)
         name = f"{each.schedule.name}/seed-{each.seed}" if key is None else key
-        if not isinstance(name, str) or not NAME.fullmatch(name):
-            expected = "names such as sigma-0.1 or sigma-0.1/seed-3"
-            raise ValueError(f"settings: expected {expected}, got {checks.shown(name)}")
-        if name in runs:
-            raise ValueError(
-                f"settings: expected runs of different schedules or seeds, or a name for each, "
-                f"got two of {name}"
-            )
+        fits, expected = NAME.fullmatch(str(name)), "names such as sigma-0.1 or sigma-0.1/seed-3"
+        checks.expect(fits and name == str(name), "settings", expected, checks.shown(name))
+        expected = "runs of different schedules or seeds, or a name for each"
+        checks.expect(name not in runs, "settings", expected, f"two of {name}")
         runs[name] = _from_anywhere(each)
         # Equal runs are no independent observations.
         other = names.setdefault(runs[name], name)
-        if other != name:
-            raise ValueError(f"settings: expected different runs, got {other} and {name}, equal")
-    if not runs:
-        raise ValueError("settings: expected at least one run, got none")
+        got = f"{other} and {name}, equal"
+        checks.expect(other == name, "settings", "different runs", got)
+    checks.expect(len(runs), "settings", "at least one run", "none")
     return runs
 
 
@@ -87,7 +76,7 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
     absolute: dict[str, Any] = {
         name: str(Path(path).absolute())
         for name, path in paths.items()
-        if path is not None and path not in SCRIPTS
+        if path is not None and path not in pursuit.SCRIPTS
     }
     return replace(settings, schedule=replace(settings.schedule, **absolute))
 
@@ -98,10 +87,10 @@ def default_directory(job: Job) -> Path:
     seeds = [*dict.fromkeys(each.seed for each in job.values())]
     named = f"{seeds[0]}-{seeds[-1]}"
     if seeds != [*range(seeds[0], seeds[0] + len(seeds))]:
-        named = ",".join(map(str, seeds[:MOST_NAMED])) + ",..." * (len(seeds) > MOST_NAMED)
+        named = storage.some([*map(str, seeds)]).replace(", ", ",")
     seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
     what = "" if settings.is_race else f"-{settings.schedule.name}"
-    world = settings.world and world_name(settings.world)
+    world = settings.world and pursuit.world_name(settings.world)
     first = RUNS / f"{world or settings.variant}{what}-{seed}"
     others = (first.with_name(f"{first.name}-{number}") for number in itertools.count(2))
     return next(path for path in itertools.chain([first], others) if not path.exists())
@@ -120,10 +109,8 @@ def change(root: Path, *, generations: int | None = None, force: bool = False) -
         for path in paths:
             run.accept_source(path)
     if generations is not None:
-        for path in paths:
-            run.lengthen(path, generations, only_check=True)
-        for path in paths:
-            run.lengthen(path, generations)
+        for only_check, path in itertools.product((True, False), paths):
+            run.lengthen(path, generations, only_check=only_check)
 
 
 class FailedRunsError(RuntimeError):
@@ -144,7 +131,7 @@ class FailedRunsError(RuntimeError):
 
 def described(path: Path, error: BaseException) -> str:
     """Return an error of a run in words, without the path if the message begins with it."""
-    kind, text = type(error), sentence_of(error) or type(error).__name__
+    kind, text = type(error), files.sentence_of(error) or type(error).__name__
     # Such as KeyError, in the user's own code: its message alone says little.
     if kind.__module__ == "builtins" and not isinstance(error, OSError | ValueError):
         text = f"{kind.__name__}: {error}"
@@ -221,8 +208,7 @@ def evolve(
     root = default_directory(job) if out is None else Path(out)
     if executor is not None:
         checks.check_instance("executor", executor, Executor)
-        if threads is not None:
-            raise ValueError(f"threads: expected None with an executor, got {threads}")
+        checks.expect(threads is None, "threads", "None with an executor", threads)
     check_job(job, root, threads, elsewhere=executor is not None)
     create_job(job, root)
     errors = play_job(
@@ -260,12 +246,8 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     found = found_job(root)
     if not found:
         storage.check_empty(root)
-    elif found.keys() != job.keys():
-        names = sorted(found.keys() ^ job.keys())
-        raise ValueError(
-            f"{root}: expected the runs of this job, got others: "
-            f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
-        )
+    others = storage.some(sorted(found.keys() ^ job.keys())) if found else ""
+    checks.expect(not others, str(root), "the runs of this job", f"others: {others}")
     for name in found:
         saved = storage.SavedRun(root / name)
         run.check_same(saved, job[name])
@@ -307,10 +289,10 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
         "payoff": 90 * pairs * settings.evaluation_episodes,  # what a tournament keeps
     }
     if any("fitness" in each.ignores for each in learners):  # views, for actor and critic
-        assert isinstance(game, Pursuit)  # as these learners need
+        assert isinstance(game, pursuit.Pursuit)  # as these learners need
         worlds = settings.training_worlds or [replace(game.world, max_steps=settings.train_steps)]
         steps = max(w.max_steps * max(w.n_pursuers, w.n_evaders) for w in worlds)
-        needed["views"] = 4 * episodes * steps * CHANNELS * game.world.fov**2
+        needed["views"] = 4 * episodes * steps * pursuit.CHANNELS * game.world.fov**2
     return needed
 
 
@@ -349,7 +331,7 @@ def play_job(
     left = sorted((n for n in job if n not in watch.ended), key=lambda n: job[n].seed)
     # No other process can import what is in a notebook.
     here = any(each.game and each.game.code.startswith("__main__:") for each in job.values())
-    if executor is None and (len(left) == 1 or here or not HAS_PROCESSES):
+    if executor is None and (len(left) == 1 or here or not imports.HAS_PROCESSES):
         for name in left:
             _play_here(watch, name, threads)
     elif left:
@@ -371,7 +353,7 @@ def _play_here(watch: _Watch, name: str, threads: int | None) -> None:
     on_epoch = watch.on_epoch if len(watch.job) == 1 else None  # the watch tells of several runs
     called = {} if name == ITSELF else {"run": name}
     try:
-        finish(
+        run.finish(
             watch.root / name,
             threads=threads,
             report=lambda now: watch.tell({name: now}),
@@ -394,7 +376,7 @@ def _submitted(
         with without_interrupts():  # which the processes inherit that this starts
             for name in names:
                 path = (root / name).absolute()
-                futures[executor.submit(finish, path, threads=threads)] = name
+                futures[executor.submit(run.finish, path, threads=threads)] = name
         yield futures
     except BaseException:
         # After Ctrl-C or an error: what has not begun does not begin.
@@ -443,7 +425,7 @@ class _Watch:
             # A run that is a job of its own is restored in any case, to tell of any damage.
             if name != ITSELF and storage.SavedRun(self.root / name).finished:
                 self.end(name)
-        except (DamagedFileError, storage.OtherVersionError, OSError, ValueError) as error:
+        except (files.DamagedFileError, storage.OtherVersionError, OSError, ValueError) as error:
             self.fail(name, error)
 
     def fail(self, name: str, error: BaseException) -> None:

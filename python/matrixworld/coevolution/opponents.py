@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.games import nash_averaging
-from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
+from matrixworld.coevolution.sections import OwnCode, Section, section, setting
 from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
 
 __all__ = [
@@ -39,7 +38,7 @@ WEIGHT_DECIMALS = 6
 """Decimals of the weights of a mixture: the last bits differ from processor to processor."""
 
 
-@dataclass(frozen=True)
+@section
 class Opponents(Section):
     """Base of the samplers of opponents. A sampler is its settings; its state is a dict of arrays.
 
@@ -79,8 +78,7 @@ class Opponents(Section):
         return state
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class Latest(Opponents):
     """The newest opponents: ``available - 1, available - 2, ...``."""
 
@@ -91,8 +89,7 @@ class Latest(Opponents):
         return np.arange(available)[::-1][:count]
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class Uniform(Opponents):
     """Opponents drawn evenly without replacement.
 
@@ -107,8 +104,7 @@ class Uniform(Opponents):
         return rng.choice(available, size=min(count, available), replace=False)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class RoundRobin(Opponents):
     """All opponents in turn: ``epoch mod available``, as the paper's generalists.
 
@@ -124,8 +120,7 @@ class RoundRobin(Opponents):
         return np.asarray((epoch * count + turns) % available)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class NewestAndOlder(Opponents):
     """Half of the opponents are the newest, and the other half, or one more, older ones by chance.
 
@@ -145,8 +140,10 @@ class NewestAndOlder(Opponents):
         return np.append(newest, drawn)
 
 
-def _padded(values: FloatArray, size: int) -> FloatArray:
-    return np.pad(values, (0, max(0, size - len(values))))
+def _longer(rows: FloatArray, size: int, unknown: float = 0.0) -> FloatArray:
+    """Return rows, one for each opponent, with `unknown` ones up to a size."""
+    widths = [(0, max(0, size - len(rows))), *[(0, 0)] * (rows.ndim - 1)]
+    return np.pad(rows, widths, constant_values=unknown)
 
 
 WEIGHTINGS: dict[str, Callable[[FloatArray], FloatArray]] = {
@@ -157,8 +154,7 @@ WEIGHTINGS: dict[str, Callable[[FloatArray], FloatArray]] = {
 beaten, or on those that are beaten half of the time."""
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class Prioritized(Opponents):
     """Opponents drawn with probability ~ f(win rate), without replacement.
 
@@ -197,7 +193,7 @@ class Prioritized(Opponents):
 
     def probabilities(self, state: State, available: int) -> FloatArray:
         """Return the probability (available,) of each opponent; even if all weights are 0."""
-        wins, games = (_padded(state[name], available)[:available] for name in ("wins", "games"))
+        wins, games = (_longer(state[name], available)[:available] for name in ("wins", "games"))
         rates = np.full(available, UNKNOWN)
         # Where there are no games, `out` keeps the assumed rate.
         np.divide(wins, games, out=rates, where=games > 0.0)
@@ -220,7 +216,7 @@ class Prioritized(Opponents):
         """Count one game against each opponent, won by the mean of its scores."""
         # The archive grows during a run, and so do the counts.
         size = int(opponents.max()) + 1
-        wins, games = (_padded(state[name], size) for name in ("wins", "games"))
+        wins, games = (_longer(state[name], size) for name in ("wins", "games"))
         wins[opponents] = self.decay * wins[opponents] + scores.mean(axis=0)
         games[opponents] = self.decay * games[opponents] + 1.0
         return {"wins": wins, "games": games}
@@ -247,8 +243,7 @@ def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
     return np.asarray(order[chosen], dtype=np.intp)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class SharedSampling(Opponents):
     """Strong and different opponents, by the last scores against each (`shared_sample`).
 
@@ -264,7 +259,7 @@ class SharedSampling(Opponents):
 
     def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the sample, the strongest first."""
-        return shared_sample(_known(state["beats"], available)[:available], count, rng)
+        return shared_sample(_longer(state["beats"], available, 1.0)[:available], count, rng)
 
     def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
         """Record one minus the scores for each opponent."""
@@ -272,18 +267,12 @@ class SharedSampling(Opponents):
         # Columns are candidates; with another number of them old scores fit none.
         if beats.shape[1] != len(scores):
             beats = np.ones((0, len(scores)))
-        beats = _known(beats, int(opponents.max()) + 1)
+        beats = _longer(beats, int(opponents.max()) + 1, 1.0)
         beats[opponents] = 1.0 - scores.T
         return {"beats": beats}
 
 
-def _known(beats: FloatArray, size: int) -> FloatArray:
-    """Return how surely each opponent beats each candidate, for at least so many opponents."""
-    return np.pad(beats, ((0, max(0, size - len(beats))), (0, 0)), constant_values=1.0)
-
-
-@documented
-@dataclass(frozen=True)
+@section
 class NashOpponents(Opponents):
     """Opponents drawn from a Nash mixture of all generations: policy-space response oracles (PSRO).
 
@@ -333,8 +322,7 @@ class NashOpponents(Opponents):
         return rng.choice(support, size=size, replace=False, p=weights[support])
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class OwnOpponents(OwnCode):
     """Opponents by a sampler of your own (see `Opponents`)."""
 

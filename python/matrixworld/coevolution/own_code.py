@@ -16,7 +16,7 @@ from matrixworld._util.checks import check_instance, check_integer
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners.learner import Learner, Results, Task, check_genomes
 from matrixworld.coevolution.opponents import Opponents
-from matrixworld.coevolution.sections import PluginError, no_exit
+from matrixworld.coevolution.sections import PluginError, filled, no_exit
 from matrixworld.coevolution.types import TEAMS, State
 
 EPOCHS, GENES = 6, 140  # epochs of a check, and length of its genomes
@@ -41,15 +41,8 @@ def check_learner(learner: Learner) -> None:
     # Genomes far apart, so that mutants of any usual size are better now and then: a learner shows
     # what it does only where it moves.
     game = Game(lambda a, b, rng: np.full(len(a), 0.5), GENES, ("learners", "others"))
-    # What is None a run fills in.
-    usual = {
-        name: item.metadata["default"]
-        for name, item in learner.__dataclass_fields__.items()
-        if item.metadata.get("by_race") and getattr(learner, name) is None
-    }
-    population = getattr(learner, "population", None) or 8
-    learner = replace(learner, **{**usual, "population": population})
-    n = learner.population
+    n = learner.population or 8
+    learner = replace(filled(learner, {}, "learner"), population=n)
     untrained = partial(game.untrained, TEAMS[0])
     task = Task(0, 0, EPOCHS, untrained, None, game)
     target = untrained(np.random.default_rng(1))

@@ -58,6 +58,16 @@ def silent(progress: Progress) -> None:
     """Report nothing."""
 
 
+def part_of(report: Report, number: int, count: int, place: str = "") -> Report:
+    """Return what reports one of `count` parts, about equally long, as a share of the whole."""
+
+    def tell(part: Progress) -> None:
+        done, total = number * part.total + part.done, count * part.total
+        report(Progress(f"{place}{part.what}", done, total))
+
+    return tell
+
+
 class ProgressBar:
     """What is being done, and the time left: a bar in a terminal, else plain lines.
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar, TypeAlias
 
@@ -73,7 +73,9 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
     if "kind" in fields:
         name = fields.pop("kind")
         checks.check_choice("kind", name, WORLDS)
-        fields = {**WORLDS[name], **fields}
+        is_map = not isinstance(fields.get("obstacles", 0.0), int | float)
+        own_size = ("rows", "cols") if is_map else ()
+        fields = {**{n: v for n, v in WORLDS[name].items() if n not in own_size}, **fields}
     values = dict(fields)
     rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
     for row, kinds, usual in rows:
@@ -83,12 +85,9 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
         parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
         kind = parts.pop("kind", usual)
         checks.check_choice(row, kind, kinds)
-        # Those that are not given are as in the row of that kind.
-        base = WorldConfig(**{row: kinds[kind]}).to_json()
         with sections.inside(row):
-            sections.check_names(parts, base[row])
-            changed = WorldConfig.from_json({**base, row: {**base[row], **parts}})
-        values[row] = getattr(changed, row)
+            sections.check_names(parts, vars(kinds[kind]))
+            values[row] = replace(kinds[kind], **parts)
     return WorldConfig(**values)
 
 
@@ -115,7 +114,7 @@ def _mask(default: str, more: str = "") -> Any:
     )
 
 
-@dataclass(frozen=True)
+@sections.section
 class PolicySettings(Section):
     """Base of the settings of policies: both teams have policies of the same shape."""
 
@@ -139,8 +138,7 @@ class PolicySettings(Section):
         return None
 
 
-@sections.documented
-@dataclass(frozen=True)
+@sections.section
 class Cells(PolicySettings):
     """Networks that see the cells of the view."""
 
@@ -174,8 +172,7 @@ class Cells(PolicySettings):
         return masks.mask_weights(self.policy(world), cells)
 
 
-@sections.documented
-@dataclass(frozen=True)
+@sections.section
 class Ratings(PolicySettings):
     """Small networks that rate each move by named inputs of the cell that it leads to."""
 
@@ -193,8 +190,7 @@ class Ratings(PolicySettings):
         return Rating(fov=world.fov, n_actions=world.n_actions, **shape)
 
 
-@sections.documented
-@dataclass(frozen=True)
+@sections.section
 class Programs(PolicySettings):
     """Programs that rate each move by named inputs of the cell that it leads to."""
 
@@ -219,13 +215,12 @@ def check_mask(mask: str, world: WorldConfig, learns: bool) -> None:
     """Raise ValueError unless a mask fits a world; `learns` says whether pursuers do."""
     rules = world.rules
     masks.check_mask("policy.mask", mask, world)
-    masked = mask == "right-of-way" and learns
-    if masked and rules.captures and not masks.leaves_captures(world):
-        raise ValueError(
-            f"policy.mask: expected none or obstacles for pursuers whose captures are collisions "
-            f"at fault (capture {rules.capture.name}, evader {rules.evader.name}, pursuer "
-            f"{rules.pursuer.name}), got {mask!r}"
-        )
+    masked = mask == "right-of-way" and learns and rules.captures
+    expected = (
+        f"none or obstacles for pursuers whose captures are collisions at fault (capture "
+        f"{rules.capture.name}, evader {rules.evader.name}, pursuer {rules.pursuer.name})"
+    )
+    checks.expect(not masked or masks.leaves_captures(world), "policy.mask", expected, repr(mask))
 
 
 OVERLAP_PENALTY, OVERLAP_PENALTY_ALONE = 0.2, 0.5

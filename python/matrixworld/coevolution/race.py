@@ -24,7 +24,6 @@ import math
 import re
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -32,35 +31,22 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from matrixworld._util.checks import check_choice, check_integer
-from matrixworld.analysis.intervals import does_not_vary, t_ends
-from matrixworld.analysis.payoffs import in_words_of
-from matrixworld.coevolution import types
-from matrixworld.coevolution.opponents import (
-    AnyOpponents,
-    NashOpponents,
-    Opponents,
-    OwnOpponents,
-    RoundRobin,
-    Uniform,
-)
-from matrixworld.coevolution.pursuit import SCRIPTS
-from matrixworld.coevolution.sections import Section, by_race, documented, kinds_in, setting
-from matrixworld.coevolution.seeding import Phase, Purpose, training_seeds
+from matrixworld.analysis import intervals, payoffs
+from matrixworld.coevolution import opponents as samplers
+from matrixworld.coevolution import pursuit, seeding, types
+from matrixworld.coevolution.sections import Section, by_race, kinds_in, section, setting
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Payoff, Team, other
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.run import Run, RunInMemory
 
-CONFIDENCE = 0.95  # probability with which an interval of the summary covers the true mean
 
-
-@dataclass(frozen=True)
+@section
 class Race(Section):
     """Base of the kinds of races."""
 
     stages_per_generation: ClassVar[int] = 1
     """Stages of a generation; a run is saved after each of them."""
-    is_race: ClassVar[bool] = True  # whether both teams learn
 
     # What a kind of race states:
 
@@ -106,9 +92,9 @@ class Race(Section):
         """Return the epochs of all stages before one."""
         return sum(map(self.epochs_in, range(stage)))
 
-    def sampler(self, team: Team) -> Opponents:
+    def sampler(self, team: Team) -> samplers.Opponents:
         """Return how a team chooses opponents; imports code of your own."""
-        return RoundRobin()
+        return samplers.RoundRobin()
 
     @abstractmethod
     def learn(self, run: RunInMemory, stage: int) -> None:
@@ -121,7 +107,7 @@ class Race(Section):
     def summary(self, run: Run, payoff: Payoff) -> dict[str, Any]:
         """Return what summary.json holds besides counts."""
         teams = run.settings.teams
-        stretches = [in_words_of(teams, str(stretch)) for stretch in run.disengagements()]
+        stretches = [payoffs.in_words_of(teams, str(stretch)) for stretch in run.disengagements()]
         return {"disengagement": stretches}
 
     @property
@@ -130,17 +116,17 @@ class Race(Section):
         return self.stages_per_generation * (self.entries - 1)
 
 
-@dataclass(frozen=True)
+@section
 class OfGenerations(Race):
     """Base of the races in which both teams learn."""
 
     generations: int = setting(30, "generations after the untrained generation 0", least=1)
-    pursuers_meet: AnyOpponents = setting(
-        Uniform(), f"which evaders pursuers meet: {', '.join(kinds_in(AnyOpponents))} or "
-        "module:object",
-    )  # fmt: skip
-    evaders_meet: AnyOpponents = setting(
-        Uniform(), "which pursuers evaders meet; as for the pursuers"
+    pursuers_meet: samplers.AnyOpponents = setting(
+        samplers.Uniform(),
+        f"whom pursuers meet: {', '.join(kinds_in(samplers.AnyOpponents))} or module:object",
+    )
+    evaders_meet: samplers.AnyOpponents = setting(
+        samplers.Uniform(), "whom evaders meet; as for the pursuers"
     )
 
     @property
@@ -148,20 +134,15 @@ class OfGenerations(Race):
         """Genomes in the archive of a team at the end of a race."""
         return 1 + self.generations
 
-    def sampler(self, team: Team) -> Opponents:
+    def sampler(self, team: Team) -> samplers.Opponents:
         """Return how a team chooses opponents; imports code of your own."""
         met = self.pursuers_meet if team == "pursuer" else self.evaders_meet
-        sampler: Opponents = met.load() if isinstance(met, OwnOpponents) else met
+        sampler: samplers.Opponents = met.load() if isinstance(met, samplers.OwnOpponents) else met
         return sampler
 
 
 # In turns:
 
-PAPER: dict[str, dict[str, str]] = {
-    "specialist-specialist": {"pursuers_meet": "latest", "evaders_meet": "latest"},
-    "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
-    "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
-}
 PSRO = "psro"  # name of a schedule in which both teams meet Nash mixtures
 ENOUGH_EPOCHS = 60
 HIDES_CYCLING = (
@@ -171,8 +152,7 @@ HIDES_CYCLING = (
 """By ``evolution/race_budgets.py``; epochs of pursuers and of evaders."""
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class InTurns(OfGenerations):
     """The teams learn in turns, against archived opponents that their samplers choose.
 
@@ -191,7 +171,9 @@ class InTurns(OfGenerations):
     kind: ClassVar[str] = "alternating"
     stages_per_generation: ClassVar[int] = 2
     shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
-        **PAPER,
+        "specialist-specialist": {"pursuers_meet": "latest", "evaders_meet": "latest"},
+        "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
+        "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
         PSRO: {"pursuers_meet": "nash", "evaders_meet": "nash"},
     }
 
@@ -202,11 +184,9 @@ class InTurns(OfGenerations):
     @property
     def name(self) -> str:
         """The name in the paper of a schedule that has one, "psro", or "alternating"."""
-        if self.pursuers_meet.kind == self.evaders_meet.kind == NashOpponents.kind:
-            return PSRO
-        kinds = (self.pursuers_meet.kind, self.evaders_meet.kind)
-        names = [name for name, each in PAPER.items() if kinds == tuple(each.values())]
-        return names[0] if names and self.opponents == 1 else self.kind
+        kinds = {"pursuers_meet": self.pursuers_meet.kind, "evaders_meet": self.evaders_meet.kind}
+        names = [name for name, each in self.shorthands.items() if each == kinds]
+        return names[0] if names and (self.opponents == 1 or names == [PSRO]) else self.kind
 
     @property
     def limits(self) -> str:
@@ -267,7 +247,7 @@ def improve(
     for epoch in epochs:
         run.begin_epoch(team, generation, epoch)
         candidates = run.ask(team, generation, epoch)
-        rng = run.generator(Purpose.OPPONENTS, team, generation, epoch)
+        rng = run.generator(seeding.Purpose.OPPONENTS, team, generation, epoch)
         met = run.sample(team, types.team_size(opponents), count, epoch, rng)
         seeds = match_seeds(run, team, generation, epoch, met)
         scores = run.play_candidates(team, candidates, opponents, met, seeds)
@@ -288,17 +268,16 @@ def match_seeds(run: RunInMemory, team: Team, generation: int, epoch: int, met: 
     for opponent in map(int, met):
         # They depend on both generations, so that no two phases play the same episodes.
         pair = (generation, opponent) if team == "pursuer" else (opponent, generation)
-        phase = Phase.PURSUERS_LEARN if team == "pursuer" else Phase.EVADERS_LEARN
+        phase = seeding.Phase.PURSUERS_LEARN if team == "pursuer" else seeding.Phase.EVADERS_LEARN
         count = int(groups.max()) + 1
-        seeds.append(training_seeds(run.settings.seed, *pair, phase, epoch, count)[groups])
+        seeds.append(seeding.training_seeds(run.settings.seed, *pair, phase, epoch, count)[groups])
     return np.stack(seeds, axis=1)
 
 
 # At the same time:
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class AtOnce(OfGenerations):
     """Both teams learn at the same time, from living opponents and a hall of fame.
 
@@ -329,7 +308,7 @@ class AtOnce(OfGenerations):
         if not self.opponents_met:
             raise ValueError("contemporaries and hall_sample: expected at least 1 opponent, got 0")
         for name in ("pursuers_meet", "evaders_meet"):
-            if not self.hall_sample and getattr(self, name) != Uniform():
+            if not self.hall_sample and getattr(self, name) != samplers.Uniform():
                 raise ValueError(f"{name}: expected no value with a hall_sample of 0")
 
     @property
@@ -371,7 +350,7 @@ class AtOnce(OfGenerations):
         Returns the fitness (n,), all possible opponents, and those of the fittest, of each team.
         """
         # One for both teams: their matches are drawn together.
-        rng = run.generator(Purpose.OPPONENTS, "pursuer", generation, epoch)
+        rng = run.generator(seeding.Purpose.OPPONENTS, "pursuer", generation, epoch)
         sampled: dict[Team, Indices] = dict.fromkeys(TEAMS, np.zeros(0, dtype=np.intp))
         if self.hall_sample:
             size = len(run.archive["pursuer"])
@@ -385,8 +364,8 @@ class AtOnce(OfGenerations):
             team: run.population(team, np.concatenate([populations[team], halls[team]]))
             for team in TEAMS
         }
-        key = (run.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch)
-        seeds = training_seeds(*key, int(group.max()) + 1)[group]
+        key = (run.settings.seed, generation, generation, seeding.Phase.BOTH_LEARN, epoch)
+        seeds = seeding.training_seeds(*key, int(group.max()) + 1)[group]
         scores = run.play(everyone["pursuer"], everyone["evader"], (pursuers, evaders, seeds))
         found: dict[Team, tuple[FloatArray, Any, Indices]] = {}
         players = dict(zip(TEAMS, (pursuers, evaders), strict=True))
@@ -450,8 +429,7 @@ def table_of_individuals(
 # Against fixed opponents:
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class Against(Race):
     """One team learns alone, against fixed opponents, one of them in each epoch.
 
@@ -466,11 +444,10 @@ class Against(Race):
     """
 
     kind: ClassVar[str] = "against"
-    is_race: ClassVar[bool] = False
 
     team: Team = setting("pursuer", "team that learns: pursuer or evader", choices=TEAMS)
     opponent: str = setting(
-        "random", f"{', '.join(SCRIPTS)}, or a run directory (its last generation)"
+        "random", f"{', '.join(pursuit.SCRIPTS)}, or a run directory (its last generation)"
     )
     start: str | None = setting(
         None, "run directory; start from its last generation instead of an untrained genome"
@@ -556,23 +533,24 @@ class Against(Race):
         for name, episodes, most in rows:
             values = np.asarray(episodes, dtype=np.float64).ravel()
             # Equal episodes say nothing of their spread: the interval would have a width of 0.
-            varies = not does_not_vary(values)
-            low, high = t_ends(values, CONFIDENCE, (0.0, most)) if varies else (None, None)
+            same = intervals.does_not_vary(values)
+            ends = (None, None) if same else intervals.t_ends(values, intervals.LEVEL, (0.0, most))
             found |= {
                 name: float(values.mean()),
-                f"{name}_low": low,
-                f"{name}_high": high,
+                f"{name}_low": ends[0],
+                f"{name}_high": ends[1],
                 f"{name}_std": float(values.std()),
             }
         return found
 
 
 SCHEDULES: dict[str, InTurns] = {
-    name: InTurns(**samplers)  # type: ignore[arg-type]  # a text stands for a section
-    for name, samplers in PAPER.items()
+    name: InTurns(**kinds) for name, kinds in InTurns.shorthands.items() if name != PSRO
 }
 """The paper's schedules by name."""
-ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)  # names of all schedules of races
+ALL_SCHEDULES = (*[*SCHEDULES][:-1], AtOnce.kind, [*SCHEDULES][-1], PSRO, InTurns.kind)
+"""Names of the schedules of races, in the order in which a job plays them: from the newest
+opponents only to those of all generations."""
 
 
 def curve_window(schedule: Race) -> int:

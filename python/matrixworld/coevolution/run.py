@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, check_instance, check_integer, check_threads
+from matrixworld._util import checks
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.payoffs import in_words_of
 from matrixworld.analysis.progress import PATIENCE, Disengagement
@@ -58,20 +58,35 @@ def create(
 ) -> storage.SavedRun:
     """Make the directory of a run, as of its stage 0: nothing is played yet.
 
-    A `directory` that holds a run of the same `settings` is left as it is. A team that learns alone
-    may be given a population of `opponents`, in place of `schedule.opponent`, and a genome (genes,)
-    to `start` from, in place of `schedule.start`. FileExistsError, ValueError or PluginError if the
-    directory holds anything else, opponents do not fit the world, or code of your own fails or
-    refuses its settings.
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the run.
+    directory : str or Path
+        A new or empty directory; one that holds a run of the same settings is left as it is.
+    opponents : population, optional
+        Opponents of a team that learns alone, in place of `schedule.opponent`.
+    start : array_like of float32, optional
+        Genome (genes,) that such a team starts from, in place of `schedule.start`.
+
+    Returns
+    -------
+    SavedRun
+        The run.
+
+    Raises
+    ------
+    FileExistsError, ValueError, PluginError
+        If the directory holds anything else, opponents do not fit the world, or code of your own
+        fails or refuses its settings. Nothing is written then.
     """
-    check_instance("settings", settings, RaceSettings)
+    checks.check_instance("settings", settings, RaceSettings)
     path, schedule = Path(directory), settings.schedule
     given = [n for n, value in (("opponent", opponents), ("start", start)) if value is not None]
     if storage.SavedRun(path).exists and not given:
         check_same(storage.SavedRun(path), settings)
         return storage.SavedRun(path)
     # Everything that can be wrong is checked before the directory is made.
-    storage.check_empty(path)
     begin: types.Genome | None = None
     archive: dict[Team, Any] = {team: [] for team in TEAMS}
     config: dict[str, Any] = {}
@@ -108,9 +123,9 @@ def check_sources(
         start = population.genomes[0]
     if start is None:
         return policy, None
-    genome, size = check_floats("start", start, np.float32), game.genome_size(schedule.team)
-    if genome.shape != (size,) or not np.isfinite(genome).all():
-        raise ValueError(f"start: expected {size} finite genes, got shape {genome.shape}")
+    genome, size = checks.check_floats("start", start, np.float32), game.genome_size(schedule.team)
+    fits = genome.shape == (size,) and np.isfinite(genome).all()
+    checks.expect(fits, "start", f"{size} finite genes", f"shape {genome.shape}")
     return policy, genome
 
 
@@ -144,8 +159,8 @@ class RunInMemory:
     """
 
     def __init__(self, settings: RaceSettings, *, threads: int | None = None) -> None:
-        check_instance("settings", settings, RaceSettings)
-        check_threads(threads)
+        checks.check_instance("settings", settings, RaceSettings)
+        checks.check_threads(threads)
         self.settings: RaceSettings = settings
         self.threads: int | None = threads
         teams = settings.learning_teams
@@ -162,8 +177,8 @@ class RunInMemory:
         self._begin()
 
     def _begin(self) -> None:
-        if not self.settings.is_race:
-            raise ValueError("settings: expected those of a race, got those of one team alone")
+        got = "those of one team alone"
+        checks.expect(self.settings.is_race, "settings", "those of a race", got)
         self.archive, self.states = self.settings.beginning()
 
     def train(self) -> None:
@@ -460,7 +475,7 @@ class Run(RunInMemory):
             threads=self.threads,
             generations=(g, h),
             known=self.files.payoff() if (self.files.path / storage.PAYOFF).exists() else None,
-            on_row=lambda played: self.report("tournament", played),
+            report=lambda now: self.report(now.what, now.done),
         )
 
     def summary(self, payoff: types.Payoff) -> dict[str, Any]:
@@ -562,21 +577,16 @@ def lengthen(directory: str | Path, generations: int, *, only_check: bool = Fals
         check_source(files)
         if not isinstance(schedule, OfGenerations):
             raise ValueError(f"{path}: expected a race, got a run of one team")
-        if check_integer("generations", generations, 1) < schedule.generations:
-            least = f"at least the {schedule.generations} of {path}"
-            raise ValueError(f"generations: expected {least}, got {generations}")
+        longer = checks.check_integer("generations", generations, 1) >= schedule.generations
+        expected = f"at least the {schedule.generations} of {path}"
+        checks.expect(longer, "generations", expected, generations)
         for team in settings.learning_teams:
-            if getattr(settings.learner_of(team), "anneal", False):
-                where = f"{path}: {settings.learner_path(team)}.anneal"
-                raise ValueError(
-                    f"{where}: expected false in a race that becomes longer, got true: its rates "
-                    "depend on the number of all epochs"
-                )
-        if not files.has_checkpoint:
-            raise ValueError(
-                f"{path}: expected the checkpoint of its last stage, got none, as in a race that "
-                "a page has saved"
-            )
+            name = f"{path}: {settings.learner_path(team)}.anneal"
+            falls = getattr(settings.learner_of(team), "anneal", False)
+            got = "true: its rates depend on the number of all epochs"
+            checks.expect(not falls, name, "false in a race that becomes longer", got)
+        expected, got = "the checkpoint of its last stage", "none, as in a race that a page saved"
+        checks.expect(files.newest() in files.numbers("checkpoint"), str(path), expected, got)
         if not only_check:
             files.change(settings.changed({"schedule.generations": generations}))
 
@@ -596,10 +606,23 @@ def finish(
     report: Report = silent,
     on_epoch: OnEpoch | None = None,
 ) -> storage.SavedRun:
-    """Return the finished run of a `directory` that `create` has made, which may have begun.
+    """Return the finished run of a directory: play what is left of it.
 
-    An executor can call it wherever the directory has the same path. `threads` and errors are those
-    of `Run`, `report` and `on_epoch` are as for `evolve`.
+    An executor can call it wherever the directory has the same path. Errors are those of `Run`.
+
+    Parameters
+    ----------
+    directory : str or Path
+        A directory that `create` has made, of a run which may have begun.
+    threads : int, optional
+        As in `Run`.
+    report, on_epoch : callable, optional
+        As in `evolve`.
+
+    Returns
+    -------
+    SavedRun
+        The finished run.
     """
     files = storage.RunWriter(directory)
     if files.exists and files.finished and not [*files.path.glob("checkpoint-*")]:  # of a page

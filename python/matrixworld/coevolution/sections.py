@@ -15,7 +15,7 @@ import re
 import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import Field, dataclass, field, fields
+from dataclasses import Field, dataclass, field, fields, replace
 from functools import cache
 from importlib import import_module
 from inspect import cleandoc
@@ -24,10 +24,10 @@ from types import NoneType
 from typing import Any, ClassVar, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
+from typing_extensions import dataclass_transform
 
 from matrixworld._util import checks
 
-RECIPES = "docs/how_to_add.md"
 AnySection = TypeVar("AnySection", bound="Section")
 
 
@@ -72,8 +72,10 @@ def by_race(default: Any, text: str, **limits: Any) -> Any:
     return setting(default, text, by_race=True, **limits)
 
 
-def documented(cls: type[AnySection]) -> type[AnySection]:
-    """Add the help texts of the fields to a docstring, as its section of parameters."""
+@dataclass_transform(frozen_default=True)
+def section(cls: type[AnySection]) -> type[AnySection]:
+    """Make a class a frozen dataclass whose docstring has the help texts of its fields."""
+    cls = dataclass(frozen=True)(cls)
     lines = [cleandoc(cls.__doc__ or ""), "", "Parameters", "----------"]
     for item in fields(cls):
         lines += [f"{item.name} : {item.type}, optional", f"    {item.metadata['help']}"]
@@ -126,7 +128,7 @@ def no_exit(where: str) -> Iterator[None]:
         raise PluginError(f"{where}: code of your own called exit") from error
 
 
-@dataclass(frozen=True)
+@section
 class OwnCode(Section):
     """Base of what stands for a section of your own: its name, and its settings.
 
@@ -147,25 +149,19 @@ class OwnCode(Section):
 
     def check(self) -> None:
         """Raise ValueError unless a name is given."""
-        if not PATH.fullmatch(self.code):
-            raise ValueError(f"code: expected module:object, got {checks.shown(self.code)}")
+        checks.expect(PATH.fullmatch(self.code), "code", "module:object", checks.shown(self.code))
 
     def load(self) -> Any:
         """Return the section of your own; ValueError if it refuses its settings, or PluginError."""
         cls = imported(self.code)
         # Before it is called: the files of a stranger's run must not name any function at all.
-        if not (isinstance(cls, type) and issubclass(cls, self.base)):
-            expected = f"a class derived from {self.base.__name__}"
-            raise ValueError(f"{self.code}: expected {expected}, got {checks.shown(cls)}")
+        derived = isinstance(cls, type) and issubclass(cls, self.base)
+        expected = f"a class derived from {self.base.__name__}"
+        checks.expect(derived, self.code, expected, checks.shown(cls))
         try:
+            check_names(self.settings, [item.name for item in fields(cls)])
             return cls(**self.settings)
-        except TypeError as error:
-            known = [item.name for item in fields(cls)]  # type: ignore[arg-type]  # a section
-            raise ValueError(
-                f"{self.code}: expected its settings ({', '.join(known)}), got "
-                f"{dict(self.settings)} ({error})"
-            ) from error
-        except ValueError as error:
+        except (TypeError, ValueError) as error:
             raise ValueError(f"{self.code}: {error}") from error
         except (Exception, SystemExit) as error:
             raise PluginError(f"{self.code}: {type(error).__name__}: {error}") from error
@@ -195,8 +191,8 @@ def imported(code: str) -> Any:
 def name_of(code: Any) -> str:
     """Return ``module:object`` of a class; ValueError if an import cannot find it."""
     name = f"{getattr(code, '__module__', '')}:{getattr(code, '__qualname__', '')}"
-    if not PATH.fullmatch(name):  # such as what is inside a function
-        raise ValueError(f"code: expected a class of a module, got {checks.shown(code)}")
+    found = PATH.fullmatch(name)  # unless it is inside a function
+    checks.expect(found, "code", "a class of a module", checks.shown(code))
     return name
 
 
@@ -206,12 +202,12 @@ def check_own_settings(name: str, given: Any) -> dict[str, Any]:
         raise TypeError(f"{name}: expected values by name, such as {{'sigma': 0.1}}, got {given!r}")
     values = {key: v.item() if isinstance(v, np.generic) else v for key, v in given.items()}
     for key, value in values.items():
-        if not isinstance(key, str) or not key.isidentifier():
-            raise ValueError(f"{name}: expected names such as sigma, got {key!r}")
-        is_number = isinstance(value, float) and math.isfinite(value)
-        if not is_number and not isinstance(value, bool | int | str):
-            expected = "a finite number, text, True or False"
-            raise TypeError(f"{name}: expected {expected} as {key}, got {value!r}")
+        is_name = isinstance(key, str) and key.isidentifier()
+        checks.expect(is_name, name, "names such as sigma", repr(key))
+        fits = isinstance(value, bool | int | str)
+        fits = fits or (isinstance(value, float) and math.isfinite(value))
+        expected = f"a finite number, text, True or False as {key}"
+        checks.expect(fits, name, expected, repr(value), TypeError)
     return dict(sorted(values.items()))
 
 
@@ -268,17 +264,14 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
                 value = PLAIN[hint].read(value)
         checks.check_instance(name, value, hint)
         return value
-    if get_origin(hint) is tuple and PLAIN.keys() & {*get_args(hint)}:
-        return checks.check_sequence(name, value, "mappings")  # read by `RaceSettings`
-    if get_origin(hint) is tuple and str in get_args(hint):
-        texts = checks.check_sequence(name, value, "texts")
-        if not all(isinstance(text, str) for text in texts):
-            raise TypeError(f"{name}: expected a sequence of texts, got {checks.shown(value)}")
-        return texts
-    if get_origin(hint) is tuple:
-        if isinstance(value, int) and not isinstance(value, bool):
-            value = (value,)  # a single layer
-        return checks.check_sizes(name, value)
+    if get_origin(hint) is tuple and int in accepted:
+        is_one = isinstance(value, int) and not isinstance(value, bool)  # such as a single layer
+        return checks.check_sizes(name, (value,) if is_one else value)
+    if get_origin(hint) is tuple:  # worlds are read by `RaceSettings`
+        parts = checks.check_sequence(name, value, "texts" if str in accepted else "mappings")
+        fits = str not in accepted or all(isinstance(part, str) for part in parts)
+        checks.expect(fits, name, "a sequence of texts", checks.shown(value), TypeError)
+        return parts
     if get_origin(hint) is Mapping:
         return check_own_settings(name, value)
     if bool in accepted:
@@ -307,15 +300,7 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     own: Any = known.get("own")
     if own is not None and isinstance(given, own.base):
         given = own.named(given)
-    if isinstance(given, str) or (isinstance(given, type) and issubclass(given, Section)):
-        given = {"kind": given}
-    if not isinstance(given, Mapping):
-        names = [each.__name__ for each in known.values() if each.kind != "own"]
-        if "own" in known:
-            names.append(f"class derived from {known['own'].base.__name__} ({RECIPES})")  # type: ignore[attr-defined]
-        expected = " or ".join(dict.fromkeys(names))
-        raise TypeError(f"{item.name}: expected {expected}, got {checks.shown(given)}")
-    changes = dict(given)
+    changes = dict(given) if isinstance(given, Mapping) else {"kind": given}
     usual = before or item.metadata["default"]
     if "kind" in changes or usual is None:
         cls, sets = _named(item.name, hint, changes.pop("kind", None))
@@ -329,19 +314,32 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
 
 def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str, Any]]:
     """Return the section of a kind, a shorthand or own code, and the fields that this sets."""
-    known, names = sections_in(hint), kinds_in(hint)
+    known: Any = sections_in(hint)
+    names = kinds_in(hint)
     if isinstance(kind, str) and kind in known:
         return known[kind], known[kind].shorthands.get(kind, {})
     if "own" in known:
-        if isinstance(kind, type):
+        if isinstance(kind, type) and issubclass(kind, Section):
             kind = name_of(kind)
         if isinstance(kind, str) and PATH.fullmatch(kind):
             return known["own"], {"code": kind}
         names.append("or module:object" if names else "module:object")
-    expected = ", ".join(names) if names else known[""].__name__
-    if len(names) > 1:
-        expected = f"one of {expected}"
-    raise ValueError(f"{name}: expected {expected}, got {checks.shown(kind)}")
+        if not isinstance(kind, str):
+            base = known["own"].base.__name__
+            names.append(f"or a class derived from {base} (docs/how_to_add.md)")
+    expected = f"{'one of ' * (len(names) > 1)}{', '.join(names) or known[''].__name__}"
+    error = ValueError if isinstance(kind, str) else TypeError
+    raise error(f"{name}: expected {expected}, got {checks.shown(kind)}")
+
+
+def filled(section: AnySection, usual: Mapping[str, Any], path: str) -> AnySection:
+    """Return a section in which fields `by_race` have their usual values, by path, or defaults."""
+    empty = {
+        item.name: usual.get(f"{path}.{item.name}", item.metadata["default"])
+        for item in fields(section)
+        if item.metadata.get("by_race") and getattr(section, item.name) is None
+    }
+    return replace(section, **empty)
 
 
 # Sections as values that JSON and TOML can hold:
@@ -354,18 +352,15 @@ def merged(
 
     A section in it that stays of its class keeps what is not changed.
     """
-    check_names(changes, [item.name for item in fields(cls)])
-    values = dict(before)
-    for item in fields(cls):
-        if item.name not in changes:
-            continue
-        change, hint = changes[item.name], hints_of(cls)[item.name]
+    known, values = {item.name: item for item in fields(cls)}, dict(before)
+    check_names(changes.keys(), known)
+    for name, change in changes.items():
+        hint, earlier = hints_of(cls)[name], before.get(name)
+        values[name] = change
         if sections_in(hint) and change is not None:
-            values[item.name] = _section(item, hint, values.get(item.name), change)
+            values[name] = _section(known[name], hint, earlier, change)
         elif isinstance(change, Mapping):
-            values[item.name] = _joined(values.get(item.name), change)
-        else:
-            values[item.name] = change
+            values[name] = _joined(earlier, change)
     return values
 
 

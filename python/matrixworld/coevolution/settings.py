@@ -6,13 +6,14 @@ The number of threads is not a setting, because results do not depend on it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from difflib import get_close_matches
 from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 
+from matrixworld._util import checks
 from matrixworld.coevolution import pursuit, sections
 from matrixworld.coevolution.fitness import FitnessSettings
 from matrixworld.coevolution.game import Game, OwnGame
@@ -28,8 +29,7 @@ OF_PURSUIT = ("world", "policy", "train_steps", "training_worlds")
 """Settings that a game of your own has not."""
 
 
-@sections.documented
-@dataclass(frozen=True)
+@sections.section
 class RaceSettings(Section):
     """Settings of a run: a race, in which both teams learn, or one team `Against` fixed opponents.
 
@@ -82,29 +82,23 @@ class RaceSettings(Section):
         if self.game is not None:
             self._check_own_game()
         # First the schedule: the steps of a learner may follow from its epochs.
-        for name in ("schedule", *(item.name for item in fields(self) if item.name != "schedule")):
-            value = getattr(self, name)
+        for item in sorted(fields(self), key=lambda item: item.name != "schedule"):
+            value = getattr(self, item.name)
+            if value is None and not (self.game and item.name in OF_PURSUIT):
+                value = self._defaults().get(item.name, item.metadata["default"])
             if isinstance(value, Section):
-                value = self._filled(name, value)
-            elif value is None and not (self.game and name in OF_PURSUIT):
-                item = next(item for item in fields(self) if item.name == name)
-                value = self._defaults().get(name, item.metadata["default"])
-                if isinstance(value, Section):
-                    value = self._filled(name, value)
-            object.__setattr__(self, name, value)
+                value = self._filled(item.name, value)
+            object.__setattr__(self, item.name, value)
         if self.game is None:
-            masked = "pursuer" in self.learning_teams
             if isinstance(self.schedule, Against):
                 pursuit.check_script("schedule.opponent", self.schedule.opponent, self.world)
-            pursuit.check_mask(self.policy.mask, self.world, masked)
+            pursuit.check_mask(self.policy.mask, self.world, "pursuer" in self.learning_teams)
             self._read_training_worlds()
         self._check_idle()
-        if self.evader_learner and not isinstance(self.schedule, InTurns):
-            why = "one team learns" if isinstance(self.schedule, Against) else "both learn at once"
-            raise ValueError(
-                f"evader_learner: expected no value with the schedule {self.schedule.kind}, in "
-                f"which {why}, got {self.evader_learner.kind}"
-            )
+        if self.evader_learner:
+            expected = f"no value with the schedule {self.schedule.kind}, which is not in turns"
+            in_turns, got = isinstance(self.schedule, InTurns), self.evader_learner.kind
+            checks.expect(in_turns, "evader_learner", expected, got)
         for team in self.learning_teams:
             learner = getattr(self, self.learner_path(team))
             if not isinstance(learner, sections.OwnCode):  # which is not imported yet
@@ -118,31 +112,23 @@ class RaceSettings(Section):
             for world in worlds:
                 for name in ("rules", "fov", "diagonal"):
                     expected, got = getattr(self.world, name), getattr(world, name)
-                    if got != expected:
-                        raise ValueError(f"{name}: expected {expected}, as in world, got {got}")
+                    checks.expect(got == expected, name, f"{expected}, as in world", got)
         object.__setattr__(self, "training_worlds", worlds)
-        shares = len(self.training_shares)
-        if shares not in (0, len(worlds)):
-            raise ValueError(f"training_shares: expected {len(worlds)} or none, got {shares}")
+        shares, expected = len(self.training_shares), f"{len(worlds)} or none"
+        checks.expect(shares in (0, len(worlds)), "training_shares", expected, shares)
 
     def _check_fits(self, path: str, learner: Learner) -> None:
         """Raise ValueError if a learner cannot learn here, or would change what a mask fixes."""
-        if self.game and not learner.any_game:
-            raise ValueError(
-                f"{path}: expected es, ga, cma or your own in a game of your own, got "
-                f"{learner.kind}"
-            )
-        kind = None if self.game else self.policy.kind
-        if kind and kind not in learner.policies:
-            raise ValueError(
-                f"policy: expected {' or '.join(learner.policies)} with the learner "
-                f"{learner.kind or type(learner).__name__}, got {kind}"
-            )
-        if kind == "cells" and self.policy.mask != "none" and "policy.mask" in learner.ignores:
-            raise ValueError(
-                f"policy.mask: expected 'none', got {self.policy.mask!r}; it has no effect with "
-                f"{learner.kind or type(learner).__name__}"
-            )
+        name = learner.kind or type(learner).__name__
+        if self.game:
+            expected = "es, ga, cma or your own in a game of your own"
+            checks.expect(learner.any_game, path, expected, name)
+        else:
+            kind, mask = self.policy.kind, self.policy.mask
+            expected = f"{' or '.join(learner.policies)} with the learner {name}"
+            checks.expect(kind in learner.policies, "policy", expected, kind)
+            idle = kind == "cells" and mask != "none" and "policy.mask" in learner.ignores
+            checks.expect(not idle, "policy.mask", f"'none' with {name}", repr(mask))
         # A run is read without an import of its game.
         learner.check_fits(path, self.game.known if self.game else self.evaluation_game)
 
@@ -155,16 +141,10 @@ class RaceSettings(Section):
 
     def _filled(self, name: str, section: sections.AnySection) -> sections.AnySection:
         """Return a section with its defaults; ValueError if these do not fit the rest of it."""
-        is_learner = name in ("learner", "evader_learner")
+        is_learner = isinstance(section, Learner)
         usual = self._defaults(section if is_learner else None)
-        section_path = "learner" if is_learner else name
-        empty = {
-            item.name: usual.get(f"{section_path}.{item.name}", item.metadata["default"])
-            for item in fields(section)
-            if item.metadata.get("by_race") and getattr(section, item.name) is None
-        }
         with sections.inside(name):
-            return replace(section, **empty)
+            return sections.filled(section, usual, "learner" if is_learner else name)
 
     def _check_own_game(self) -> None:
         """Raise ValueError for settings that a game of your own has not."""
@@ -176,8 +156,8 @@ class RaceSettings(Section):
             given.append("fitness.cost_limit")
         if isinstance(self.schedule, Against) and self.schedule.opponent in pursuit.SCRIPTS:
             expected = f"a run directory of the game {self.game.code}"
-            got = self.schedule.opponent
-            raise ValueError(f"schedule.opponent: expected {expected}, got the script {got}")
+            got = f"the script {self.schedule.opponent}"
+            raise ValueError(f"schedule.opponent: expected {expected}, got {got}")
         once = ("match_episodes", "evaluation_episodes") if self.game.deterministic else ()
         given += [name for name in once if getattr(self, name) not in (None, 1)]
         if given:
@@ -207,25 +187,22 @@ class RaceSettings(Section):
                 value = getattr(part, item.name)
                 usual = self._defaults().get(f"{section}.{item.name}", item.metadata["default"])
                 # Settings that were made from others may have the default of these.
-                if name in ("", item.name) and value not in (usual, item.metadata["default"]):
-                    expected = "no value" if usual is None else f"{usual!r}, the default"
-                    raise ValueError(
-                        f"{section}.{item.name}: expected {expected}, got {value!r}; it has no "
-                        f"effect {why}"
-                    )
+                unset = name not in ("", item.name) or value in (usual, item.metadata["default"])
+                expected = "no value" if usual is None else f"{usual!r}, the default"
+                got = f"{value!r}; it has no effect {why}"
+                checks.expect(unset, f"{section}.{item.name}", expected, got)
         rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
-        if self.game is None and not rewarded and self.world.rewards != pursuit.Rewards():
-            raise ValueError(
-                f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
-                f"have an effect only with the fitness rewards or the learner actor-critic"
-            )
+        if self.game is None and not rewarded:
+            expected = "the default without the fitness rewards or the learner actor-critic"
+            usual = self.world.rewards == pursuit.Rewards()
+            checks.expect(usual, "world.rewards", expected, self.world.rewards)
 
     # What follows from the settings:
 
     @property
     def is_race(self) -> bool:
         """Whether both teams learn."""
-        return self.schedule.is_race
+        return self.learning_teams == TEAMS
 
     @property
     def method(self) -> RaceSettings:
@@ -300,8 +277,7 @@ class RaceSettings(Section):
     @property
     def teams(self) -> tuple[str, str]:
         """What the teams are called."""
-        first, second = pursuit.Pursuit.teams if self.game is None else self.game.teams
-        return first, second
+        return pursuit.Pursuit.teams if self.game is None else self.game.teams
 
     @property
     def keys(self) -> tuple[str, str]:
@@ -374,11 +350,36 @@ DEFAULT_RACE: Mapping[str, Any] = {
     "learner.population": 12, "learner.sigma": 0.3, "learner.learning_rate": 0.0025,
     "schedule.pursuer_epochs": 20, "schedule.evader_epochs": 20, "schedule.joint_epochs": 10,
 }  # fmt: skip
-"""What the command ``matrixworld evolve`` starts from: policies that one can read, in a world in
-which good teams win about half. ``RaceSettings()`` has the paper's world and networks, as
-``evolve --paper`` has them. A schedule takes the epochs that it has."""
 SHORT = {"variant": ("world.rules",), "size": ("world.rows", "world.cols")}
 """Names of settings that are not the last part of their path."""
+
+
+def default_race(schedule: str) -> dict[str, Any]:
+    """Return what the command ``matrixworld evolve`` starts from, for `RaceSettings.of`.
+
+    Policies that one can read race in a world in which good teams win about half, and a race takes
+    seconds. ``RaceSettings()`` and ``evolve --paper`` have the paper's world and networks.
+
+    Parameters
+    ----------
+    schedule : str
+        A name in `SCHEDULES`, or ``"against"``.
+
+    Returns
+    -------
+    dict
+        Values by the paths of settings.
+
+    Examples
+    --------
+    >>> from matrixworld.coevolution import RaceSettings, default_race
+    >>> RaceSettings.of(default_race("hall-of-fame"), seed=1).policy.kind
+    'rating'
+    """
+    cls = sections.sections_in(sections.hints_of(RaceSettings)["schedule"]).get(schedule)
+    paths = {f"schedule.{item.name}" for item in fields(cls)} if cls else set()
+    usual = {p: v for p, v in DEFAULT_RACE.items() if p in paths or not p.startswith("schedule.")}
+    return {"schedule": schedule, **usual}
 
 
 def paths_of(name: str) -> tuple[str, ...]:

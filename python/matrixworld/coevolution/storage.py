@@ -37,14 +37,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util import files
-from matrixworld._util.checks import check_choice
+from matrixworld._util.checks import check_choice, expect
 from matrixworld._util.imports import no_attribute
 from matrixworld._util.readable import html_of
 from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.pursuit import Pursuit, acting
-from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
+from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, State, Team
@@ -56,9 +56,7 @@ FORMAT = 11  # version of the directory's layout; another one is refused
 CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
 PAYOFF, SUMMARY = "payoff.npz", "summary.json"
 
-# From the newest opponents only to those of all generations: the generalists are the last schedule.
-ORDER = [*list(SCHEDULES)[:-1], AtOnce.kind, list(SCHEDULES)[-1], PSRO, InTurns.kind]
-"""The order in which the runs of one job are played and shown."""
+MOST_NAMED = 5  # most names that a message lists
 SEED = re.compile(r"seed-(\d+)")  # names of the directories of a job's runs
 
 COLUMNS: dict[str, type] = {
@@ -82,7 +80,6 @@ epoch of a generation, which choose its champion, count in the row of that epoch
 """
 Row = dict[str, Any]
 Archive = dict[str, Genomes]
-Counters = Mapping[str, float]  # what a run has counted until the end of a stage, by name
 
 
 OTHER_NAMES = {
@@ -116,12 +113,9 @@ class SavedRun:
 
     def _sizes(self) -> dict[str, str]:
         """Return the size of each team's archive by the team's name, or its script."""
+        script = getattr(self.settings.schedule, "opponent", "")
         archive = zip(self.settings.teams, self.archive().values(), strict=True)
-        return {name: str(len(each)) if len(each) else self._script for name, each in archive}
-
-    @property
-    def _script(self) -> str:
-        return cast(Against, self.settings.schedule).opponent
+        return {name: str(len(each) or script) for name, each in archive}
 
     def __repr__(self) -> str:
         """Return directory, kind and seed of the run, and the size of each team's archive."""
@@ -150,12 +144,9 @@ class SavedRun:
             raise FileNotFoundError(f"{self.path}: holds no run, expected a file {CONFIG}")
         values = files.read_json(self.path / CONFIG)
         # Before any other entry is read: another format may not have it.
-        if values.get("format") != FORMAT:
-            raise OtherVersionError(
-                f"{self.path / CONFIG}: expected format {FORMAT}, got "
-                f"{files.one_line(values.get('format'))} (written by matrixworld "
-                f"{files.one_line(values.get('matrixworld', 'unknown'))})"
-            )
+        found, version = values.get("format"), values.get("matrixworld", "unknown")
+        got = files.one_line(f"{found} (written by matrixworld {version})")
+        expect(found == FORMAT, f"{self.path / CONFIG}", f"format {FORMAT}", got, OtherVersionError)
         return values
 
     @cached_property
@@ -166,11 +157,9 @@ class SavedRun:
         except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
             if isinstance(error, files.DamagedFileError | OtherVersionError):
                 raise
-            version = files.one_line(self.config.get("matrixworld", "unknown"))
-            raise OtherVersionError(
-                f"{self.path / CONFIG}: expected settings of matrixworld {__version__}, got those "
-                f"of {version}: {files.one_line(error)}"
-            ) from error
+            got = f"those of {self.config.get('matrixworld', 'unknown')}: {error}"
+            expected = f"{self.path / CONFIG}: expected settings of matrixworld {__version__}"
+            raise OtherVersionError(f"{expected}, got {files.one_line(got)}") from error
 
     @property
     def title(self) -> str:
@@ -193,11 +182,6 @@ class SavedRun:
         exist = (self.path / SUMMARY).exists() and (self.path / PAYOFF).exists()
         # A race that was made longer has results of its first stages.
         return exist and bool(self.summary()["stages"] >= self.settings.schedule.n_stages)
-
-    @property
-    def has_checkpoint(self) -> bool:
-        """Whether there is a checkpoint of the newest stage."""
-        return self.newest() in self._numbers("checkpoint")
 
     # What the files hold:
 
@@ -233,11 +217,10 @@ class SavedRun:
 
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
-        arrays = self._load(PAYOFF)
-        kind, settings = self.settings.kind_of_game, self.settings
+        arrays, settings = self._load(PAYOFF), self.settings
+        kind, exact = settings.kind_of_game, bool(settings.game and settings.game.deterministic)
         names = (*(f"{name}s" for name in kind.single), *kind.means)
         extras = {name: arrays[name] for name in names}
-        exact = settings.game is not None and settings.game.deterministic
         return Payoff(arrays["scores"], extras, settings.teams, exact, kind.score_words[0])
 
     def judge(self) -> Judgement:
@@ -253,9 +236,10 @@ class SavedRun:
 
     def newest(self) -> int:
         """Return the number of the newest stage, 0 before the first."""
-        return max(self._numbers("stage"), default=0)
+        return max(self.numbers("stage"), default=0)
 
-    def _numbers(self, kind: str) -> list[int]:
+    def numbers(self, kind: str) -> list[int]:
+        """Return the stages of which there is a file of a kind, such as a checkpoint."""
         names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
         return [int(name) for name in names if name.isdigit()]
 
@@ -291,11 +275,9 @@ class SavedRun:
     @property
     def pursuit(self) -> Pursuit:
         """The game, if it is pursuit and evasion; ValueError for another one."""
-        if self.settings.game:
-            raise ValueError(
-                f"{self.path}: expected a run of pursuers and evaders, got one of the game "
-                f"{self.settings.game.code}"
-            )
+        own = self.settings.game
+        expected, got = "a run of pursuers and evaders", f"one of the game {own and own.code}"
+        expect(not own, str(self.path), expected, got)
         return cast(Pursuit, self.game)
 
     @cached_property
@@ -310,7 +292,7 @@ class SavedRun:
         """Return genomes of a team as a population; without any, the script that plays for it."""
         settings = self.settings
         if not len(genomes):
-            return self._script
+            return cast(Against, settings.schedule).opponent  # a script
         if team in settings.learning_teams:
             return settings.evaluation_game.population(team, genomes)
         # Opponents of a single team may come from a run with other hidden layers.
@@ -319,10 +301,11 @@ class SavedRun:
 
     def key_of(self, team: str) -> str:
         """Return the key of a team in `teams`, of its key or name; ValueError for another one."""
-        keys = dict(zip(self.settings.teams, self.settings.keys, strict=True))
-        if team not in keys.values():
-            check_choice("team", team, keys)
-        return keys.get(team, team)
+        names, keys = self.settings.teams, self.settings.keys
+        if team in keys:
+            return team
+        check_choice("team", team, names)
+        return keys[names.index(team)]
 
     def last(self, team: str) -> Any:
         """Return the last generation of a team, as a population of one genome, or its script."""
@@ -334,12 +317,11 @@ class SavedRun:
 
         To compare runs at equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
         """
-        log = self.log()
-        own = log["team"] == self.key_of(team)
-        generations, played = log["generation"][own], log["matches"][own]
-        newest = int(generations.max(initial=0))
-        ends = np.array([played[generations == g].max() for g in range(1, newest + 1)])
-        return int(np.count_nonzero(ends <= matches))
+        key, ends = self.key_of(team), dict[int, int]()
+        for row in self.rows(0):
+            if row["team"] == key:  # counts never fall
+                ends[row["generation"]] = row["matches"]
+        return sum(end <= matches for end in ends.values())
 
     def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Episode:
         """Play one episode of the evaluation again and record every step.
@@ -370,8 +352,8 @@ class SavedRun:
         _ = self.pursuit
         check_choice("team", team, TEAMS)
         policy = self.teams[team]
-        if isinstance(policy, str):
-            raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
+        got = f"{team}: {policy} plays for it"
+        expect(not isinstance(policy, str), "team", "one that learned", got)
         genome = policy.genomes[self.generation(team, generation, "generation")]
         return acting(policy.policy, genome, sampled=sampled, seed=seed)
 
@@ -404,10 +386,9 @@ class SavedRun:
 
     @cached_property
     def _best(self) -> dict[Team, int]:
-        # Scores are of runs, and so above this module.
-        from matrixworld.coevolution.evaluation.scores import best_generations
+        from matrixworld.coevolution.evaluation import scores
 
-        return best_generations(self)
+        return scores.best_generations(self)
 
     def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
         """Return what a generation of a team does, in words and numbers: an `Explanation`.
@@ -434,14 +415,23 @@ class SavedRun:
         IndexError, which begins with `name` or the team, if there is no such generation.
         """
         count = len(self.archive()[self.key_of(team)]) or 1  # a script has one
-        if not -count <= index < count:
-            expected = f"a generation from 0 to {count - 1}"
-            raise IndexError(f"{name or team}: expected {expected}, got {index}")
+        expected = f"a generation from 0 to {count - 1}"
+        expect(-count <= index < count, name or team, expected, index, IndexError)
         return index % count
 
 
 def open_run(directory: str | Path) -> SavedRun:
-    """Return the run in a `directory`, whether it is finished or not.
+    """Return the run in a directory, whether it is finished or not.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Directory of the run.
+
+    Returns
+    -------
+    SavedRun
+        The run, whose files have been checked.
 
     Raises
     ------
@@ -458,8 +448,8 @@ def last_generation(directory: str | Path, team: Team) -> Any:
     """Return the last genome of a team in a run directory; ValueError if there is none."""
     run = open_run(directory)
     last = run.last(run.settings.keys[TEAMS.index(team)])
-    if isinstance(last, str):
-        raise ValueError(f"{directory}: expected a run with genomes of {team}s, got none")
+    expected = f"a run with genomes of {team}s"
+    expect(not isinstance(last, str), str(directory), expected, "none")
     return last
 
 
@@ -472,28 +462,42 @@ def find_runs(path: Path) -> list[Path]:
     return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
 
 
+def runs_in(path: Path) -> list[Path]:
+    """Return what `find_runs` returns; FileNotFoundError if that is nothing."""
+    runs = find_runs(path)
+    expect(runs, str(path), "a directory that holds runs", "none", FileNotFoundError)
+    return runs
+
+
 def place_in_job(name: PurePath | str) -> list[tuple[int, int, str]]:
     """Return a sort key for the runs of one job, by the names of their directories."""
     places = []
     for part in PurePath(name).parts:
         seed = SEED.fullmatch(part)  # seed-2 comes before seed-10
-        schedule = ORDER.index(part) if part in ORDER else len(ORDER)
+        schedule = [*ALL_SCHEDULES, part].index(part)
         places.append((schedule, int(seed[1]) if seed else -1, part))
     return places
 
 
 def open_runs(directory: str | Path) -> list[SavedRun]:
-    """Return the finished runs in a `directory`, or up to two levels below, by schedule and seed.
+    """Return the finished runs in a directory, by schedule and seed.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Directory of a run, or of runs up to two levels below.
+
+    Returns
+    -------
+    list of SavedRun
+        The runs that are finished.
 
     Raises
     ------
     FileNotFoundError
         If the directory holds no run; other errors are those of `open_run`.
     """
-    paths = find_runs(Path(directory))
-    if not paths:
-        raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
-    return [open_run(path) for path in paths if SavedRun(path).finished]
+    return [open_run(path) for path in runs_in(Path(directory)) if SavedRun(path).finished]
 
 
 # Writing:
@@ -535,7 +539,7 @@ class RunWriter(SavedRun):
         stage: int,
         archive: Mapping[Team, Genomes | Sequence[Genome]],
         rows: Sequence[Row],
-        counters: Counters,
+        counters: Mapping[str, float],
         states: Mapping[str, State],
     ) -> None:
         """Save a stage and its checkpoint.
@@ -558,38 +562,30 @@ class RunWriter(SavedRun):
         A damaged file is reported by a warning and renamed to ``*.damaged``.
         """
         files.remove_temporary_files(self.path)
-        problems: list[files.DamagedFileError] = []
-        stages: list[files.Arrays] = []
-        newest = self.newest()
-        try:
-            while len(stages) <= newest:
-                stages.append(self._stage(len(stages)))
-        except files.DamagedFileError as error:
-            problems.append(error)
-        saved = [number for number in self._numbers("checkpoint") if number < len(stages)]
-        for number in sorted(saved, reverse=True):
+        problems: dict[Path, files.DamagedFileError] = {}
+        # A run that was killed may have a checkpoint of a stage that it has not saved.
+        numbers = [number for number in self.numbers("checkpoint") if number <= self.newest()]
+        for number in sorted(numbers, reverse=True):
             try:
+                stages = [self._stage(each) for each in range(number + 1)]
                 state = self._load(_name("checkpoint", number))
                 break
             except files.DamagedFileError as error:
-                problems.append(error)
+                problems[error.path] = error
         else:
-            reasons = "; ".join(map(str, problems)) or "expected a file checkpoint-*.npz, got none"
+            reasons = "; ".join(map(str, problems.values())) or "got no file checkpoint-*.npz"
             raise files.DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
-        del stages[number + 1 :]
-        for problem in problems:
+        for problem in problems.values():
             warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=3)
             if problem.path.exists():
                 os.replace(problem.path, f"{problem.path}.damaged")
-        for number in self._numbers("checkpoint"):
+        for number in self.numbers("checkpoint"):
             if number < len(stages) - 2:
                 (self.path / _name("checkpoint", number)).unlink()
         archive = _archive_of(stages)
         self._saved = {team: len(archive[team]) for team in TEAMS}
         parts = self.settings.learning_teams
-        states: dict[str, State] = {
-            name: {} for team in parts for name in (team, f"{team}.opponents")
-        }
+        states: dict[str, State] = {n: {} for team in parts for n in (team, f"{team}.opponents")}
         for key, value in state.items():
             # "pursuer.opponents.x" belongs to the part "pursuer.opponents", not to "pursuer".
             part, _, name = key.rpartition(".")
@@ -623,14 +619,17 @@ def _name(kind: str, stage: int) -> str:
     return f"{kind}-{stage:04}.npz"
 
 
+def some(names: Sequence[str]) -> str:
+    """Return the first of several names, in a list."""
+    return ", ".join([*names[:MOST_NAMED], *["..."] * (len(names) > MOST_NAMED)])
+
+
 def check_empty(path: Path) -> None:
     """Raise FileExistsError if a directory is there and not empty."""
     found = sorted(item.name for item in path.iterdir()) if path.exists() else []
     if found:
-        raise FileExistsError(
-            f"{path}: expected a new or empty directory for a new run, found "
-            f"{', '.join(found[:3])}{' ...' if len(found) > 3 else ''}"
-        )
+        expected = "expected a new or empty directory for a new run"
+        raise FileExistsError(f"{path}: {expected}, found {some(found)}")
 
 
 @contextmanager

@@ -12,7 +12,7 @@ from matrixworld.coevolution.evaluation.explanation import PHRASES, WORDS
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
 from matrixworld.coevolution.pursuit import Cells, Ratings
-from matrixworld.coevolution.race import PAPER, AtOnce
+from matrixworld.coevolution.race import SCHEDULES, AtOnce
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import FORMAT
 from matrixworld.coevolution.types import TEAMS
@@ -86,7 +86,7 @@ def masks_of(config: WorldConfig) -> dict[str, Any]:
 
 def evolve_data() -> dict[str, Any]:
     """Return what a page needs: worlds, races by policy, learner and schedule, masks, and words."""
-    schedules = (*PAPER, AtOnce.kind)
+    schedules = (*SCHEDULES, AtOnce.kind)
     return {
         "version": __version__,
         "format": FORMAT,

@@ -20,7 +20,6 @@ import shlex
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -38,9 +37,9 @@ from matrixworld.coevolution.evaluation.explanation import sentence_of
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup, by_clarity, grouped
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
-from matrixworld.coevolution.sections import leaves, values_of
+from matrixworld.coevolution.sections import different_settings, leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.settings import RaceSettings, default_race
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
 from matrixworld.coevolution.types import TEAMS, Payoff, team_size
 from matrixworld.episodes.episode import scene
@@ -110,8 +109,7 @@ def explorer_page(
     """
     together: tuple[str, ...] = ()
     if so_far is None:
-        settings = {run.path: run.settings for run in runs}
-        every = groups or grouped(settings, finished=settings)
+        every = groups or grouped(runs, finished=[run.path for run in runs])
         runs, together = zip(*_in_order(runs, every), strict=True)
     paths = [run.path.absolute() for run in runs]
     common = _common(paths)
@@ -276,8 +274,8 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
 
 
 def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
-    """Return path, value and meaning of each setting that differs from the default."""
-    usual = values_of(_usual(settings))
+    """Return path, value and meaning of each setting that differs from what `start_of` says."""
+    usual = values_of(start_of(settings)[1])
     variant = variant_name(settings.world.rules) if settings.world else ""
     different = []
     for path, value, text in leaves(settings):
@@ -290,14 +288,25 @@ def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
     return [{"name": "game", "value": settings.game.code, "help": "a game of your own"}, *different]
 
 
-def _usual(settings: RaceSettings) -> RaceSettings:
-    """Return the settings without options, of the same seed and schedule or opponent."""
+def start_of(settings: RaceSettings) -> tuple[list[str], RaceSettings]:
+    """Return the options that say what the command starts from, and the settings that it has then.
+
+    These are nearest to the given ones, of the same seed and schedule or opponent.
+    """
     schedule = settings.schedule
+    same: dict[str, Any] = {"schedule": schedule.name, "seed": settings.seed}
+    sets: list[str] = []
     if isinstance(schedule, Against):
-        alone = Against(team=schedule.team, opponent=schedule.opponent)
-        return RaceSettings(game=settings.game, schedule=alone, seed=settings.seed)
-    named: Any = schedule.name  # a text stands for a section
-    return RaceSettings(game=settings.game, schedule=named, seed=settings.seed)
+        own = {f"schedule.{name}": getattr(schedule, name) for name in ("team", "opponent")}
+        same |= {"schedule": schedule.kind, **own}
+        sets = [part for path, value in own.items() for part in ("--set", f"{path}={value}")]
+    options = ["--schedule", same["schedule"], "--seed", str(settings.seed), *sets]
+    plain = RaceSettings.of(same, game=settings.game)
+    if settings.game:
+        return options, plain
+    usual = RaceSettings.of(default_race(same["schedule"]), same)
+    starts = [(options, usual), (["--paper", *options], plain)]
+    return min(starts, key=lambda start: len(different_settings(settings, start[1])))
 
 
 def command_of(settings: RaceSettings) -> str:
@@ -305,14 +314,8 @@ def command_of(settings: RaceSettings) -> str:
     sets = [f"{each['name']}={each['value']}" for each in plain_settings(settings)]
     if any("={" in each for each in sets):
         return "matrixworld evolve --config config.json"
-    schedule = settings.schedule
-    name = schedule.name
-    if isinstance(schedule, Against):
-        name = schedule.kind
-        sets += [f"schedule.team={schedule.team}", f"schedule.opponent={schedule.opponent}"]
-    given = {"schedule": [name], "seed": [str(settings.seed)], "set": sets}
-    options = [[f"--{option}", value] for option, values in given.items() for value in values]
-    return shlex.join(["matrixworld", "evolve", *chain.from_iterable(options)])
+    options = [part for each in sets for part in ("--set", each)]
+    return shlex.join(["matrixworld", "evolve", *start_of(settings)[0], *options])
 
 
 # ---- What the analysis says ----------------------------------------------------------------------

@@ -139,22 +139,17 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name, team):
 def test_the_best_generation_is_chosen_on_episodes_that_no_score_is_from(race, monkeypatch):
     asked = []
 
-    def scores_of(config, sides, *, seed, **how):
+    def scores_of(config, team, *side, seed, **how):
         asked.append(seed)
-        rates = np.repeat([0.2, 0.5, 0.5], 6).reshape(3, 2, 3)
-        return {
-            team: HeldOutScores(
-                team, (0, 1, 2), ("a", "b"), rates[:: 1 if team == "pursuer" else -1]
-            )
-            for team in TEAMS
-        }
+        rates = np.repeat([0.2, 0.5, 0.5], 6).reshape(3, 2, 3)[:: 1 if team == "pursuer" else -1]
+        return HeldOutScores(team, (0, 1, 2), ("a", "b"), rates)
 
     monkeypatch.setattr("matrixworld.coevolution.evaluation.scores._scores", scores_of)
     run = open_run(race)
     for team, best in (("pursuer", 2), ("evader", 1)):  # the latest of equal ones
         expected = run.teams[team].genomes[best]
         np.testing.assert_array_equal(run.best(team).genome, expected)
-    assert asked == [2**64 - 1]  # once; seeds of runs and of scores are smaller
+    assert asked == 2 * [2**64 - 1]  # once for each team; seeds of runs and of scores are smaller
     monkeypatch.undo()
     scores = score(run, generation=None, episodes=20, seed=2**64 - 1)["pursuer"].means
     number = int(np.flatnonzero(scores == scores.max())[-1])

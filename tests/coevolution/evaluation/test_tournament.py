@@ -31,8 +31,8 @@ def played(pursuers=None, **options):
 @pytest.mark.parametrize("executor", [ThreadPoolExecutor(2), Reversed(7)])
 def test_rows_in_any_order_give_the_same_bytes(executor):
     counts = []
-    assert played(executor=executor, on_row=counts.append) == played()
-    assert counts == [20 * row for row in range(1, 8)]
+    assert played(executor=executor, report=lambda now: counts.append(now.done)) == played()
+    assert counts == [20 * row for row in range(8)]
 
 
 def test_other_processes_and_scripts():

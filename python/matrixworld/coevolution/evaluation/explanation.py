@@ -17,24 +17,20 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld import analysis
-from matrixworld._util import checks
-from matrixworld._util.readable import Parts, Readable, plain_values
-from matrixworld.analysis import Estimate
-from matrixworld.analysis.intervals import LEVEL, t_ends
+from matrixworld import analysis, version
+from matrixworld._util import checks, readable
+from matrixworld.analysis import Estimate, intervals
+from matrixworld.coevolution import seeding, storage
 from matrixworld.coevolution.evaluation.scores import (
     SCORE,
     opponents_in,
     opponents_of,
     score_policy,
 )
-from matrixworld.coevolution.progress import Progress, Report, silent
-from matrixworld.coevolution.seeding import Phase, match_seed
-from matrixworld.coevolution.storage import SavedRun
+from matrixworld.coevolution.progress import Report, part_of, silent
 from matrixworld.coevolution.types import FloatArray, Genome, Team
 from matrixworld.episodes.record import record
 from matrixworld.play.policies import GenomePolicy, NetworkPolicy, RatingPolicy
-from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.rating import INPUTS
@@ -108,7 +104,7 @@ class Tree(NamedTuple):
 
 
 @dataclass(frozen=True, repr=False)
-class Explanation(Readable):
+class Explanation(readable.Readable):
     """What a team does: of what rates moves its `terms`, of a network a `tree` that imitates it."""
 
     team: Team
@@ -119,7 +115,7 @@ class Explanation(Readable):
     terms: tuple[Term, ...] = ()
     tree: Tree | None = None
 
-    def _parts(self) -> Parts:
+    def _parts(self) -> readable.Parts:
         kind = SCORE[self.team]
         told = [self.sentence, f"{kind.capitalize()} against held-out opponents: {self.score}"]
         if self.tree:
@@ -147,8 +143,7 @@ class Explanation(Readable):
 
     def to_json(self) -> dict[str, Any]:
         """Return everything as values that JSON can hold."""
-        plain: dict[str, Any] = plain_values(self)
-        return plain
+        return dict(readable.plain_values(self))
 
 
 def _curve(dependence: Sequence[tuple[float, float]]) -> str:
@@ -199,18 +194,14 @@ class _Matches:
 
     def seed_of(self, number: int) -> int:
         """Return the seed of a set of matches; no other matches of the package have it."""
-        return match_seed(self.seed, int(Phase.EXPLAIN), number)
+        return seeding.match_seed(self.seed, int(seeding.Phase.EXPLAIN), number)
 
     def rates(
         self, policy: Any, number: int, part: int = 0, of: int = 1, **play: Any
     ) -> FloatArray:
         """Return scores (genomes, opponents, episodes): a part of the whole work."""
-
-        def told(one: Progress) -> None:
-            done, total = part * one.total + one.done, of * one.total
-            self.report(Progress(f"{self.team}s explained", done, total))
-
-        play = {**self.play, "seed": self.seed_of(number), "report": told, **play}
+        how = {"seed": self.seed_of(number), "report": part_of(self.report, part, of)}
+        play = {**self.play, **how, **play}
         return score_policy(policy, self.team, self.world, opponents=self.opponents, **play).rates
 
 
@@ -221,7 +212,7 @@ def _score(rates: FloatArray) -> Estimate:
 def _difference(one: FloatArray, another: FloatArray) -> Estimate:
     """Return the difference of two scores (opponents, episodes) in the same episodes."""
     each = (one - another).mean(axis=0)
-    ends = t_ends(each, LEVEL, (-1.0, 1.0))
+    ends = intervals.t_ends(each, intervals.LEVEL, (-1.0, 1.0))
     return Estimate(float(each.mean()), *ends, "episodes", len(each))
 
 
@@ -268,6 +259,14 @@ def terms_of(acts: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
     return sorted(terms, key=lambda term: -abs(term.effect))
 
 
+def _terms(matches: _Matches) -> tuple[list[Term], str]:
+    """Return what the inputs of a policy do in matches, and the sentence of it."""
+    acts = matches.acts
+    assert isinstance(acts, RatingPolicy)
+    terms = terms_of(acts, _inputs_seen(matches))
+    return terms, sentence(matches.team, {term.input: term.effect for term in terms})
+
+
 def pruned(matches: _Matches) -> tuple[Genome, Estimate | None]:
     """Return a program without parts that are worth nothing, and what is lost by it, if any."""
     # A shorter program is taken if its loss against the whole one is below `NO_LOSS` by the bound
@@ -303,15 +302,13 @@ def _by_program(matches: _Matches) -> dict[str, Any]:
     return found
 
 
-def sentence_of(run: SavedRun, team: Team) -> str:
+def sentence_of(run: storage.SavedRun, team: Team) -> str:
     """Return in a sentence what the last generation of a team does, if it rates moves; else ""."""
     if run.settings.game or run.settings.policy.kind == "cells":
         return ""
     policy, world = run.policy(team, seed=0), run.pursuit.world
-    assert isinstance(policy, RatingPolicy)
     matches = _Matches(policy, team, world, opponents_in(run, team, world)[0], 0, 0, {}, silent)
-    terms = terms_of(policy, _inputs_seen(matches))
-    told = sentence(team, {term.input: term.effect for term in terms})
+    _, told = _terms(matches)
     shape: Any = policy.policy
     code = f" rating = {shape.expression(policy.genome)}" if shape.kind == "program" else ""
     return told + code
@@ -319,15 +316,13 @@ def sentence_of(run: SavedRun, team: Team) -> str:
 
 def _by_inputs(matches: _Matches, *, costs: bool) -> dict[str, Any]:
     """Explain what rates moves; with `costs` of leaving inputs out."""
-    acts = matches.acts
-    assert isinstance(acts, RatingPolicy)
-    terms = terms_of(acts, _inputs_seen(matches))
+    acts: Any = matches.acts
+    terms, told = _terms(matches)
     left_out = [acts.policy.without(acts.genome, term.input) for term in terms if costs]
     team = Population(np.stack([acts.genome, *left_out]), acts.policy)
     own, *others = matches.rates(team, 0)
     for number, other in enumerate(others):
         terms[number] = terms[number]._replace(cost=_difference(own, other))
-    told = sentence(matches.team, {term.input: term.effect for term in terms})
     found = {"score": _score(own), "sentence": told, "terms": tuple(terms)}
     return found if costs else {**found, "text": acts.to_python()}
 
@@ -367,7 +362,7 @@ def features(views: NDArray[Any], team: Team) -> dict[str, NDArray[np.float32]]:
 
 def _by_tree(matches: _Matches) -> dict[str, Any]:
     """Explain a network by a tree that imitates it, also where only the tree would go."""
-    trees: Any = imported("sklearn.tree", "explain")
+    trees: Any = version.imported("sklearn.tree", "explain")
     acts, team, world = matches.acts, matches.team, matches.world
     assert isinstance(acts, NetworkPolicy)
     if acts.policy.memory != "none":

@@ -11,22 +11,19 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cache, partial
-from importlib.resources import as_file, files
-from typing import Any, TypeAlias, cast
+from importlib import resources
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
-from matrixworld._util import checks
-from matrixworld._util.files import DamagedFileError, load_arrays, read_json, save_json
-from matrixworld._util.readable import Parts, Readable
+from matrixworld._util import checks, files, readable
 from matrixworld.analysis import Estimate
+from matrixworld.coevolution import race, seeding
 from matrixworld.coevolution.evaluation.tournament import each_genome, play_blocks
-from matrixworld.coevolution.progress import Progress, Report, silent
+from matrixworld.coevolution.progress import Progress, Report, part_of, silent
 from matrixworld.coevolution.pursuit import Network, Pursuit
-from matrixworld.coevolution.race import Against
-from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other, team_size
 from matrixworld.play.matches import Callback, Plays, capture_rates
@@ -71,8 +68,7 @@ SCORED_BY = {
 def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
     """Return the scripts of a team that make sense under the rules of a variant."""
     rules = rules_of(variant)
-    if team not in TEAMS:
-        raise ValueError(f"team: expected one of {', '.join(TEAMS)}, got {team!r}")
+    checks.check_choice("team", team, TEAMS)
     if team == "evader":
         return ESCAPERS
     return SURROUNDERS if rules.capture is Capture.SURROUND else OCCUPIERS
@@ -81,10 +77,24 @@ def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
 def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
     """Return the held-out opponents of a variant by name.
 
-    First the scripts, then genomes, each a population of one and named ``evolved-1`` and so on.
-    They play for `team` under the rules of `variant`. Genomes are from
-    ``evolution/evolve_held_out.py``, rounded to float16; other rules have none. ValueError if there
-    is no such team or variant.
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        Team that they play for.
+    variant : Rules or str
+        Rules under which they play.
+
+    Returns
+    -------
+    dict of str to policy
+        First the scripts, then genomes, each a population of one and named ``evolved-1`` and so on.
+        Genomes are from ``evolution/evolve_held_out.py``, rounded to float16; rules that are none
+        of the package's variants have none.
+
+    Raises
+    ------
+    ValueError
+        If there is no such team or variant.
     """
     opponents: dict[str, TeamPolicy] = {name: name for name in held_out_scripts(team, variant)}
     genomes = _shipped().get(f"{variant_name(rules_of(variant))}.{team}s", ())
@@ -96,8 +106,8 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
 # Read once: scores of many runs need it.
 @cache
 def _shipped() -> dict[str, NDArray[np.float16]]:
-    with as_file(files("matrixworld.coevolution.evaluation") / FILE) as path:
-        return load_arrays(path)
+    with resources.as_file(resources.files(__package__) / FILE) as path:
+        return files.load_arrays(path)
 
 
 def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
@@ -131,7 +141,7 @@ def _plays_in(opponent: TeamPolicy, config: WorldConfig) -> bool:
 
 
 @dataclass(frozen=True, repr=False)
-class HeldOutScores(Readable):
+class HeldOutScores(readable.Readable):
     """Scores of G genomes of a team against N held-out opponents, by their names."""
 
     team: Team
@@ -141,7 +151,7 @@ class HeldOutScores(Readable):
     """Share of evaders captured, or for evaders 1 minus it, shape (G, N, episodes)."""
     left_out: str = ""  # which opponents of the variant are left out, and why; empty if none is
 
-    def _parts(self) -> Parts:
+    def _parts(self) -> readable.Parts:
         head, rows = _rows([self])
         first = "opponent" if len(self.generations) == 1 else "generation"
         cells = ((name.strip(), str(score)) for name, score in rows.items())
@@ -159,15 +169,12 @@ class HeldOutScores(Readable):
 
     def against(self, opponent: str, row: int = -1) -> Estimate:
         """Return the mean of one genome against one opponent, with an interval over episodes."""
-        return self._estimate(row, [self.opponents.index(opponent)])
+        return analysis.mean_over_episodes(self.rates[row, self.opponents.index(opponent)])
 
     def mean(self, row: int = -1) -> Estimate:
         """Return the mean of one genome over the opponents, with an interval over episodes."""
-        return self._estimate(row, range(len(self.opponents)))
-
-    def _estimate(self, row: int, chosen: Sequence[int]) -> Estimate:
         # Episode e against each opponent is one independent sample of the mean.
-        return analysis.mean_over_episodes(self.rates[row][list(chosen)].mean(axis=0))
+        return analysis.mean_over_episodes(self.rates[row].mean(axis=0))
 
     def to_json(self) -> dict[str, Any]:
         """Return everything except the single episodes as values that JSON can hold."""
@@ -219,41 +226,32 @@ def _rows(scores: Sequence[HeldOutScores]) -> tuple[str, dict[str, Estimate]]:
     return f"{team}s by generation: mean {SCORE[team]}", means
 
 
-Side: TypeAlias = tuple[Team, Plays, Sequence[int], Mapping[str, Plays], str]
-"""A team to be scored: its policy, generations, opponents by name, and who is left out of these."""
-
-
 def _scores(
     config: WorldConfig,
-    teams: Sequence[Side],
+    team: Team,
+    policy: Plays,
+    generations: Sequence[int],
+    opponents: Mapping[str, Plays],
+    left_out: str = "",
     *,
     episodes: int,
     seed: int,
-    threads: int | None,
-    report: Report,
+    threads: int | None = None,
+    report: Report = silent,
     executor: Executor | None = None,
-) -> dict[Team, HeldOutScores]:
-    """Play teams against their opponents, one opponent at a time."""
-    blocks, places = [], []
-    rates: dict[Team, NDArray[np.float64]] = {}
-    for team, policy, generations, opponents, _ in teams:
-        shape = len(generations), len(opponents), episodes
-        rates[team] = np.empty(shape)
-        for number, opponent in enumerate(opponents.values()):
-            # The generation is not part of the key: all genomes play the same episodes.
-            match = match_seed(seed, TEAMS.index(team), number, int(Phase.HELD_OUT))
-            blocks.append(partial(_played, config, team, policy, opponent, match, episodes))
-            places.append((team, number))
-    done, total = 0, sum(each.size for each in rates.values())
-    for block, found in play_blocks(blocks, threads, executor):
-        team, number = places[block]
-        rates[team][:, number] = found if team == "pursuer" else 1.0 - found
+) -> HeldOutScores:
+    """Play the generations of a team against its opponents, one opponent at a time."""
+    blocks = []
+    for number, opponent in enumerate(opponents.values()):
+        # The generation is not part of the key: all genomes play the same episodes.
+        match = seeding.match_seed(seed, TEAMS.index(team), number, int(seeding.Phase.HELD_OUT))
+        blocks.append(partial(_played, config, team, policy, opponent, match, episodes))
+    rates, done = np.empty((len(generations), len(opponents), episodes)), 0
+    for number, found in play_blocks(blocks, threads, executor):
+        rates[:, number] = found if team == "pursuer" else 1.0 - found
         done += found.size
-        report(Progress(f"{team}s against held-out opponents", done, total))
-    return {
-        team: HeldOutScores(team, tuple(generations), tuple(opponents), rates[team], left_out)
-        for team, _, generations, opponents, left_out in teams
-    }
+        report(Progress(f"{team}s against held-out opponents", done, rates.size))
+    return HeldOutScores(team, tuple(generations), tuple(opponents), rates, left_out)
 
 
 def _played(
@@ -294,33 +292,51 @@ def score(
     report: Report = silent,
     executor: Executor | None = None,
 ) -> dict[Team, HeldOutScores]:
-    """Score each team that learned in a `run` against the held-out opponents of its variant.
+    """Score each team that learned in a run against the held-out opponents of its variant.
 
-    By default the last `generation`; negative numbers count from the end, None means all
-    generations; IndexError if there is none. Each pair plays `episodes`, at least 2, of a `seed`,
-    by default the same for all runs. The `world` may have another size or map, or other numbers of
-    agents, and the most `steps` of an episode; by default it is that of the run. `threads`,
-    `executor` and `report` are as for `tournament` and `evolve`.
+    Parameters
+    ----------
+    run : SavedRun
+        The run, which need not be finished.
+    generation : int, optional
+        The generation; negative numbers count from the end, None means all. By default the last.
+    episodes, seed : int, optional
+        Episodes of each pair, at least 2, and their seed, by default the same for all runs.
+    world : WorldConfig, optional
+        A world with another size or map, or other numbers of agents. By default that of the run.
+    steps : int, optional
+        The most steps of an episode. By default those of the world.
+    threads, executor, report
+        As in `tournament` and `evolve`.
+
+    Returns
+    -------
+    dict of {"pursuer", "evader"} to HeldOutScores
+        The scores of each team that learned.
+
+    Raises
+    ------
+    IndexError
+        If there is no such generation.
     """
     checks.check_instance("run", run, SavedRun)
     episodes = checks.check_integer("episodes", episodes, 2)
     checks.check_threads(threads)
     world = world or run.pursuit.world
     world = world if steps is None else replace(world, max_steps=steps)
-    sides = [_side(run, team, generation, world) for team in run.settings.learning_teams]
-    play: Any = {"threads": threads, "report": report, "executor": executor}
-    return _scores(world, sides, episodes=episodes, seed=seed, **play)
-
-
-def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> Side:
-    """Return a team of a run, and the opponents that it did not train against."""
-    archive = cast(Population, run.teams[team])  # never a script, because the team learned
-    generations = [*range(len(archive.genomes))]
-    if generation is not None:
-        generations = [run.generation(team, generation, "generation")]
-    opponents, left_out = opponents_in(run, team, world)
-    chosen = Population(archive.genomes[generations], archive.policy)
-    return team, chosen, generations, opponents, left_out
+    found, teams = {}, run.settings.learning_teams
+    for number, team in enumerate(teams):
+        archive = cast(Population, run.teams[team])  # never a script, because the team learned
+        chosen = [*range(len(archive.genomes))]
+        if generation is not None:
+            chosen = [run.generation(team, generation, "generation")]
+        genomes = Population(archive.genomes[chosen], archive.policy)
+        found[team] = _scores(
+            world, team, genomes, chosen, *opponents_in(run, team, world), episodes=episodes,
+            seed=seed, threads=threads, report=part_of(report, number, len(teams)),
+            executor=executor,
+        )  # fmt: skip
+    return found
 
 
 def opponents_in(
@@ -329,7 +345,7 @@ def opponents_in(
     """Return what `opponents_of` returns, without an opponent that the run trained against."""
     opponents, left_out = opponents_of(team, world)
     schedule = run.settings.schedule
-    if isinstance(schedule, Against) and schedule.opponent in opponents:
+    if isinstance(schedule, race.Against) and schedule.opponent in opponents:
         del opponents[schedule.opponent]
         seen = f"not {schedule.opponent}: the run trained against it"
         left_out = f"{seen}; {left_out}" if left_out else seen
@@ -353,11 +369,12 @@ def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Scri
     for team in TEAMS:
         opponents, _ = opponents_of(team, config)
         fitting = [n for n in held_out_scripts(team, config.rules) if _plays_in(n, config)]
-        sides: list[Side] = [(team, script, [0], opponents, "") for script in fitting]
-        play: Any = {"episodes": episodes, "seed": SEED, "threads": None, "report": silent}
-        found = [_scores(config, [side], **play) for side in sides]
-        means = [float(each[team].means[0]) for each in found]
-        best[team] = max(zip(fitting, means, strict=True), key=lambda pair: pair[1])
+        means = {
+            script: _scores(config, team, script, [0], opponents, episodes=episodes, seed=SEED)
+            for script in fitting
+        }
+        found = [(script, float(each.means[0])) for script, each in means.items()]
+        best[team] = max(found, key=lambda pair: pair[1])
     return best
 
 
@@ -367,12 +384,8 @@ def score_runs(
     """Return the scores of runs, with the options of `score`, and one progress for all."""
     found = []
     for number, run in enumerate(runs):
-        # Runs of a job play about equally many matches.
-        def part(one: Progress, number: int = number) -> None:
-            place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
-            done = number * one.total + one.done
-            report(Progress(place + one.what, done, len(runs) * one.total))
-
+        place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
+        part = part_of(report, number, len(runs), place)
         # A reader of its own: the archives of all runs together may be large.
         found.append(score(SavedRun(run.path), report=part, **options))
     return found
@@ -399,15 +412,15 @@ def kept_scores(
                 }
                 for team, each in teams.items()
             }
-            save_json(run.path / SCORES, {**SCORED_BY, **plain})
+            files.save_json(run.path / SCORES, {**SCORED_BY, **plain})
     return [_kept(run) or {} for run in runs]
 
 
 def _kept(run: SavedRun) -> dict[str, Any] | None:
     """Return the scores in a run directory; None if none are kept there, or other ones."""
     try:
-        kept = read_json(run.path / SCORES)
-    except (FileNotFoundError, DamagedFileError):
+        kept = files.read_json(run.path / SCORES)
+    except (FileNotFoundError, files.DamagedFileError):
         return None
     # A race that has gone on has other last generations.
     teams = {team: kept.get(f"{team}s", {}) for team in run.settings.learning_teams}
@@ -482,11 +495,11 @@ def score_policy(
     checks.check_instance("opponents", opponents, Mapping)
     mine = _plays("policy", policy)
     theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
-    if not theirs:
-        raise ValueError("opponents: expected at least one, got none")
-    side: Side = team, mine, range(team_size(mine)), theirs, left_out
-    found = _scores(config, [side], episodes=episodes, seed=seed, threads=threads, report=report)
-    return found[team]
+    checks.expect(theirs, "opponents", "at least one", "none")
+    return _scores(
+        config, team, mine, range(team_size(mine)), theirs, left_out, episodes=episodes, seed=seed,
+        threads=threads, report=report,
+    )  # fmt: skip
 
 
 def _plays(name: str, policy: Any, most: int | None = None) -> Any:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, check_threads
 from matrixworld.coevolution.game import Game
+from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.pursuit import Pursuit, WorldConfig
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Payoff, team_size
@@ -31,24 +32,40 @@ def tournament(
     threads: int | None = None,
     generations: tuple[int, int] = (0, 0),
     known: Payoff | None = None,
-    on_row: Callable[[int], None] = lambda played: None,
+    report: Report = silent,
     executor: Executor | None = None,
 ) -> Payoff:
     """Play every member of the first team against every member of the second.
 
-    In a `game`, or a world of pursuit, `first` and `second` are what `Game.population` returns of G
-    and H genomes; in pursuit also names of scripts. Each pair plays `episodes` of the run's `seed`:
-    the seed of a pair is ``evaluation_seed(seed, pursuer generation, evader generation)``. It does
-    not depend on the other pairs, so that each can be replayed alone. The first members of both
-    teams have these `generations`; results of the first members that are `known` are not played
-    again.
-
-    `on_row` is called after each row of the matrix with the number of episodes played so far. An
-    `executor` plays the rows, each with `threads` threads, by default one; else they are played
-    here, by default on all cores, on which results do not depend.
-
     It is the "master tournament" of Floreano and Nolfi 1997, "God save the red queen! Competition
     in co-evolutionary robotics".
+
+    Parameters
+    ----------
+    game : Game or WorldConfig
+        What is played; a world stands for pursuit in it.
+    first, second : population or str
+        What `Game.population` returns of G and H genomes; in pursuit also names of scripts.
+    seed : int
+        Seed of the run. That of a pair is ``evaluation_seed(seed, pursuer generation, evader
+        generation)``, which does not depend on the other pairs: each can be replayed alone.
+    episodes : int
+        Episodes of each pair.
+    threads : int, optional
+        Threads, on which results do not depend. By default one per core, with an executor one.
+    generations : tuple of two int, optional
+        Generations of the first members of both teams.
+    known : Payoff, optional
+        Results of the first members of both teams, which are not played again.
+    report : callable, optional
+        Called after each row of the matrix with a `Progress` in episodes.
+    executor : concurrent.futures.Executor, optional
+        Plays the rows, each with `threads` threads. By default they are played here.
+
+    Returns
+    -------
+    Payoff
+        Scores (G, H, episodes) of the first team, and what else the game tells.
     """
     game = game if isinstance(game, Game) else Pursuit(world=game)
     episodes = check_integer("episodes", episodes, 1)
@@ -72,7 +89,8 @@ def tournament(
         for name, values in {"scores": known.scores, **known.extras}.items():
             kept[name] = np.zeros((*size, *values.shape[2:]), values.dtype)
             kept[name][: part[0], : part[1]] = values
-    played = 0
+    played, total = 0, episodes * sum(len(new) for _, new in places)
+    report(Progress("tournament", played, total))  # the first row may take minutes
     for number, scores in play_blocks(blocks, threads, executor):
         # Scores and lengths keep single episodes, from which intervals are computed.
         found = {"scores": scores.scores.astype(np.float32)}
@@ -83,7 +101,7 @@ def tournament(
                 kept[name] = np.zeros((*size, *values.shape[1:]), values.dtype)
             kept[name][places[number]] = values
         played += scores.scores.size
-        on_row(played)
+        report(Progress("tournament", played, total))
     rates, extras = kept.pop("scores"), kept
     return Payoff(rates, extras, game.teams, game.deterministic, game.score_words[0])
 

@@ -7,7 +7,6 @@ add one to the package, write a dataclass with that base in a file of its own, a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
 from matrixworld.coevolution.learners.actor_critic import ActorCritic as ActorCritic
@@ -16,7 +15,7 @@ from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrateg
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
 from matrixworld.coevolution.learners.genetic_programming import GeneticProgramming
 from matrixworld.coevolution.learners.learner import Learner
-from matrixworld.coevolution.sections import OwnCode, Section, documented
+from matrixworld.coevolution.sections import OwnCode, Section, section
 
 BuiltInLearner: TypeAlias = (
     EvolutionStrategy | GeneticAlgorithm | CmaEs | GeneticProgramming | ActorCritic
@@ -24,8 +23,7 @@ BuiltInLearner: TypeAlias = (
 """The learners of the package."""
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class OwnLearner(OwnCode):
     """A learner of your own (see `Learner`)."""
 

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from itertools import chain, cycle, islice, pairwise
 from math import sqrt
@@ -22,13 +21,12 @@ from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
-from matrixworld._util.checks import shown
-from matrixworld.coevolution import pursuit, types
+from matrixworld._util import checks
+from matrixworld.coevolution import pursuit, seeding, types
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.pursuit import Cells, Experience, Network, Pursuit, Reals, Views
-from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.seeding import Purpose, keyed_generator
+from matrixworld.coevolution.sections import section, setting
 from matrixworld.coevolution.types import Genome, Genomes, Indices, Rng, State, Team
 from matrixworld.version import imported
 
@@ -187,8 +185,7 @@ def orthogonal(sizes: tuple[int, ...], rng: Rng, *, head: float = 1.0) -> Genome
     return np.concatenate(parts).astype(np.float32)
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class ActorCritic(learner.Learner):
     """Actor-critic: policy gradient with generalized advantage estimation.
 
@@ -247,30 +244,22 @@ class ActorCritic(learner.Learner):
     def check(self) -> None:
         """Raise ValueError for a multiplier that nothing uses, or parts that nothing learns."""
         updates = min(self.actor_updates, self.critic_updates)
-        if self.minibatches > updates:
-            raise ValueError(
-                f"minibatches: expected at most {updates}, as many as updates of actor and critic "
-                f"in an epoch, got {self.minibatches}"
-            )
-        if self.cost_rate is not None and self.cost_limit is None:
-            expected = "no value without cost_limit"
-            raise ValueError(f"cost_rate: expected {expected}, got {self.cost_rate}")
+        parts, rate = self.minibatches, self.cost_rate
+        expected = f"at most {updates}, as many as updates of actor and critic in an epoch"
+        checks.expect(parts <= updates, "minibatches", expected, parts)
+        used = rate is None or self.cost_limit is not None
+        checks.expect(used, "cost_rate", "no value without cost_limit", rate)
 
     def check_fits(self, path: str, game: Game) -> None:
         """Raise ValueError for networks with memory, or one critic for agents that take turns."""
         assert isinstance(game, Pursuit)  # as its `any_game` says
         interaction, policy = game.world.rules.interaction, game.policy
-        if self.central_critic and interaction is not pursuit.Interaction.SIMULTANEOUS:
-            # Each agent learns from the world before its own turn.
-            raise ValueError(
-                f"{path}.central_critic: expected false where agents take turns, got true in a "
-                f"world of {interaction.name}"
-            )
-        if policy.memory != "none":
-            raise ValueError(
-                f"policy.memory: expected none with actor-critic, which learns from each step by "
-                f"itself, got {policy.memory!r}"
-            )
+        # In turns, each agent learns from the world before its own one.
+        at_once = interaction is pursuit.Interaction.SIMULTANEOUS
+        expected, got = "false where agents take turns", f"true in a world of {interaction.name}"
+        checks.expect(at_once or not self.central_critic, f"{path}.central_critic", expected, got)
+        expected = "none with actor-critic, which learns from each step by itself"
+        checks.expect(policy.memory == "none", "policy.memory", expected, policy.memory)
 
     def untrained(self, game: Game, team: Team, rng: Rng) -> Genome:
         """Return orthogonal weights: gradients vanish or explode from other beginnings."""
@@ -298,7 +287,7 @@ class ActorCritic(learner.Learner):
         cells = world.rows * world.cols
         seen = pursuit.CHANNELS * cells if self.central_critic else network.sizes[0]
         sizes = (seen, *network.hidden, 1)
-        rng = keyed_generator(task.seed, Purpose.NOISE, task.team)
+        rng = seeding.keyed_generator(task.seed, seeding.Purpose.NOISE, task.team)
         weights = {"actor": np.array(task.genomes(1)[0], np.float32)}
         for name in ("critic",) if self.cost_limit is None else ("critic", "cost_critic"):
             weights[name] = orthogonal(sizes, rng)
@@ -470,5 +459,5 @@ def _usable_device(name: str) -> Any:
         torch.zeros(1, device=name).cpu()
     except (AssertionError, NotImplementedError, RuntimeError) as error:
         expected = "expected a device that PyTorch has on this machine, such as 'cpu'"
-        raise ValueError(f"device: {expected}, got {shown(name)}") from error
+        raise ValueError(f"device: {expected}, got {checks.shown(name)}") from error
     return torch.device(name)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from typing import Any, ClassVar
 
@@ -12,7 +11,7 @@ from threadpoolctl import ThreadpoolController
 
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.sections import documented, setting
+from matrixworld.coevolution.sections import section, setting
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Rng, State
 
 MOST_GENES = 1000
@@ -27,8 +26,7 @@ class Sample(np.ndarray[Any, np.dtype[np.float64]]):
     fitness: float
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class CmaEs(learner.Learner):
     """Evolution strategy with covariance matrix adaptation: `deap.cma.Strategy`, asked and told.
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
-from matrixworld._util.checks import shown
+from matrixworld._util import checks
 from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.sections import by_race, documented, setting
+from matrixworld.coevolution.sections import by_race, section, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 
@@ -22,8 +21,7 @@ def centred_ranks(fitness: FloatArray) -> FloatArray:
     return (below + not_above - 1) / (2 * (len(fitness) - 1)) - 0.5
 
 
-@documented
-@dataclass(frozen=True)
+@section
 class EvolutionStrategy(learner.Learner):
     """An evolution strategy with mirrored samples and ranks.
 
@@ -61,10 +59,9 @@ class EvolutionStrategy(learner.Learner):
 
     def check(self) -> None:
         """Raise ValueError for an odd population or a momentum of 1."""
-        if self.population is not None and self.population % 2:
-            raise ValueError(f"population: expected an even number for es, got {self.population}")
-        if self.momentum is not None and self.momentum >= 1.0:
-            raise ValueError(f"momentum: expected a number below 1, got {shown(self.momentum)}")
+        n, momentum = self.population or 0, self.momentum or 0.0
+        checks.expect(n % 2 == 0, "population", "an even number for es", n)
+        checks.expect(momentum < 1.0, "momentum", "a number below 1", momentum)
 
     @property
     def seed_groups(self) -> Indices:

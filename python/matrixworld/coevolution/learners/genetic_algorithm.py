@@ -7,7 +7,6 @@ DEAP, mating and mutation change their argument and return it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -15,8 +14,8 @@ from deap import base
 
 from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.learners.learner import fittest, select_tournament
-from matrixworld.coevolution.sections import by_race, documented, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
+from matrixworld.coevolution.sections import by_race, section, setting
+from matrixworld.coevolution.types import FloatArray, Genomes, Indices, Rng, State
 
 TOURNAMENT = 5  # individuals in a tournament, unless another number is given
 
@@ -53,9 +52,8 @@ def mutate(genomes: Genomes, rng: Rng, *, state: State, sigma: float) -> Genomes
     return genomes
 
 
-@documented
-@dataclass(frozen=True)
-class GeneticAlgorithm(learner.Learner):
+@section
+class GeneticAlgorithm(learner.Generational):
     """A generational genetic algorithm with elitism, its operators in a DEAP toolbox.
 
     ::
@@ -72,7 +70,6 @@ class GeneticAlgorithm(learner.Learner):
     """
 
     kind: ClassVar[str] = "ga"
-    ignores: ClassVar[tuple[str, ...]] = ()
     steps: ClassVar[tuple[str, ...]] = ("mutation",)
 
     mutation: float = by_race(learner.MUTATION, "standard deviation of a mutation", positive=True)
@@ -86,15 +83,13 @@ class GeneticAlgorithm(learner.Learner):
         most=1.0,
         positive=True,
     )
-    elites: int = setting(2, "fittest individuals kept unchanged")
 
     def check(self) -> None:
         """Raise ValueError if two ways to select are given, or too many elites."""
         if self.tournament is not None and self.truncation is not None:
             expected = "no value beside truncation"
             raise ValueError(f"tournament: expected {expected}, got {self.tournament}")
-        if self.population is not None and self.elites >= self.population:
-            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
+        super().check()
 
     @property
     def toolbox(self) -> base.Toolbox:
@@ -111,20 +106,12 @@ class GeneticAlgorithm(learner.Learner):
     def start(self, task: learner.Task) -> State:
         """Return a population that nobody has scored yet."""
         population = task.genomes(self.population, self.mutation)
-        unscored = {"fitness": np.zeros(0), "champion": np.array(0)}
-        return {"population": population, **unscored, **task.noise_state()}
-
-    def genome(self, state: State) -> Genome:
-        """Return the champion of the last scored population."""
-        genome: Genome = state["population"][int(state["champion"])]
-        return genome
+        return {**learner.unscored(population), **task.noise_state()}
 
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
-    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
-        """Return the next population: at first as given, later elites and then children."""
+    def offspring(self, state: State, rng: Rng) -> Genomes:
+        """Return the next population: the elites unchanged, and then children."""
         population, fitness, toolbox = state["population"], state["fitness"], self.toolbox
-        if not len(fitness):
-            return population, {**state, "candidates": population}
         n_children = len(population) - self.elites
         # Both parents are selected independently, so that they may be the same individual.
         fathers = toolbox.select(fitness, n_children, rng)
@@ -138,9 +125,4 @@ class GeneticAlgorithm(learner.Learner):
         mutants = toolbox.mutate(mated, rng, state=state)
         if mutants is not children:  # another operator in the toolbox
             children[:] = mutants
-        offspring = learner.inside_bounds(state, offspring)
-        return offspring, {**state, "candidates": offspring}
-
-    def tell(self, state: State, results: learner.Results) -> State:
-        """Make the candidates the population, with this fitness."""
-        return learner.scored(state, results)
+        return learner.inside_bounds(state, offspring)

@@ -8,7 +8,6 @@ Python's global `random`.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, ClassVar, TypeAlias
 
@@ -18,7 +17,7 @@ from deap import gp
 from matrixworld.coevolution.learners import learner
 from matrixworld.coevolution.learners.learner import fittest, select_tournament
 from matrixworld.coevolution.pursuit import OPERATIONS, Program, policy_of
-from matrixworld.coevolution.sections import by_race, documented, setting
+from matrixworld.coevolution.sections import section, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
 Tree: TypeAlias = gp.PrimitiveTree
@@ -130,9 +129,8 @@ def select_twice(
     return chosen
 
 
-@documented
-@dataclass(frozen=True)
-class GeneticProgramming(learner.Learner):
+@section
+class GeneticProgramming(learner.Generational):
     """Genetic programming of rating programs.
 
     ::
@@ -148,11 +146,9 @@ class GeneticProgramming(learner.Learner):
     """
 
     kind: ClassVar[str] = "gp"
-    ignores: ClassVar[tuple[str, ...]] = ()
     policies: ClassVar[tuple[str, ...]] = ("program",)
     any_game: ClassVar[bool] = False
 
-    population: int = by_race(48, "candidates per epoch", least=2)
     tournament: int = setting(4, "individuals in a tournament by fitness", least=1)
     parsimony: float = setting(
         0.5,
@@ -161,34 +157,22 @@ class GeneticProgramming(learner.Learner):
         most=1.0,
     )
     crossover: float = setting(0.6, "share of children with a part of another parent", most=1.0)
-    elites: int = setting(2, "fittest individuals kept unchanged")
-
-    def check(self) -> None:
-        """Raise ValueError for too many elites."""
-        if self.population is not None and self.elites >= self.population:
-            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
 
     def start(self, task: learner.Task) -> State:
         """Return a population that nobody has scored yet."""
         policy: Any = getattr(task.game, "policy", None)
-        return {
-            "population": task.genomes(self.population),
-            "fitness": np.zeros(0),
-            "champion": np.array(0),
-            "policy": np.array(json.dumps(policy.to_json())),
-        }
+        population = learner.unscored(task.genomes(self.population))
+        return {**population, "policy": np.array(json.dumps(policy.to_json()))}
 
     def genome(self, state: State) -> Genome:
         """Return the champion of the last scored population, simplified."""
         policy: Any = policy_of(json.loads(str(state["policy"])))
-        genome: Genome = policy.simplified(state["population"][int(state["champion"])])
+        genome: Genome = policy.simplified(super().genome(state))
         return genome
 
-    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
-        """Return the next population: at first as given, later elites and then children."""
+    def offspring(self, state: State, rng: Rng) -> Genomes:
+        """Return the next population: the elites unchanged, and then children."""
         population, fitness = state["population"], state["fitness"]
-        if not len(fitness):
-            return population, {**state, "candidates": population}
         policy: Any = policy_of(json.loads(str(state["policy"])))
         trees = [tree_of(policy, genome) for genome in population]
         count = len(population) - self.elites
@@ -209,8 +193,4 @@ class GeneticProgramming(learner.Learner):
             fits = len(child) <= policy.length
             children.append(policy.genome(str(child)) if fits else population[parent])
         offspring: Genomes = np.stack([*population[fittest(fitness, self.elites)], *children])
-        return offspring, {**state, "candidates": offspring}
-
-    def tell(self, state: State, results: learner.Results) -> State:
-        """Make the candidates the population, with this fitness."""
-        return learner.scored(state, results)
+        return offspring

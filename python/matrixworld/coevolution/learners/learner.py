@@ -11,10 +11,10 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, shown
+from matrixworld._util.checks import check_floats, expect, shown
 from matrixworld.coevolution import types
 from matrixworld.coevolution.game import Game
-from matrixworld.coevolution.sections import PluginError, Section, by_race
+from matrixworld.coevolution.sections import PluginError, Section, by_race, section, setting
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
@@ -88,7 +88,7 @@ class Results:
     experience: Callable[..., Any] = _no_experience
 
 
-@dataclass(frozen=True)
+@section
 class Learner(Section):
     """Base of the learners. A learner is its settings; its state is a dict of arrays.
 
@@ -166,6 +166,47 @@ class Learner(Section):
         return DivergedError(f"{path} {name}: {problem}: it diverges{lower}")
 
 
+@section
+class Generational(Learner):
+    """Base of learners whose candidates are a population, of which the next one is made."""
+
+    ignores: ClassVar[tuple[str, ...]] = ()
+
+    elites: int = setting(2, "fittest individuals kept unchanged")
+
+    def check(self) -> None:
+        """Raise ValueError for too many elites."""
+        if self.population is not None and self.elites >= self.population:
+            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
+
+    @abstractmethod
+    def offspring(self, state: State, rng: Rng) -> Genomes:
+        """Return the population after a scored one: its elites unchanged, and then children."""
+
+    def genome(self, state: State) -> Genome:
+        """Return the champion of the last scored population."""
+        genome: Genome = state["population"][int(state["champion"])]
+        return genome
+
+    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
+        """Return the next population: at first as given, later elites and children."""
+        genomes = self.offspring(state, rng) if len(state["fitness"]) else state["population"]
+        return genomes, {**state, "candidates": genomes}
+
+    def tell(self, state: State, results: Results) -> State:
+        """Make the candidates the population, with this fitness."""
+        before = {name: value for name, value in state.items() if name != "candidates"}
+        population = state["candidates"]
+        fitness = checked_fitness(results.fitness, len(population))
+        champion = np.array(np.argmax(fitness))
+        return {**before, "population": population, "fitness": fitness, "champion": champion}
+
+
+def unscored(population: Genomes) -> State:
+    """Return the state of a population that nobody has scored yet."""
+    return {"population": population, "fitness": np.zeros(0), "champion": np.array(0)}
+
+
 def check_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
     """Raise PluginError unless a learner's method `name` has returned float32 of a shape."""
     is_array = isinstance(array, np.ndarray) and not isinstance(array, np.ma.MaskedArray)
@@ -177,11 +218,9 @@ def check_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
 def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
     """Return `fitness` as (n,) float64; ValueError if it has another shape or is not finite."""
     values = check_floats("fitness", fitness)
-    if values.shape != (n,):
-        raise ValueError(f"fitness: expected shape ({n},), got {values.shape}")
+    expect(values.shape == (n,), "fitness", f"shape ({n},)", values.shape)
     # One NaN would spread to the whole genome, or be taken for the best.
-    if not np.isfinite(values).all():
-        raise ValueError(f"fitness: expected finite numbers, got {values}")
+    expect(np.isfinite(values).all(), "fitness", "finite numbers", values)
     return values
 
 
@@ -200,15 +239,6 @@ def select_tournament(fitness: FloatArray, k: int, rng: Rng, *, size: int) -> In
 def fittest(fitness: FloatArray, k: int) -> Indices:
     """Return the k fittest individuals, the fittest first; of equals the first."""
     return np.argsort(-fitness, kind="stable")[:k]
-
-
-def scored(state: State, results: Results) -> State:
-    """Return the state in which the candidates are the population, with this fitness."""
-    before = {name: value for name, value in state.items() if name != "candidates"}
-    population = state["candidates"]
-    fitness = checked_fitness(results.fitness, len(population))
-    champion = np.array(np.argmax(fitness))
-    return {**before, "population": population, "fitness": fitness, "champion": champion}
 
 
 def inside_bounds(state: State, genomes: Genomes) -> Genomes:
