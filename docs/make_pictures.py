@@ -2,7 +2,7 @@
 
     python docs/make_pictures.py      half a minute; needs Chromium
 
-Both show the same race, which is played for them: policies that rate moves, in `courtyard`.
+Both show the same race, which is played for them: generalists of `matrixworld evolve`.
 `.ci/release` runs this before it builds the site.
 """
 
@@ -18,17 +18,13 @@ import numpy as np
 import matrixworld as mw
 from matrixworld import coevolution
 from matrixworld._util.files import replacing
-from matrixworld.coevolution import RaceSettings, SavedRun
+from matrixworld.coevolution import RaceSettings, SavedRun, default_race
 from matrixworld.episodes.replay import scene, write_gif
 from matrixworld.explorer import explore
 from matrixworld.world.render import rgb
 
 DOCS = Path(__file__).parent
-RACE = RaceSettings.of({
-    "world": "courtyard", "schedule": "generalist-generalist", "policy": "rating",
-    "policy.initial_weight": 0.2, "learner.population": 12, "learner.sigma": 0.3,
-    "learner.learning_rate": 0.0025, "schedule.pursuer_epochs": 20, "schedule.evader_epochs": 20,
-})  # fmt: skip
+RACE = RaceSettings.of(default_race("generalist-generalist"))
 SEED, STEPS, CELL = 4, 60, 20
 """Of the match; cells in pixels."""
 ADDRESS = "pursuers=30&evaders=30&episode=7&step=40"

@@ -120,6 +120,7 @@ def experiment(
     measure: Callable[[Runs, bool], Mapping[str, ArrayLike]],
     table: Callable[[Numbers], str],
     seeds: int | Mapping[str, int],
+    first_seed: int = 0,
     play: Play = play,
     then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
     draw: Callable[[Numbers], Figure] | None = None,
@@ -140,6 +141,8 @@ def experiment(
         Numbers -> what they say, in Markdown.
     seeds : int or mapping of str to int
         Runs of each kind, if ``--seeds`` does not say another number; two with ``--quick``.
+    first_seed : int, optional
+        The seed of the first run of each kind.
     play : callable, optional
         Plays a run of races that are the script's own: of whatever `kinds` and `then` return.
     then : callable, optional
@@ -162,21 +165,21 @@ def experiment(
     for kind, settings in _chosen(parser, kinds(args.quick), args.kinds).items():
         usual = seeds if isinstance(seeds, int) else seeds[kind]
         count = args.seeds or (2 if args.quick else usual)
-        planned[kind] = [replace(settings, seed=seed) for seed in range(count)]
+        planned[kind] = [replace(settings, seed=first_seed + run) for run in range(count)]
     # Quick runs and full ones have directories of their own.
     root, results = (each / "quick" if args.quick else each for each in (args.runs, args.results))
 
     def finished(planned: Mapping[str, list[Any]]) -> dict[str, list[SavedRun]]:
         # Seed by seed, so that what is finished at any time is a fair sample of the kinds.
         settings = {
-            f"{slug(kind)}/{seed}": of_kind[seed]
-            for seed in range(max(map(len, planned.values()), default=0))
+            f"{slug(kind)}/{of_kind[run].seed}": of_kind[run]
+            for run in range(max(map(len, planned.values()), default=0))
             for kind, of_kind in planned.items()
-            if seed < len(of_kind)
+            if run < len(of_kind)
         }
         runs = finish_all(settings, root, play=play, threads=args.threads, where=args.cluster)
         return {
-            kind: [runs[f"{slug(kind)}/{seed}"] for seed in range(len(of_kind))]
+            kind: [runs[f"{slug(kind)}/{each.seed}"] for each in of_kind]
             for kind, of_kind in planned.items()
             if of_kind
         }

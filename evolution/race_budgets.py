@@ -1,10 +1,10 @@
-"""What do default races lose? Half of the matches, and steps that spread, each by itself.
+"""What do shorter races lose? Half of the matches, and steps that spread, each by itself.
 
     python evolution/race_budgets.py           ten seeds of each race, an hour on two cores
     python evolution/race_budgets.py --quick   a small world and two seeds, some seconds
 
-Default races differ in two things from the *long* ones (`common.long_race`). They play half of the
-matches, and their samples spread with the genome (`relative_sigma`), where those of the long ones
+Races of `evolve --paper` differ in two things from the *long* ones (`common.long_race`). They play
+half of the matches, and their samples spread with the genome (`relative_sigma`), where those of the long ones
 have the same standard deviation throughout. So there are four kinds of race. Those of the same
 schedule and seed are compared by the scores of both last generations against held-out opponents,
 and by the share of checkerboards in the last half. The judgement of the last half says what is

@@ -1,4 +1,4 @@
-"""What does right of way cost both teams? Default races with the mask, beside the same without.
+"""What does right of way cost both teams? Races with the mask, beside the same without.
 
     python evolution/safe_races.py             ten seeds of each, half an hour of one core
     python evolution/safe_races.py --quick     a small world and two seeds, some seconds
@@ -30,7 +30,7 @@ COLUMNS = {
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
-    """Return default races with each of `MASKS`."""
+    """Return races with each of `MASKS`."""
     base = RaceSettings.of(QUICK if quick else {})
     return {mask: base.changed({"policy.mask": mask}) for mask in MASKS}
 

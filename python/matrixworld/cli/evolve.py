@@ -459,7 +459,9 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
     if isinstance(schedule, Against):
         team = f"--set schedule.team={other(schedule.team)}"
         met = f"--set schedule.opponent={path}"
-        opponent = console.command(f"evolve --config {last.path / 'config.json'}", team, met)
+        same = f"evolve --config {last.path / 'config.json'}"
+        untrained = "--set schedule.start=null"
+        opponent = console.command(same, team, met, *([untrained] if schedule.start else []))
         return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]
     more = ("Verdict on each seed:", console.command("judge --each", root))
     if not any(group.several for group in groups):

@@ -138,7 +138,7 @@ def playground_command(
     Examples:
       matrixworld playground
       matrixworld playground SB
-      matrixworld playground runs/O-seed0 --race hall-of-fame
+      matrixworld playground runs/courtyard-seed0 --race hall-of-fame
     """
     title = "matrixworld playground"
     if isinstance(source, Rules):

@@ -116,7 +116,7 @@ def replay_command(
 
     \b
     Examples:
-      matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
+      matrixworld replay runs/courtyard-seed0/generalist-generalist --pursuer 30 --evader 15
       matrixworld replay my-race --out match.gif
       matrixworld replay SB --pursuer surrounder --obstacles 0.1
       matrixworld replay my-race --step 17 --explain

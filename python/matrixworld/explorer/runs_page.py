@@ -9,7 +9,7 @@ of a run only: the first episodes of the evaluation are played here, in each gen
 new cells.
 
 >>> from matrixworld.explorer import explore
->>> explore("runs/O-seed0")  # doctest: +SKIP
+>>> explore("runs/courtyard-seed0")  # doctest: +SKIP
 """
 
 from __future__ import annotations

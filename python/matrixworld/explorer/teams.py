@@ -18,7 +18,7 @@ from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.rating import Program
 
 MOST_BYTES = 48 * 2**20
-"""Genomes of a page, in bytes; base64 adds a third. A default race has 2.9 MB."""
+"""Genomes of a page, in bytes; base64 adds a third. A race of networks has 2.9 MB."""
 
 
 def step_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> int:
