@@ -14,8 +14,8 @@ them stands the best script of each team in the same episodes.
 
 Stated before the races were played: ratings in a world become the default job if, of their thirty
 whole races, at least as many are arms races as of the thirty of the default job, which were the
-paper's, and if the three races of a seed take at most 60 seconds of two cores. Seeds are 10 to 19: the settings were chosen
-in pilots with seeds below 10.
+paper's, and if the three races of a seed take at most 60 seconds of two cores. Seeds are 10 to 19:
+the settings were chosen in pilots with seeds below 10.
 """
 
 from __future__ import annotations

@@ -22,8 +22,8 @@ from matrixworld.analysis.payoffs import EPISODES_TO_RECUR, Rates, check_payoff,
 EPISODES_TO_SUBTRACT_NOISE = 4
 """Fewest episodes for a transitive share without noise: the jackknife leaves out one of them."""
 MARGIN = 0.15
-"""Margin of a checkerboard: an additive matrix with the noise of ten episodes of a long race has none
-above it. It does not tell cycles from noise in general; `judge` does."""
+"""Margin of a checkerboard: an additive matrix with the noise of ten episodes of a long race has
+none above it. It does not tell cycles from noise in general; `judge` does."""
 MOST_GENERATIONS = 40
 """More generations of a team are thinned out evenly, which keeps a fit below a second."""
 SORTING = 1.5
