@@ -6,9 +6,9 @@
 Races of `evolve --paper` differ in two things from the *long* ones (`common.long_race`). They play
 half of the matches, and their samples spread with the genome (`relative_sigma`), where those of the
 long ones have the same standard deviation throughout. So there are four kinds of race. Those of the
-same schedule and seed are compared by the scores of both last generations against held-out opponents,
-and by the share of checkerboards in the last half. The judgement of the last half says what is
-found in all seeds together, and in how many single races.
+same schedule and seed are compared by the scores of both last generations against held-out
+opponents, and by the share of checkerboards in the last half. The judgement of the last half says
+what is found in all seeds together, and in how many single races.
 
 Long races with the same steps have been played for other tables, and are read from results/; of the
 hall of fame their scores are kept, not their payoffs. Only ``--quick`` plays them.
