@@ -318,8 +318,8 @@ def table(numbers: Numbers) -> str:
     if "default race: pursuer" in numbers:
         default = [mean(numbers[f"default race: {team}"]) for team in TEAMS]
         parts.append(
-            f"Networks over cells after a default hall-of-fame race in O, 133,450 matches and ten "
-            f"seeds (race_budgets): pursuers {default[0]}, evaders {default[1]}."
+            f"Networks over cells after a hall-of-fame race of `evolve --paper`, 133,450 matches "
+            f"and ten seeds (race_budgets): pursuers {default[0]}, evaders {default[1]}."
         )
     for place in places:
         if place in SOLVED:

@@ -11,12 +11,21 @@ import click
 import numpy as np
 import pytest
 
+import balanced_races
 import matrixworld as mw
 from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, words
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.setting_options import settings_of
-from matrixworld.coevolution import SCHEDULES, RaceSettings, Run, create, evolve, open_run
+from matrixworld.coevolution import (
+    SCHEDULES,
+    RaceSettings,
+    Run,
+    create,
+    default_race,
+    evolve,
+    open_run,
+)  # fmt: skip
 from matrixworld.coevolution import jobs as jobs_module
 from matrixworld.coevolution import run as run_module
 from matrixworld.coevolution.jobs import found_job
@@ -56,6 +65,20 @@ def test_options_become_settings():
                 rules="SB", sigma=0.2, hidden=(5, 4), obstacles=0.1,
             )
         ]  # fmt: skip
+
+
+def test_the_default_job_is_the_one_that_was_judged():
+    """Of kept results; ``--paper`` and files start from the settings without any."""
+    kept = balanced_races.kinds(quick=False)
+    for options, world in (({}, "courtyard"), ({"world": "park"}, "park"), ({"paper": True}, "O")):
+        assert settings_of(options) == [kept[f"{world}; {name}"] for name in MAIN_JOB]
+    assert settings_of({"config": {}}) == settings_of({"paper": True})
+    [changed] = settings_of({"schedule": ("hall-of-fame",), "learner": "ga", "rows": 9})
+    assert changed == RaceSettings.of(
+        default_race("hall-of-fame"), {"learner": "ga", "world.rows": 9}
+    )
+    refused = evolved("--paper", "--game", "games:nim", code=2).stderr
+    assert "--paper: expected no --game beside it" in refused
 
 
 def test_a_setting_of_one_schedule_of_a_job_is_left_out_of_the_others():

@@ -16,11 +16,17 @@ from matrixworld import INPUTS, Rating, World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.options import given
-from matrixworld.coevolution import TEAMS, SavedRun, create, evolve
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, create, default_race, evolve
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
-from matrixworld.explorer.runs_page import explorer_page, run_data, runs_data
+from matrixworld.explorer.runs_page import (
+    command_of,
+    explorer_page,
+    plain_settings,
+    run_data,
+    runs_data,
+)  # fmt: skip
 from matrixworld.explorer.teams import kept_generations, packed
 from slow import quickly
 from tiny_race import tiny_race
@@ -268,6 +274,9 @@ def test_the_command_of_the_settings_plays_the_same_race(job):
         with evolve_command.make_context("evolve", options) as context:
             [settings] = job_of(given(context.params)).values()
         assert settings == run.settings
+    usual = RaceSettings.of(default_race("hall-of-fame"), seed=3)
+    assert plain_settings(usual) == []
+    assert command_of(usual) == "matrixworld evolve --schedule hall-of-fame --seed 3"
 
 
 def test_verdicts_are_those_of_the_commands(race):
