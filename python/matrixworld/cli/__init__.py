@@ -80,6 +80,6 @@ class Commands(click.Group):
 def main() -> None:
     """Pursuers and evaders on a grid that evolve against each other.
 
-    Start with `matrixworld evolve`: it runs three races in some minutes, judges and compares them,
+    Start with `matrixworld evolve`: it runs three races in a minute, judges and compares them,
     and says what to try next.
     """
