@@ -200,13 +200,11 @@ def evolve_command(
         return
     given = options.given({n: each for n, each in settings.items() if n not in SHOWS})
     with console.warnings_as_notes():
-        if resumed is None and force:
-            raise click.UsageError("--force: expected --resume beside it")
-        root, job = (
-            _new_job(given, output)
-            if resumed is None
-            else _found(resumed, given, output, force=force)
-        )
+        if resumed is None:
+            checks.expect(not force, "--force", "--resume beside it", "none", click.UsageError)
+            root, job = _new_job(given, output)
+        else:
+            root, job = _found(resumed, given, output, force=force)
         # Some settings can be checked only when opponents and start genomes have been read.
         with setting_options.usage_errors():
             jobs.check_job(job, root, threads, elsewhere=where is not None)

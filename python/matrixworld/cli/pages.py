@@ -87,12 +87,11 @@ def explore_command(
     with usage_errors():
         inside = [group.inside(root) for group in groups]
         files = figures_of(inside, root, suffix=suffix or "png", each=each)
-    # All files are checked before the first is drawn.
-    options.check_outputs(*files, force=force)
-    for file, drawn in files.items():
-        with usage_errors():
+        # All files are checked before the first is drawn.
+        options.check_outputs(*files, force=force)
+        for file, drawn in files.items():
             plots.save_figure(drawn(), file)
-        console.say(file)
+            console.say(file)
 
 
 def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:
