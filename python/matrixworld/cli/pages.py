@@ -20,8 +20,6 @@ from matrixworld.world.rules import Rules
 
 Run = TypeVar("Run")
 
-FORMATS = ("png", "pdf", "svg")
-
 
 def open_page(page: Path, opens: bool) -> None:
     """Open a page in a browser if it is asked for, or say that there is none."""
@@ -39,7 +37,7 @@ def open_page(page: Path, opens: bool) -> None:
 @click.option(
     "--format",
     "suffix",
-    type=click.Choice(FORMATS),
+    type=click.Choice(["png", "pdf", "svg"]),
     help="format of the figures; pdf and svg are vector graphics  [default: png]",
 )
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
