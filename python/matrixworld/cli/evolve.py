@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import groupby
 from pathlib import Path, PurePath
 from typing import Any
 
@@ -304,10 +305,8 @@ def _plan(job: jobs.Job, root: Path) -> str:
 
 def shown(job: jobs.Job) -> list[str]:
     """Return the runs that go on and are shown: those of the page of finished runs."""
-    groups: dict[str, list[str]] = {}
-    for name in job:
-        groups.setdefault(PurePath(name).parent.as_posix(), []).append(name)
-    return pages.first_seeds(groups.values(), MOST_RUNS)
+    groups = [[*names] for _, names in groupby(job, key=lambda name: PurePath(name).parent)]
+    return pages.first_seeds(groups, MOST_RUNS)
 
 
 def play(
