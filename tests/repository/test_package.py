@@ -167,10 +167,11 @@ SECTION = re.compile(
 def public_objects():
     for module_name in PUBLIC:
         module = importlib.import_module(module_name)
-        names = getattr(module, "__all__", [n for n in vars(module) if not n.startswith("_")])
-        for name in names:
+        public = getattr(module, "__all__", None)
+        for name in public or [n for n in vars(module) if not n.startswith("_")]:
             found = getattr(module, name)
-            ours = getattr(found, "__module__", "").startswith("matrixworld")
+            place = getattr(found, "__module__", "")
+            ours = place.startswith("matrixworld") if public else place == module_name
             is_enum = hasattr(found, "__members__")  # whose members document themselves
             if callable(found) and ours and not is_enum:
                 yield found

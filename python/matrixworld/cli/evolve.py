@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import groupby
 from pathlib import Path, PurePath
 from typing import Any
 
@@ -207,13 +208,11 @@ def evolve_command(
         return
     given = options.given({n: each for n, each in settings.items() if n not in SHOWS})
     with console.warnings_as_notes():
-        if resumed is None and force:
-            raise click.UsageError("--force: expected --resume beside it")
-        root, job = (
-            _new_job(given, output)
-            if resumed is None
-            else _found(resumed, given, output, force=force)
-        )
+        if resumed is None:
+            checks.expect(not force, "--force", "--resume beside it", "none", click.UsageError)
+            root, job = _new_job(given, output)
+        else:
+            root, job = _found(resumed, given, output, force=force)
         # Some settings can be checked only when opponents and start genomes have been read.
         with setting_options.usage_errors():
             jobs.check_job(job, root, threads, elsewhere=where is not None)
@@ -313,10 +312,8 @@ def _plan(job: jobs.Job, root: Path) -> str:
 
 def shown(job: jobs.Job) -> list[str]:
     """Return the runs that go on and are shown: those of the page of finished runs."""
-    groups: dict[str, list[str]] = {}
-    for name in job:
-        groups.setdefault(PurePath(name).parent.as_posix(), []).append(name)
-    return pages.first_seeds(groups.values(), MOST_RUNS)
+    groups = [[*names] for _, names in groupby(job, key=lambda name: PurePath(name).parent)]
+    return pages.first_seeds(groups, MOST_RUNS)
 
 
 def play(

@@ -20,8 +20,6 @@ from matrixworld.world.rules import Rules
 
 Run = TypeVar("Run")
 
-FORMATS = ("png", "pdf", "svg")
-
 
 def open_page(page: Path, opens: bool) -> None:
     """Open a page in a browser if it is asked for, or say that there is none."""
@@ -39,7 +37,7 @@ def open_page(page: Path, opens: bool) -> None:
 @click.option(
     "--format",
     "suffix",
-    type=click.Choice(FORMATS),
+    type=click.Choice(["png", "pdf", "svg"]),
     help="format of the figures; pdf and svg are vector graphics  [default: png]",
 )
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
@@ -87,12 +85,11 @@ def explore_command(
     with usage_errors():
         inside = [group.inside(root) for group in groups]
         files = figures_of(inside, root, suffix=suffix or "png", each=each)
-    # All files are checked before the first is drawn.
-    options.check_outputs(*files, force=force)
-    for file, drawn in files.items():
-        with usage_errors():
+        # All files are checked before the first is drawn.
+        options.check_outputs(*files, force=force)
+        for file, drawn in files.items():
             plots.save_figure(drawn(), file)
-        console.say(file)
+            console.say(file)
 
 
 def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:

@@ -266,7 +266,7 @@ class OwnGame(Section):
     base: ClassVar[type] = Game
 
     code: str = setting("", "module:object")
-    genes: tuple[int, ...] = setting((), "length of the genomes of each team")
+    genes: tuple[int, int] = setting((), "length of the genomes of each team")
     teams: tuple[str, str] = setting((), "names of the teams")
     deterministic: bool = setting(False, "whether equal genomes always have equal scores")
     digest: str = setting("", "digest of its source")
@@ -295,8 +295,7 @@ class OwnGame(Section):
     @property
     def known(self) -> Game:
         """What is known of the game without an import: all but its functions."""
-        one, other = self.genes
-        return Game(_not_imported, (one, other), self.teams, deterministic=self.deterministic)
+        return Game(_not_imported, self.genes, self.teams, deterministic=self.deterministic)
 
     def load(self) -> Game:
         """Return the game; ValueError if there is none of this name, or another one."""

@@ -101,11 +101,10 @@ class RunGroup:
             over_runs = partial(analysis.interval_over_runs, bounds=(0.0, math.inf))
             return {name: over_runs([row[name] for row in rows]) for name in names}
         [row] = rows
-        found = {}
-        for name in names:
-            mean, low, high = (row[name + end] for end in ("", "_low", "_high"))
-            found[name] = Estimate(mean, low, high, "episodes", row["evaluation_matches"])
-        return found
+        count = row["evaluation_matches"]
+        return {
+            n: Estimate(row[n], row[f"{n}_low"], row[f"{n}_high"], "episodes", count) for n in names
+        }
 
     def to_json(self) -> dict[str, Any]:
         """Return what was measured and judged of all runs together, as values of JSON."""

@@ -257,10 +257,8 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     if not elsewhere:
         at_once = shares(len(left), threads)[0]
         needed = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
-        checks.check_memory(
-            f"{at_once} runs at one time" if at_once > 1 else "run",
-            **{f"run {i + 1}": size for i, size in enumerate(needed[:at_once])},
-        )
+        sizes = {f"run {i + 1}": size for i, size in enumerate(needed[:at_once])}
+        checks.check_memory(f"{at_once} runs at one time" if at_once > 1 else "run", **sizes)
     # Seeds make no difference here, and a job may have a thousand.
     for method in dict.fromkeys(each.method for each in left.values()):
         for team in method.learning_teams:  # imports code of your own

@@ -17,17 +17,6 @@ from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution.sections import OwnCode, Section, section, setting
 from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
 
-__all__ = [
-    "Latest",
-    "NashOpponents",
-    "NewestAndOlder",
-    "Opponents",
-    "Prioritized",
-    "RoundRobin",
-    "SharedSampling",
-    "Uniform",
-]
-
 PayoffFunction = Callable[[Indices, Indices], ArrayLike]
 """Generations (n,) of the team and (m,) of its opponents -> payoffs (n, m) to the team, in [0, 1].
 
@@ -223,9 +212,10 @@ class Prioritized(Opponents):
 
 
 def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
-    """Return a greedy sample of opponents, each of which beats what few others in it beat.
+    """Return a greedy sample of `count` opponents, each of which beats what few others in it beat.
 
-    `beats` (m, n) says how surely opponent j beats individual k of the last epoch, in [0, 1].
+    `beats` (m, n) says how surely opponent j beats individual k of the last epoch, in [0, 1];
+    `rng` decides ties.
     """
     # Chosen is the j with the most ``sum_k beats[j, k] / (1 + covered[k])``, where covered[k] sums
     # beats[., k] of those chosen before (Rosin & Belew 1997); ties are decided at random.

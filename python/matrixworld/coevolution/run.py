@@ -132,9 +132,8 @@ def check_sources(
 def _last(settings: RaceSettings, directory: str, team: Team) -> Any:
     """Return the last genome of a team in a run of the same game; ValueError for another one."""
     found, expected = storage.open_run(directory).settings.game, settings.game
-    if (found and found.code) != (expected and expected.code):
-        names = (each.code if each else "pursuit" for each in (expected, found))
-        raise ValueError(f"{directory}: expected a run of {', got one of '.join(names)}")
+    wanted, got = (each.code if each else "pursuit" for each in (expected, found))
+    checks.expect(got == wanted, directory, f"a run of {wanted}", f"one of {got}")
     return storage.last_generation(directory, team)
 
 

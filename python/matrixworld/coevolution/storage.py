@@ -326,8 +326,17 @@ class SavedRun:
     def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Episode:
         """Play one episode of the evaluation again and record every step.
 
-        It is that of a `pursuer` and an `evader` generation, of which negative numbers count from
-        the end, and a script ignores them. IndexError if there is no such generation.
+        Parameters
+        ----------
+        pursuer, evader : int, optional
+            Generations; negative numbers count from the end. A script ignores them.
+        episode : int, optional
+            Number of the episode.
+
+        Raises
+        ------
+        IndexError
+            If there is no such generation.
         """
         pursuit = self.pursuit
         g, h = self.generation("pursuer", pursuer), self.generation("evader", evader)
@@ -342,12 +351,26 @@ class SavedRun:
         sampled: bool | None = None,
         seed: int | None = None,
     ) -> Any:
-        """Return a genome of the run as a `NetworkPolicy`, or as a `RatingPolicy`.
+        """Return a genome of the run as a policy, which also plays as a team of an environment.
 
-        It also plays as a built-in team of an environment. Negative numbers of generations count
-        from the end. `sampled`, for networks alone, and `seed` are as for these policies.
-        IndexError or ValueError if there is no such generation or team, or a script plays for the
-        team.
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            Team of the genome.
+        generation : int, optional
+            Its generation; negative numbers count from the end.
+        sampled, seed : bool and int, optional
+            As for the policies; `sampled` for networks alone.
+
+        Returns
+        -------
+        NetworkPolicy or RatingPolicy
+            What plays.
+
+        Raises
+        ------
+        IndexError, ValueError
+            If there is no such generation or team, or a script plays for the team.
         """
         _ = self.pursuit
         check_choice("team", team, TEAMS)
