@@ -125,6 +125,12 @@ def check_shape(name: str, array: NDArray[Any], *expected: int) -> None:
         raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
 
 
+def check_finite(name: str, array: NDArray[Any]) -> None:
+    """Raise ValueError if numbers are NaN or infinite."""
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: expected finite numbers, got NaN or infinity")
+
+
 def check_bool(name: str, value: Any) -> bool:
     """Return an argument that must be True or False."""
     if not isinstance(value, bool):

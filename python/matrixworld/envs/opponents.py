@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from matrixworld import _core
 from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape
 from matrixworld.play.matches import Callback, Plays, checked_actions
-from matrixworld.play.policies import GenomePolicy, check_fits
+from matrixworld.play.policies import GenomePolicy
 from matrixworld.solver import solve
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
@@ -264,7 +264,7 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
     elif hasattr(given, "teams"):  # a saved run; its class is not imported here
         return _resolved(name, team, given.teams[team], config)
     if isinstance(given, Population):
-        check_fits(name, given.policy, config)
+        given.policy.check_fits(name, config)
         check_team(name, given, config, team)
         return [Population(genome, given.policy) for genome in given.genomes]
     if callable(given) or isinstance(given, TablePolicy):

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_instance, check_integer
-from matrixworld.play.policies import RatingPolicy, check_fits
+from matrixworld.play.policies import RatingPolicy
 from matrixworld.world.arrays import array_specs, integers, new_arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
@@ -85,7 +85,7 @@ def _chooser(name: str, policy: Plays, config: WorldConfig) -> EnginePolicy | Ch
     if callable(policy):
         return lambda asked, views: checked_actions(policy, views, config.n_actions)
     if isinstance(policy, Population):
-        check_fits(name, policy.policy, config)
+        policy.policy.check_fits(name, config)
     return policy
 
 

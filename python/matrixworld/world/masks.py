@@ -124,8 +124,7 @@ def check_team(name: str, given: Any, config: WorldConfig, team: policy.Team) ->
     """
     player = given.population() if hasattr(given, "population") else given
     if isinstance(player, policy.Population):
-        fits = (player.policy.fov, player.policy.n_actions) == (config.fov, config.n_actions)
-        if isinstance(player.policy, policy.Network) and fits:
+        if isinstance(player.policy, policy.Network) and player.policy.fits(config):
             _check_right_of_way(name, player.forbids, config, team)
         return player.policy.core, player.genomes
     if isinstance(player, policy.TablePolicy):

@@ -12,6 +12,7 @@ from typing import Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import Self
 
 from matrixworld import _core
 from matrixworld._util import checks
@@ -111,6 +112,25 @@ class Policy(ABC):
     state_size: int = 0
     """Length of what an agent remembers from one step to the next."""
 
+    @classmethod
+    def for_config(cls, config: WorldConfig, *first: Any, **more: Any) -> Self:
+        """Return one for the views and actions of a world; the others are its other fields."""
+        checks.check_instance("config", config, WorldConfig)
+        shape: dict[str, Any] = {"fov": config.fov, "n_actions": config.n_actions}
+        return cls(*first, **shape, **more)
+
+    def fits(self, config: WorldConfig) -> bool:
+        """Return whether it has the views and actions of a world."""
+        return (self.fov, self.n_actions) == (config.fov, config.n_actions)
+
+    def check_fits(self, name: str, config: WorldConfig) -> None:
+        """Raise ValueError, naming the argument, unless it has the views and actions of a world."""
+        if not self.fits(config):
+            raise ValueError(
+                f"{name}: expected a policy for fov {config.fov} and {config.n_actions} actions, "
+                f"got fov {self.fov} and {self.n_actions} actions"
+            )
+
     @property
     @abstractmethod
     def genome_size(self) -> int:
@@ -208,14 +228,6 @@ class Network(Policy):
         checks.check_choice("memory", self.memory, GATES)
         if self.memory != "none" and not self.hidden:
             raise ValueError(f"memory: expected none without hidden layers, got {self.memory!r}")
-
-    @classmethod
-    def for_config(
-        cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any
-    ) -> Network:
-        """Return a network for the views and actions of a world; `more` are its other fields."""
-        checks.check_instance("config", config, WorldConfig)
-        return cls(hidden, fov=config.fov, n_actions=config.n_actions, **more)
 
     @property
     def sizes(self) -> tuple[int, ...]:
