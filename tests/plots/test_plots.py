@@ -12,12 +12,7 @@ from matrices import circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
 from matrixworld.analysis.intervals import generalization_over_episodes
-from matrixworld.plots.race import (
-    collision_rates,
-    generalization_curves,
-    lag_profile_curve,
-    training_curve,
-)
+from matrixworld.plots.race import collision_rates, training_curve
 from matrixworld.plots.runs import race_bands, seed_bands, seed_scores
 from matrixworld.plots.style import FORMATS
 
@@ -49,29 +44,16 @@ def test_heatmap_shows_the_matrix_with_pursuers_upwards():
     np.testing.assert_array_equal(above % 1, 0.5)
 
 
-def test_generalization_curves():
-    figure = generalization_curves(analysis.read_payoffs(RACE))
-    (axes,) = figure.axes
-    for line, expected in zip(axes.lines, analysis.generalization(RACE), strict=True):
-        np.testing.assert_allclose(line.get_ydata(), expected)
-    assert not axes.collections  # a single run without episodes has no interval
-
-
-def test_generalization_curves_show_intervals_over_episodes_or_seeds():
-    seeds = np.clip(RACE + RNG.normal(0, 0.1, (4, 31, 31)), 0, 1)
-    run = analysis.read_payoffs(SINGLE, per_episode=True)
-    bands = race_bands(seeds)
-    of_seeds = [bands[f"{team}_generalization"] for team in ("pursuer", "evader")]
-    of_episodes = generalization_over_episodes(SINGLE)
-    for payoffs, expected in ((run, of_episodes), (analysis.read_payoffs(seeds), of_seeds)):
-        (axes,) = generalization_curves(payoffs).axes
-        for line, drawn, band in zip(axes.lines, axes.collections, expected, strict=False):
-            np.testing.assert_allclose(line.get_ydata(), band.mean)
-            check_band(drawn, band)
+def test_generalization_has_intervals_over_episodes():
+    axes = plots.comparison({"race": analysis.read_payoffs(SINGLE, per_episode=True)}).axes[2]
+    expected = generalization_over_episodes(SINGLE)
+    for line, drawn, band in zip(axes.lines, axes.collections, expected, strict=False):
+        np.testing.assert_allclose(line.get_ydata(), band.mean)
+        check_band(drawn, band)
 
 
 def test_lag_profile_is_solid_where_it_rests_on_enough_cells():
-    (axes,) = lag_profile_curve(RACE).axes
+    axes = plots.comparison({"race": RACE}).axes[1]
     faint, solid, _ = axes.lines
     profile = analysis.lag_profile(RACE)
     np.testing.assert_array_equal(faint.get_xydata(), np.transpose([profile.lags, profile.means]))
@@ -119,6 +101,7 @@ def test_comparison_puts_races_and_what_was_judged_side_by_side():
         np.testing.assert_array_equal(lags[column].lines[0].get_ydata(), profile.means)
         for line, curve in zip(scores[column].lines, analysis.generalization(matrix), strict=True):
             np.testing.assert_array_equal(line.get_ydata(), curve)
+        assert not scores[column].collections  # means alone have no interval
     assert [axes.texts[0].get_text() for axes in maps] == ["", "Both teams improved."]
 
 
@@ -240,7 +223,7 @@ def test_triangles_are_those_of_ciao():
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_figures_are_files_of_their_suffix(suffix, tmp_path):
     begins = {"png": b"\x89PNG\r\n\x1a\n", "pdf": b"%PDF-", "svg": b"<?xml"}
-    figure = lag_profile_curve(RACE)
+    figure = plots.run_curves({"race": RACE}, label="score")
     content = plots.save_figure(figure, tmp_path / f"figure.{suffix}").read_bytes()
     assert content.startswith(begins[suffix])
     assert b"<image" not in content  # vectors only
@@ -256,7 +239,7 @@ scores = analysis.judge([SQUARE] * 3)
     ("draw", "message"),
     [
         (lambda: plots.verdict_strip({"a": scores}, {"a": (0, 1)}), "seeds: expected 3 of a"),
-        (lambda: plots.save_figure(lag_profile_curve(RACE), "x.bmp"), r"ends in \.png"),
+        (lambda: plots.save_figure(plots.payoff_heatmap(RACE), "x.bmp"), r"ends in \.png"),
         (lambda: plots.comparison({}), "expected at least one race to draw, got none"),
         (lambda: plots.run_dots({"a": HIDDEN[0, 0]}, label="score"), "masked cell"),
         (lambda: plots.run_curves({"a": HIDDEN[0]}, label="score"), "masked cell"),

@@ -20,12 +20,11 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
-from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
+from matrixworld.analysis.intervals import Band, generalization_over_episodes
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, require
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
-OVER_SEEDS = "95% interval of the mean over seeds"
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
 FEWEST_CELLS = 5  # a lag whose mean rests on fewer cells is drawn faintly
@@ -49,16 +48,6 @@ def payoff_heatmap(
     title = words.begin(", all against all") if title is None else title
     figure, axes = style.single(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0, title)
     figure.colorbar(_draw_heatmap(axes, payoff, words), ax=axes, label=words.scale, shrink=0.9)
-    return figure
-
-
-def lag_profile_curve(
-    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str = ""
-) -> Figure:
-    """Draw the lag profile of a payoff (n, m); lags with fewer than 5 cells are faint."""
-    figure, axes = style.single(6.4, 4.2, title)
-    _draw_lag_profile(axes, payoff, style.words_of(teams))
-    style.legend_below(figure, style.labelled(axes))
     return figure
 
 
@@ -96,17 +85,6 @@ def ciao_triangles(
         aspect=30,
     )  # fmt: skip
     style.entitle(figure, title)
-    return figure
-
-
-def generalization_curves(
-    payoffs: Payoffs, *, teams: Sequence[str] = style.TEAMS, title: str | None = None
-) -> Figure:
-    """Draw the mean score of each generation against all opponents."""
-    figure, axes = style.single(5.6, 4.4, title)
-    _draw_generalization(axes, payoffs, style.words_of(teams))
-    axes.set_ylabel("mean score")
-    style.legend_below(figure, style.labelled(axes))
     return figure
 
 
@@ -218,16 +196,14 @@ def mark_lag_0(axes: Axes) -> None:
     axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
 
 
-def _draw_generalization(axes: Axes, payoffs: Payoffs, words: style.Words) -> None:
-    """Draw the mean scores of both teams, with bands over seeds, or over episodes of one run."""
-    if len(payoffs) == 1 and payoffs.scores is not None and payoffs.has_episodes:
-        bands: Iterable[Band] = generalization_over_episodes(payoffs.scores[0])
-        interval = "95% interval over episodes"
+def _draw_generalization(axes: Axes, race: Payoffs, words: style.Words) -> None:
+    """Draw the mean scores of both teams in one run, with bands over its episodes."""
+    if race.scores is not None and race.has_episodes:
+        bands = generalization_over_episodes(race.scores[0])
     else:
-        teams = zip(*map(analysis.generalization, payoffs.matrices), strict=True)
-        bands = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
-        interval = OVER_SEEDS
-    draw_teams(axes, bands, interval, words)
+        one, other = analysis.generalization(race.matrices[0])
+        bands = analysis.band_over_runs([one]), analysis.band_over_runs([other])
+    draw_teams(axes, bands, "95% interval over episodes", words)
     style.unit_axis(axes)
 
 

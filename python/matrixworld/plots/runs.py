@@ -19,9 +19,10 @@ from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRES
 from matrixworld.analysis.payoffs import Payoffs, Rates
 from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.plots import style
-from matrixworld.plots.race import OVER_SEEDS, draw_teams, mark_lag_0
+from matrixworld.plots.race import draw_teams, mark_lag_0
 
 TEAMS = ("pursuer", "evader")
+OVER_SEEDS = "95% interval of the mean over seeds"
 NAMES = 3  # share of the width that the names of groups may take: a third
 
 

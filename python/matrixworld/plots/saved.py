@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
-from matrixworld.analysis import Judgement, sentence
+from matrixworld.analysis import Judgement
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
@@ -84,11 +84,6 @@ def _teams(*groups: RunGroup) -> tuple[str, str]:
     return found.pop() if len(found) == 1 else ("first teams", "second teams")
 
 
-def _generalization(group: RunGroup) -> Figure:
-    title = _title(group, "Mean score against all opponents")
-    return of_race.generalization_curves(group.payoffs, teams=_teams(group), title=title)
-
-
 def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
     """Return how often agents collide in 1000 agent-steps: (G, 2, 3), by generation, team, kind."""
     payoff = group.runs[0].payoff()
@@ -105,17 +100,13 @@ def _collisions(group: RunGroup) -> Figure:
     return of_race.collision_rates(collisions_per_1000(group), title=title)
 
 
-def _drawn(draw: Callable[..., Figure], shown: str, group: RunGroup) -> Figure:
-    """Draw the payoff of a race, titled by what it is; without words by what was judged."""
-    title = _title(group, shown or sentence(group.judgement))
-    return draw(group.payoffs.matrices[0], title=title, teams=_teams(group))
+def _payoff(group: RunGroup) -> Figure:
+    return _compared({group.runs[0].title: group})
 
 
 OF_RUN: dict[str, Callable[[RunGroup], Figure]] = {
     "training": _training,
-    "payoff": partial(_drawn, of_race.payoff_heatmap, ""),
-    "generalization": _generalization,
-    "lag_profile": partial(_drawn, of_race.lag_profile_curve, "Lag profile"),
+    "payoff": _payoff,
     "collisions": _collisions,
 }
 """Figures of a race. A run of one team has the first one only."""
@@ -131,9 +122,13 @@ def _comparison(groups: Groups) -> Figure:
         for name, group in groups.items()
         for single in group.singles
     }
-    return of_race.comparison(
-        _payoffs(singles), _judgements(singles), teams=_teams(*groups.values())
-    )
+    return _compared(singles)
+
+
+def _compared(groups: Groups) -> Figure:
+    """Draw single races side by side."""
+    teams = _teams(*groups.values())
+    return of_race.comparison(_payoffs(groups), _judgements(groups), teams=teams)
 
 
 def _seeds(groups: Groups) -> Figure:
