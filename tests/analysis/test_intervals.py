@@ -11,7 +11,7 @@ from matrixworld.analysis.intervals import (
     linear_over_episodes,
 )
 from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.plots.runs import race_bands
+from matrixworld.plots.runs import race_curves
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK
 
 
@@ -82,20 +82,14 @@ def test_the_bootstrap_of_one_task_is_that_of_rliable(monkeypatch):
 PAYOFFS = np.random.default_rng(0).random((4, 7, 5))
 
 
-def test_bands_are_those_of_the_curves():
-    bands = race_bands(PAYOFFS)
-    curves = [analysis.generalization(payoff) for payoff in PAYOFFS]
-    profiles = [analysis.lag_profile(payoff) for payoff in PAYOFFS]
-    for band, of_runs in (
-        (bands["pursuer_generalization"], [each.pursuers for each in curves]),
-        (bands["evader_generalization"], [each.evaders for each in curves]),
-        (bands["lag_profile"], [each.means for each in profiles]),
-    ):
-        expected = analysis.band_over_runs(of_runs, bounds=(0.0, 1.0))
-        np.testing.assert_allclose(band.mean, expected.mean)
-        np.testing.assert_allclose(band.low, expected.low)
-        np.testing.assert_array_equal(band.runs, 4)
-    np.testing.assert_array_equal(bands["lag_profile"].places, profiles[0].lags)
-    ratings = [ELO_POINTS * analysis.elo(payoff).evaders for payoff in PAYOFFS]
-    np.testing.assert_allclose(bands["evader_ratings"].mean, np.mean(ratings, axis=0))
-    assert bands["evader_ratings"].low.min() < -20  # ratings have no bounds
+def test_curves_of_races_are_those_of_their_runs():
+    curves = race_curves(PAYOFFS)
+    for run, payoff in enumerate(PAYOFFS):
+        scores, ratings = analysis.generalization(payoff), analysis.elo(payoff)
+        for team in ("pursuer", "evader"):
+            of_team = getattr(scores, f"{team}s"), ELO_POINTS * getattr(ratings, f"{team}s")
+            np.testing.assert_array_equal(curves[f"{team}_generalization"][run], of_team[0])
+            np.testing.assert_array_equal(curves[f"{team}_ratings"][run], of_team[1])
+        np.testing.assert_array_equal(
+            curves["lag_profile"][run], analysis.lag_profile(payoff).means
+        )

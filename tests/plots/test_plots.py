@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex
 
 from matrices import circular, logistic
@@ -13,7 +12,7 @@ from matrixworld import analysis, plots
 from matrixworld._util import colors
 from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.plots.race import collision_rates, training_curve
-from matrixworld.plots.runs import race_bands, seed_bands, seed_scores
+from matrixworld.plots.runs import race_curves, seed_bands, seed_scores
 from matrixworld.plots.style import FORMATS
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
@@ -60,20 +59,15 @@ def test_lag_profile_is_solid_where_it_rests_on_enough_cells():
     np.testing.assert_array_equal(solid.get_xdata(), np.arange(-26, 27))  # at least 5 cells each
 
 
-def test_training_curve_colours_each_piece_by_the_team_that_learns():
+def test_training_curve_is_shaded_by_the_team_that_learns():
     rates, learners = np.array([0.5, 0.9, 0.2, 0.8]), np.array([0, 0, 1, 0])
     figure = training_curve(rates, learners, generations=[1, 1, 1, 2])
     (axes,) = figure.axes
-    shade, curve, _ = axes.collections
+    (curve,) = axes.lines
+    np.testing.assert_array_equal(curve.get_xydata(), [[1, 0.5], [2, 0.9], [3, 0.2], [4, 0.8]])
     # From half an epoch before the evaders' one to half an epoch after it.
-    assert {*shade.get_paths()[0].vertices[:, 0]} <= {2.5, 3.0, 3.5}
-    assert isinstance(curve, LineCollection)
-    pieces = np.array(curve.get_segments())
-    np.testing.assert_allclose(pieces[:, 0], [[1, 0.5], [2, 0.9], [3, 0.2]])
-    np.testing.assert_allclose(pieces[:, 1], [[2, 0.9], [3, 0.2], [4, 0.8]])
-    assert [to_hex(c).upper() for c in curve.get_colors()] == [
-        colors.PURSUER, colors.EVADER, colors.PURSUER,
-    ]  # fmt: skip
+    _, evaders = axes.collections
+    assert {*evaders.get_paths()[0].vertices[:, 0]} <= {2.5, 3.0, 3.5}
     assert legend_texts(figure) == ["pursuers learn", "evaders learn"]
     (top,) = axes.child_axes
     assert list(top.get_xticks()) == [1, 4]
@@ -129,7 +123,8 @@ def test_bands_show_means_and_intervals_over_seeds():
     groups = {"one": analysis.read_payoffs(MATRICES), "two": analysis.read_payoffs(MATRICES[:1])}
     figure = seed_bands(groups, {"one": judged_seeds(4), "two": judged_seeds(1)})
     (scores, single), (strength, _), (lags, _) = np.reshape(figure.axes, (3, 2))
-    bands = race_bands(MATRICES)
+    curves = race_curves(MATRICES)
+    bands = {name: analysis.band_over_runs(each) for name, each in curves.items()}
     for axes, expected in (
         (scores, (bands["pursuer_generalization"], bands["evader_generalization"])),
         (strength, (bands["pursuer_ratings"], bands["evader_ratings"])),

@@ -31,7 +31,7 @@ FEWEST_CELLS = 5  # a lag whose mean rests on fewer cells is drawn faintly
 COLUMNS = 3  # the most races beside each other in `comparison`; further ones are in rows below
 SMALL = 0.83  # size of judgements above heat maps, as a multiple of the type
 ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))  # distances of ticks
-_SHADE = "#E4F0F8"  # a pale tone of the evaders, light in grey, too
+_SHADES = ("#FFFFFF", "#DCEBF5")  # behind epochs in which a team learns; different in grey, too
 _MARKED = 100  # curves with up to this many points have a marker at each
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
@@ -231,45 +231,30 @@ def training_curve(
     teams: Sequence[str] = style.TEAMS,
     title: str = "",
 ) -> Figure:
-    """Draw the score (T,) over epochs, coloured by the team that learns, with its moving average.
+    """Draw the score (T,) over epochs, shaded by the team that learns, with its moving average.
 
     `learners` (T,) are 0 and 1, or None if both learn; `generations` (T,) are on a second axis.
     """
     words = style.words_of(teams)
-    shades = [colors.INK] * len(rates)
-    if learners is not None:
-        shades = [colors.TEAMS[int(team)] for team in learners]
-    figure = style.new_figure(8.0, 3.8)
-    axes = figure.add_subplot()
+    figure, axes = style.single(8.0, 3.8, title)
+    place, marker = np.arange(1, len(rates) + 1), "o" if len(rates) <= _MARKED else ""
     if window > 1:
-        axes.add_collection(_in_pieces(rates, shades, alpha=0.25, linewidth=0.6))
-    place = np.arange(1, len(rates) + 1)
-    if learners is not None:
-        # In grey the curves of both teams have the same tone.
-        axes.fill_between(
-            place, 0, 1, where=learners == 1, color=_SHADE, linewidth=0, zorder=0, step="mid",
-            transform=axes.get_xaxis_transform(),
-        )  # fmt: skip
+        axes.plot(place, rates, color=colors.INK, alpha=0.25, linewidth=0.6)
     smooth = _moving_average(rates, window)
-    axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
-    if len(rates) <= _MARKED:
-        axes.scatter(place, smooth, s=14, c=shades, zorder=3)
-    axes.set_title(style.fitting(figure, title))
+    axes.plot(place, smooth, color=colors.INK, linewidth=1.6, marker=marker, markersize=4)
+    for team, name, shade in zip((0, 1), words.teams, _SHADES, strict=True):
+        if learners is not None and team in learners:
+            axes.fill_between(
+                place, 0, 1, where=learners == team, color=shade, linewidth=0, zorder=0, step="mid",
+                transform=axes.get_xaxis_transform(), label=f"{name} learn",
+            )  # fmt: skip
     axes.set(xlabel="epoch", xlim=(0.5, len(rates) + 0.5))
     axes.set_ylabel(f"{words.score}, mean of {window} epochs" if window > 1 else words.score)
     axes.xaxis.set_major_locator(style.whole_numbers())
     style.unit_axis(axes)
     if generations is not None:
         _generation_axis(axes, generations)
-    entries: dict[str, Any] = {
-        f"{team} learn": (*behind, Line2D([], [], color=color))
-        for team, color, behind in zip(
-            words.teams, colors.TEAMS, ((), (Patch(color=_SHADE),)), strict=True
-        )
-        if color in shades
-    }
-    if entries:
-        style.legend_below(figure, entries, columns=4)
+    style.legend_below(figure, style.labelled(axes), columns=4)
     return figure
 
 
@@ -295,13 +280,6 @@ def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: s
     axes.set_xlabel("generation")
     axes.xaxis.set_major_locator(style.whole_numbers())
     style.plain_axis(axes)
-
-
-def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> LineCollection:
-    """Return the curve, each piece in the colour of the point that it leads to."""
-    points = np.column_stack([np.arange(1, len(values) + 1), values])
-    pieces = np.stack([points[:-1], points[1:]], axis=1)
-    return LineCollection(list(pieces), colors=shades[1:], capstyle="round", **style)
 
 
 def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.float64]:

@@ -10,11 +10,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import analysis
 from matrixworld._util import checks, colors
-from matrixworld.analysis.intervals import UNBOUNDED, UNIT, Band, Bounds, fewest_runs
+from matrixworld.analysis.intervals import UNBOUNDED, UNIT, Bounds, fewest_runs
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
 from matrixworld.analysis.payoffs import Payoffs, Rates
 from matrixworld.analysis.ratings import ELO_POINTS
@@ -109,13 +109,9 @@ def run_curves(
     for index, (name, curves) in enumerate(groups.items()):
         color, line = style.LINES[index % len(style.LINES)]
         band = analysis.band_over_runs(curves, places=places, bounds=bounds)
-        if len(np.asarray(curves)) <= style.MOST_LINES:
-            # Smooth edges of many thin lines would make the picture several times as large.
-            look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
-            axes.plot(band.places, np.asarray(curves).T, color=color, **look)
+        _draw_singles(axes, band.places, curves, color)
         style.draw_band(axes, band, color, line, label=name)
-    if min(len(np.asarray(curves)) for curves in groups.values()) <= style.MOST_LINES:
-        axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
+    _label_singles(axes, min(len(np.asarray(curves)) for curves in groups.values()))
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
     axes.set(xlabel=along, ylabel=label)
     style.generation_axis(axes)
@@ -182,51 +178,58 @@ def seed_bands(
     return style.finished(figure, entries, None, columns=2 if columns < 3 else 4)
 
 
-def race_bands(matrices: Rates) -> dict[str, Band]:
-    """Return mean generalization, Elo points and lag profile of runs (runs, n, m), with intervals.
+def race_curves(matrices: Rates) -> dict[str, Rates]:
+    """Return mean generalization, Elo points and lag profile of runs (runs, n, m), each (runs, k).
 
     By name: ``pursuer_generalization``, ``evader_ratings`` and so on, and ``lag_profile``.
     """
-    found: dict[str, Band] = {}
-    for team in ("pursuers", "evaders"):
-        scores = [getattr(analysis.generalization(matrix), team) for matrix in matrices]
-        ratings = [ELO_POINTS * getattr(analysis.elo(matrix), team) for matrix in matrices]
-        found[f"{team[:-1]}_generalization"] = analysis.band_over_runs(scores, bounds=UNIT)
-        found[f"{team[:-1]}_ratings"] = analysis.band_over_runs(ratings)
-    profiles = [analysis.lag_profile(matrix) for matrix in matrices]
-    lags, means = profiles[0].lags, [profile.means for profile in profiles]
-    found["lag_profile"] = analysis.band_over_runs(means, places=lags, bounds=UNIT)
-    return found
+    curves = {"lag_profile": np.array([analysis.lag_profile(each).means for each in matrices])}
+    scores: list[Any] = [analysis.generalization(each) for each in matrices]
+    ratings: list[Any] = [analysis.elo(each) for each in matrices]
+    for team in TEAMS:
+        name = f"{team}s"
+        curves[f"{team}_generalization"] = np.array([getattr(each, name) for each in scores])
+        curves[f"{team}_ratings"] = ELO_POINTS * np.array([getattr(each, name) for each in ratings])
+    return curves
 
 
 def _draw_group(column: Sequence[Axes], matrices: Rates, words: style.Words) -> None:
     """Draw the three panels of a group."""
-    bands = race_bands(matrices)
-    few = len(matrices) <= style.MOST_LINES
-    singles = [race_bands(matrix[None]) for matrix in matrices] if few else []
-    scores, strength, lags = column
-    for axes, number in ((scores, "generalization"), (strength, "ratings")):
-        names = [f"{team}_{number}" for team in TEAMS]
-        for name, color in zip(names, colors.TEAMS, strict=True):
-            _draw_singles(axes, singles, name, color)
-        draw_teams(axes, (bands[name] for name in names), OVER_SEEDS, words)
-    if singles:
-        scores.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
-    _draw_singles(lags, singles, "lag_profile", colors.INK)
-    style.draw_band(lags, bands["lag_profile"], colors.INK, "-")
-    mark_lag_0(lags)
-    lags.set_xlabel(words.lag.replace("minus ", "minus\n"))
+    curves, lags = race_curves(matrices), analysis.lag_profile(matrices[0]).lags
+    scores, strength, profile = column
+    for axes, number, bounds in (
+        (scores, "generalization", UNIT),
+        (strength, "ratings", UNBOUNDED),
+    ):
+        of_teams = [curves[f"{team}_{number}"] for team in TEAMS]
+        for of_team, color in zip(of_teams, colors.TEAMS, strict=True):
+            _draw_singles(axes, np.arange(of_team.shape[1]), of_team, color)
+        bands = [analysis.band_over_runs(of_team, bounds=bounds) for of_team in of_teams]
+        draw_teams(axes, bands, OVER_SEEDS, words)
+    band = analysis.band_over_runs(curves["lag_profile"], places=lags, bounds=UNIT)
+    _draw_singles(profile, lags, curves["lag_profile"], colors.INK)
+    style.draw_band(profile, band, colors.INK, "-")
+    mark_lag_0(profile)
+    profile.set_xlabel(words.lag.replace("minus ", "minus\n"))
     for axes in column:
         style.generation_axis(axes)
         style.plain_axis(axes)
     style.unit_axis(scores)
-    style.unit_axis(lags)
+    style.unit_axis(profile)
+    _label_singles(scores, len(matrices))
 
 
-def _draw_singles(axes: Axes, singles: Iterable[Mapping[str, Band]], name: str, color: str) -> None:
-    for bands in singles:
-        band = bands[name]
-        axes.plot(band.places, band.mean, color=color, alpha=0.3, linewidth=0.6)
+def _draw_singles(axes: Axes, places: NDArray[Any], curves: ArrayLike, color: str) -> None:
+    """Draw a thin line for each run, if they are few."""
+    if len(np.asarray(curves)) <= style.MOST_LINES:
+        # Smooth edges of many thin lines would make the picture several times as large.
+        look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
+        axes.plot(places, np.asarray(curves).T, color=color, **look)
+
+
+def _label_singles(axes: Axes, runs: int) -> None:
+    if runs <= style.MOST_LINES:
+        axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
 
 
 NOT_FINISHED = "not finished"
