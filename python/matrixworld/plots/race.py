@@ -9,11 +9,8 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from matplotlib.patheffects import Normal, Stroke
 from numpy.typing import ArrayLike, NDArray
 
@@ -31,7 +28,7 @@ FEWEST_CELLS = 5  # a lag whose mean rests on fewer cells is drawn faintly
 COLUMNS = 3  # the most races beside each other in `comparison`; further ones are in rows below
 SMALL = 0.83  # size of judgements above heat maps, as a multiple of the type
 ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))  # distances of ticks
-_SHADES = ("#FFFFFF", "#DCEBF5")  # behind epochs in which a team learns; different in grey, too
+_SHADES = ("#FCF0E8", "#CFE4F3")  # behind epochs in which a team learns; different in grey, too
 _MARKED = 100  # curves with up to this many points have a marker at each
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
