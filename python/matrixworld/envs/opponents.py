@@ -200,7 +200,6 @@ class PlaysTeam:
 
     _team: BuiltInTeam | None = None
     _observed: str  # the array of `array_specs` that agents observe
-    _space: spaces.Box  # of one agent's observation
 
     def _set_up(
         self, config: Any, changes: Any, action_mask: bool | str, mode: str | None, *modes: str
@@ -212,10 +211,10 @@ class PlaysTeam:
         self.render_mode = mode
         self.metadata: dict[str, Any] = {"render_modes": list(modes), "render_fps": 10}
 
-    def _choose_observation(
+    def _space_of(
         self, observation: Observation, dtype: DTypeLike | None, flatten: bool
-    ) -> None:
-        """Set the array and the space of observations."""
+    ) -> spaces.Box:
+        """Return the space of one agent's observation, and keep which array that is."""
         check_choice("observation", observation, _OBSERVED)
         self._observed, dtypes = _OBSERVED[observation]
         found: np.dtype[Any] = np.dtype(dtypes[0] if dtype is None else dtype)
@@ -227,7 +226,7 @@ class PlaysTeam:
         most = [bound or np.inf for *_, bound in _core.inputs()] if observation == "named" else 1
         high = np.full(shape, most, found)
         flat = check_bool("flatten", flatten)
-        self._space = spaces.Box(0, high.ravel() if flat else high, dtype=found.type)
+        return spaces.Box(0, high.ravel() if flat else high, dtype=found.type)
 
     @property
     def opponents(self) -> tuple[Plays, ...]:

@@ -103,7 +103,7 @@ class MatrixWorldBase(PlaysTeam):
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
         self._set_up(config, changes, action_mask, render_mode, *RENDER_MODES)
-        self._choose_observation(observation, dtype, flatten)
+        self._space = self._space_of(observation, dtype, flatten)
         self._read = {self._observed, *["views"] * self._masks.given}
         self.world = World(self.config)
         variant = variant_name(self.config.rules).lower() or "custom"

@@ -122,12 +122,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | statistics of the last ended episode, as in `EpisodeStatistics`; whether it ended in this step |
     """  # noqa: E501  (a row of a table is one line)
 
-    single_observation_space: spaces.Box
-    single_action_space: spaces.MultiDiscrete
-    observation_space: spaces.Space[NDArray[Any]]
-    action_space: spaces.Space[NDArray[Any]]
     _team: BuiltInWorlds | None
-    _views: NDArray[Any]  # only with masks
 
     def __init__(
         self,
@@ -148,7 +143,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
         self._set_up(config, changes, action_mask, render_mode, "rgb_array")
-        self._choose_observation(observation, dtype, flatten)
+        self._space = self._space_of(observation, dtype, flatten)
         self.num_envs: int = checks.check_integer("n_worlds", n_worlds, 1)
         given = getattr(autoreset_mode, "value", autoreset_mode)
         checks.check_choice("autoreset_mode", given, [each.value for each in AutoresetMode])
@@ -163,10 +158,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         if self._masks.given or built_in is not None:  # functions that play see views
             asked.add("views")
         kept = _make_buffers(self.config, self.num_envs, asked, self._observed, self._space.dtype)
-        reset = Autoreset[mode.name]
-        self._batch = Batch(
-            self.num_envs, self.config, threads=threads, autoreset=reset, buffers=kept
-        )
+        how: Any = {"threads": threads, "autoreset": Autoreset[mode.name], "buffers": kept}
+        self._batch = Batch(self.num_envs, self.config, **how)
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
         everyone = range(self.config.n_agents)
         self.agents: range = everyone if self._team is None else self._team.learners
@@ -182,7 +175,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
             self.infos["opponent"] = self._team.chosen
             self.infos["episode"]["opponent"] = self._team.last
         if self._masks.given:
-            self._views = mine["views"]
+            self._views: NDArray[Any] = mine["views"]
             self.infos["action_mask"] = self._masks.of(self._views, self.agents.start)
         n_actions = self.config.n_actions
         self.single_observation_space = _widened(self._space, shape[1:])
@@ -314,11 +307,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``, and
     ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
     """
-
-    single_observation_space: spaces.Box
-    single_action_space: spaces.Discrete
-    observation_space: spaces.Space[NDArray[Any]]
-    action_space: spaces.Space[NDArray[Any]]
 
     def __init__(self, worlds: VectorEnv, team: Team | None = None) -> None:
         checks.check_instance("worlds", worlds, VectorEnv)
