@@ -10,8 +10,6 @@ from matrixworld.analysis.intervals import (
     generalization_over_episodes,
     linear_over_episodes,
 )
-from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.plots.runs import race_curves
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK
 
 
@@ -77,19 +75,3 @@ def test_the_bootstrap_of_one_task_is_that_of_rliable(monkeypatch):
     found = analysis.interquartile_mean(TASK)
     # The scores have two decimals, so the ends move in steps of 1/600.
     np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)
-
-
-PAYOFFS = np.random.default_rng(0).random((4, 7, 5))
-
-
-def test_curves_of_races_are_those_of_their_runs():
-    curves = race_curves(PAYOFFS)
-    for run, payoff in enumerate(PAYOFFS):
-        scores, ratings = analysis.generalization(payoff), analysis.elo(payoff)
-        for team in ("pursuer", "evader"):
-            of_team = getattr(scores, f"{team}s"), ELO_POINTS * getattr(ratings, f"{team}s")
-            np.testing.assert_array_equal(curves[f"{team}_generalization"][run], of_team[0])
-            np.testing.assert_array_equal(curves[f"{team}_ratings"][run], of_team[1])
-        np.testing.assert_array_equal(
-            curves["lag_profile"][run], analysis.lag_profile(payoff).means
-        )

@@ -10,9 +10,9 @@ from matplotlib.colors import to_hex
 from matrices import circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
-from matrixworld.analysis.intervals import generalization_over_episodes
+from matrixworld.analysis.intervals import UNIT, generalization_over_episodes
 from matrixworld.plots.race import collision_rates, training_curve
-from matrixworld.plots.runs import race_curves, seed_bands, seed_scores
+from matrixworld.plots.runs import seed_scores
 from matrixworld.plots.style import FORMATS
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
@@ -121,24 +121,19 @@ def thick(axes):
 
 def test_bands_show_means_and_intervals_over_seeds():
     groups = {"one": analysis.read_payoffs(MATRICES), "two": analysis.read_payoffs(MATRICES[:1])}
-    figure = seed_bands(groups, {"one": judged_seeds(4), "two": judged_seeds(1)})
-    (scores, single), (strength, _), (lags, _) = np.reshape(figure.axes, (3, 2))
-    curves = race_curves(MATRICES)
-    bands = {name: analysis.band_over_runs(each) for name, each in curves.items()}
-    for axes, expected in (
-        (scores, (bands["pursuer_generalization"], bands["evader_generalization"])),
-        (strength, (bands["pursuer_ratings"], bands["evader_ratings"])),
-        (lags, (bands["lag_profile"],)),
-    ):
-        # An empty band may follow, for the legend.
-        for drawn, band, filled in zip(thick(axes), expected, axes.collections, strict=False):
-            np.testing.assert_allclose(drawn, band.mean)
-            check_band(filled, band)
-    assert (
-        scores.get_title().replace("\nruns", " runs")
-        == f"one\n4 seeds\n{analysis.sentence(judged_seeds(4))}"
-    )
-    assert single.get_title().startswith("two\n1 seed: no band")
+    figure = plots.comparison(groups, {"one": judged_seeds(4), "two": judged_seeds(1)})
+    (maps, _), (lags, _), (scores, single) = np.reshape(figure.axes[:6], (3, 2))
+    np.testing.assert_array_equal(maps.images[0].get_array(), MATRICES.mean(axis=0))
+    profiles = [analysis.lag_profile(matrix) for matrix in MATRICES]
+    means = analysis.band_over_runs([each.means for each in profiles], bounds=UNIT)
+    teams = zip(*map(analysis.generalization, MATRICES), strict=True)
+    bands = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
+    check_band(lags.collections[0], means)
+    # An empty band may follow, for the legend.
+    for drawn, band, filled in zip(thick(scores), bands, scores.collections, strict=False):
+        np.testing.assert_allclose(drawn, band.mean)
+        check_band(filled, band)
+    assert len(scores.lines) == 2 * (1 + 4) + 1  # and for the legend
     assert not single.collections
 
 

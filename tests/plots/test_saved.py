@@ -12,7 +12,7 @@ from matrixworld.plots import saved
 from own_games import pictures, short_race, words
 from tiny_race import tiny_race, tiny_single
 
-TOGETHER = ["seeds", "verdicts", "held_out"]
+TOGETHER = ["comparison", "verdicts", "held_out"]
 
 
 @pytest.fixture(autouse=True)
@@ -76,7 +76,7 @@ def test_figures_of_your_own_game_have_its_words(tmp_path):
             assert not [t for t in texts if re.search("pursue|evade|captur|escap", t)], file
             assert any("hosts" in t for t in texts) or file.stem == "verdicts"
             seen.append(file.stem)
-    assert {*seen} == {*saved.OF_RUN, "seeds", "verdicts", "comparison"} - {*saved.OF_PURSUIT}
+    assert {*seen} == {*saved.OF_RUN, "verdicts", "comparison"} - {*saved.OF_PURSUIT}
 
 
 def test_collisions_are_counted_per_1000_steps_of_an_agent(race):

@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
-from matrixworld.analysis.intervals import Band, generalization_over_episodes
-from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, require
+from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
+from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -91,11 +91,13 @@ def comparison(
     *,
     teams: Sequence[str] = style.TEAMS,
 ) -> Figure:
-    """Draw single races side by side, on the same scales, at most 3 in a row.
+    """Draw races side by side, on the same scales, at most 3 in a row.
 
-    Each race has its heat map, its lag profile and its generalization curves, in a column below its
-    name and its judgement: of `payoffs` of one run, as :func:`matrixworld.analysis.read_payoffs`
-    takes them, and `judgements`, both by the name of the race. The `teams` may have other names.
+    Each race, one run or several, has the heat map of its mean payoff, its lag profile and its
+    generalization curves, in a column below its name and its judgement: of `payoffs` as
+    :func:`matrixworld.analysis.read_payoffs` takes them, and `judgements`, both by the name of the
+    race. Bands are 95% intervals over its runs, or over the episodes of a single one; thin lines
+    are single runs, if at most 10. The `teams` may have other names.
     """
     style.check_some(payoffs, "race")
     words = style.words_of(teams)
@@ -107,10 +109,8 @@ def comparison(
     width = style.room(figure, columns + 0.3)
     for (heatmap, lags, scores), (name, source) in zip(panels, payoffs.items(), strict=True):
         race = analysis.read_payoffs(source)
-        require(len(race) == 1, f"one run of {name}", len(race))
-        [matrix] = race.matrices
-        _draw_heatmap(heatmap, matrix, words)
-        _draw_lag_profile(lags, matrix, words)
+        _draw_heatmap(heatmap, race.matrices.mean(axis=0), words)
+        _draw_lag_profile(lags, race.matrices, words)
         _draw_generalization(scores, race, words)
         lags.set_title("lag profile", size="medium")
         scores.set_title("generalization", size="medium")
@@ -128,7 +128,8 @@ def comparison(
         # The scales are shared, so one label per row is enough.
         for axes in [axes for column in row[1:] for axes in column]:
             axes.set_ylabel("")
-    style.legend_below(figure, style.labelled(panels[0][2], panels[0][1]), columns=min(columns, 3))
+    curves = [axes for _, lags, scores in panels for axes in (scores, lags)]
+    style.legend_below(figure, style.labelled(*curves), columns=min(columns, 3))
     # A first pass of the layout: one alone leaves the names of three races above the edge.
     layout = figure.get_layout_engine()
     if layout is not None:
@@ -171,15 +172,19 @@ def _draw_cells(axes: Axes, cells: Rates, **look: Any) -> AxesImage:
     return axes.imshow(cells, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP, **look)
 
 
-def _draw_lag_profile(axes: Axes, payoff: ArrayLike, words: style.Words) -> None:
-    profile = analysis.lag_profile(payoff)
+def _draw_lag_profile(axes: Axes, matrices: Rates, words: style.Words) -> None:
+    profiles = [analysis.lag_profile(matrix) for matrix in matrices]
+    lags, counts = profiles[0].lags, profiles[0].cells
     # In a small matrix no lag has FEWEST_CELLS cells; the middle half of its lags is solid then.
-    cells = min(FEWEST_CELLS, (profile.cells.max() + 1) // 2)
-    solid = profile.cells >= cells
+    cells = min(FEWEST_CELLS, (counts.max() + 1) // 2)
+    means = [profile.means for profile in profiles]
+    band = analysis.band_over_runs(means, places=lags, bounds=UNIT)
     faint = f"lags with fewer than {cells} cells"
-    axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.3, linewidth=1.0, label=faint)
-    axes.plot(profile.lags[solid], profile.means[solid], color=colors.INK, linewidth=1.8)
-    mark_lag_0(axes)
+    axes.plot(lags, band.mean, color=colors.INK, alpha=0.3, linewidth=1.0, label=faint)
+    solid = counts >= cells
+    axes.plot(lags[solid], band.mean[solid], color=colors.INK, linewidth=1.8)
+    style.draw_runs(axes, band, means, colors.INK)
+    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
     axes.set(xlabel=words.lag, ylabel=f"mean {words.score}")
     style.generation_axis(axes)
     style.unit_axis(axes)
@@ -188,32 +193,25 @@ def _draw_lag_profile(axes: Axes, payoff: ArrayLike, words: style.Words) -> None
     axes.text(0.98, 0.03, f"later {words.teams[0]}", ha="right", va="bottom", **aside)
 
 
-def mark_lag_0(axes: Axes) -> None:
-    """Draw a line where opponents are of the same generation."""
-    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
-
-
 def _draw_generalization(axes: Axes, race: Payoffs, words: style.Words) -> None:
-    """Draw the mean scores of both teams in one run, with bands over its episodes."""
-    if race.scores is not None and race.has_episodes:
+    """Draw the mean scores of both teams, with bands over seeds, or over episodes of one run."""
+    teams = [*zip(*map(analysis.generalization, race.matrices), strict=True)]
+    bands: Iterable[Band] = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
+    interval = "95% interval of the mean over seeds"
+    if len(race) == 1 and race.scores is not None and race.has_episodes:
         bands = generalization_over_episodes(race.scores[0])
-    else:
-        one, other = analysis.generalization(race.matrices[0])
-        bands = analysis.band_over_runs([one]), analysis.band_over_runs([other])
-    draw_teams(axes, bands, "95% interval over episodes", words)
-    style.unit_axis(axes)
-
-
-def draw_teams(axes: Axes, bands: Iterable[Band], interval: str, words: style.Words) -> None:
-    """Draw the curves of both teams, the second dashed, and the intervals if they have some."""
-    looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), words.scores, strict=True)
-    for band, color, line, label in looks:
-        style.draw_band(axes, band, color, line, label=label)
+        interval = "95% interval over episodes"
+    looks = zip(bands, teams, colors.TEAMS, ("-", style.EVADERS), words.scores, strict=True)
+    for band, curves, color, line, label in looks:
+        axes.plot(band.places, band.mean, color=color, linestyle=line, linewidth=1.7, label=label)
+        style.draw_runs(axes, band, curves, color)
     if band.low is not None:
         # An empty band for the legend, whose entry is of both teams.
         axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
+    style.label_runs(axes, len(race))
     axes.set_xlabel("generation")
     style.generation_axis(axes)
+    style.unit_axis(axes)
 
 
 # ---- While it learns ---------------------------------------------------------------------------

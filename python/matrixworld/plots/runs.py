@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -10,19 +9,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import checks, colors
-from matrixworld.analysis.intervals import UNBOUNDED, UNIT, Bounds, fewest_runs
+from matrixworld.analysis.intervals import UNBOUNDED, Bounds, fewest_runs
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
-from matrixworld.analysis.payoffs import Payoffs, Rates
-from matrixworld.analysis.ratings import ELO_POINTS
+from matrixworld.analysis.payoffs import Rates
 from matrixworld.plots import style
-from matrixworld.plots.race import draw_teams, mark_lag_0
 
-TEAMS = ("pursuer", "evader")
-OVER_SEEDS = "95% interval of the mean over seeds"
 NAMES = 3  # share of the width that the names of groups may take: a third
 
 
@@ -109,9 +104,9 @@ def run_curves(
     for index, (name, curves) in enumerate(groups.items()):
         color, line = style.LINES[index % len(style.LINES)]
         band = analysis.band_over_runs(curves, places=places, bounds=bounds)
-        _draw_singles(axes, band.places, curves, color)
-        style.draw_band(axes, band, color, line, label=name)
-    _label_singles(axes, min(len(np.asarray(curves)) for curves in groups.values()))
+        axes.plot(band.places, band.mean, color=color, linestyle=line, linewidth=1.7, label=name)
+        style.draw_runs(axes, band, curves, color)
+    style.label_runs(axes, min(len(np.asarray(curves)) for curves in groups.values()))
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
     axes.set(xlabel=along, ylabel=label)
     style.generation_axis(axes)
@@ -143,93 +138,6 @@ def seed_scores(scores: Mapping[str, Mapping[str, Rates]]) -> Figure:
     _label_dots(panels[0], "mean of one run", mean)
     title = "Scores of the last generation against held-out opponents"
     return style.finished(figure, style.labelled(panels[0]), title, columns=2)
-
-
-GROUPS = 5  # the most groups of seeds beside each other; further ones are in rows below
-
-
-def seed_bands(
-    payoffs: Mapping[str, Payoffs],
-    judgements: Mapping[str, Judgement],
-    *,
-    teams: Sequence[str] = style.TEAMS,
-) -> Figure:
-    """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
-
-    The rows show generalization, Elo rating and lag profile.
-    """
-    words = style.words_of(teams)
-    figure, panels, columns = style.columns_of_groups(
-        len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
-    )
-    width = style.room(figure, max(2, columns) + 0.3)
-    for number, (column, (name, of_group)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        _draw_group(column, of_group.matrices, words)
-        counted = "1 seed: no band" if len(of_group) == 1 else f"{len(of_group)} seeds"
-        judged = textwrap.wrap(analysis.sentence(judgements[name]), width)
-        head = [style.wrapped(name, width), counted, *judged]
-        column[0].set_title("\n".join(head), size="medium")
-        names = ("mean score", "Elo rating (points)", f"mean {words.score}")
-        style.label_first(column, names, is_first=number % columns == 0)
-    ends = [column[1].get_ylim() for column in panels]
-    for column in panels:  # all groups have the same scale of ratings
-        column[1].set_ylim(min(low for low, _ in ends), max(high for _, high in ends))
-    entries = style.labelled(*(column[0] for column in panels))
-    return style.finished(figure, entries, None, columns=2 if columns < 3 else 4)
-
-
-def race_curves(matrices: Rates) -> dict[str, Rates]:
-    """Return mean generalization, Elo points and lag profile of runs (runs, n, m), each (runs, k).
-
-    By name: ``pursuer_generalization``, ``evader_ratings`` and so on, and ``lag_profile``.
-    """
-    curves = {"lag_profile": np.array([analysis.lag_profile(each).means for each in matrices])}
-    scores: list[Any] = [analysis.generalization(each) for each in matrices]
-    ratings: list[Any] = [analysis.elo(each) for each in matrices]
-    for team in TEAMS:
-        name = f"{team}s"
-        curves[f"{team}_generalization"] = np.array([getattr(each, name) for each in scores])
-        curves[f"{team}_ratings"] = ELO_POINTS * np.array([getattr(each, name) for each in ratings])
-    return curves
-
-
-def _draw_group(column: Sequence[Axes], matrices: Rates, words: style.Words) -> None:
-    """Draw the three panels of a group."""
-    curves, lags = race_curves(matrices), analysis.lag_profile(matrices[0]).lags
-    scores, strength, profile = column
-    for axes, number, bounds in (
-        (scores, "generalization", UNIT),
-        (strength, "ratings", UNBOUNDED),
-    ):
-        of_teams = [curves[f"{team}_{number}"] for team in TEAMS]
-        for of_team, color in zip(of_teams, colors.TEAMS, strict=True):
-            _draw_singles(axes, np.arange(of_team.shape[1]), of_team, color)
-        bands = [analysis.band_over_runs(of_team, bounds=bounds) for of_team in of_teams]
-        draw_teams(axes, bands, OVER_SEEDS, words)
-    band = analysis.band_over_runs(curves["lag_profile"], places=lags, bounds=UNIT)
-    _draw_singles(profile, lags, curves["lag_profile"], colors.INK)
-    style.draw_band(profile, band, colors.INK, "-")
-    mark_lag_0(profile)
-    profile.set_xlabel(words.lag.replace("minus ", "minus\n"))
-    for axes in column:
-        style.generation_axis(axes)
-        style.plain_axis(axes)
-    style.unit_axis(scores)
-    style.unit_axis(profile)
-    _label_singles(scores, len(matrices))
-
-
-def _draw_singles(axes: Axes, places: NDArray[Any], curves: ArrayLike, color: str) -> None:
-    """Draw a thin line for each run, if they are few."""
-    if len(np.asarray(curves)) <= style.MOST_LINES:
-        # Smooth edges of many thin lines would make the picture several times as large.
-        look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
-        axes.plot(places, np.asarray(curves).T, color=color, **look)
-
-
-def _label_singles(axes: Axes, runs: int) -> None:
-    if runs <= style.MOST_LINES:
-        axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
 
 
 NOT_FINISHED = "not finished"

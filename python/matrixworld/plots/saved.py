@@ -15,13 +15,12 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
 from matrixworld.analysis import Judgement
-from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.plots import race as of_race
 from matrixworld.plots import style
-from matrixworld.plots.runs import seed_bands, seed_scores, verdict_strip
+from matrixworld.plots.runs import seed_scores, verdict_strip
 
 
 def figures_of(
@@ -35,10 +34,10 @@ def figures_of(
     check_choice("suffix", suffix, style.FORMATS)
     races = [group for group in groups if group.is_race]
     seeds = [group for group in races if group.several]
-    together = ["comparison"] if len(races) > 1 else []
+    together = ["comparison"] if len(races) > 1 or seeds else []
     if seeds:
         own_games = any(group.runs[0].settings.game for group in groups)
-        together = ["seeds", "verdicts", *([] if own_games else ["held_out"])]
+        together += ["verdicts", *([] if own_games else ["held_out"])]
     found: dict[Path, Callable[[], Figure]] = {}
     alone = [group for group in groups if each or group not in seeds]
     for single in [single for group in alone for single in group.singles]:
@@ -101,7 +100,7 @@ def _collisions(group: RunGroup) -> Figure:
 
 
 def _payoff(group: RunGroup) -> Figure:
-    return _compared({group.runs[0].title: group})
+    return _comparison({group.runs[0].title: group})
 
 
 OF_RUN: dict[str, Callable[[RunGroup], Figure]] = {
@@ -117,22 +116,9 @@ Groups = Mapping[str, RunGroup]
 
 
 def _comparison(groups: Groups) -> Figure:
-    singles = {
-        f"{name}, seed {single.seeds[0]}" if group.several else name: single
-        for name, group in groups.items()
-        for single in group.singles
-    }
-    return _compared(singles)
-
-
-def _compared(groups: Groups) -> Figure:
-    """Draw single races side by side."""
     teams = _teams(*groups.values())
-    return of_race.comparison(_payoffs(groups), _judgements(groups), teams=teams)
-
-
-def _seeds(groups: Groups) -> Figure:
-    return seed_bands(_payoffs(groups), _judgements(groups), teams=_teams(*groups.values()))
+    payoffs = {name: group.payoffs for name, group in groups.items()}
+    return of_race.comparison(payoffs, _judgements(groups), teams=teams)
 
 
 def _verdicts(groups: Groups) -> Figure:
@@ -149,17 +135,12 @@ def _held_out(groups: Groups) -> Figure:
     )
 
 
-def _payoffs(groups: Groups) -> dict[str, Payoffs]:
-    return {name: group.payoffs for name, group in groups.items()}
-
-
 def _judgements(groups: Groups) -> dict[str, Judgement]:
     return {name: group.judgement for name, group in groups.items()}
 
 
 OF_GROUPS: dict[str, Callable[[Groups], Figure]] = {
     "comparison": _comparison,
-    "seeds": _seeds,
     "verdicts": _verdicts,
     "held_out": _held_out,
 }

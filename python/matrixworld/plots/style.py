@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
+from numpy.typing import ArrayLike
 
 from matrixworld._util import colors
 from matrixworld._util.checks import check_instance, check_sequence
@@ -154,15 +155,6 @@ def columns_of_groups(
     return figure, panels[:count], columns
 
 
-def label_first(column: Sequence[Axes], names: Sequence[str], *, is_first: bool) -> None:
-    """Label the vertical axes of the first column only: all columns have the same scales."""
-    for axes, name in zip(column, names, strict=True):
-        if is_first:
-            axes.set_ylabel(name)
-        else:
-            axes.tick_params(labelleft=False)
-
-
 def labelled(*panels: Axes) -> dict[str, Artist]:
     """Return what is labelled in some panels, each label once, for a legend."""
     found = (axes.get_legend_handles_labels() for axes in panels)
@@ -217,12 +209,20 @@ def generation_axis(axes: Axes) -> None:
     axes.margins(x=0.02)
 
 
-def draw_band(axes: Axes, band: Band, color: str, line: str, *, label: str = "") -> None:
-    """Draw a mean curve, and its interval as a band if it has one."""
-    look: dict[str, Any] = {"color": color, "linestyle": line, "linewidth": 1.7}
-    axes.plot(band.places, band.mean, label=label or None, **look)
+def draw_runs(axes: Axes, band: Band, curves: ArrayLike, color: str) -> None:
+    """Draw the band around a mean curve if there is one, and some runs (runs, k) as thin lines."""
     if band.low is not None and band.high is not None:
         axes.fill_between(band.places, band.low, band.high, color=color, alpha=0.22, linewidth=0)
+    if 1 < len(np.asarray(curves)) <= MOST_LINES:
+        # Smooth edges of many thin lines would make the picture several times as large.
+        look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
+        axes.plot(band.places, np.asarray(curves).T, color=color, **look)
+
+
+def label_runs(axes: Axes, runs: int) -> None:
+    """Label the thin lines of single runs, if there are some."""
+    if 1 < runs <= MOST_LINES:
+        axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
 
 
 FORMATS = ("png", "pdf", "svg")
