@@ -81,7 +81,7 @@ def ciao_triangles(
         image, ax=list(panels), label="score (0 loses, 1 wins)", location="bottom", shrink=0.6,
         aspect=30,
     )  # fmt: skip
-    style.entitle(figure, title)
+    figure.suptitle(style.fitting(figure, title))
     return figure
 
 
@@ -101,9 +101,14 @@ def comparison(
     """
     style.check_some(payoffs, "race")
     words = style.words_of(teams)
-    figure, panels, columns = style.columns_of_groups(
-        len(payoffs), COLUMNS, width=(1.2, 2.7), height=(0.6, 7.1), heights=(1.7, 0.8, 0.8)
-    )
+    lines = -(-len(payoffs) // COLUMNS)
+    columns = -(-len(payoffs) // lines)  # as many in each line, but the last
+    figure, heights = style.new_figure(1.2 + 2.7 * columns, 0.6 + 7.1 * lines), (1.7, 0.8, 0.8)
+    grid = figure.subplots(3 * lines, columns, squeeze=False, height_ratios=heights * lines)
+    panels = [grid[3 * line : 3 * line + 3, k] for line, k in np.ndindex(lines, columns)]
+    for axes in np.ravel(panels[len(payoffs) :]):
+        axes.remove()
+    panels = panels[: len(payoffs)]
     heads: dict[str, list[str]] = {}
     known = style.by_name("judgements", judgements)
     width = style.room(figure, columns + 0.3)
@@ -112,10 +117,6 @@ def comparison(
         _draw_heatmap(heatmap, race.matrices.mean(axis=0), words)
         _draw_lag_profile(lags, race.matrices, words)
         _draw_generalization(scores, race, words)
-        lags.set_title("lag profile", size="medium")
-        scores.set_title("generalization", size="medium")
-        scores.set_ylabel("mean score")
-        lags.set_xlabel(words.lag.replace("minus ", "minus\n"))
         judged = analysis.sentence(known[name]) if name in known else ""
         heads[name] = textwrap.wrap(judged, int(width / SMALL))
     _write_heads([heatmap for heatmap, *_ in panels], heads, width)
@@ -186,6 +187,7 @@ def _draw_lag_profile(axes: Axes, matrices: Rates, words: style.Words) -> None:
     style.draw_runs(axes, band, means, colors.INK)
     axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
     axes.set(xlabel=words.lag, ylabel=f"mean {words.score}")
+    axes.set_title("lag profile", size="medium")
     style.generation_axis(axes)
     style.unit_axis(axes)
     aside: dict[str, Any] = {"color": colors.MUTED, "size": "small", "transform": axes.transAxes}
@@ -209,7 +211,8 @@ def _draw_generalization(axes: Axes, race: Payoffs, words: style.Words) -> None:
         # An empty band for the legend, whose entry is of both teams.
         axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
     style.label_runs(axes, len(race))
-    axes.set_xlabel("generation")
+    axes.set(xlabel="generation", ylabel="mean score")
+    axes.set_title("generalization", size="medium")
     style.generation_axis(axes)
     style.unit_axis(axes)
 

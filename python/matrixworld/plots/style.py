@@ -50,7 +50,7 @@ class Words(NamedTuple):
     teams: tuple[str, str] = TEAMS
     score: str = "capture rate"
     generations: tuple[str, str] = ("pursuer generation", "evader generation")
-    lag: str = "lag: pursuer minus evader generation"
+    lag: str = "lag: pursuer minus\nevader generation"
     scale: str = "capture rate\n(0 all escape, 1 all caught)"
     scores: tuple[str, str] = (
         "pursuers (score: capture rate)",
@@ -73,7 +73,7 @@ def words_of(teams: Sequence[str]) -> Words:
         (first, second),
         f"score of {first}",
         (f"generation of {first}", f"generation of {second}"),
-        f"lag: generation of {first} minus that of {second}",
+        f"lag: generation of {first} minus\nthat of {second}",
         f"score of {first}\n(0 {second} win, 1 {first} win)",
         (f"{first} (score)", f"{second} (1 - score)"),
     )
@@ -111,12 +111,6 @@ def single(width: float, height: float, title: str | None = None) -> tuple[Figur
     return figure, axes
 
 
-def entitle(figure: Figure, title: str | None) -> None:
-    """Write a title above all panels of a figure, if there is one."""
-    if title:
-        figure.suptitle(fitting(figure, title))
-
-
 def check_some(groups: Mapping[str, object], what: str = "group of runs") -> None:
     """Raise TypeError unless groups are named, and ValueError if there is nothing to draw."""
     check_instance(f"{what}s by name", groups, Mapping)
@@ -129,30 +123,6 @@ def by_name(name: str, values: Mapping[str, OfName] | None) -> Mapping[str, OfNa
         return {}
     check_instance(name, values, Mapping)
     return values
-
-
-def columns_of_groups(
-    count: int,
-    most: int,
-    *,
-    width: tuple[float, float],
-    height: tuple[float, float],
-    heights: tuple[float, ...],
-    least: float = 0.0,
-) -> tuple[Figure, list[list[Axes]], int]:
-    """Return a figure, a column of panels for each group, and how many are beside each other.
-
-    Lines are equally long. Width and height have a part for each column, line.
-    """
-    lines = -(-count // most)
-    columns = -(-count // lines)
-    figure = new_figure(max(least, width[0] + width[1] * columns), height[0] + height[1] * lines)
-    rows = len(heights)
-    grid = figure.subplots(rows * lines, columns, squeeze=False, height_ratios=heights * lines)
-    panels = [[*grid[rows * line : rows * (line + 1), k]] for line, k in np.ndindex(lines, columns)]
-    for axes in (axes for column in panels[count:] for axes in column):
-        axes.remove()
-    return figure, panels[:count], columns
 
 
 def labelled(*panels: Axes) -> dict[str, Artist]:
@@ -180,7 +150,8 @@ def finished(
 ) -> Figure:
     """Return a figure with its legend below all axes, and its title above them."""
     legend_below(figure, entries, columns=columns)
-    entitle(figure, title)
+    if title:
+        figure.suptitle(fitting(figure, title))
     return figure
 
 
