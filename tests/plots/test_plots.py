@@ -12,7 +12,7 @@ from matrixworld import analysis, plots
 from matrixworld._util import colors
 from matrixworld.analysis.intervals import UNIT, generalization_over_episodes
 from matrixworld.plots.race import collision_rates, training_curve
-from matrixworld.plots.runs import seed_scores
+from matrixworld.plots.runs import LOOKS
 from matrixworld.plots.style import FORMATS
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
@@ -142,35 +142,15 @@ def test_the_strip_has_a_cell_for_each_verdict():
     figure = plots.verdict_strip({"a": judgement}, {"a": (2, 5, 9)}, {"a": (7,)})
     (axes,) = figure.axes
     findings = judgement.findings
-    looks = {"present": colors.BLUE, "absent": colors.GRID, "cannot tell": colors.PAPER}
-    drawn = {(round(c.get_x()), round(c.get_y())): c for c in axes.patches}
-    for column, run in ((0, 0), (1, 1), (3, 2)):
-        for row, finding in enumerate(findings.values()):
-            patch = drawn[column, row]
-            expected = tuple(int(looks[finding.by_run[run]][k : k + 2], 16) for k in (1, 3, 5))
-            assert tuple(round(255 * part) for part in patch.get_facecolor()[:3]) == expected
-    assert all(drawn[2, row].get_hatch() for row in range(len(findings)))
+    (mesh,) = axes.collections
+    kinds, cells = [*LOOKS], np.array(mesh.get_array()).reshape(len(findings), 4)
+    for row, finding in enumerate(findings.values()):
+        drawn = [kinds[int(cell)] for cell in cells[row]]
+        assert drawn == [*finding.by_run[:2], "not finished", finding.by_run[2]]
     names = [tick.get_text() for tick in axes.get_xticklabels()]
-    assert names == ["2", "5", "7", "9", "all together"]
-    words = [text.get_text() for text in axes.texts]
-    assert words[-len(findings) :] == [finding.verdict for finding in findings.values()]
-
-
-def test_scores_show_seeds_and_interquartile_means():
-    scores = {"a": {"pursuer": RNG.random((7, 5)), "evader": RNG.random((7, 5))},
-              "b": {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}}  # fmt: skip
-    pursuers, evaders = seed_scores(scores).axes
-    # Seven seeds have an interval, three have none.
-    a = analysis.interquartile_mean(scores["a"]["pursuer"])
-    bar, diamond, other = (line for line in pursuers.lines if len(line.get_xdata()))
-    np.testing.assert_allclose(bar.get_xdata(), [a.low, a.high])
-    np.testing.assert_allclose(diamond.get_xdata(), a.value)
-    b = analysis.interquartile_mean(scores["b"]["pursuer"])
-    np.testing.assert_allclose(other.get_xdata(), b.value)
-    dots = np.asarray(pursuers.collections[0].get_offsets())[:, 0]
-    np.testing.assert_allclose(dots, scores["a"]["pursuer"].mean(axis=1))
-    names = [[tick.get_text() for tick in axes.get_yticklabels()] for axes in (pursuers, evaders)]
-    assert names == [["a (7 seeds)", "b (3 seeds)"]] * 2
+    assert names == ["2", "5", "7", "9"]
+    rows = [tick.get_text() for tick in axes.get_yticklabels()]
+    assert rows == [f"{name}: {finding.verdict}" for name, finding in findings.items()]
 
 
 def test_dots_are_the_runs_and_the_diamond_is_their_mean():

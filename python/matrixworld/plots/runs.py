@@ -1,21 +1,21 @@
-"""Figures of groups of runs: any number or curve, bands over generations, verdicts, and scores."""
+"""Figures of groups of runs: any number or curve, and verdicts."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch, Rectangle
+from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import checks, colors
-from matrixworld.analysis.intervals import UNBOUNDED, Bounds, fewest_runs
-from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
-from matrixworld.analysis.payoffs import Rates
+from matrixworld.analysis.intervals import UNBOUNDED, Bounds
+from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Judgement
 from matrixworld.plots import style
 
 NAMES = 3  # share of the width that the names of groups may take: a third
@@ -48,9 +48,11 @@ def run_dots(
         dashes = style.DASHES[index % len(style.DASHES)]
         place = checks.check_real(f"level {name}", level)
         axes.axvline(place, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
-    _label_dots(axes, each, "mean, 95% interval")
-    _name_rows(figure, axes, groups, NAMES)
-    axes.set_xlabel(label)
+    axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
+    axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label="mean, 95% interval")
+    names = [style.wrapped(name, style.room(figure, NAMES)) for name in groups]
+    axes.set_yticks(np.arange(len(names)), names)
+    axes.set(ylim=(len(names) - 0.5, -0.5), xlabel=label)
     low, high = axes.get_xlim()
     numbers = np.concatenate([np.ravel(values) for values in groups.values()])
     if numbers.min() >= 0.0 and 0.5 <= numbers.max() <= 1.0:
@@ -67,20 +69,6 @@ def _draw_dots(axes: Axes, row: int, mean: analysis.Estimate, values: np.ndarray
     if mean.low is not None and mean.high is not None:
         axes.plot([mean.low, mean.high], [row + 0.2] * 2, color=colors.INK, linewidth=1.8)
     axes.plot(mean.value, row + 0.2, "D", color=colors.INK, markersize=5)
-
-
-def _label_dots(axes: Axes, each: str, mean: str) -> None:
-    axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
-    axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label=mean)
-
-
-def _name_rows(
-    figure: Figure, axes: Axes, names: Iterable[str], columns: float, **look: Any
-) -> None:
-    """Name the rows of a panel from above, in a part of the width of the figure."""
-    texts = [style.wrapped(name, style.room(figure, columns)) for name in names]
-    axes.set_yticks(np.arange(len(texts)), texts, **look)
-    axes.set_ylim(len(texts) - 0.5, -0.5)
 
 
 def run_curves(
@@ -115,42 +103,14 @@ def run_curves(
     return style.finished(figure, entries, title, columns=4 if len(entries) <= 4 else 3)
 
 
-SCORES = {"pursuer": "capture rate", "evader": "escape rate"}  # what the score of a team is called
-
-
-def seed_scores(scores: Mapping[str, Mapping[str, Rates]]) -> Figure:
-    """Draw scores (seeds, opponents) against held-out opponents, by group and then by team.
-
-    Dots are means of single seeds, diamonds the interquartile means of all.
-    """
-    drawn = {team: {name: each[team] for name, each in scores.items()} for team in SCORES}
-    figure = style.new_figure(6.6, 2.6 + len(scores))
-    panels = figure.subplots(len(drawn), 1)
-    for axes, (team, groups) in zip(panels, drawn.items(), strict=True):
-        for row, values in enumerate(groups.values()):
-            _draw_dots(axes, row, analysis.interquartile_mean(values), values.mean(axis=1))
-        names = [f"{name} ({len(values)} seeds)" for name, values in groups.items()]
-        _name_rows(figure, axes, names, NAMES, size="small")
-        axes.set(xlim=(-0.02, 1.02), xlabel=SCORES[team])
-        axes.set_title(f"{team}s", size="medium")
-        style.plain_axis(axes)
-    mean = f"interquartile mean, 95% interval from {fewest_runs()} seeds on"
-    _label_dots(panels[0], "mean of one run", mean)
-    title = "Scores of the last generation against held-out opponents"
-    return style.finished(figure, style.labelled(panels[0]), title, columns=2)
-
-
 NOT_FINISHED = "not finished"
-LOOKS: dict[str, dict[str, Any]] = {
-    PRESENT: {"facecolor": colors.BLUE, "edgecolor": colors.PAPER},
-    ABSENT: {"facecolor": colors.GRID, "edgecolor": colors.PAPER},
-    CANNOT_TELL: {"facecolor": colors.PAPER, "edgecolor": colors.MUTED, "linewidth": 0.6},
-    NOT_FINISHED: {"facecolor": colors.PAPER, "edgecolor": colors.FREE, "hatch": "/////"},
+LOOKS = {
+    PRESENT: colors.BLUE,
+    ABSENT: colors.GRID,
+    CANNOT_TELL: colors.PAPER,
+    NOT_FINISHED: colors.FREE,
 }
-"""How a verdict is drawn: dark, light, empty, or hatched, so that colours are not needed."""
-SIGNS = {PRESENT: "yes", ABSENT: "no", CANNOT_TELL: "?", NOT_FINISHED: ""}
-"""Words in the cells, if they are wide enough."""
-WORDED = 15  # most seeds whose cells have words
+"""How a verdict is drawn: tones that differ in grey, too."""
 
 
 def verdict_strip(
@@ -158,25 +118,23 @@ def verdict_strip(
     seeds: Mapping[str, Sequence[int]],
     missing: Mapping[str, Sequence[int]] | None = None,
 ) -> Figure:
-    """Draw the verdicts on each seed and on all together: a block for each group of runs.
+    """Draw the verdicts on each seed, and name those on all together: a block for each group.
 
-    By the names of the groups there are `judgements`, the `seeds` of the runs in their order, and
-    those that are `missing`, which have an empty column.
+    By the names of the groups of runs there are `judgements`, the `seeds` of the runs in their
+    order, and those that are `missing`, whose columns say so.
     """
     style.check_some(judgements)
     of_seeds, absent = style.by_name("seeds", seeds), style.by_name("missing", missing)
-    columns: dict[str, dict[int, dict[str, str]]] = {}
+    columns: dict[str, dict[int, list[str]]] = {}
     for name, judgement in judgements.items():
         checks.check_instance(name, judgement, Judgement)
         finished = _seeds(f"seeds of {name}", of_seeds.get(name, ()))
         if len(finished) != judgement.runs:
             raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(finished)}")
-        verdicts = {
-            seed: {each: found.by_run[run] for each, found in judgement.findings.items()}
-            for run, seed in enumerate(finished)
-        }
-        for seed in _seeds(f"missing of {name}", absent.get(name, ())):
-            verdicts[seed] = dict.fromkeys(CONDITIONS, NOT_FINISHED)
+        findings = judgement.findings.values()
+        verdicts = {seed: [f.by_run[run] for f in findings] for run, seed in enumerate(finished)}
+        left = _seeds(f"missing of {name}", absent.get(name, ()))
+        verdicts |= dict.fromkeys(left, [NOT_FINISHED] * len(findings))
         columns[name] = dict(sorted(verdicts.items()))
     most = max(map(len, columns.values()))
     figure = style.new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.1 + 2.15 * len(judgements))
@@ -186,7 +144,7 @@ def verdict_strip(
         head = style.wrapped(f"{name}: {analysis.sentence(judgement)}", style.room(figure, 1.3))
         axes.set_title(head, size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
-    entries = {name: Patch(**look) for name, look in LOOKS.items()}
+    entries = {name: Patch(facecolor=look, edgecolor=colors.MUTED) for name, look in LOOKS.items()}
     title = "Verdict on each seed, and on all together"
     return style.finished(figure, entries, title, columns=4)
 
@@ -199,34 +157,16 @@ def _seeds(name: str, given: Sequence[int]) -> list[int]:
 
 
 def _draw_verdicts(
-    axes: Axes, columns: Mapping[int, Mapping[str, str]], judgement: Judgement, most: int
+    axes: Axes, columns: Mapping[int, list[str]], judgement: Judgement, most: int
 ) -> None:
-    for place, verdicts in enumerate(columns.values()):
-        for row, name in enumerate(CONDITIONS):
-            word = SIGNS[verdicts[name]] if most <= WORDED else ""
-            _draw_cell(axes, place, row, 1.0, verdicts[name], word)
-    # The verdict on all seeds is apart from the single ones, and always in words.
-    width = max(2.4, 0.13 * most)
-    for row, name in enumerate(CONDITIONS):
-        verdict = judgement.findings[name].verdict
-        _draw_cell(axes, most + 0.5, row, width, verdict, verdict)
-    every = -(-most // 30)
-    places = [*range(0, len(columns), every)]
-    axes.set_xticks(
-        [*(place + 0.5 for place in places), most + 0.5 + width / 2],
-        [*(str([*columns][place]) for place in places), "all together"],
-    )
-    axes.set_yticks(np.arange(len(CONDITIONS)) + 0.5, CONDITIONS)
-    axes.set(xlim=(-0.05, most + 0.55 + width), ylim=(len(CONDITIONS) + 0.05, -0.05))
+    kinds = [*LOOKS]
+    cells = np.array([[kinds.index(verdict) for verdict in column] for column in columns.values()])
+    look: dict[str, Any] = {"edgecolors": colors.MUTED, "linewidth": 0.6}
+    axes.pcolormesh(cells.T, cmap=ListedColormap([*LOOKS.values()]), vmin=0, vmax=3, **look)
+    rows = [f"{name}: {finding.verdict}" for name, finding in judgement.findings.items()]
+    axes.set_yticks(np.arange(len(rows)) + 0.5, rows)
+    places = range(0, len(columns), -(-most // 30))
+    axes.set_xticks([place + 0.5 for place in places], [str([*columns][place]) for place in places])
+    axes.set(xlim=(0, most), ylim=(len(rows), 0))
     axes.tick_params(length=0, labelsize="small")
     axes.spines[:].set_visible(False)
-
-
-def _draw_cell(axes: Axes, x: float, y: float, width: float, verdict: str, word: str) -> None:
-    inset, look = 0.05, LOOKS[verdict]
-    axes.add_patch(Rectangle((x + inset, y + inset), width - 2 * inset, 1 - 2 * inset, **look))
-    if word:
-        axes.text(
-            x + width / 2, y + 0.5, word, ha="center", va="center", size="small",
-            color=colors.PAPER if verdict == PRESENT else colors.INK,
-        )  # fmt: skip

@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
 from matrixworld.analysis import Judgement
+from matrixworld.analysis.intervals import UNIT
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.plots import race as of_race
 from matrixworld.plots import style
-from matrixworld.plots.runs import seed_scores, verdict_strip
+from matrixworld.plots.runs import run_dots, verdict_strip
 
 
 def figures_of(
@@ -130,9 +131,13 @@ def _verdicts(groups: Groups) -> Figure:
 
 
 def _held_out(groups: Groups) -> Figure:
-    return seed_scores(
-        {name: {team: each.held_out(team) for team in TEAMS} for name, each in groups.items()}
-    )
+    scores = {
+        f"{name}, {team}s": group.held_out(team).mean(axis=1)
+        for name, group in groups.items()
+        for team in TEAMS
+    }
+    label = "score of the last generation against held-out opponents"
+    return run_dots(scores, label=label, bounds=UNIT)
 
 
 def _judgements(groups: Groups) -> dict[str, Judgement]:
