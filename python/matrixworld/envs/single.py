@@ -479,13 +479,11 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         evaders: Opponents = "clumsy-fleer",
         **settings: Any,
     ) -> None:
-        if str(agent).startswith("evader"):
-            self.env = MatrixWorldParallel(config, pursuers=pursuers, **settings)
-            mates = BuiltInTeam("evader", evaders, self.env.config)
-        else:
-            self.env = MatrixWorldParallel(config, evaders=evaders, **settings)
-            mates = BuiltInTeam("pursuer", pursuers, self.env.config)
-        self._mates = self.env._mates = mates
+        team: Team = "evader" if str(agent).startswith("evader") else "pursuer"
+        mates, others = (evaders, "pursuers") if team == "evader" else (pursuers, "evaders")
+        settings[others] = pursuers if team == "evader" else evaders
+        self.env = MatrixWorldParallel(config, **settings)
+        self._mates = self.env._mates = BuiltInTeam(team, mates, self.env.config)
         checks.check_choice("agent", agent, self.env.possible_agents)
         self.agent: str = agent
         self.observation_space: spaces.Box = self.env.observation_space(agent)
