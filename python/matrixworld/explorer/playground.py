@@ -75,6 +75,8 @@ from matrixworld.world.rules import (
 from matrixworld.world.world import World
 
 PAGE = "playground.html"  # name of the page where no other is given
+TEXTS = load_toml(Path(__file__).with_name("playground.toml"))
+"""Its examples, in their order, and what it calls the fields of `Rules`."""
 PIXELS = 400  # wanted length of the longer side of the picture of a scene
 
 Command = int | str  # what an agent does in a step: an `Action`, or what a script decides
@@ -103,7 +105,8 @@ class Playground:
             raise ValueError("world: expected a world together with actions or compare, got None")
         # As it stands in a link, and as a notebook shows it where it shows no frame.
         self.scene = "" if world is None else scene_link(world, actions, compare=compare)
-        shown = world or drawn_world(GALLERY[0]["rules"], GALLERY[0]["drawing"])
+        first = TEXTS["example"][0]
+        shown = world or drawn_world(first["rules"], first["drawing"])
         cell = fitting_cell((shown.config.rows, shown.config.cols), PIXELS, SMALLEST_NUMBERED)
         self.picture = png(shown.scene(), cell=cell, numbers=True)
 
@@ -239,17 +242,6 @@ def _text(name: str, player: TeamPolicy) -> str:
 
 # ---- What the page knows of the package ----------------------------------------------------------
 
-LABELS = {
-    "interaction": "Agents move",
-    "obstacle": "Obstacle or border: agent",
-    "teammate": "Teammates collide: both",
-    "evader": "Adversaries collide: evader",
-    "pursuer": "Adversaries collide: pursuer",
-    "capture": "Evaders are captured by",
-    "captured_disappear": "A surrounded evader",
-}
-"""The fields of `Rules`, as the page names them."""
-
 VALUES: Mapping[type, Mapping[Any, str]] = {
     Interaction: INTERACTION_TEXTS,
     Outcome: {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()},
@@ -275,11 +267,11 @@ def page_data(scene: str = "") -> dict[str, Any]:
                     for value, text in VALUES[type(getattr(Rules(), name))].items()
                 ],
             }
-            for name, label in LABELS.items()
+            for name, label in TEXTS["fields"].items()
         ],
         "rewards": {name: _plain(rewards) for name, rewards in REWARDS.items()},
         "scripts": [{"name": name, "text": text} for name, text in SCRIPT_TEXTS.items()],
-        "gallery": [plain_example(example) for example in GALLERY],
+        "gallery": [plain_example(example) for example in TEXTS["example"]],
         "scene": scene,
     }
 
@@ -399,10 +391,6 @@ def drawn_world(rules: Rules | str, drawing: str) -> World:
 
 
 ARROWS = {"^": Action.NORTH, ">": Action.EAST, "v": Action.SOUTH, "<": Action.WEST}
-GALLERY: Sequence[Mapping[str, str]] = load_toml(Path(__file__).with_name("gallery.toml"))[
-    "example"
-]
-"""The examples, in the order of the page; `gallery.toml` says what their fields mean."""
 
 
 def plain_example(example: Mapping[str, str]) -> dict[str, str]:
