@@ -92,14 +92,13 @@ class Band(Readable):
     """A mean curve with its pointwise interval; all of shape (k,).
 
     `places`: where the points lie, such as generations. `low` and `high` are NaN where there is no
-    interval, and None for a single run. `runs`: runs, or episodes, behind each point.
+    interval, and None for a single run.
     """
 
     places: NDArray[Any]
     mean: Rates
     low: Rates | None
     high: Rates | None
-    runs: NDArray[np.int64]
 
 
 def interval_over_runs(
@@ -184,13 +183,12 @@ def band_over_runs(
         at = np.asarray(places)
     mean = np.nansum(array, axis=0) / counts
     if len(array) == 1:
-        return Band(at, mean, None, None, counts)
+        return Band(at, mean, None, None)
     squares = (np.where(known, array - mean, 0.0) ** 2).sum(axis=0)
     # Single runs and equal ones say nothing about others; equal but for rounding, too.
     freedom = np.where(squares > 1e-24 * counts * np.maximum(1.0, mean**2), counts - 1.0, np.nan)
     half = t_quantile(level, freedom) * np.sqrt(squares / freedom / counts)
-    ends = np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1])
-    return Band(at, mean, *ends, counts)
+    return Band(at, mean, np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1]))
 
 
 def around(singles: Sequence[Estimate]) -> Estimate:

@@ -76,12 +76,8 @@ def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Band
     errors = np.sqrt(np.where(variances > 0.0, variances, np.nan))
     reach = float(t_quantile(level, episodes - 1)) * errors
     means = ELO_POINTS * ratings.pursuers, ELO_POINTS * ratings.evaders
-    return ByTeam(
-        *(
-            Band(np.arange(len(m)), m, m - r, m + r, np.full(len(m), episodes))
-            for m, r in zip(means, np.split(reach, [rows]), strict=True)
-        )
-    )
+    both = zip(means, np.split(reach, [rows]), strict=True)
+    return ByTeam(*(Band(np.arange(len(m)), m, m - r, m + r) for m, r in both))
 
 
 def _shrunken(matrix: Rates) -> Rates:

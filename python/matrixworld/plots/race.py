@@ -260,24 +260,20 @@ def collision_rates(rates: NDArray[np.float64], *, title: str) -> Figure:
     """Draw collisions per 1000 agent-steps (G, 2, 3) by generation, team and kind."""
     figure = style.new_figure(8.4, 3.8)
     panels = figure.subplots(1, 2, sharey=True)
+    marker = "o" if len(rates) <= _MARKED else ""
     for team, axes in enumerate(panels):
-        _draw_collisions(axes, rates[:, team], style.TEAMS[team], colors.TEAMS[team])
+        for kind, curve in enumerate(rates[:, team].T):
+            axes.plot(
+                curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
+                linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
+            )  # fmt: skip
+        axes.set_title(style.TEAMS[team], color=colors.TEAMS[team])
+        axes.set_xlabel("generation")
+        axes.xaxis.set_major_locator(style.whole_numbers())
+        style.plain_axis(axes)
     panels[0].set_ylabel("collisions per 1000 agent-steps")
     panels[0].set_ylim(bottom=0.0)
     return style.finished(figure, style.labelled(panels[0]), title, columns=3)
-
-
-def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: str) -> None:
-    marker = "o" if len(rates) <= _MARKED else ""
-    for kind, curve in enumerate(rates.T):
-        axes.plot(
-            curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
-            linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
-        )  # fmt: skip
-    axes.set_title(team, color=color)
-    axes.set_xlabel("generation")
-    axes.xaxis.set_major_locator(style.whole_numbers())
-    style.plain_axis(axes)
 
 
 def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.float64]:
