@@ -314,10 +314,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         return observations, rewards, terminations, truncations, infos
 
     def _choose_all(self, actions: Mapping[str, Any]) -> None:
-        if not isinstance(actions, Mapping):
-            raise TypeError(
-                f"actions: expected a mapping by names of agents, got {checks.shown(actions)}"
-            )
+        checks.check_instance("actions", actions, Mapping)
         missing = [agent for agent in self.agents if agent not in actions]
         if missing:
             raise ValueError(f"actions: expected one for each of agents, none came for {missing}")

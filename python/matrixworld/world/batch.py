@@ -63,16 +63,14 @@ class Batch(Turns):
         checks.check_keywords(changes, WorldSettings.__annotations__, Batch)
         self.config: WorldConfig = WorldConfig.of(config, **changes)
         self.n_worlds: int = checks.check_integer("n_worlds", n_worlds, 1)
-        if not isinstance(autoreset, Autoreset):
-            raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
-        if not isinstance(buffers, dict | None):
-            raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
+        checks.check_instance("autoreset", autoreset, Autoreset)
         self.autoreset: Autoreset = autoreset
         n_threads = checks.check_threads(threads)
         if buffers is None:
             specs = array_specs(self.config)
             few = {name: spec for name, spec in specs.items() if name not in LARGE}
             buffers = new_arrays(few, self.n_worlds)
+        checks.check_instance("buffers", buffers, dict)
         self._buffers = buffers
         # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(self.config.setup, self.n_worlds, n_threads, autoreset, buffers)

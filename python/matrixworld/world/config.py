@@ -100,10 +100,9 @@ def _plain(value: Any) -> Any:
     return getattr(value, "name", value)  # of a member of an enumeration its name
 
 
-def _all_fields(what: str, kind: type[Any], plain: object) -> dict[str, Any]:
+def _all_fields(what: str, kind: type[Any], plain: Any) -> dict[str, Any]:
     """Return a copy of the values of all fields of a dataclass; refuse a missing or unknown one."""
-    if not isinstance(plain, Mapping):
-        raise TypeError(f"{what}: expected a mapping, got {type(plain).__name__}")
+    checks.check_instance(what, plain, Mapping)
     names = {item.name for item in fields(kind)}
     if plain.keys() != names:
         raise ValueError(f"{what}: expected {sorted(names)}, got {sorted(map(str, plain))}")
@@ -189,8 +188,8 @@ class WorldConfig:
         terrain = _obstacles(obstacles)
         height, width = terrain.shape if isinstance(terrain, np.ndarray) else (_SIDE, _SIDE)
         pursuers, evaders = _TEAM_SIZES[row.capture]
-        if rewards is not None and not isinstance(rewards, Rewards):
-            raise TypeError(f"rewards: expected Rewards, got {rewards!r}")
+        rewards = Rewards() if rewards is None else rewards
+        checks.check_instance("rewards", rewards, Rewards)
         numbers = {
             "rows": height if rows is None else rows,
             "cols": width if cols is None else cols,
@@ -205,7 +204,7 @@ class WorldConfig:
             rules=row,
             diagonal=checks.check_bool("diagonal", diagonal),
             obstacles=terrain,
-            rewards=Rewards() if rewards is None else rewards,
+            rewards=rewards,
         )
         self.check_map(self.map)
         sizes = self.rows, self.cols, self.n_pursuers, self.n_evaders

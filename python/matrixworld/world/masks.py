@@ -80,10 +80,6 @@ class ActionMasks:
     """The masks of both teams: none for False, obstacles for True, or those of a name."""
 
     def __init__(self, chosen: bool | str, config: WorldConfig) -> None:
-        if not isinstance(chosen, bool | str):
-            raise TypeError(
-                f"action_mask: expected a bool or one of {', '.join(MASKS)}, got {shown(chosen)}"
-            )
         mask = ("obstacles" if chosen else "none") if isinstance(chosen, bool) else chosen
         check_mask("action_mask", mask, config)
         self._config, self._mask = config, mask
