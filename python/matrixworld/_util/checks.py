@@ -116,9 +116,10 @@ def check_shape(name: str, array: NDArray[Any], *expected: int) -> None:
 
 
 def check_finite(name: str, array: NDArray[Any]) -> None:
-    """Raise ValueError if numbers are NaN or infinite."""
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name}: expected finite numbers, got NaN or infinity")
+    """Raise ValueError with the first of some numbers that is NaN or infinite."""
+    bad = array[~np.isfinite(array)]
+    if bad.size:
+        raise ValueError(f"{name}: expected finite numbers, got {bad[0]}")
 
 
 def check_bool(name: str, value: Any) -> bool:

@@ -386,10 +386,7 @@ class Population(Readable):
             raise ValueError(
                 f"genomes: expected shape (n >= 1, {expected[1]}), got {np.shape(self.genomes)}"
             )
-        if not np.isfinite(genomes).all():
-            genome, gene = np.argwhere(~np.isfinite(genomes))[0]
-            got = f"{genomes[genome, gene]} (genome {genome}, number {gene})"
-            raise ValueError(f"genomes: expected finite numbers, got {got}")
+        checks.check_finite("genomes", genomes)
         # The engine reads the genomes from one block of memory, without copying them.
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
         self.policy.check_genomes(self.genomes)
