@@ -59,12 +59,23 @@ class Checkerboard:
 
 
 def transitive_share(payoff: ArrayLike) -> float:
-    """Return the share of the variance of `payoff` (n, m) that generations' own strengths explain.
+    """Return the share of the variance that generations' own strengths explain.
 
-    1: the strengths of both generations add up to the capture rate. 0: only the pairing matters.
-    NaN for a constant matrix. Noise alone gives about ``(n + m - 2) / (n m - 1)``, so a low value
-    is no proof of cycles: look at `checkerboards`, too; ``MEASURES["transitive_share"]`` subtracts
-    the noise of single episodes.
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1].
+
+    Returns
+    -------
+    float
+        1: the strengths of both generations add up to the capture rate. 0: only the pairing
+        matters. NaN for a constant matrix.
+
+    Notes
+    -----
+    Noise alone gives about ``(n + m - 2) / (n m - 1)``, so a low value is no proof of cycles: look
+    at `checkerboards`, too; ``MEASURES["transitive_share"]`` subtracts the noise of episodes.
 
     Fisher (1925), "Statistical methods for research workers": two-way analysis of variance.
     Candogan et al. (2011), "Flows and decompositions of games: harmonic and potential games".
@@ -106,13 +117,23 @@ def checkerboards(
 ) -> Checkerboards:
     """Count checkerboards: pursuers p1 beat e1 but not e2, and p2 beat e2 but not e1.
 
-    Counted over pairs of rows and of columns of `payoff` (n, m), in time O(n^2 m^2) and memory
-    O(n m^2). A staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1].
+    margin : float, optional
+        By more than this, in [0, 1), each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of
+        ``M[p1, e2]`` and ``M[p2, e1]``. The default is 0.
+    level : float or None, optional
+        Capture rate in [0, 1] above which pursuers beat evaders: both winning cells lie above it,
+        both losing cells do not. The default is 0.5. With None cells are compared with each other
+        only, so a cycle between capture rates of .1 and .4 is found, too.
 
-    Each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of ``M[p1, e2]`` and ``M[p2, e1]`` by more
-    than the `margin`, in [0, 1). Above the `level`, a capture rate in [0, 1], pursuers beat
-    evaders: both winning cells lie above it, both losing cells do not. With None cells are compared
-    with each other only, so a cycle between capture rates of .1 and .4 is found, too.
+    Returns
+    -------
+    Checkerboards
+        Their number, and that of all quadruples. A staircase and any matrix ``f(r_g + c_h)`` with
+        increasing f have none. It takes time O(n^2 m^2) and memory O(n m^2).
     """
     matrix = check_payoff(payoff)
     require(0.0 <= check_real("margin", margin) < 1.0, "a margin in [0, 1)", margin)

@@ -106,11 +106,21 @@ def interval_over_runs(
 ) -> Estimate:
     """Return the mean over training runs with Student's t interval.
 
-    The `values` (runs,) are one finite number for each independent run, which episodes or
-    generations do not replace. The interval has a `level` in (0, 1), and is clipped to `bounds`,
-    the smallest and the largest possible value. A single run has none, and runs with equal values
-    have none either: they do not show how much runs vary. The coverage is exact for normal values;
-    evolution/results/coverage has it for others.
+    Parameters
+    ----------
+    values : array_like, shape (runs,)
+        One finite number for each independent run, which episodes or generations do not replace.
+    level : float, optional
+        Level of the interval, in (0, 1). The default is 0.95.
+    bounds : tuple of float, optional
+        Smallest and largest possible value, to which the interval is clipped.
+
+    Returns
+    -------
+    Estimate
+        A single run has no interval, and runs with equal values have none either: they do not show
+        how much runs vary. The coverage is exact for normal values; evolution/results/coverage has
+        it for others.
     """
     array = _check_values(values)
     check_level(level)
@@ -132,10 +142,21 @@ def difference_of_runs(
 ) -> Estimate:
     """Return the difference between the means of two groups of runs with a t interval.
 
-    `one` and `other` have one finite number for each run. The groups are independent, and their
-    variances may differ (Welch 1947); of `paired` ones entry i of both belongs together, for
-    example through the same seed. There is no interval if a group has a single run, or if neither
-    group varies. `level` and `bounds` are as for `interval_over_runs`.
+    Parameters
+    ----------
+    one, other : array_like, shapes (runs,)
+        A finite number for each run. Groups are independent, and their variances may differ
+        (Welch 1947).
+    paired : bool, optional
+        Whether entry i of both belongs together, for example through the same seed. The default
+        is False.
+    level, bounds : optional
+        As for `interval_over_runs`.
+
+    Returns
+    -------
+    Estimate
+        `one` minus `other`; without an interval if a group has a single run, or neither varies.
     """
     first, second = (_check_values(each) for each in (one, other))
     check_level(level)
@@ -210,11 +231,23 @@ def fewest_runs(level: float = LEVEL) -> int:
 
 
 def interquartile_mean(scores: ArrayLike, *, level: float = LEVEL, seed: int = 0) -> Estimate:
-    """Return the mean of the middle half of `scores` (runs, opponents), with a bootstrap interval.
+    """Return the mean of the middle half of scores, with a bootstrap interval.
 
-    Single runs that fail and single opponents that are easy count less than in the mean. There is
-    no interval, of a `level` in (0, 1), below 6 runs (at 95 %), and if all runs are equal. The
-    bootstrap samples have a `seed`.
+    Single runs that fail and single opponents that are easy count less than in the mean.
+
+    Parameters
+    ----------
+    scores : array_like, shape (runs, opponents)
+        Finite scores.
+    level : float, optional
+        Level of the interval, in (0, 1). The default is 0.95.
+    seed : int, optional
+        Seed of the bootstrap samples. The default is 0.
+
+    Returns
+    -------
+    Estimate
+        Without an interval below 6 runs (at 95 %), and if all runs are equal.
 
     Notes
     -----
@@ -258,15 +291,25 @@ def _middle_mean(scores: Rates) -> float:
 
 
 def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
-    """Return the mean of `scores` in [0, 1] with an interval that needs no other assumption.
+    """Return the mean of scores in [0, 1] with an interval that needs no other assumption.
 
-    They are those of at least two independent episodes. The interval has a `level` in (0, 1).
+    Parameters
+    ----------
+    scores : array_like, shape (episodes,)
+        Scores in [0, 1] of at least two independent episodes.
+    level : float, optional
+        Level of the interval, in (0, 1). The default is 0.95.
+
+    Returns
+    -------
+    Estimate
+        The mean with its interval, which has a width even if all episodes are equal.
 
     Notes
     -----
     The upper end is a quantile of the weighted mean of the scores and one further score of 1, with
     weights that are uniform on the simplex; the lower end adds a 0. For win or loss this is the
-    interval of Clopper and Pearson (1934). It has a width even if all episodes are equal.
+    interval of Clopper and Pearson (1934).
 
     References
     ----------

@@ -35,7 +35,17 @@ class Elo(Readable):
 
 
 def elo(payoff: ArrayLike) -> Elo:
-    """Fit Elo ratings of both teams to `payoff` (n, m): all matches at once, in no order.
+    """Fit Elo ratings of both teams: all matches at once, in no order.
+
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1].
+
+    Returns
+    -------
+    Elo
+        Ratings `pursuers` (n,) and `evaders` (m,) in natural logits with sum 0, and the `offset`.
 
     Notes
     -----

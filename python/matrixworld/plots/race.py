@@ -38,7 +38,19 @@ def payoff_heatmap(
 ) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
-    Of `payoff` (n, m) with a `title`; `teams` are the names of that of the rows and of the columns.
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1].
+    teams : sequence of str, optional
+        Names of the team of the rows and of that of the columns.
+    title : str, optional
+        Text above the figure.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
     """
     rows, columns = check_payoff(payoff).shape
     words = style.words_of(teams)
@@ -93,11 +105,24 @@ def comparison(
 ) -> Figure:
     """Draw races side by side, on the same scales, at most 3 in a row.
 
-    Each race, one run or several, has the heat map of its mean payoff, its lag profile and its
-    generalization curves, in a column below its name and its judgement: of `payoffs` as
-    :func:`matrixworld.analysis.read_payoffs` takes them, and `judgements`, both by the name of the
-    race. Bands are 95% intervals over its runs, or over the episodes of a single one; thin lines
-    are single runs, if at most 10. The `teams` may have other names.
+    Each race has the heat map of its mean payoff, its lag profile and its generalization curves, in
+    a column below its name and its judgement. Bands are 95% intervals over its runs, or over the
+    episodes of a single one; thin lines are single runs, if at most 10.
+
+    Parameters
+    ----------
+    payoffs : mapping of str to array_like, path or Payoffs
+        Payoffs of one run or several, as :func:`matrixworld.analysis.read_payoffs` takes them, by
+        the name of the race.
+    judgements : mapping of str to Judgement, optional
+        Judgements by the name of the race.
+    teams : sequence of str, optional
+        Names of both teams.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
     """
     style.check_some(payoffs, "race")
     words = style.words_of(teams)

@@ -32,12 +32,27 @@ def run_dots(
 ) -> Figure:
     """Draw one number of each run as a dot, and the mean of each group with its 95% interval.
 
-    `groups` have numbers (runs,) by their names, and each a row, with the interval of
-    :func:`matrixworld.analysis.interval_over_runs`. The `label` says what the numbers are, and
-    `each` what a dot stands for. `levels` are numbers to compare with, by name: vertical lines.
-    Intervals are clipped to `bounds`, the smallest and the largest possible number. The figure may
-    have a `title`. The axis shows all of [0, 1] if the numbers are in it and reach half of it, as
-    scores do.
+    The axis shows all of [0, 1] if the numbers are in it and reach half of it, as scores do.
+
+    Parameters
+    ----------
+    groups : mapping of str to array_like, shape (runs,)
+        Finite numbers by the name of the group, which has a row.
+    label : str
+        What the numbers are.
+    levels : mapping of str to float, optional
+        Numbers to compare with, by name: vertical lines.
+    each : str, optional
+        What a dot stands for.
+    title : str, optional
+        Text above the figure.
+    bounds : tuple of float, optional
+        Smallest and largest possible number, to which intervals are clipped.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
     """
     style.check_some(groups)
     figure, axes = style.single(6.6, 1.5 + 0.5 * len(groups))
@@ -82,10 +97,26 @@ def run_curves(
 ) -> Figure:
     """Draw mean curves over runs with their 95% bands; thin lines are single runs, if at most 10.
 
-    `groups` have curves (runs, k) by their names, and the bands of
-    :func:`matrixworld.analysis.band_over_runs`, which are clipped to `bounds`. The `label` says
-    what the numbers are. The points lie at `places` (k,), by default 0, 1, ..., `along` an axis of
-    this name. The figure may have a `title`.
+    Parameters
+    ----------
+    groups : mapping of str to array_like, shape (runs, k)
+        Curves by the name of the group, with the bands of
+        :func:`matrixworld.analysis.band_over_runs`.
+    label : str
+        What the numbers are.
+    places : array_like, shape (k,), optional
+        Where the points lie. The default is 0, 1, ...
+    along : str, optional
+        Name of the axis of places.
+    title : str, optional
+        Text above the figure.
+    bounds : tuple of float, optional
+        Smallest and largest possible number, to which bands are clipped.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
     """
     style.check_some(groups)
     figure, axes = style.single(6.6, 3.6)

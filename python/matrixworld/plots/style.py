@@ -210,9 +210,19 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def save_figure(figure: Figure, path: str | Path) -> Path:
-    """Write a `figure`, complete or not at all, in the format of the suffix; return the file.
+    """Write a figure, complete or not at all, in the format of the suffix.
 
-    The `path` ends in ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
+    Parameters
+    ----------
+    figure : Figure
+        A figure of Matplotlib.
+    path : str or path
+        A name that ends in ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
+
+    Returns
+    -------
+    Path
+        The file.
     """
     check_instance("figure", figure, Figure)
     file = Path(path)
