@@ -271,11 +271,20 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[dict[str, Seen], dict[str, Info]]:
-        """Start an episode, and return observations and infos by the name of the agent.
+        """Start an episode. If arguments are refused, the environment stays as it was.
 
-        Without a seed the next episode of the present seed starts; the first one is drawn from the
-        operating system. `options` are arguments of `World.reset`, under the keys of `OPTIONS`;
-        others are ignored with a warning. If it is refused, the environment stays as it was.
+        Parameters
+        ----------
+        seed : int, optional
+            By default the next episode of the present seed starts; the first one is drawn from the
+            operating system.
+        options : mapping, optional
+            Arguments of `World.reset`, named in `OPTIONS`; others are ignored with a warning.
+
+        Returns
+        -------
+        observations, infos : dict
+            By the name of the agent.
         """
         self._reset_world(seed, options)
         seen, infos = self._observe(self.status)
@@ -286,12 +295,25 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
     ) -> tuple[
         dict[str, Seen], dict[str, float], dict[str, bool], dict[str, bool], dict[str, Info]
     ]:
-        """Play a round; `actions` are those of `agents`, by name.
+        """Play a round.
 
-        Returns observations, rewards, terminations, truncations and infos by the name of the agent,
-        for all that acted. An agent that disappears in this step observes zeros, terminates, and
-        leaves `agents`. RuntimeError if the episode has ended; ValueError or TypeError, and no
-        change, for a bad or missing action or an unknown agent.
+        Parameters
+        ----------
+        actions : mapping of str to int
+            Actions of `agents`, by name.
+
+        Returns
+        -------
+        observations, rewards, terminations, truncations, infos : dict
+            By the name of the agent, for all that acted. An agent that disappears in this step
+            observes zeros, terminates, and leaves `agents`.
+
+        Raises
+        ------
+        RuntimeError
+            If the episode has ended.
+        ValueError, TypeError
+            For a bad or missing action or an unknown agent; nothing has changed.
         """
         if not self.agents:
             if actions or not self._seeded:
@@ -529,8 +551,19 @@ def make(
 ) -> MatrixWorldParallel:
     """Make a `parallel_env` of which the caller plays both teams, or one against an opponent.
 
-    `config` and `settings` are as for `parallel_env`, such as ``size=10``. The caller plays a
-    `team`, "pursuer" or "evader", by default both, and an `opponent` the other one, see
-    `matrixworld.envs.opponents`; by default ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
+    Parameters
+    ----------
+    config, **settings
+        As for `parallel_env`, such as ``size=10``.
+    team : {"pursuer", "evader"}, optional
+        The team that the caller plays. The default is both.
+    opponent : Opponents, optional
+        What plays the other team, see `matrixworld.envs.opponents`. The default is
+        ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
+
+    Returns
+    -------
+    MatrixWorldParallel
+        The environment.
     """
     return MatrixWorldParallel(config, **with_opponent(team, opponent, settings))

@@ -203,10 +203,20 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     def reset(
         self, *, seed: int | ArrayLike | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[NDArray[Any], dict[str, Any]]:
-        """Start an episode in every world, or in some, and return observations and infos.
+        """Start an episode in every world, or in some.
 
-        `seed` and `options` (any of `OPTIONS`) are as for `Batch.reset`, whose ``mask`` is
-        ``reset_mask`` here. Worlds that never had a seed draw one from the operating system.
+        Parameters
+        ----------
+        seed : int or array_like of int, shape (W,), optional
+            As for `Batch.reset`. Worlds that never had a seed draw one from the operating system.
+        options : mapping, optional
+            Any of `OPTIONS`: arguments of `Batch.reset`, whose ``mask`` is ``reset_mask`` here.
+
+        Returns
+        -------
+        observations : ndarray, shape (W, A, ...)
+        infos : dict of str to ndarray
+            See the notes of the class.
         """
         self._start(seed, options)
         return self._returned((self.observations, self.infos))
@@ -231,9 +241,21 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
         """Play one round in every world.
 
-        `actions`, (W, A), are by default those of the attribute; of gone agents and in ended worlds
-        they are ignored. Returns observations, rewards, terminations, truncations
-        and infos, the attributes or copies of them. RuntimeError before the first reset.
+        Parameters
+        ----------
+        actions : array_like of int, shape (W, A), optional
+            By default those of the attribute. Of gone agents and in ended worlds they are ignored.
+
+        Returns
+        -------
+        observations, rewards, terminations, truncations : ndarray, shape (W, A, ...)
+        infos : dict of str to ndarray
+            The attributes or copies of them.
+
+        Raises
+        ------
+        RuntimeError
+            Before the first reset.
         """
         self._play(actions)
         ends = self.terminations, self.truncations

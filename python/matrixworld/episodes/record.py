@@ -139,9 +139,21 @@ def record(
 ) -> Episode:
     """Play one episode and return it with every moment.
 
-    `config`, `pursuers` and `evaders` are as in `matrixworld.rollout`, and `pursuer` and `evader`
-    indices into the populations. The match has a `seed`; its `episode` is the number of the seed's
-    episode, that of this world of the match in `rollout`. All numbers are 0 by default.
+    Parameters
+    ----------
+    config, pursuers, evaders
+        As for `matrixworld.rollout`.
+    seed : int, optional
+        Seed of the match. All numbers are 0 by default.
+    pursuer, evader : int, optional
+        Indices into the populations.
+    episode : int, optional
+        Number of the seed's episode, that of this world of the match in `rollout`.
+
+    Returns
+    -------
+    Episode
+        All that happened.
     """
     config = WorldConfig.of(config)
     # The engine chooses the actions; a world that plays them again gives everything else.
