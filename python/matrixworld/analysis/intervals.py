@@ -408,7 +408,8 @@ def rate_intervals(
     # Each resample of episodes gives the distance of its rate from the rate of all in standard
     # errors of a ratio; its quantiles replace those of Student's t: counts are skewed.
     n, rng = len(counts), np.random.default_rng(seed)
-    c = counts.reshape(n, -1).astype(float)
+    c: NDArray[Any] = counts.reshape(n, -1).astype(float)
+    colliding = (c > 0).sum(axis=0)
     # Agent-steps lack the other axes and the kinds: a length of 1 there.
     by_team = agent_steps.reshape(n, *(1,) * (counts.ndim - 3), 2, 1).astype(float)
     s = np.broadcast_to(by_team, counts.shape).reshape(n, -1)
@@ -416,21 +417,10 @@ def rate_intervals(
     draws = (np.bincount(rng.integers(n, size=n), minlength=n) for _ in range(RESAMPLES_OF_RATES))
     # One draw is how often each episode occurs in a resample: a product sums the whole resample.
     sums = np.stack([data.sum(axis=0), *(times @ data for times in draws)])
-    ends = _ends(*_rates_and_errors(sums.reshape(len(sums), 5, -1)))
-    ends[:, ((c > 0).sum(axis=0) < COLLIDING_FOR_RATES) | (n < EPISODES_FOR_RATES)] = np.nan
-    return np.asarray(1000 * ends.T.reshape(*counts.shape[1:], 2))
-
-
-def _rates_and_errors(sums: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return ratios c / s, shape (k, rates), and their standard errors up to a constant factor."""
-    c, s, cc, cs, ss = np.moveaxis(sums, 1, 0)
+    c, s, cc, cs, ss = np.moveaxis(sums.reshape(len(sums), 5, -1), 1, 0)
     s = np.maximum(s, 1.0)  # a team without agent-steps has no collisions either
-    rates = c / s
-    return rates, np.sqrt(np.maximum(cc - 2 * rates * cs + rates**2 * ss, 0.0)) / s
-
-
-def _ends(rates: NDArray[Any], errors: NDArray[Any]) -> NDArray[np.float64]:
-    """Return the ends of the intervals, shape (2, rates); row 0 is the data, others resamples."""
+    rates = c / s  # of the data in row 0, and of the resamples
+    errors = np.sqrt(np.maximum(cc - 2 * rates * cs + rates**2 * ss, 0.0)) / s  # but for a factor
     with np.errstate(divide="ignore", invalid="ignore"):
         # A resample of equal episodes is infinitely many standard errors away, if it differs.
         t = (rates[1:] - rates[0]) / errors[1:]
@@ -438,7 +428,9 @@ def _ends(rates: NDArray[Any], errors: NDArray[Any]) -> NDArray[np.float64]:
         # Without interpolation, which has no result between two infinities.
         tails = (1 + LEVEL) / 2, (1 - LEVEL) / 2
         ends = rates[0] - np.quantile(t, tails, axis=0, method="nearest") * errors[0]
-    return np.asarray(np.clip(ends, 0.0, 1.0))
+    ends = np.clip(ends, 0.0, 1.0)
+    ends[:, (colliding < COLLIDING_FOR_RATES) | (n < EPISODES_FOR_RATES)] = np.nan
+    return np.asarray(1000 * ends.T.reshape(*counts.shape[1:], 2))
 
 
 # ---- Parts of intervals --------------------------------------------------------------------------

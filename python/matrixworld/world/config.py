@@ -20,7 +20,7 @@ from typing_extensions import Unpack
 from matrixworld import _core
 from matrixworld._core import Capture
 from matrixworld._util import checks
-from matrixworld._util.files import read_text
+from matrixworld._util.files import load_toml, read_text
 from matrixworld.world.conflicts import agent_name
 from matrixworld.world.rules import Rewards, Rules, rules_of
 
@@ -40,18 +40,11 @@ _SIDE = 40
 _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
 
 WORLDS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
-    {
-        name: {**sizes, "rules": rules, "cols": sizes["rows"], "max_steps": 200}
-        for name, rules, sizes in (
-            ("courtyard", "O", {"rows": 20, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1}),
-            ("thicket", "D", {"rows": 10, "n_pursuers": 6, "n_evaders": 3, "obstacles": 0.2}),
-            ("park", "TO", {"rows": 28, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1}),
-        )
-    }
+    load_toml(Path(__file__).with_name("worlds.toml"))
 )
 """Worlds that have names, as keyword arguments of a `WorldConfig`.
 
-In them good teams of both sides win about half; ``evolution/balance.py`` has found them.
+In them good teams of both sides win about half.
 """
 
 

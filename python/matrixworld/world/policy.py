@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
 from math import prod
+from pathlib import Path
 from typing import Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
@@ -16,6 +17,7 @@ from typing_extensions import Self
 
 from matrixworld import _core
 from matrixworld._util import checks
+from matrixworld._util.files import load_toml
 from matrixworld._util.readable import Readable, plain_values
 from matrixworld.world.config import WorldConfig
 
@@ -30,18 +32,7 @@ Script: TypeAlias = str
 CAREFUL = "careful-"
 """Before the name of a script that takes only moves that right of way allows."""
 
-_PLAIN_TEXTS = {
-    "random": "any action, all equally likely",
-    "still": "always stays",
-    "chaser": "moves to where the nearest adversary in view is nearest",
-    "fleer": "moves to where the nearest adversary in view is farthest",
-    "clumsy-chaser": "a chaser that takes any action in half of the steps",
-    "hunter": "a chaser of the nearest adversary in view to which no teammate in view is nearer",
-    "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
-    "clumsy-fleer": "a fleer that takes any action in half of the steps",
-    "dodger": "moves to where all adversaries in view together are farthest",
-    "team-surrounder": "shares the free cells beside adversaries with its teammates, and searches",
-}
+_PLAIN_TEXTS: dict[Script, str] = load_toml(Path(__file__).with_name("scripts.toml"))
 
 SCRIPT_TEXTS: dict[Script, str] = _PLAIN_TEXTS | {
     f"{CAREFUL}{name}": f"as {name}, but takes only moves that right of way allows"
