@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import html
 import io
 import os
 import shutil
@@ -43,17 +42,16 @@ SAMPLES = 8  # frames looked at to choose the palette
 
 @dataclass(frozen=True, repr=False)
 class Animation:
-    """A GIF that a notebook shows: `data`, the contents of the file, and `alt`, its text."""
+    """A GIF that a notebook shows: `data`, the contents of the file."""
 
     data: bytes
-    alt: str = "an episode of pursuit and evasion"
 
     def __repr__(self) -> str:
         return f"<Animation: a GIF of {len(self.data) / 1000:.0f} kB>"
 
     def _repr_html_(self) -> str:
         encoded = base64.b64encode(self.data).decode("ascii")
-        return f'<img src="data:image/gif;base64,{encoded}" alt="{html.escape(self.alt)}">'
+        return f'<img src="data:image/gif;base64,{encoded}" alt="an episode">'
 
 
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
@@ -182,16 +180,15 @@ class Screen:
         self._start = WRAP_OFF
 
 
-def has_colors(stream: TextIO) -> bool:
-    """Return whether a stream shows colors and Unicode, by NO_COLOR and TERM, too."""
+def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
+    """Return the keyword arguments of `ansi` for a grid, in half blocks where it would not fit.
+
+    Colors need a terminal that shows Unicode, by NO_COLOR and TERM, too.
+    """
     encoding = (getattr(stream, "encoding", None) or "utf-8").lower()
     plain = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
-    return stream.isatty() and encoding.startswith("utf") and not plain
-
-
-def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
-    """Return the keyword arguments of `ansi` for a grid, in half blocks where it would not fit."""
-    color, (columns, lines), (rows, cols) = has_colors(stream), shutil.get_terminal_size(), shape
+    color = stream.isatty() and encoding.startswith("utf") and not plain
+    (columns, lines), (rows, cols) = shutil.get_terminal_size(), shape
     fits = 2 * cols <= columns and rows + 2 <= lines  # cells of two characters, below a title
     return {"color": color, "compact": color and not fits}
 

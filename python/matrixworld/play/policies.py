@@ -270,16 +270,13 @@ def read_genome(
     """
     path = Path(path)
     arrays = load_arrays(path, content)
-    genome = arrays.pop("genome", np.zeros(0, np.bool_))
+    genome = arrays["genome"]
     if genome.dtype.kind != "f" or genome.ndim != 1:
         expected = "expected an array 'genome' of floats with 1 dimension"
         got = f"got dtype {genome.dtype} and shape {genome.shape}"
         raise DamagedFileError(path, f"{expected}, {got}")
-    for name in ("team", "kind"):
-        if name not in arrays:
-            raise DamagedFileError(path, f"expected an array {name!r}, got {', '.join(arrays)}")
-    plain = {name: array.tolist() for name, array in arrays.items()}
-    team = plain.pop("team")
+    _, team = arrays["kind"], arrays["team"].tolist()
+    plain = {name: each.tolist() for name, each in arrays.items() if name not in ("genome", "team")}
     try:
         check_choice("team", team, TEAMS)
         policy = policy_of(plain)
