@@ -60,8 +60,10 @@ class Measure:
         return self.estimate(payoffs, part, level)
 
     def window_in(self, payoffs: Payoffs) -> Window:
-        """Return the window in which tables show the number."""
-        return payoffs.late if self.late else payoffs.windows["whole"]
+        """Return the window in which tables show the number; of short races the whole."""
+        half = payoffs.windows["last half"]
+        is_long = half.generations >= payoff_module.GENERATIONS_TO_JUDGE
+        return half if self.late and is_long else payoffs.windows["whole"]
 
     def shown(self, estimate: Estimate) -> str:
         """Return an estimate as text, with its interval in brackets."""

@@ -75,8 +75,8 @@ from matrixworld.world.rules import (
 from matrixworld.world.world import World
 
 PAGE = "playground.html"  # name of the page where no other is given
-TEXTS = load_toml(Path(__file__).with_name("playground.toml"))
-"""Its examples, in their order, and what it calls the fields of `Rules`."""
+DATA = load_toml(Path(__file__).with_name("playground.toml"))
+"""Its examples, the rounds of its game, and what it calls the fields of `Rules`."""
 PIXELS = 400  # wanted length of the longer side of the picture of a scene
 
 Command = int | str  # what an agent does in a step: an `Action`, or what a script decides
@@ -105,7 +105,7 @@ class Playground:
             raise ValueError("world: expected a world together with actions or compare, got None")
         # As it stands in a link, and as a notebook shows it where it shows no frame.
         self.scene = "" if world is None else scene_link(world, actions, compare=compare)
-        first = TEXTS["example"][0]
+        first = DATA["example"][0]
         shown = world or drawn_world(first["rules"], first["drawing"])
         cell = fitting_cell((shown.config.rows, shown.config.cols), PIXELS, SMALLEST_NUMBERED)
         self.picture = png(shown.scene(), cell=cell, numbers=True)
@@ -160,15 +160,6 @@ class Opponents(NamedTuple):
     """Worlds of the game "Can you escape it?", each with the name of its pursuers."""
 
 
-ROUNDS: Sequence[tuple[int, int, float, Script]] = (
-    (10, 3, 0.0, "clumsy-chaser"), (10, 3, 0.0, "hunter"), (12, 5, 0.1, "hunter"),
-)  # fmt: skip
-"""Side, pursuers, obstacles and what plays in the rounds of "Can you escape it?". Of 100 matches in
-the game O an evader that plays as `dodger` escapes in .86, .55 and .14, one that stands still in
-.00, .01 and .08, one that walks at random in .03, .01 and .00."""
-ROUND_STEPS = 60
-
-
 def shipped(variant: Rules | str) -> Opponents:
     """Return a world that suits a person, and the opponents that come with the package."""
     rules = rules_of(variant)
@@ -181,10 +172,9 @@ def shipped(variant: Rules | str) -> Opponents:
     if rules.capture is Capture.SURROUND:
         return Opponents(config, players)
     rounds = [
-        (WorldConfig(rules, size=side, n_pursuers=n, n_evaders=1, obstacles=share,
-                     max_steps=ROUND_STEPS), name)
-        for side, n, share, name in ROUNDS
-    ]  # fmt: skip
+        (WorldConfig(rules, n_evaders=1, **each["world"]), each["pursuers"])
+        for each in DATA["round"]
+    ]
     return Opponents(config, players, rounds)
 
 
@@ -267,11 +257,11 @@ def page_data(scene: str = "") -> dict[str, Any]:
                     for value, text in VALUES[type(getattr(Rules(), name))].items()
                 ],
             }
-            for name, label in TEXTS["fields"].items()
+            for name, label in DATA["fields"].items()
         ],
         "rewards": {name: _plain(rewards) for name, rewards in REWARDS.items()},
         "scripts": [{"name": name, "text": text} for name, text in SCRIPT_TEXTS.items()],
-        "gallery": [plain_example(example) for example in TEXTS["example"]],
+        "gallery": [plain_example(example) for example in DATA["example"]],
         "scene": scene,
     }
 

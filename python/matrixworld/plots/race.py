@@ -18,7 +18,7 @@ from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
-from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff
+from matrixworld.analysis.payoffs import TEAMS, Payoffs, Rates, Source, check_payoff
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -34,7 +34,7 @@ _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
 
 def payoff_heatmap(
-    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str | None = None
+    payoff: ArrayLike, *, teams: Sequence[str] = TEAMS, title: str | None = None
 ) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
@@ -64,7 +64,7 @@ def ciao_triangles(
     payoff: ArrayLike,
     *,
     every: int = 1,
-    teams: Sequence[str] = style.TEAMS,
+    teams: Sequence[str] = TEAMS,
     title: str = "CIAO: current individuals against ancestral opponents",
 ) -> Figure:
     """Draw the CIAO plots of both teams: current individuals against ancestral opponents.
@@ -101,7 +101,7 @@ def comparison(
     payoffs: Mapping[str, Source],
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
-    teams: Sequence[str] = style.TEAMS,
+    teams: Sequence[str] = TEAMS,
 ) -> Figure:
     """Draw races side by side, on the same scales, at most 3 in a row.
 
@@ -251,7 +251,7 @@ def training_curve(
     *,
     generations: NDArray[Any] | None = None,
     window: int = 1,
-    teams: Sequence[str] = style.TEAMS,
+    teams: Sequence[str] = TEAMS,
     title: str = "",
 ) -> Figure:
     """Draw the score (T,) over epochs, shaded by the team that learns, with its moving average.
@@ -292,7 +292,7 @@ def collision_rates(rates: NDArray[np.float64], *, title: str) -> Figure:
                 curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
                 linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
             )  # fmt: skip
-        axes.set_title(style.TEAMS[team], color=colors.TEAMS[team])
+        axes.set_title(TEAMS[team], color=colors.TEAMS[team])
         axes.set_xlabel("generation")
         axes.xaxis.set_major_locator(style.whole_numbers())
         style.plain_axis(axes)

@@ -20,7 +20,7 @@ from matrixworld._util import colors
 from matrixworld._util.checks import check_instance, check_sequence
 from matrixworld._util.files import replacing
 from matrixworld.analysis.intervals import Band
-from matrixworld.analysis.payoffs import require
+from matrixworld.analysis.payoffs import TEAMS, require
 
 OfName = TypeVar("OfName")
 
@@ -39,9 +39,6 @@ LINES: tuple[tuple[str, Any], ...] = tuple(
 )
 """Colour and dashes of each group of runs, in their order; neighbours differ in grey, too."""
 MOST_LINES = 10  # with more runs the single ones are not drawn: their lines would hide the band
-
-
-TEAMS = ("pursuers", "evaders")
 
 
 class Words(NamedTuple):

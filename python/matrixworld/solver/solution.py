@@ -89,9 +89,10 @@ class Solution(Readable):
         turn = checks.check_integer("turn", turn, 0, self.states.n_turns - 1)
         if team in self.fixed:
             return _play_of(self.fixed[team], team, turn, left)
-        found = _backup(
-            self.states, values_after(self, turn, left), turn, left, self.fixed, None, chosen=True
-        )
+        last = turn + 1 == self.states.n_turns  # the next turn is the first of a round
+        values = self.values[0 if last else turn + 1]
+        after = values[min(left - last, len(values) - 1)]
+        found = _backup(self.states, after, turn, left, self.fixed, None, chosen=True)
         played = found[2] if team == "pursuer" else found[3]
         assert played is not None  # it was asked for
         return played
@@ -112,14 +113,6 @@ class Solution(Readable):
                     told(0.0)
                 table[left - 1] = self.probabilities(team, left, turn)
         return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
-
-
-def values_after(solution: Solution, turn: int, rounds: int) -> NDArray[np.float64]:
-    """Return the values of the states of the next turn."""
-    last = turn + 1 == solution.states.n_turns
-    values = solution.values[0 if last else turn + 1]
-    row: NDArray[np.float64] = values[min(rounds - last, len(values) - 1)]
-    return row
 
 
 def _backup(
