@@ -88,8 +88,8 @@ VALUES = [
     value(score(opponents={}), "at least one | got none"),
     # Environments
     value(lambda: mw.VectorEnv("O", 0), "at least 1 | got 0"),
-    value(lambda: mw.VectorEnv(dtype=np.float64), "uint8 or float32 | float64"),
-    value(lambda: mw.parallel_env(dtype="u1", observation="named"), "float32 with | got uint8"),
+    value(lambda: mw.VectorEnv(dtype=np.float64), "one of uint8, float32 | float64"),
+    value(lambda: mw.parallel_env(dtype="u1", observation="named"), "one of float32 | uint8"),
     value(lambda: mw.VectorEnv("O", fov=1, action_mask=True), "a fov | 1"),
     value(lambda: mw.VectorEnv(autoreset_mode="Never"), "one of | 'Never'"),
     value(lambda: mw.VectorEnv(render_mode="human"), "None or | 'human'"),

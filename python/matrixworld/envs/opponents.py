@@ -41,9 +41,9 @@ Observation: TypeAlias = Literal["views", "named"]
 """What agents observe: their views, or the named inputs of their moves."""
 
 # The array that agents observe, and its dtypes, of which the first is the default.
-_OBSERVED: dict[Any, tuple[str, tuple[type[np.generic], ...]]] = {
-    "views": ("views", (np.uint8, np.float32)),
-    "named": ("inputs", (np.float32,)),
+_OBSERVED: dict[Any, tuple[str, tuple[str, ...]]] = {
+    "views": ("views", ("uint8", "float32")),
+    "named": ("inputs", ("float32",)),
 }
 
 FIRST: dict[Any, tuple[str, Opponents]] = {
@@ -218,10 +218,7 @@ class PlaysTeam:
         check_choice("observation", observation, _OBSERVED)
         self._observed, dtypes = _OBSERVED[observation]
         found: np.dtype[Any] = np.dtype(dtypes[0] if dtype is None else dtype)
-        if found not in dtypes:
-            expected = " or ".join(each.__name__ for each in dtypes)
-            with_it = f"with observation={observation!r}"
-            raise ValueError(f"dtype: expected {expected} {with_it}, got {found}")
+        check_choice("dtype", found.name, dtypes)
         (_, *shape), _ = array_specs(self.config)[self._observed]
         most = [bound or np.inf for *_, bound in _core.inputs()] if observation == "named" else 1
         high = np.full(shape, most, found)
