@@ -110,10 +110,21 @@ class Recorder:
 def record_actions(
     config: WorldConfig | Rules | str, actions: ArrayLike, *, seed: int = 0, episode: int = 0
 ) -> Episode:
-    """Play given actions, (T, A), and return the episode with every moment of it.
+    """Play given actions and return the episode with every moment of it.
 
-    `actions` after the end of the episode are ignored. `config` is as for `World`; `seed` and
-    `episode` as for `World.reset`, by default 0.
+    Parameters
+    ----------
+    config
+        As for `World`.
+    actions : array_like of int, shape (T, A)
+        Actions of each step; those after the end of the episode are ignored.
+    seed, episode : int, optional
+        As for `World.reset`. The default is 0.
+
+    Returns
+    -------
+    Episode
+        All that happened.
     """
     world = World(config)
     world.reset(seed, episode=episode)

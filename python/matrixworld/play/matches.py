@@ -66,10 +66,23 @@ def _asked(policy: Callback, views: NDArray[np.uint8]) -> NDArray[Any]:
 def capture_rates(
     config: WorldConfig, pursuers: Plays, evaders: Plays, *, seed: int, episodes: int
 ) -> NDArray[np.float64]:
-    """Play the episodes of a match side by side and return their capture rates, (episodes,).
+    """Play the episodes of a match side by side and return their capture rates.
 
-    Arguments are as in `matrixworld.rollout`, but `pursuers` and `evaders` may be functions, too,
-    and a population has one genome. Episode j is the seed's episode j.
+    Parameters
+    ----------
+    config : WorldConfig
+        The world.
+    pursuers, evaders : Population, str or callable
+        As for `matrixworld.rollout`, or a function (see `Callback`); a population has one genome.
+    seed : int
+        Seed of the match. Episode j is the seed's episode j.
+    episodes : int
+        Number of episodes.
+
+    Returns
+    -------
+    ndarray of float64, shape (episodes,)
+        The capture rates.
     """
     check_instance("config", config, WorldConfig)
     seed = check_integer("seed", seed, 0, SEED_MAX)
