@@ -277,7 +277,8 @@ def training_curve(
     style.unit_axis(axes)
     if generations is not None:
         _generation_axis(axes, generations)
-    style.legend_below(figure, style.labelled(axes), columns=4)
+    if learners is not None:
+        style.legend_below(figure, style.labelled(axes), columns=4)
     return figure
 
 

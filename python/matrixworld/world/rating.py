@@ -453,13 +453,13 @@ class Program(_Rates):
         def leaf(token: Token) -> tuple[str, bool]:  # text; whether it is a comparison
             return (constant if isinstance(token, float) else name).format(token), False
 
-        def joined(name: str, parts: list[tuple[str, bool]]) -> tuple[str, bool]:
+        def joined(operation: str, parts: list[tuple[str, bool]]) -> tuple[str, bool]:
             texts = [truth.format(text) if less else text for text, less in parts]
-            if name == "where":
+            if operation == "where":
                 text, less = parts[0]
                 texts[0] = text if less else f"({text}) > 0"
-            _, *forms = _MEANINGS[name]
-            return forms[-1 if of_arrays else 0].format(*texts), name == "less"
+            _, *forms = _MEANINGS[operation]
+            return forms[-1 if of_arrays else 0].format(*texts), operation == "less"
 
         text, less = self._folded(genome, leaf, joined)
         whole = ast.parse(truth.format(text) if less else text, mode="eval")
@@ -468,7 +468,7 @@ class Program(_Rates):
     def _folded(
         self, genome: _Floats, leaf: Callable[[Token], Any], joined: Callable[[str, list[Any]], Any]
     ) -> Any:
-        """Return what is left of a program: `leaf` of its inputs and constants, `joined`."""
+        """Return what a program leaves on a stack of leaves, and of parts that operations join."""
         stack: list[Any] = []
         for token in self.tokens(genome):
             if token in OPERATIONS:
