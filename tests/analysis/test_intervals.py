@@ -10,8 +10,6 @@ from matrixworld.analysis.intervals import (
     generalization_over_episodes,
     linear_over_episodes,
 )
-from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.plots.runs import race_bands
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK
 
 
@@ -77,25 +75,3 @@ def test_the_bootstrap_of_one_task_is_that_of_rliable(monkeypatch):
     found = analysis.interquartile_mean(TASK)
     # The scores have two decimals, so the ends move in steps of 1/600.
     np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)
-
-
-PAYOFFS = np.random.default_rng(0).random((4, 7, 5))
-
-
-def test_bands_are_those_of_the_curves():
-    bands = race_bands(PAYOFFS)
-    curves = [analysis.generalization(payoff) for payoff in PAYOFFS]
-    profiles = [analysis.lag_profile(payoff) for payoff in PAYOFFS]
-    for band, of_runs in (
-        (bands["pursuer_generalization"], [each.pursuers for each in curves]),
-        (bands["evader_generalization"], [each.evaders for each in curves]),
-        (bands["lag_profile"], [each.means for each in profiles]),
-    ):
-        expected = analysis.band_over_runs(of_runs, bounds=(0.0, 1.0))
-        np.testing.assert_allclose(band.mean, expected.mean)
-        np.testing.assert_allclose(band.low, expected.low)
-        np.testing.assert_array_equal(band.runs, 4)
-    np.testing.assert_array_equal(bands["lag_profile"].places, profiles[0].lags)
-    ratings = [ELO_POINTS * analysis.elo(payoff).evaders for payoff in PAYOFFS]
-    np.testing.assert_allclose(bands["evader_ratings"].mean, np.mean(ratings, axis=0))
-    assert bands["evader_ratings"].low.min() < -20  # ratings have no bounds

@@ -61,7 +61,7 @@ NUMBERS, TYPE = "an array of numbers, got", r"expected .* got "
     ("function", "arguments", "error", "message"),
     [
         (check_payoff, [np.zeros((2, 2, 2))], ValueError, r"2 dimension.*got shape \(2, 2, 2\)"),
-        (check_payoff, [[[0.1, 0.2], [0.3]]], ValueError, r"got \[0.1, 0.2\] at \(0\)"),
+        (check_payoff, [[[0.1, 0.2], [0.3]]], ValueError, r"got \[\[0.1, 0.2\], \[0.3\]\]"),
         (check_payoff, [[[0.0, np.nan]]], ValueError, r"got nan at index \(0, 1\)"),
         (check_payoff, [[["0.5", "0.6"]]], TypeError, NUMBERS),
         (partial(analysis.checkerboards, margin=-0.1), [PENNIES], ValueError, r"in \[0, 1\)"),

@@ -50,7 +50,7 @@ def test_the_other_team_plays_the_worlds_actions():
     env.reset(seed=1)
     twin.reset(seed=1)
     for row in random_actions(6, 5, 6, 3, 7):
-        env.worlds.evaders.actions[:] = row[:, 3:]
+        env.worlds.actions[:, env.worlds.evaders] = row[:, 3:]
         env.step(row[:, :3].ravel())
         twin.step(row)
         np.testing.assert_array_equal(env.worlds.observations, twin.observations)

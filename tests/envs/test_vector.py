@@ -78,30 +78,16 @@ def test_what_was_returned_stays(mode):
     assert any(not np.array_equal(one[0], other[0]) for one, other in itertools.pairwise(returned))
 
 
-def test_teams_are_parts_of_the_same_arrays():
-    env = make()
-    env.reset(seed=0)
-    n = env.config.n_pursuers
-    for name in ("observations", "rewards", "terminations", "truncations", "actions"):
-        for team, agents in ((env.pursuers, slice(0, n)), (env.evaders, slice(n, None))):
-            part = getattr(team, name)
-            assert np.shares_memory(part, getattr(env, name))
-            np.testing.assert_array_equal(part, getattr(env, name)[:, agents])
-    for name in ("alive", "acted", "cost", "positions", "involved", "fault"):
-        assert np.shares_memory(getattr(env.evaders, name), env.infos[name])
-
-
 def test_actions_are_written_into_the_arrays_of_the_teams():
     envs, twin = (mw.VectorEnv("O", 2, rows=6, cols=6, n_pursuers=2, n_evaders=2) for _ in "ab")
     for each in (envs, twin):
         each.reset(seed=0)
-    envs.pursuers.actions[:], envs.evaders.actions[:] = [[1, 2], [2, 1]], 3
+    envs.actions[:, envs.pursuers], envs.actions[:, envs.evaders] = [[1, 2], [2, 1]], 3
     expected = [[1, 2, 3, 3], [2, 1, 3, 3]]
     np.testing.assert_array_equal(envs.actions, expected)
     np.testing.assert_array_equal(envs.step()[0], twin.step(expected)[0])
-    for owner in (envs, envs.pursuers):
-        with pytest.raises(AttributeError):
-            owner.actions = expected
+    with pytest.raises(AttributeError):
+        envs.actions = expected
     world, batch = mw.World("O"), mw.Batch(1)
     with pytest.raises(AttributeError, match="^positions: expected no assignment"):
         world.positions = world.positions + 1

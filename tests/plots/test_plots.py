@@ -5,20 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex
 
 from matrices import circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
-from matrixworld.analysis.intervals import generalization_over_episodes
-from matrixworld.plots.race import (
-    collision_rates,
-    generalization_curves,
-    lag_profile_curve,
-    training_curve,
-)
-from matrixworld.plots.runs import race_bands, seed_bands, seed_scores
+from matrixworld.analysis.intervals import UNIT, generalization_over_episodes
+from matrixworld.plots.race import collision_rates, training_curve
+from matrixworld.plots.runs import LOOKS
 from matrixworld.plots.style import FORMATS
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
@@ -49,49 +43,31 @@ def test_heatmap_shows_the_matrix_with_pursuers_upwards():
     np.testing.assert_array_equal(above % 1, 0.5)
 
 
-def test_generalization_curves():
-    figure = generalization_curves(analysis.read_payoffs(RACE))
-    (axes,) = figure.axes
-    for line, expected in zip(axes.lines, analysis.generalization(RACE), strict=True):
-        np.testing.assert_allclose(line.get_ydata(), expected)
-    assert not axes.collections  # a single run without episodes has no interval
-
-
-def test_generalization_curves_show_intervals_over_episodes_or_seeds():
-    seeds = np.clip(RACE + RNG.normal(0, 0.1, (4, 31, 31)), 0, 1)
-    run = analysis.read_payoffs(SINGLE, per_episode=True)
-    bands = race_bands(seeds)
-    of_seeds = [bands[f"{team}_generalization"] for team in ("pursuer", "evader")]
-    of_episodes = generalization_over_episodes(SINGLE)
-    for payoffs, expected in ((run, of_episodes), (analysis.read_payoffs(seeds), of_seeds)):
-        (axes,) = generalization_curves(payoffs).axes
-        for line, drawn, band in zip(axes.lines, axes.collections, expected, strict=False):
-            np.testing.assert_allclose(line.get_ydata(), band.mean)
-            check_band(drawn, band)
+def test_generalization_has_intervals_over_episodes():
+    axes = plots.comparison({"race": analysis.read_payoffs(SINGLE, per_episode=True)}).axes[2]
+    expected = generalization_over_episodes(SINGLE)
+    for line, drawn, band in zip(axes.lines, axes.collections, expected, strict=False):
+        np.testing.assert_allclose(line.get_ydata(), band.mean)
+        check_band(drawn, band)
 
 
 def test_lag_profile_is_solid_where_it_rests_on_enough_cells():
-    (axes,) = lag_profile_curve(RACE).axes
+    axes = plots.comparison({"race": RACE}).axes[1]
     faint, solid, _ = axes.lines
     profile = analysis.lag_profile(RACE)
     np.testing.assert_array_equal(faint.get_xydata(), np.transpose([profile.lags, profile.means]))
     np.testing.assert_array_equal(solid.get_xdata(), np.arange(-26, 27))  # at least 5 cells each
 
 
-def test_training_curve_colours_each_piece_by_the_team_that_learns():
+def test_training_curve_is_shaded_by_the_team_that_learns():
     rates, learners = np.array([0.5, 0.9, 0.2, 0.8]), np.array([0, 0, 1, 0])
     figure = training_curve(rates, learners, generations=[1, 1, 1, 2])
     (axes,) = figure.axes
-    shade, curve, _ = axes.collections
+    (curve,) = axes.lines
+    np.testing.assert_array_equal(curve.get_xydata(), [[1, 0.5], [2, 0.9], [3, 0.2], [4, 0.8]])
     # From half an epoch before the evaders' one to half an epoch after it.
-    assert {*shade.get_paths()[0].vertices[:, 0]} <= {2.5, 3.0, 3.5}
-    assert isinstance(curve, LineCollection)
-    pieces = np.array(curve.get_segments())
-    np.testing.assert_allclose(pieces[:, 0], [[1, 0.5], [2, 0.9], [3, 0.2]])
-    np.testing.assert_allclose(pieces[:, 1], [[2, 0.9], [3, 0.2], [4, 0.8]])
-    assert [to_hex(c).upper() for c in curve.get_colors()] == [
-        colors.PURSUER, colors.EVADER, colors.PURSUER,
-    ]  # fmt: skip
+    _, evaders = axes.collections
+    assert {*evaders.get_paths()[0].vertices[:, 0]} <= {2.5, 3.0, 3.5}
     assert legend_texts(figure) == ["pursuers learn", "evaders learn"]
     (top,) = axes.child_axes
     assert list(top.get_xticks()) == [1, 4]
@@ -119,6 +95,7 @@ def test_comparison_puts_races_and_what_was_judged_side_by_side():
         np.testing.assert_array_equal(lags[column].lines[0].get_ydata(), profile.means)
         for line, curve in zip(scores[column].lines, analysis.generalization(matrix), strict=True):
             np.testing.assert_array_equal(line.get_ydata(), curve)
+        assert not scores[column].collections  # means alone have no interval
     assert [axes.texts[0].get_text() for axes in maps] == ["", "Both teams improved."]
 
 
@@ -144,23 +121,19 @@ def thick(axes):
 
 def test_bands_show_means_and_intervals_over_seeds():
     groups = {"one": analysis.read_payoffs(MATRICES), "two": analysis.read_payoffs(MATRICES[:1])}
-    figure = seed_bands(groups, {"one": judged_seeds(4), "two": judged_seeds(1)})
-    (scores, single), (strength, _), (lags, _) = np.reshape(figure.axes, (3, 2))
-    bands = race_bands(MATRICES)
-    for axes, expected in (
-        (scores, (bands["pursuer_generalization"], bands["evader_generalization"])),
-        (strength, (bands["pursuer_ratings"], bands["evader_ratings"])),
-        (lags, (bands["lag_profile"],)),
-    ):
-        # An empty band may follow, for the legend.
-        for drawn, band, filled in zip(thick(axes), expected, axes.collections, strict=False):
-            np.testing.assert_allclose(drawn, band.mean)
-            check_band(filled, band)
-    assert (
-        scores.get_title().replace("\nruns", " runs")
-        == f"one\n4 seeds\n{analysis.sentence(judged_seeds(4))}"
-    )
-    assert single.get_title().startswith("two\n1 seed: no band")
+    figure = plots.comparison(groups, {"one": judged_seeds(4), "two": judged_seeds(1)})
+    (maps, _), (lags, _), (scores, single) = np.reshape(figure.axes[:6], (3, 2))
+    np.testing.assert_array_equal(maps.images[0].get_array(), MATRICES.mean(axis=0))
+    profiles = [analysis.lag_profile(matrix) for matrix in MATRICES]
+    means = analysis.band_over_runs([each.means for each in profiles], bounds=UNIT)
+    teams = zip(*map(analysis.generalization, MATRICES), strict=True)
+    bands = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
+    check_band(lags.collections[0], means)
+    # An empty band may follow, for the legend.
+    for drawn, band, filled in zip(thick(scores), bands, scores.collections, strict=False):
+        np.testing.assert_allclose(drawn, band.mean)
+        check_band(filled, band)
+    assert len(scores.lines) == 2 * (1 + 4) + 1  # and for the legend
     assert not single.collections
 
 
@@ -169,35 +142,15 @@ def test_the_strip_has_a_cell_for_each_verdict():
     figure = plots.verdict_strip({"a": judgement}, {"a": (2, 5, 9)}, {"a": (7,)})
     (axes,) = figure.axes
     findings = judgement.findings
-    looks = {"present": colors.BLUE, "absent": colors.GRID, "cannot tell": colors.PAPER}
-    drawn = {(round(c.get_x()), round(c.get_y())): c for c in axes.patches}
-    for column, run in ((0, 0), (1, 1), (3, 2)):
-        for row, finding in enumerate(findings.values()):
-            patch = drawn[column, row]
-            expected = tuple(int(looks[finding.by_run[run]][k : k + 2], 16) for k in (1, 3, 5))
-            assert tuple(round(255 * part) for part in patch.get_facecolor()[:3]) == expected
-    assert all(drawn[2, row].get_hatch() for row in range(len(findings)))
+    (mesh,) = axes.collections
+    kinds, cells = [*LOOKS], np.array(mesh.get_array()).reshape(len(findings), 4)
+    for row, finding in enumerate(findings.values()):
+        drawn = [kinds[int(cell)] for cell in cells[row]]
+        assert drawn == [*finding.by_run[:2], "not finished", finding.by_run[2]]
     names = [tick.get_text() for tick in axes.get_xticklabels()]
-    assert names == ["2", "5", "7", "9", "all together"]
-    words = [text.get_text() for text in axes.texts]
-    assert words[-len(findings) :] == [finding.verdict for finding in findings.values()]
-
-
-def test_scores_show_seeds_and_interquartile_means():
-    scores = {"a": {"pursuer": RNG.random((7, 5)), "evader": RNG.random((7, 5))},
-              "b": {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}}  # fmt: skip
-    pursuers, evaders = seed_scores(scores).axes
-    # Seven seeds have an interval, three have none.
-    a = analysis.interquartile_mean(scores["a"]["pursuer"])
-    bar, diamond, other = (line for line in pursuers.lines if len(line.get_xdata()))
-    np.testing.assert_allclose(bar.get_xdata(), [a.low, a.high])
-    np.testing.assert_allclose(diamond.get_xdata(), a.value)
-    b = analysis.interquartile_mean(scores["b"]["pursuer"])
-    np.testing.assert_allclose(other.get_xdata(), b.value)
-    dots = np.asarray(pursuers.collections[0].get_offsets())[:, 0]
-    np.testing.assert_allclose(dots, scores["a"]["pursuer"].mean(axis=1))
-    names = [[tick.get_text() for tick in axes.get_yticklabels()] for axes in (pursuers, evaders)]
-    assert names == [["a (7 seeds)", "b (3 seeds)"]] * 2
+    assert names == ["2", "5", "7", "9"]
+    rows = [tick.get_text() for tick in axes.get_yticklabels()]
+    assert rows == [f"{name}: {finding.verdict}" for name, finding in findings.items()]
 
 
 def test_dots_are_the_runs_and_the_diamond_is_their_mean():
@@ -240,7 +193,7 @@ def test_triangles_are_those_of_ciao():
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_figures_are_files_of_their_suffix(suffix, tmp_path):
     begins = {"png": b"\x89PNG\r\n\x1a\n", "pdf": b"%PDF-", "svg": b"<?xml"}
-    figure = lag_profile_curve(RACE)
+    figure = plots.run_curves({"race": RACE}, label="score")
     content = plots.save_figure(figure, tmp_path / f"figure.{suffix}").read_bytes()
     assert content.startswith(begins[suffix])
     assert b"<image" not in content  # vectors only
@@ -256,7 +209,7 @@ scores = analysis.judge([SQUARE] * 3)
     ("draw", "message"),
     [
         (lambda: plots.verdict_strip({"a": scores}, {"a": (0, 1)}), "seeds: expected 3 of a"),
-        (lambda: plots.save_figure(lag_profile_curve(RACE), "x.bmp"), r"ends in \.png"),
+        (lambda: plots.save_figure(plots.payoff_heatmap(RACE), "x.bmp"), r"ends in \.png"),
         (lambda: plots.comparison({}), "expected at least one race to draw, got none"),
         (lambda: plots.run_dots({"a": HIDDEN[0, 0]}, label="score"), "masked cell"),
         (lambda: plots.run_curves({"a": HIDDEN[0]}, label="score"), "masked cell"),

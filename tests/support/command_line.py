@@ -17,9 +17,7 @@ JOB = {**RACE, "joint_epochs": 2}
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 PLACES = [f"{schedule}/seed-{TINY['seed']}" for schedule in MAIN_JOB]
 """Where the runs of the main job are."""
-FIGURES = {
-    f"{name}.png" for name in ["payoff", "generalization", "lag_profile", "training", "collisions"]
-}
+FIGURES = {f"{name}.png" for name in ("payoff", "training", "collisions")}
 READING = [
     ["judge", "RUN"],
     ["replay", "RUN", "--out", "match.npz"],

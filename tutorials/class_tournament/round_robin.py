@@ -45,7 +45,6 @@ from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play.matches import Chooser, play_episodes
-from matrixworld.play.policies import check_fits
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Script, TeamPolicy
 
@@ -322,7 +321,7 @@ def _trial(submission: Submission, pool: MatchPool) -> list[Entry | Refusal]:
     try:
         if kind == "genome":
             team, population = submissions.read_genome(path, content)
-            check_fits("genome", population.policy, pool.config)
+            population.policy.check_fits("genome", pool.config)
             return [Entry(name, team, "genome", file, population)]
         if pool.problem:
             raise RefusedError(f"programs are not played here: {pool.problem}")

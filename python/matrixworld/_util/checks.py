@@ -7,7 +7,6 @@ import operator
 import os
 import re
 from collections.abc import Callable, Iterable, Mapping, Set
-from contextlib import suppress
 from difflib import get_close_matches
 from numbers import Real
 from pathlib import Path
@@ -100,7 +99,7 @@ def check_floats(
     except OverflowError:
         raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None
     except (TypeError, ValueError) as error:
-        raise type(error)(f"{expected} {_no_number(given)}") from None
+        raise type(error)(f"{expected} {shown(given)}") from None
     if kept is None:
         raise TypeError(f"{expected} {shown(given)}")
     if np.any(array.mask):
@@ -117,20 +116,18 @@ def unmasked(name: str, given: Any) -> NDArray[Any]:
     return np.asarray(given)
 
 
-def _no_number(given: ArrayLike) -> str:
-    """Return the first cell of what should be numbers that is none, with its place."""
-    with suppress(StopIteration, ValueError):
-        cells = np.ndenumerate(np.asarray(given, object))
-        where, cell = next((at, each) for at, each in cells if not isinstance(each, Real))
-        return f"{shown(cell)} at ({', '.join(map(str, where))})" if where else shown(cell)
-    return shown(given)
-
-
 def check_shape(name: str, array: NDArray[Any], *expected: int) -> None:
     """Raise TypeError unless an argument is an array, or ValueError if it has another shape."""
     check_instance(name, array, np.ndarray)
     if unmasked(name, array).shape != expected:
         raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+
+
+def check_finite(name: str, array: NDArray[Any]) -> None:
+    """Raise ValueError with the first of some numbers that is NaN or infinite."""
+    bad = array[~np.isfinite(array)]
+    if bad.size:
+        raise ValueError(f"{name}: expected finite numbers, got {bad[0]}")
 
 
 def check_bool(name: str, value: Any) -> bool:

@@ -7,13 +7,11 @@ of time, and it may saturate. A checkerboard contradicts every such order.
 
 from __future__ import annotations
 
-import heapq
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_number, check_real
 from matrixworld.analysis.intervals import BIASED, LEVEL, Estimate, normal_quantile, t_quantile
@@ -61,12 +59,23 @@ class Checkerboard:
 
 
 def transitive_share(payoff: ArrayLike) -> float:
-    """Return the share of the variance of `payoff` (n, m) that generations' own strengths explain.
+    """Return the share of the variance that generations' own strengths explain.
 
-    1: the strengths of both generations add up to the capture rate. 0: only the pairing matters.
-    NaN for a constant matrix. Noise alone gives about ``(n + m - 2) / (n m - 1)``, so a low value
-    is no proof of cycles: look at `checkerboards`, too; ``MEASURES["transitive_share"]`` subtracts
-    the noise of single episodes.
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1].
+
+    Returns
+    -------
+    float
+        1: the strengths of both generations add up to the capture rate. 0: only the pairing
+        matters. NaN for a constant matrix.
+
+    Notes
+    -----
+    Noise alone gives about ``(n + m - 2) / (n m - 1)``, so a low value is no proof of cycles: look
+    at `checkerboards`, too; ``MEASURES["transitive_share"]`` subtracts the noise of episodes.
 
     Fisher (1925), "Statistical methods for research workers": two-way analysis of variance.
     Candogan et al. (2011), "Flows and decompositions of games: harmonic and potential games".
@@ -108,64 +117,67 @@ def checkerboards(
 ) -> Checkerboards:
     """Count checkerboards: pursuers p1 beat e1 but not e2, and p2 beat e2 but not e1.
 
-    Counted over pairs of rows and of columns of `payoff` (n, m), in time O(n^2 m^2) and memory
-    O(n m^2). A staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1].
+    margin : float, optional
+        By more than this, in [0, 1), each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of
+        ``M[p1, e2]`` and ``M[p2, e1]``. The default is 0.
+    level : float or None, optional
+        Capture rate in [0, 1] above which pursuers beat evaders: both winning cells lie above it,
+        both losing cells do not. The default is 0.5. With None cells are compared with each other
+        only, so a cycle between capture rates of .1 and .4 is found, too.
 
-    Each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of ``M[p1, e2]`` and ``M[p2, e1]`` by more
-    than the `margin`, in [0, 1). Above the `level`, a capture rate in [0, 1], pursuers beat
-    evaders: both winning cells lie above it, both losing cells do not. With None cells are compared
-    with each other only, so a cycle between capture rates of .1 and .4 is found, too.
+    Returns
+    -------
+    Checkerboards
+        Their number, and that of all quadruples. A staircase and any matrix ``f(r_g + c_h)`` with
+        increasing f have none. It takes time O(n^2 m^2) and memory O(n m^2).
     """
     matrix = check_payoff(payoff)
     require(0.0 <= check_real("margin", margin) < 1.0, "a margin in [0, 1)", margin)
     if level is not None:
-        level = check_number("level", level, least=0.0, most=1.0)
-    compared = [(matrix, margin)]
-    if level is not None:  # both better cells are wins, and both worse are not
-        compared.append(((matrix > level).astype(np.float64), 0.0))
-    # [g, e1, e2]: pursuers g do better against e1 than against e2.
-    falls = [values[:, :, None] - values[:, None, :] > least for values, least in compared]
+        check_number("level", level, least=0.0, most=1.0)
     count = 0
-    for p in range(len(matrix) - 1):
-        found: Any = True
-        for (values, least), fall in zip(compared, falls, strict=True):
-            gain = values[p] - values[p + 1 :]
-            cross = (gain > least)[:, :, None] & (-gain > least)[:, None, :]
-            found = found & fall[p] & fall[p + 1 :].swapaxes(1, 2) & cross
+    for p, row in enumerate(matrix):
+        won, lost = _sides(row, matrix[p + 1 :])
+        found = won - lost > margin
+        if level is not None:
+            found &= (won > level) & (lost <= level)
         count += int(found.sum())
     rows, columns = matrix.shape
     return Checkerboards(count, math.comb(rows, 2) * math.comb(columns, 2))
 
 
+def _sides(row: Rates, others: Rates) -> tuple[Rates, Rates]:
+    """Return the lower of the two wins and the higher of the two losses, both (others, m, m)."""
+    won = np.minimum(row[:, None], others[:, None, :])
+    lost = np.maximum(row, others[:, :, None])
+    return won, lost
+
+
 def strongest_checkerboards(
     matrix: Rates, *, count: int = 12, margin: float = 0.0
 ) -> tuple[Checkerboard, ...]:
-    """Return the largest checkerboards, of which no two have three generations in common."""
-    # Of two rows, no margin exceeds what one gains over the other in some column, and loses in
-    # another. In the order of these bounds, some dozens of pairs have to be looked at.
-    pairs: list[tuple[float, int, int, Checkerboard | None]] = []
-    for p, row in enumerate(matrix[:-1]):
-        gains = row - matrix[p + 1 :]
-        bounds = np.minimum(gains.max(axis=1), -gains.min(axis=1)).tolist()
-        pairs += [(-most, p, q, None) for q, most in enumerate(bounds, p + 1) if most > margin]
-    heapq.heapify(pairs)
+    """Return the largest checkerboards, of which no two have three generations in common.
+
+    Of each two pursuers the best one, in a matrix that is `thinned`.
+    """
+    rows, columns = (_even(size).tolist() for size in matrix.shape)
+    few, boards = thinned(matrix), list[Checkerboard]()
+    for p, row in enumerate(few):
+        won, lost = _sides(row, few[p + 1 :])
+        for q, margins in enumerate(won - lost, p + 1):
+            a, b = divmod(int(margins.argmax()), len(columns))
+            pairs = (rows[p], rows[q]), (columns[a], columns[b])
+            boards.append(Checkerboard(*pairs, float(margins[a, b])))
     chosen: list[Checkerboard] = []
-    while pairs and len(chosen) < count:
-        _, p, q, board = heapq.heappop(pairs)
-        if board is None:
-            board = _strongest_of(matrix, p, q)
-            if board.margin > margin:
-                heapq.heappush(pairs, (-board.margin, p, q, board))
-        elif all(_in_common(board, other) <= 2 for other in chosen):
+    for board in sorted(boards, key=lambda each: -each.margin):
+        alike = any(_in_common(board, other) > 2 for other in chosen)
+        if board.margin > margin and len(chosen) < count and not alike:
             chosen.append(board)
     return tuple(chosen)
-
-
-def _strongest_of(matrix: Rates, p: int, q: int) -> Checkerboard:
-    row, later = matrix[p], matrix[q]
-    margins = np.minimum(row[:, None], later) - np.maximum(row, later[:, None])
-    a, b = divmod(int(margins.argmax()), len(row))
-    return Checkerboard((p, q), (a, b), float(margins[a, b]))
 
 
 def _in_common(one: Checkerboard, other: Checkerboard) -> int:
@@ -197,8 +209,12 @@ def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL)
 
 def thinned(matrix: Rates) -> Rates:
     """Return all generations of each team, or `MOST_GENERATIONS` of them at even distances."""
-    even = (np.linspace(0, size - 1, min(size, MOST_GENERATIONS)) for size in matrix.shape)
-    return matrix[np.ix_(*(each.round().astype(np.intp) for each in even))]
+    return matrix[np.ix_(*map(_even, matrix.shape))]
+
+
+def _even(size: int) -> NDArray[np.intp]:
+    even = np.linspace(0, size - 1, min(size, MOST_GENERATIONS))
+    return np.asarray(even.round(), np.intp)
 
 
 def _leverages(fit: Rates) -> Rates:

@@ -39,11 +39,23 @@ class Nash(Readable):
 
 
 def nash_averaging(payoff: ArrayLike) -> Nash:
-    """Find the maximum-entropy equilibrium of `payoff` (n, m), and the payoffs against it.
+    """Find the maximum-entropy equilibrium, and the payoffs against it.
 
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1]. Those closer than 1e-7 count as equal.
+
+    Returns
+    -------
+    Nash
+        Its `value`, the mixtures `pursuers` (n,) and `evaders` (m,), and the averages against them.
+
+    Notes
+    -----
     The zero-sum game is solved by linear programming. The optimal mixtures of a team form a
     polytope; the one of maximum entropy is unique. Copies of a generation share its weight and
-    change neither the value nor the averages. Payoffs closer than 1e-7 count as equal.
+    change neither the value nor the averages.
 
     Balduzzi et al. (2018), "Re-evaluating evaluation": the case of agents against tasks. Dantzig
     (1951), "A proof of the equivalence of the programming problem and the game problem".
@@ -219,10 +231,21 @@ class Exploitability(NamedTuple):
 def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -> Exploitability:
     """Return the gains of the best generations of the matrix against two mixtures.
 
-    They are ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders:
-    in `payoff` M (n, m), with the mixtures `pursuers` p (n,) and `evaders` q (m,), weights of at
-    least 0 with sum 1. Opponents outside the matrix may gain more: see `solver.best_response`.
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates M in [0, 1].
+    pursuers, evaders : array_like, shapes (n,) and (m,)
+        The mixtures p and q: weights of at least 0 with sum 1.
 
+    Returns
+    -------
+    Exploitability
+        ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders, and
+        their `total`. Opponents outside the matrix may gain more: see `solver.best_response`.
+
+    Notes
+    -----
     Lanctot et al. (2017), "A unified game-theoretic approach to multiagent reinforcement learning",
     where the sum is called NashConv.
     """

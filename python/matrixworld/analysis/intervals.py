@@ -92,14 +92,13 @@ class Band(Readable):
     """A mean curve with its pointwise interval; all of shape (k,).
 
     `places`: where the points lie, such as generations. `low` and `high` are NaN where there is no
-    interval, and None for a single run. `runs`: runs, or episodes, behind each point.
+    interval, and None for a single run.
     """
 
     places: NDArray[Any]
     mean: Rates
     low: Rates | None
     high: Rates | None
-    runs: NDArray[np.int64]
 
 
 def interval_over_runs(
@@ -107,11 +106,21 @@ def interval_over_runs(
 ) -> Estimate:
     """Return the mean over training runs with Student's t interval.
 
-    The `values` (runs,) are one finite number for each independent run, which episodes or
-    generations do not replace. The interval has a `level` in (0, 1), and is clipped to `bounds`,
-    the smallest and the largest possible value. A single run has none, and runs with equal values
-    have none either: they do not show how much runs vary. The coverage is exact for normal values;
-    evolution/results/coverage has it for others.
+    Parameters
+    ----------
+    values : array_like, shape (runs,)
+        One finite number for each independent run, which episodes or generations do not replace.
+    level : float, optional
+        Level of the interval, in (0, 1). The default is 0.95.
+    bounds : tuple of float, optional
+        Smallest and largest possible value, to which the interval is clipped.
+
+    Returns
+    -------
+    Estimate
+        A single run has no interval, and runs with equal values have none either: they do not show
+        how much runs vary. The coverage is exact for normal values; evolution/results/coverage has
+        it for others.
     """
     array = _check_values(values)
     check_level(level)
@@ -133,10 +142,21 @@ def difference_of_runs(
 ) -> Estimate:
     """Return the difference between the means of two groups of runs with a t interval.
 
-    `one` and `other` have one finite number for each run. The groups are independent, and their
-    variances may differ (Welch 1947); of `paired` ones entry i of both belongs together, for
-    example through the same seed. There is no interval if a group has a single run, or if neither
-    group varies. `level` and `bounds` are as for `interval_over_runs`.
+    Parameters
+    ----------
+    one, other : array_like, shapes (runs,)
+        A finite number for each run. Groups are independent, and their variances may differ
+        (Welch 1947).
+    paired : bool, optional
+        Whether entry i of both belongs together, for example through the same seed. The default
+        is False.
+    level, bounds : optional
+        As for `interval_over_runs`.
+
+    Returns
+    -------
+    Estimate
+        `one` minus `other`; without an interval if a group has a single run, or neither varies.
     """
     first, second = (_check_values(each) for each in (one, other))
     check_level(level)
@@ -184,13 +204,12 @@ def band_over_runs(
         at = np.asarray(places)
     mean = np.nansum(array, axis=0) / counts
     if len(array) == 1:
-        return Band(at, mean, None, None, counts)
+        return Band(at, mean, None, None)
     squares = (np.where(known, array - mean, 0.0) ** 2).sum(axis=0)
     # Single runs and equal ones say nothing about others; equal but for rounding, too.
     freedom = np.where(squares > 1e-24 * counts * np.maximum(1.0, mean**2), counts - 1.0, np.nan)
     half = t_quantile(level, freedom) * np.sqrt(squares / freedom / counts)
-    ends = np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1])
-    return Band(at, mean, *ends, counts)
+    return Band(at, mean, np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1]))
 
 
 def around(singles: Sequence[Estimate]) -> Estimate:
@@ -212,11 +231,23 @@ def fewest_runs(level: float = LEVEL) -> int:
 
 
 def interquartile_mean(scores: ArrayLike, *, level: float = LEVEL, seed: int = 0) -> Estimate:
-    """Return the mean of the middle half of `scores` (runs, opponents), with a bootstrap interval.
+    """Return the mean of the middle half of scores, with a bootstrap interval.
 
-    Single runs that fail and single opponents that are easy count less than in the mean. There is
-    no interval, of a `level` in (0, 1), below 6 runs (at 95 %), and if all runs are equal. The
-    bootstrap samples have a `seed`.
+    Single runs that fail and single opponents that are easy count less than in the mean.
+
+    Parameters
+    ----------
+    scores : array_like, shape (runs, opponents)
+        Finite scores.
+    level : float, optional
+        Level of the interval, in (0, 1). The default is 0.95.
+    seed : int, optional
+        Seed of the bootstrap samples. The default is 0.
+
+    Returns
+    -------
+    Estimate
+        Without an interval below 6 runs (at 95 %), and if all runs are equal.
 
     Notes
     -----
@@ -260,15 +291,25 @@ def _middle_mean(scores: Rates) -> float:
 
 
 def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
-    """Return the mean of `scores` in [0, 1] with an interval that needs no other assumption.
+    """Return the mean of scores in [0, 1] with an interval that needs no other assumption.
 
-    They are those of at least two independent episodes. The interval has a `level` in (0, 1).
+    Parameters
+    ----------
+    scores : array_like, shape (episodes,)
+        Scores in [0, 1] of at least two independent episodes.
+    level : float, optional
+        Level of the interval, in (0, 1). The default is 0.95.
+
+    Returns
+    -------
+    Estimate
+        The mean with its interval, which has a width even if all episodes are equal.
 
     Notes
     -----
     The upper end is a quantile of the weighted mean of the scores and one further score of 1, with
     weights that are uniform on the simplex; the lower end adds a 0. For win or loss this is the
-    interval of Clopper and Pearson (1934). It has a width even if all episodes are equal.
+    interval of Clopper and Pearson (1934).
 
     References
     ----------
@@ -367,7 +408,8 @@ def rate_intervals(
     # Each resample of episodes gives the distance of its rate from the rate of all in standard
     # errors of a ratio; its quantiles replace those of Student's t: counts are skewed.
     n, rng = len(counts), np.random.default_rng(seed)
-    c = counts.reshape(n, -1).astype(float)
+    c: NDArray[Any] = counts.reshape(n, -1).astype(float)
+    colliding = (c > 0).sum(axis=0)
     # Agent-steps lack the other axes and the kinds: a length of 1 there.
     by_team = agent_steps.reshape(n, *(1,) * (counts.ndim - 3), 2, 1).astype(float)
     s = np.broadcast_to(by_team, counts.shape).reshape(n, -1)
@@ -375,21 +417,10 @@ def rate_intervals(
     draws = (np.bincount(rng.integers(n, size=n), minlength=n) for _ in range(RESAMPLES_OF_RATES))
     # One draw is how often each episode occurs in a resample: a product sums the whole resample.
     sums = np.stack([data.sum(axis=0), *(times @ data for times in draws)])
-    ends = _ends(*_rates_and_errors(sums.reshape(len(sums), 5, -1)))
-    ends[:, ((c > 0).sum(axis=0) < COLLIDING_FOR_RATES) | (n < EPISODES_FOR_RATES)] = np.nan
-    return np.asarray(1000 * ends.T.reshape(*counts.shape[1:], 2))
-
-
-def _rates_and_errors(sums: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return ratios c / s, shape (k, rates), and their standard errors up to a constant factor."""
-    c, s, cc, cs, ss = np.moveaxis(sums, 1, 0)
+    c, s, cc, cs, ss = np.moveaxis(sums.reshape(len(sums), 5, -1), 1, 0)
     s = np.maximum(s, 1.0)  # a team without agent-steps has no collisions either
-    rates = c / s
-    return rates, np.sqrt(np.maximum(cc - 2 * rates * cs + rates**2 * ss, 0.0)) / s
-
-
-def _ends(rates: NDArray[Any], errors: NDArray[Any]) -> NDArray[np.float64]:
-    """Return the ends of the intervals, shape (2, rates); row 0 is the data, others resamples."""
+    rates = c / s  # of the data in row 0, and of the resamples
+    errors = np.sqrt(np.maximum(cc - 2 * rates * cs + rates**2 * ss, 0.0)) / s  # but for a factor
     with np.errstate(divide="ignore", invalid="ignore"):
         # A resample of equal episodes is infinitely many standard errors away, if it differs.
         t = (rates[1:] - rates[0]) / errors[1:]
@@ -397,7 +428,9 @@ def _ends(rates: NDArray[Any], errors: NDArray[Any]) -> NDArray[np.float64]:
         # Without interpolation, which has no result between two infinities.
         tails = (1 + LEVEL) / 2, (1 - LEVEL) / 2
         ends = rates[0] - np.quantile(t, tails, axis=0, method="nearest") * errors[0]
-    return np.asarray(np.clip(ends, 0.0, 1.0))
+    ends = np.clip(ends, 0.0, 1.0)
+    ends[:, (colliding < COLLIDING_FOR_RATES) | (n < EPISODES_FOR_RATES)] = np.nan
+    return np.asarray(1000 * ends.T.reshape(*counts.shape[1:], 2))
 
 
 # ---- Parts of intervals --------------------------------------------------------------------------

@@ -64,6 +64,25 @@ def judge(
 ) -> Judgement:
     """Judge a race, or several with the same settings, from the payoffs of its generations.
 
+    Parameters
+    ----------
+    source : array_like, path, list of paths or Payoffs
+        As in `read_payoffs`. Episodes of a pair are independent; pairs may share their worlds.
+    per_episode : bool, optional
+        Whether the last axis of an array holds the episodes of each cell. The default is False.
+    episodes : int, optional
+        How many episodes are behind each cell of a matrix of means. Without it only the gains of
+        the teams can be judged, and forgetting takes the single episodes.
+    level : float, optional
+        Level of the intervals, in (0, 1). The default is 0.95.
+
+    Returns
+    -------
+    Judgement
+        A verdict on each condition in the whole race and in its halves.
+
+    Notes
+    -----
     A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
     about this run: its episodes, and for gains the fluctuation between its generations. Of 2 or 3
     runs each has to show what is present. More have Student's t interval over runs; a gain must
@@ -72,11 +91,6 @@ def judge(
     walk explains it. Runs that are disengaged are left out of the other conditions.
     docs/analysis.md defines the conditions; evolution/results/judgement has how often verdicts are
     wrong.
-
-    `source` and `per_episode` are as in `read_payoffs`. Episodes of a pair are independent; pairs
-    may share their worlds. Of a matrix of means `episodes` says how many are behind each cell:
-    without it only the gains of the teams can be judged, and forgetting takes the single episodes.
-    Intervals have a `level` in (0, 1).
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     check_level(level)

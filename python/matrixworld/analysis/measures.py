@@ -60,8 +60,10 @@ class Measure:
         return self.estimate(payoffs, part, level)
 
     def window_in(self, payoffs: Payoffs) -> Window:
-        """Return the window in which tables show the number."""
-        return payoffs.late if self.late else payoffs.windows["whole"]
+        """Return the window in which tables show the number; of short races the whole."""
+        half = payoffs.windows["last half"]
+        is_long = half.generations >= payoff_module.GENERATIONS_TO_JUDGE
+        return half if self.late and is_long else payoffs.windows["whole"]
 
     def shown(self, estimate: Estimate) -> str:
         """Return an estimate as text, with its interval in brackets."""
@@ -345,15 +347,19 @@ def _of_teams(
 ) -> list[Measure]:
     """Return the rows of both teams; the estimate takes the team, or else its number does."""
     rows = []
-    for team in ("pursuer", "evader"):
-        of_team: dict[str, Any] = {"team": f"{team}s"}
+    for words in WORDS:
+        of_team: dict[str, Any] = {"team": f"{words['team']}s"}
         if number is not None:
             of_team = {"number": partial(number, **of_team)}
-        names = [text.format(team=team) for text in (label, short)]
-        rows.append(
-            Measure(f"{team}_{name}", names[0], partial(estimate, **of_team), names[1], **look)
-        )
+        key, long, brief = (text.format(**words) for text in (f"{{team}}_{name}", label, short))
+        rows.append(Measure(key, long, partial(estimate, **of_team), brief, **look))
     return rows
+
+
+WORDS = (
+    {"team": "pursuer", "other": "evader", "score": "capture"},
+    {"team": "evader", "other": "pursuer", "score": "escape"},
+)
 
 
 ROWS = (
@@ -392,13 +398,9 @@ ROWS = (
         "lag_rise", "gain of later over earlier pursuers",
         partial(_of_matrix, number=progress.lag_rise, bounds=GAIN),
     ),
-    Measure(
-        "pursuer_generalization", "last pursuers against all evaders, capture",
-        partial(_of_matrix, number=partial(_last_score, team="pursuers")),
-    ),
-    Measure(
-        "evader_generalization", "last evaders against all pursuers, escape",
-        partial(_of_matrix, number=partial(_last_score, team="evaders")),
+    *_of_teams(
+        "generalization", "last {team}s against all {other}s, {score}", _of_matrix,
+        number=_last_score,
     ),
     *_of_teams(
         "fading", "CIAO, fading of the {team}s", partial(_of_matrix, bounds=GAIN),

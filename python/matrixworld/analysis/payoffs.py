@@ -152,12 +152,6 @@ class Payoffs(Readable):
         )
         return {window.name: window for window in windows}
 
-    @property
-    def late(self) -> Window:
-        """The window of most tables of measures: last half, of short races the whole."""
-        half = self.windows["last half"]
-        return half if half.generations >= GENERATIONS_TO_JUDGE else self.windows["whole"]
-
 
 def in_words_of(teams: tuple[str, str], text: str) -> str:
     """Return a text about pursuit in the words of a game whose teams have other names."""

@@ -35,7 +35,17 @@ class Elo(Readable):
 
 
 def elo(payoff: ArrayLike) -> Elo:
-    """Fit Elo ratings of both teams to `payoff` (n, m): all matches at once, in no order.
+    """Fit Elo ratings of both teams: all matches at once, in no order.
+
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1].
+
+    Returns
+    -------
+    Elo
+        Ratings `pursuers` (n,) and `evaders` (m,) in natural logits with sum 0, and the `offset`.
 
     Notes
     -----
@@ -76,12 +86,8 @@ def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Band
     errors = np.sqrt(np.where(variances > 0.0, variances, np.nan))
     reach = float(t_quantile(level, episodes - 1)) * errors
     means = ELO_POINTS * ratings.pursuers, ELO_POINTS * ratings.evaders
-    return ByTeam(
-        *(
-            Band(np.arange(len(m)), m, m - r, m + r, np.full(len(m), episodes))
-            for m, r in zip(means, np.split(reach, [rows]), strict=True)
-        )
-    )
+    both = zip(means, np.split(reach, [rows]), strict=True)
+    return ByTeam(*(Band(np.arange(len(m)), m, m - r, m + r) for m, r in both))
 
 
 def _shrunken(matrix: Rates) -> Rates:

@@ -26,7 +26,6 @@ from matrixworld.play.experience import Reals as Reals
 from matrixworld.play.experience import Views as Views
 from matrixworld.play.experience import experience
 from matrixworld.play.policies import acting as acting
-from matrixworld.play.policies import check_fits
 from matrixworld.play.rollout import rollout
 from matrixworld.world import masks
 from matrixworld.world.config import WORLDS
@@ -309,7 +308,7 @@ class Pursuit(Game):
     def check_opponents(self, team: Team, opponents: TeamPolicy) -> None:
         """Raise ValueError if opponents, who play for `team`, do not fit the world."""
         if isinstance(opponents, Population):
-            check_fits("opponents", opponents.policy, self.world)
+            opponents.policy.check_fits("opponents", self.world)
             masks.check_team("opponents", opponents, self.world, team)
 
     def check_start(self, population: Population) -> None:

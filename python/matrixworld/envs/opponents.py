@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from matrixworld import _core
 from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape
 from matrixworld.play.matches import Callback, Plays, checked_actions
-from matrixworld.play.policies import GenomePolicy, check_fits
+from matrixworld.play.policies import GenomePolicy
 from matrixworld.solver import solve
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
@@ -41,9 +41,9 @@ Observation: TypeAlias = Literal["views", "named"]
 """What agents observe: their views, or the named inputs of their moves."""
 
 # The array that agents observe, and its dtypes, of which the first is the default.
-_OBSERVED: dict[Any, tuple[str, tuple[type[np.generic], ...]]] = {
-    "views": ("views", (np.uint8, np.float32)),
-    "named": ("inputs", (np.float32,)),
+_OBSERVED: dict[Any, tuple[str, tuple[str, ...]]] = {
+    "views": ("views", ("uint8", "float32")),
+    "named": ("inputs", ("float32",)),
 }
 
 FIRST: dict[Any, tuple[str, Opponents]] = {
@@ -200,7 +200,6 @@ class PlaysTeam:
 
     _team: BuiltInTeam | None = None
     _observed: str  # the array of `array_specs` that agents observe
-    _space: spaces.Box  # of one agent's observation
 
     def _set_up(
         self, config: Any, changes: Any, action_mask: bool | str, mode: str | None, *modes: str
@@ -212,22 +211,19 @@ class PlaysTeam:
         self.render_mode = mode
         self.metadata: dict[str, Any] = {"render_modes": list(modes), "render_fps": 10}
 
-    def _choose_observation(
+    def _space_of(
         self, observation: Observation, dtype: DTypeLike | None, flatten: bool
-    ) -> None:
-        """Set the array and the space of observations."""
+    ) -> spaces.Box:
+        """Return the space of one agent's observation, and keep which array that is."""
         check_choice("observation", observation, _OBSERVED)
         self._observed, dtypes = _OBSERVED[observation]
         found: np.dtype[Any] = np.dtype(dtypes[0] if dtype is None else dtype)
-        if found not in dtypes:
-            expected = " or ".join(each.__name__ for each in dtypes)
-            with_it = f"with observation={observation!r}"
-            raise ValueError(f"dtype: expected {expected} {with_it}, got {found}")
+        check_choice("dtype", found.name, dtypes)
         (_, *shape), _ = array_specs(self.config)[self._observed]
         most = [bound or np.inf for *_, bound in _core.inputs()] if observation == "named" else 1
         high = np.full(shape, most, found)
         flat = check_bool("flatten", flatten)
-        self._space = spaces.Box(0, high.ravel() if flat else high, dtype=found.type)
+        return spaces.Box(0, high.ravel() if flat else high, dtype=found.type)
 
     @property
     def opponents(self) -> tuple[Plays, ...]:
@@ -264,7 +260,7 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
     elif hasattr(given, "teams"):  # a saved run; its class is not imported here
         return _resolved(name, team, given.teams[team], config)
     if isinstance(given, Population):
-        check_fits(name, given.policy, config)
+        given.policy.check_fits(name, config)
         check_team(name, given, config, team)
         return [Population(genome, given.policy) for genome in given.genomes]
     if callable(given) or isinstance(given, TablePolicy):

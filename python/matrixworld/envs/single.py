@@ -103,7 +103,7 @@ class MatrixWorldBase(PlaysTeam):
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
         self._set_up(config, changes, action_mask, render_mode, *RENDER_MODES)
-        self._choose_observation(observation, dtype, flatten)
+        self._space = self._space_of(observation, dtype, flatten)
         self._read = {self._observed, *["views"] * self._masks.given}
         self.world = World(self.config)
         variant = variant_name(self.config.rules).lower() or "custom"
@@ -271,11 +271,20 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[dict[str, Seen], dict[str, Info]]:
-        """Start an episode, and return observations and infos by the name of the agent.
+        """Start an episode. If arguments are refused, the environment stays as it was.
 
-        Without a seed the next episode of the present seed starts; the first one is drawn from the
-        operating system. `options` are arguments of `World.reset`, under the keys of `OPTIONS`;
-        others are ignored with a warning. If it is refused, the environment stays as it was.
+        Parameters
+        ----------
+        seed : int, optional
+            By default the next episode of the present seed starts; the first one is drawn from the
+            operating system.
+        options : mapping, optional
+            Arguments of `World.reset`, named in `OPTIONS`; others are ignored with a warning.
+
+        Returns
+        -------
+        observations, infos : dict
+            By the name of the agent.
         """
         self._reset_world(seed, options)
         seen, infos = self._observe(self.status)
@@ -286,12 +295,25 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
     ) -> tuple[
         dict[str, Seen], dict[str, float], dict[str, bool], dict[str, bool], dict[str, Info]
     ]:
-        """Play a round; `actions` are those of `agents`, by name.
+        """Play a round.
 
-        Returns observations, rewards, terminations, truncations and infos by the name of the agent,
-        for all that acted. An agent that disappears in this step observes zeros, terminates, and
-        leaves `agents`. RuntimeError if the episode has ended; ValueError or TypeError, and no
-        change, for a bad or missing action or an unknown agent.
+        Parameters
+        ----------
+        actions : mapping of str to int
+            Actions of `agents`, by name.
+
+        Returns
+        -------
+        observations, rewards, terminations, truncations, infos : dict
+            By the name of the agent, for all that acted. An agent that disappears in this step
+            observes zeros, terminates, and leaves `agents`.
+
+        Raises
+        ------
+        RuntimeError
+            If the episode has ended.
+        ValueError, TypeError
+            For a bad or missing action or an unknown agent; nothing has changed.
         """
         if not self.agents:
             if actions or not self._seeded:
@@ -314,10 +336,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         return observations, rewards, terminations, truncations, infos
 
     def _choose_all(self, actions: Mapping[str, Any]) -> None:
-        if not isinstance(actions, Mapping):
-            raise TypeError(
-                f"actions: expected a mapping by names of agents, got {checks.shown(actions)}"
-            )
+        checks.check_instance("actions", actions, Mapping)
         missing = [agent for agent in self.agents if agent not in actions]
         if missing:
             raise ValueError(f"actions: expected one for each of agents, none came for {missing}")
@@ -479,13 +498,11 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         evaders: Opponents = "clumsy-fleer",
         **settings: Any,
     ) -> None:
-        if str(agent).startswith("evader"):
-            self.env = MatrixWorldParallel(config, pursuers=pursuers, **settings)
-            mates = BuiltInTeam("evader", evaders, self.env.config)
-        else:
-            self.env = MatrixWorldParallel(config, evaders=evaders, **settings)
-            mates = BuiltInTeam("pursuer", pursuers, self.env.config)
-        self._mates = self.env._mates = mates
+        team: Team = "evader" if str(agent).startswith("evader") else "pursuer"
+        mates, others = (evaders, "pursuers") if team == "evader" else (pursuers, "evaders")
+        settings[others] = pursuers if team == "evader" else evaders
+        self.env = MatrixWorldParallel(config, **settings)
+        self._mates = self.env._mates = BuiltInTeam(team, mates, self.env.config)
         checks.check_choice("agent", agent, self.env.possible_agents)
         self.agent: str = agent
         self.observation_space: spaces.Box = self.env.observation_space(agent)
@@ -534,8 +551,19 @@ def make(
 ) -> MatrixWorldParallel:
     """Make a `parallel_env` of which the caller plays both teams, or one against an opponent.
 
-    `config` and `settings` are as for `parallel_env`, such as ``size=10``. The caller plays a
-    `team`, "pursuer" or "evader", by default both, and an `opponent` the other one, see
-    `matrixworld.envs.opponents`; by default ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
+    Parameters
+    ----------
+    config, **settings
+        As for `parallel_env`, such as ``size=10``.
+    team : {"pursuer", "evader"}, optional
+        The team that the caller plays. The default is both.
+    opponent : Opponents, optional
+        What plays the other team, see `matrixworld.envs.opponents`. The default is
+        ``"clumsy-fleer"`` or ``"clumsy-chaser"``.
+
+    Returns
+    -------
+    MatrixWorldParallel
+        The environment.
     """
     return MatrixWorldParallel(config, **with_opponent(team, opponent, settings))

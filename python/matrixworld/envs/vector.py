@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from copy import copy as copy_of
 from copy import deepcopy
 from inspect import signature
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from gymnasium import spaces
@@ -28,7 +28,7 @@ from matrixworld.envs.opponents import (
 from matrixworld.world import arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig, WorldSettings
-from matrixworld.world.policy import Team
+from matrixworld.world.policy import TEAMS, Team
 from matrixworld.world.render import rgb
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
@@ -94,8 +94,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         Results of the last step, see Notes. Every step overwrites these arrays.
     actions : ndarray of int64, shape (W, A)
         Actions for a `step` without arguments, to write into: ``envs.actions[:] = 0``.
-    pursuers, evaders : TeamView
-        The teams' parts of these arrays; of a built-in team without agents.
+    pursuers, evaders : slice
+        The teams' parts of the axis of agents: ``envs.rewards[:, envs.evaders]``.
     agents : range
         The numbers of the A agents in their worlds.
 
@@ -122,12 +122,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | statistics of the last ended episode, as in `EpisodeStatistics`; whether it ended in this step |
     """  # noqa: E501  (a row of a table is one line)
 
-    single_observation_space: spaces.Box
-    single_action_space: spaces.MultiDiscrete
-    observation_space: spaces.Space[NDArray[Any]]
-    action_space: spaces.Space[NDArray[Any]]
     _team: BuiltInWorlds | None
-    _views: NDArray[Any]  # only with masks
 
     def __init__(
         self,
@@ -148,7 +143,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     ) -> None:
         checks.check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
         self._set_up(config, changes, action_mask, render_mode, "rgb_array")
-        self._choose_observation(observation, dtype, flatten)
+        self._space = self._space_of(observation, dtype, flatten)
         self.num_envs: int = checks.check_integer("n_worlds", n_worlds, 1)
         given = getattr(autoreset_mode, "value", autoreset_mode)
         checks.check_choice("autoreset_mode", given, [each.value for each in AutoresetMode])
@@ -163,10 +158,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         if self._masks.given or built_in is not None:  # functions that play see views
             asked.add("views")
         kept = _make_buffers(self.config, self.num_envs, asked, self._observed, self._space.dtype)
-        reset = Autoreset[mode.name]
-        self._batch = Batch(
-            self.num_envs, self.config, threads=threads, autoreset=reset, buffers=kept
-        )
+        how: Any = {"threads": threads, "autoreset": Autoreset[mode.name], "buffers": kept}
+        self._batch = Batch(self.num_envs, self.config, **how)
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
         everyone = range(self.config.n_agents)
         self.agents: range = everyone if self._team is None else self._team.learners
@@ -182,7 +175,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
             self.infos["opponent"] = self._team.chosen
             self.infos["episode"]["opponent"] = self._team.last
         if self._masks.given:
-            self._views = mine["views"]
+            self._views: NDArray[Any] = mine["views"]
             self.infos["action_mask"] = self._masks.of(self._views, self.agents.start)
         n_actions = self.config.n_actions
         self.single_observation_space = _widened(self._space, shape[1:])
@@ -191,8 +184,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
         self._actions: NDArray[np.int64] = np.zeros(shape[:2], np.int64)
         first_evader = max(0, self.config.n_pursuers - self.agents.start)
-        self.pursuers: TeamView = TeamView.of(self, slice(0, first_evader))
-        self.evaders: TeamView = TeamView.of(self, slice(first_evader, None))
+        self.pursuers: slice = slice(0, first_evader)
+        self.evaders: slice = slice(first_evader, None)
         self._seeded = False
         # A batch starts with fixed seeds, which would make every unseeded run the same.
         self._batch.reset(np.random.SeedSequence().generate_state(self.num_envs, np.uint64))
@@ -210,10 +203,20 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     def reset(
         self, *, seed: int | ArrayLike | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[NDArray[Any], dict[str, Any]]:
-        """Start an episode in every world, or in some, and return observations and infos.
+        """Start an episode in every world, or in some.
 
-        `seed` and `options` (any of `OPTIONS`) are as for `Batch.reset`, whose ``mask`` is
-        ``reset_mask`` here. Worlds that never had a seed draw one from the operating system.
+        Parameters
+        ----------
+        seed : int or array_like of int, shape (W,), optional
+            As for `Batch.reset`. Worlds that never had a seed draw one from the operating system.
+        options : mapping, optional
+            Any of `OPTIONS`: arguments of `Batch.reset`, whose ``mask`` is ``reset_mask`` here.
+
+        Returns
+        -------
+        observations : ndarray, shape (W, A, ...)
+        infos : dict of str to ndarray
+            See the notes of the class.
         """
         self._start(seed, options)
         return self._returned((self.observations, self.infos))
@@ -238,9 +241,21 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
         """Play one round in every world.
 
-        `actions`, (W, A), are by default those of the attribute; of gone agents and in ended worlds
-        they are ignored. Returns observations, rewards, terminations, truncations
-        and infos, the attributes or copies of them. RuntimeError before the first reset.
+        Parameters
+        ----------
+        actions : array_like of int, shape (W, A), optional
+            By default those of the attribute. Of gone agents and in ended worlds they are ignored.
+
+        Returns
+        -------
+        observations, rewards, terminations, truncations : ndarray, shape (W, A, ...)
+        infos : dict of str to ndarray
+            The attributes or copies of them.
+
+        Raises
+        ------
+        RuntimeError
+            Before the first reset.
         """
         self._play(actions)
         ends = self.terminations, self.truncations
@@ -293,32 +308,6 @@ def make_vec(
     return VectorEnv(config, num_envs, **with_opponent(team, opponent, settings))
 
 
-class TeamView(NamedTuple):
-    """One team's part of the arrays and infos of a `VectorEnv`; shapes begin with (W, n).
-
-    Every step overwrites these arrays, also with ``copy=True``: copy what you keep.
-    """
-
-    agents: slice
-    observations: NDArray[Any]
-    actions: NDArray[np.int64]
-    rewards: NDArray[np.float32]
-    terminations: NDArray[np.bool_]
-    truncations: NDArray[np.bool_]
-    alive: NDArray[np.bool_]
-    acted: NDArray[np.bool_]
-    cost: NDArray[np.float32]
-    positions: NDArray[np.int32]
-    involved: NDArray[np.bool_]
-    fault: NDArray[np.bool_]
-
-    @classmethod
-    def of(cls, env: VectorEnv, agents: slice) -> TeamView:
-        """Return the part of these agents."""
-        whole = {**vars(env), **env.infos, "actions": env.actions}
-        return cls(agents, *(whole[name][:, agents] for name in cls._fields[1:]))
-
-
 class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     """The agents of a `VectorEnv` as sub-environments, for learners and wrappers of single agents.
 
@@ -328,8 +317,8 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     The `worlds` are an attribute, too: ``worlds.infos["capture_rate"]``. Their settings hold here:
     ``copy``, the autoreset mode, dtype and so on. The sub-environments are the agents of a `team`,
     "pursuer" or "evader", by default all that the caller plays. If that is both teams, the other
-    one plays what ``worlds.actions`` holds for it at a step: set ``worlds.evaders.actions`` before
-    it. At first that is staying.
+    one plays what ``worlds.actions[:, worlds.evaders]`` holds at a step: set it before. At first
+    that is staying.
 
     **The episode of a sub-environment is the episode of its world.** All agents of a world end and
     start again in the same step, as Gymnasium's autoreset modes prescribe. An agent that disappears
@@ -341,19 +330,14 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
     """
 
-    single_observation_space: spaces.Box
-    single_action_space: spaces.Discrete
-    observation_space: spaces.Space[NDArray[Any]]
-    action_space: spaces.Space[NDArray[Any]]
-
-    def __init__(self, worlds: VectorEnv, team: str | None = None) -> None:
+    def __init__(self, worlds: VectorEnv, team: Team | None = None) -> None:
         checks.check_instance("worlds", worlds, VectorEnv)
         if team is not None:
-            checks.check_choice("team", team, ("pursuer", "evader"))
+            checks.check_choice("team", team, TEAMS)
         self.worlds: VectorEnv = worlds
-        self.team: str | None = team
-        parts = {"pursuer": worlds.pursuers.agents, "evader": worlds.evaders.agents}
-        self._slice = parts.get(team or "", slice(None))  # of the agents in the worlds' arrays
+        self.team: Team | None = team
+        parts = {"pursuer": worlds.pursuers, "evader": worlds.evaders, None: slice(None)}
+        self._slice = parts[team]  # of the agents in the worlds' arrays
         self._agents = worlds.agents[self._slice]
         if not self._agents:
             raise ValueError(f"team: expected the one that the caller plays, got {team!r}")

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_instance, check_integer, shown
+from matrixworld._util.checks import check_instance, check_integer
 from matrixworld._util.files import DamagedFileError, load_arrays, read_json, replacing
 from matrixworld.world.conflicts import Conflict, conflict_of
 from matrixworld.world.render import MARK_STEPS, Scene
@@ -96,8 +96,7 @@ class Episode:
     def __post_init__(self) -> None:
         # A frozen dataclass lets its fields be set in this way only.
         object.__setattr__(self, "n_pursuers", check_integer("n_pursuers", self.n_pursuers))
-        if not isinstance(self.config, Mapping):
-            raise TypeError(f"config: expected a mapping, got {shown(self.config)}")
+        check_instance("config", self.config, Mapping)
         arrays = self._arrays()
         for name, array in arrays.items():
             dtype = _ARRAYS[name][1]

@@ -110,10 +110,21 @@ class Recorder:
 def record_actions(
     config: WorldConfig | Rules | str, actions: ArrayLike, *, seed: int = 0, episode: int = 0
 ) -> Episode:
-    """Play given actions, (T, A), and return the episode with every moment of it.
+    """Play given actions and return the episode with every moment of it.
 
-    `actions` after the end of the episode are ignored. `config` is as for `World`; `seed` and
-    `episode` as for `World.reset`, by default 0.
+    Parameters
+    ----------
+    config
+        As for `World`.
+    actions : array_like of int, shape (T, A)
+        Actions of each step; those after the end of the episode are ignored.
+    seed, episode : int, optional
+        As for `World.reset`. The default is 0.
+
+    Returns
+    -------
+    Episode
+        All that happened.
     """
     world = World(config)
     world.reset(seed, episode=episode)
@@ -139,9 +150,21 @@ def record(
 ) -> Episode:
     """Play one episode and return it with every moment.
 
-    `config`, `pursuers` and `evaders` are as in `matrixworld.rollout`, and `pursuer` and `evader`
-    indices into the populations. The match has a `seed`; its `episode` is the number of the seed's
-    episode, that of this world of the match in `rollout`. All numbers are 0 by default.
+    Parameters
+    ----------
+    config, pursuers, evaders
+        As for `matrixworld.rollout`.
+    seed : int, optional
+        Seed of the match. All numbers are 0 by default.
+    pursuer, evader : int, optional
+        Indices into the populations.
+    episode : int, optional
+        Number of the seed's episode, that of this world of the match in `rollout`.
+
+    Returns
+    -------
+    Episode
+        All that happened.
     """
     config = WorldConfig.of(config)
     # The engine chooses the actions; a world that plays them again gives everything else.

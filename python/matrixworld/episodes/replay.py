@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import html
 import io
 import os
 import shutil
@@ -38,24 +37,21 @@ Draw = Callable[[int], NDArray[np.uint8]]
 
 PALETTE_COLORS = 128  # pictures have few hues and their blends; fewer colours compress better
 TOO_CLOSE = 8  # levels; Pillow's coarse look-up could confuse a colour this near with one of ours
-UNCHANGED = np.uint8(255)  # palette index of a pixel that stays as it was, written as transparent
 SAMPLES = 8  # frames looked at to choose the palette
-TRAILER = b";"  # the last byte of a GIF
 
 
 @dataclass(frozen=True, repr=False)
 class Animation:
-    """A GIF that a notebook shows: `data`, the contents of the file, and `alt`, its text."""
+    """A GIF that a notebook shows: `data`, the contents of the file."""
 
     data: bytes
-    alt: str = "an episode of pursuit and evasion"
 
     def __repr__(self) -> str:
         return f"<Animation: a GIF of {len(self.data) / 1000:.0f} kB>"
 
     def _repr_html_(self) -> str:
         encoded = base64.b64encode(self.data).decode("ascii")
-        return f'<img src="data:image/gif;base64,{encoded}" alt="{html.escape(self.alt)}">'
+        return f'<img src="data:image/gif;base64,{encoded}" alt="an episode">'
 
 
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
@@ -177,31 +173,22 @@ class Screen:
             return
         drawn = ansi(scene, **text_look(scene.shape, self._stream)).split("\n")
         # Each line is cleared behind its text: clearing the whole screen first would flicker.
-        lines = (line + CLEAR_LINE for line in drawn[: terminal_size(self._stream).lines - 1])
+        lines = (line + CLEAR_LINE for line in drawn[: shutil.get_terminal_size().lines - 1])
         frame = HOME + "\n".join(lines) + CLEAR_BELOW
         self._stream.write(self._start + frame + WRAP_ON + "\n")
         self._stream.flush()
         self._start = WRAP_OFF
 
 
-def has_colors(stream: TextIO) -> bool:
-    """Return whether a stream shows colors and Unicode, by NO_COLOR and TERM, too."""
+def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
+    """Return the keyword arguments of `ansi` for a grid, in half blocks where it would not fit.
+
+    Colors need a terminal that shows Unicode, by NO_COLOR and TERM, too.
+    """
     encoding = (getattr(stream, "encoding", None) or "utf-8").lower()
     plain = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
-    return stream.isatty() and encoding.startswith("utf") and not plain
-
-
-def terminal_size(stream: TextIO) -> os.terminal_size:
-    """Return columns and lines of a terminal; without one, of the variables COLUMNS and LINES."""
-    try:
-        return os.get_terminal_size(stream.fileno())
-    except OSError:
-        return shutil.get_terminal_size()
-
-
-def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
-    """Return the keyword arguments of `ansi` for a grid, in half blocks where it would not fit."""
-    color, (columns, lines), (rows, cols) = has_colors(stream), terminal_size(stream), shape
+    color = stream.isatty() and encoding.startswith("utf") and not plain
+    (columns, lines), (rows, cols) = shutil.get_terminal_size(), shape
     fits = 2 * cols <= columns and rows + 2 <= lines  # cells of two characters, below a title
     return {"color": color, "compact": color and not fits}
 
@@ -210,60 +197,17 @@ def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
 
 
 def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
-    """Write an endless animation with one frame for each time, and the last one `hold` s longer.
-
-    Pillow would keep all frames in memory. Here it encodes each as a file of its own, whose header
-    is cut off except for the first.
-    """
+    """Write an endless animation with one frame for each time, and the last one `hold` s longer."""
     looked_at = np.unique(np.linspace(0, len(times) - 1, SAMPLES).round().astype(int))
     palette = _palette([draw(times[i]) for i in looked_at])
-    durations = [round(100 / fps)] * len(times)
-    durations[-1] += round(100 * hold)
-    before: NDArray[np.uint8] | None = None
-    for moment, duration in zip(times, durations, strict=True):
-        wanted = _indices(draw(moment), palette)
-        changes = wanted if before is None else np.where(wanted == before, UNCHANGED, wanted)
-        encoded = _encoded(changes, palette, duration)
-        file.write(encoded if before is None else encoded[_header_length(encoded) :])
-        before = wanted
-    file.write(TRAILER)
-
-
-def _indices(picture: NDArray[np.uint8], palette: Image.Image) -> NDArray[np.uint8]:
-    quantized = Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE)
-    numbers = np.array(quantized)
-    numbers[numbers >= PALETTE_COLORS] = 0  # unused entries of the palette repeat the first colour
-    return numbers
-
-
-def _encoded(indices: NDArray[np.uint8], palette: Image.Image, duration: int) -> bytes:
-    """Return a GIF of one image, without its last byte; the duration is in 1/100 s."""
-    image = Image.fromarray(indices)
-    image.putpalette(palette.getpalette() or [])
-    buffer = io.BytesIO()
-    image.save(
-        buffer,
-        "GIF",
-        duration=10 * duration,
-        loop=0,
-        comment=b"matrixworld",
-        transparency=int(UNCHANGED),
-        disposal=1,  # the next image is drawn over this one
-        optimize=False,  # which would renumber the palette
+    pictures = (
+        Image.fromarray(draw(moment)).quantize(palette=palette, dither=Image.Dither.NONE)
+        for moment in times
     )
-    return buffer.getvalue().removesuffix(TRAILER)
-
-
-def _header_length(encoded: bytes) -> int:
-    """Return the number of bytes before the image: signature, screen, palette, loop request."""
-    flags = encoded[10]
-    length = 13 + (3 << ((flags & 7) + 1) if flags & 0x80 else 0)
-    while encoded[length : length + 2] in (b"!\xff", b"!\xfe"):  # application, comment
-        length += 2
-        while encoded[length]:  # blocks, each led by its length, up to an empty one
-            length += 1 + encoded[length]
-        length += 1
-    return length
+    durations = [10 * round(100 / fps)] * len(times)  # in ms, as whole hundredths of a second
+    durations[-1] += round(1000 * hold)
+    look: dict[str, Any] = {"duration": durations, "loop": 0, "comment": b"matrixworld"}
+    next(pictures).save(file, "GIF", save_all=True, append_images=pictures, **look)
 
 
 def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:

@@ -12,12 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
+from matrixworld.analysis.payoffs import TEAMS
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.world.rules import COLLISION_KINDS
 
 _COUNTED = ("collisions", "faults", "agent_steps", "capture_rate")
-TEAMS = ("pursuers", "evaders")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -109,10 +109,21 @@ class SafetyMonitor:
         agent_steps: ArrayLike,
         capture_rate: ArrayLike,
     ) -> None:
-        """Collect episodes (...) given as arrays, which are copied.
+        """Collect episodes given as arrays, as those of `EpisodeStatistics`; they are copied.
 
-        Arguments are as in `EpisodeStatistics`: collisions and faults are (..., 2, 3), agent_steps
-        (..., 2), capture_rate (...). ValueError unless faults <= collisions <= agent_steps.
+        Parameters
+        ----------
+        collisions, faults : array_like of int, shape (..., 2, 3)
+            Agent-steps in collision and at fault, by team and kind.
+        agent_steps : array_like of int, shape (..., 2)
+            Steps of living agents, by team.
+        capture_rate : array_like, shape (...)
+            Captured shares of the evaders, in [0, 1].
+
+        Raises
+        ------
+        ValueError
+            Unless faults <= collisions <= agent_steps.
         """
         rates = checks.check_floats("capture_rate", capture_rate)
         if not ((rates >= 0) & (rates <= 1)).all():

@@ -36,7 +36,7 @@ import os
 import re
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import astuple
 from enum import Enum
 from inspect import cleandoc
 from pathlib import Path
@@ -75,6 +75,8 @@ from matrixworld.world.rules import (
 from matrixworld.world.world import World
 
 PAGE = "playground.html"  # name of the page where no other is given
+DATA = load_toml(Path(__file__).with_name("playground.toml"))
+"""Its examples, the rounds of its game, and what it calls the fields of `Rules`."""
 PIXELS = 400  # wanted length of the longer side of the picture of a scene
 
 Command = int | str  # what an agent does in a step: an `Action`, or what a script decides
@@ -103,7 +105,8 @@ class Playground:
             raise ValueError("world: expected a world together with actions or compare, got None")
         # As it stands in a link, and as a notebook shows it where it shows no frame.
         self.scene = "" if world is None else scene_link(world, actions, compare=compare)
-        shown = drawn_world(GALLERY[0].rules, GALLERY[0].drawing) if world is None else world
+        first = DATA["example"][0]
+        shown = world or drawn_world(first["rules"], first["drawing"])
         cell = fitting_cell((shown.config.rows, shown.config.cols), PIXELS, SMALLEST_NUMBERED)
         self.picture = png(shown.scene(), cell=cell, numbers=True)
 
@@ -157,15 +160,6 @@ class Opponents(NamedTuple):
     """Worlds of the game "Can you escape it?", each with the name of its pursuers."""
 
 
-ROUNDS: Sequence[tuple[int, int, float, Script]] = (
-    (10, 3, 0.0, "clumsy-chaser"), (10, 3, 0.0, "hunter"), (12, 5, 0.1, "hunter"),
-)  # fmt: skip
-"""Side, pursuers, obstacles and what plays in the rounds of "Can you escape it?". Of 100 matches in
-the game O an evader that plays as `dodger` escapes in .86, .55 and .14, one that stands still in
-.00, .01 and .08, one that walks at random in .03, .01 and .00."""
-ROUND_STEPS = 60
-
-
 def shipped(variant: Rules | str) -> Opponents:
     """Return a world that suits a person, and the opponents that come with the package."""
     rules = rules_of(variant)
@@ -178,10 +172,9 @@ def shipped(variant: Rules | str) -> Opponents:
     if rules.capture is Capture.SURROUND:
         return Opponents(config, players)
     rounds = [
-        (WorldConfig(rules, size=side, n_pursuers=n, n_evaders=1, obstacles=share,
-                     max_steps=ROUND_STEPS), name)
-        for side, n, share, name in ROUNDS
-    ]  # fmt: skip
+        (WorldConfig(rules, n_evaders=1, **each["world"]), each["pursuers"])
+        for each in DATA["round"]
+    ]
     return Opponents(config, players, rounds)
 
 
@@ -239,17 +232,6 @@ def _text(name: str, player: TeamPolicy) -> str:
 
 # ---- What the page knows of the package ----------------------------------------------------------
 
-LABELS = {
-    "interaction": "Agents move",
-    "obstacle": "Obstacle or border: agent",
-    "teammate": "Teammates collide: both",
-    "evader": "Adversaries collide: evader",
-    "pursuer": "Adversaries collide: pursuer",
-    "capture": "Evaders are captured by",
-    "captured_disappear": "A surrounded evader",
-}
-"""The fields of `Rules`, as the page names them."""
-
 VALUES: Mapping[type, Mapping[Any, str]] = {
     Interaction: INTERACTION_TEXTS,
     Outcome: {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()},
@@ -275,14 +257,11 @@ def page_data(scene: str = "") -> dict[str, Any]:
                     for value, text in VALUES[type(getattr(Rules(), name))].items()
                 ],
             }
-            for name, label in LABELS.items()
+            for name, label in DATA["fields"].items()
         ],
         "rewards": {name: _plain(rewards) for name, rewards in REWARDS.items()},
         "scripts": [{"name": name, "text": text} for name, text in SCRIPT_TEXTS.items()],
-        "gallery": [
-            {"title": each.title, "ask": each.ask, "text": each.text, "scene": each.scene}
-            for each in GALLERY
-        ],
+        "gallery": [plain_example(example) for example in DATA["example"]],
         "scene": scene,
     }
 
@@ -354,7 +333,7 @@ def _commands_text(config: WorldConfig, actions: Sequence[Command]) -> str:
     for action in actions:
         if isinstance(action, str):
             check_choice("actions", action, SCRIPTS)
-            text += chr(ord("a") + [str(script) for script in SCRIPTS].index(action))
+            text += chr(ord("a") + SCRIPTS.index(action))
         else:
             text += str(check_integer("actions", action, 0, config.n_actions - 1))
     return text if text.strip("0") else ""
@@ -380,37 +359,6 @@ def _field_text(value: object) -> str:
 
 # ---- The gallery ---------------------------------------------------------------------------------
 
-ARROWS = {"^": Action.NORTH, ">": Action.EAST, "v": Action.SOUTH, "<": Action.WEST}
-
-
-@dataclass(frozen=True)
-class Example:
-    """A scene of the gallery, which teaches one thing."""
-
-    title: str
-    ask: str  # what to predict
-    text: str  # what happens, and what to try
-    rules: str
-    drawing: str
-    moves: str  # what agents do next, such as "A> b^", or a script: "A=chaser"; the others stay
-    compare: str | None = None
-
-    @property
-    def commands(self) -> list[Command]:
-        """What each agent does next."""
-        letters = sorted(letter for letter in self.drawing if letter.isalpha())
-        moves = {move[0]: move[1:] for move in self.moves.split()}
-        texts = [moves.get(letter, "") for letter in letters]
-        return [
-            text[1:] if text.startswith("=") else ARROWS.get(text, Action.STAY) for text in texts
-        ]
-
-    @property
-    def scene(self) -> str:
-        """The scene as it stands in a link."""
-        world = drawn_world(self.rules, self.drawing)
-        return scene_link(world, self.commands, compare=self.compare)
-
 
 def drawn_world(rules: Rules | str, drawing: str) -> World:
     """Return the world of a drawing: rows between slashes or line ends, cells between spaces.
@@ -432,8 +380,17 @@ def drawn_world(rules: Rules | str, drawing: str) -> World:
     return world
 
 
-GALLERY = tuple(
-    Example(**{**row, **{name: " ".join(row[name].split()) for name in ("ask", "text")}})
-    for row in load_toml(Path(__file__).with_name("gallery.toml"))["example"]
-)
-"""The examples, in the order of the page."""
+ARROWS = {"^": Action.NORTH, ">": Action.EAST, "v": Action.SOUTH, "<": Action.WEST}
+
+
+def plain_example(example: Mapping[str, str]) -> dict[str, str]:
+    """Return the texts of an example in one line each, and its scene as it stands in a link."""
+    letters = sorted(letter for letter in example["drawing"] if letter.isalpha())
+    moves = {move[0]: move[1:] for move in example["moves"].split()}
+    commands = [
+        move[1:] if move.startswith("=") else ARROWS.get(move, Action.STAY)
+        for move in (moves.get(letter, "") for letter in letters)
+    ]
+    world = drawn_world(example["rules"], example["drawing"])
+    texts = {name: " ".join(example[name].split()) for name in ("title", "ask", "text")}
+    return {**texts, "scene": scene_link(world, commands, compare=example.get("compare"))}

@@ -74,12 +74,26 @@ def explore(
 ) -> Explorer:
     """Write the page of finished runs; the last expression of a notebook's cell shows it.
 
-    The 1 to 12 `runs` are directories of runs, or of jobs: then all their finished runs. The page
-    is a `file`, by default ``explorer.html`` in the directory, or in the one that holds all of
-    them; with `force` it may replace one.
+    Parameters
+    ----------
+    *runs : str or path
+        1 to 12 directories of runs, or of jobs: then all their finished runs.
+    file : str or path, optional
+        The page. The default is ``explorer.html`` in the directory that holds all of the runs.
+    force : bool, optional
+        Whether an older file may be replaced. The default is False.
 
-    ValueError, FileNotFoundError or DamagedFileError if there are other numbers of runs, none in a
-    directory, or a damaged one; FileExistsError if the file exists.
+    Returns
+    -------
+    Explorer
+        The page, which a notebook shows.
+
+    Raises
+    ------
+    ValueError, FileNotFoundError, DamagedFileError
+        For other numbers of runs, none in a directory, or a damaged one.
+    FileExistsError
+        If the file exists.
     """
     paths = [Path(run) for run in runs]
     saved = [run for path in paths for run in open_runs(path) or [open_run(path)]]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_instance, check_integer
-from matrixworld.play.policies import RatingPolicy, check_fits
+from matrixworld.play.policies import RatingPolicy
 from matrixworld.world.arrays import array_specs, integers, new_arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
@@ -66,10 +66,23 @@ def _asked(policy: Callback, views: NDArray[np.uint8]) -> NDArray[Any]:
 def capture_rates(
     config: WorldConfig, pursuers: Plays, evaders: Plays, *, seed: int, episodes: int
 ) -> NDArray[np.float64]:
-    """Play the episodes of a match side by side and return their capture rates, (episodes,).
+    """Play the episodes of a match side by side and return their capture rates.
 
-    Arguments are as in `matrixworld.rollout`, but `pursuers` and `evaders` may be functions, too,
-    and a population has one genome. Episode j is the seed's episode j.
+    Parameters
+    ----------
+    config : WorldConfig
+        The world.
+    pursuers, evaders : Population, str or callable
+        As for `matrixworld.rollout`, or a function (see `Callback`); a population has one genome.
+    seed : int
+        Seed of the match. Episode j is the seed's episode j.
+    episodes : int
+        Number of episodes.
+
+    Returns
+    -------
+    ndarray of float64, shape (episodes,)
+        The capture rates.
     """
     check_instance("config", config, WorldConfig)
     seed = check_integer("seed", seed, 0, SEED_MAX)
@@ -85,7 +98,7 @@ def _chooser(name: str, policy: Plays, config: WorldConfig) -> EnginePolicy | Ch
     if callable(policy):
         return lambda asked, views: checked_actions(policy, views, config.n_actions)
     if isinstance(policy, Population):
-        check_fits(name, policy.policy, config)
+        policy.policy.check_fits(name, config)
     return policy
 
 

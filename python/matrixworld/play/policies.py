@@ -10,30 +10,16 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_bool, check_choice, check_instance, unmasked
+from matrixworld._util.checks import (
+    check_bool,
+    check_choice,
+    check_finite,
+    check_instance,
+    unmasked,
+)
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
-from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, TEAMS, Layers, Network, Policy, Population, Team
 from matrixworld.world.rating import INPUTS, policy_of
-
-
-def fits(policy: Policy, config: WorldConfig) -> bool:
-    """Return whether a policy has the views and actions of a world."""
-    return (policy.fov, policy.n_actions) == (config.fov, config.n_actions)
-
-
-def check_fits(name: str, policy: Policy, config: WorldConfig) -> None:
-    """Raise ValueError unless a policy has the views and actions of a world."""
-    if not fits(policy, config):
-        raise ValueError(
-            f"{name}: expected a policy for fov {config.fov} and {config.n_actions} actions, "
-            f"got fov {policy.fov} and {policy.n_actions} actions"
-        )
-
-
-def _check_finite(name: str, array: NDArray[Any]) -> None:
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name}: expected finite numbers, got NaN or infinity")
 
 
 class GenomePolicy:
@@ -151,7 +137,7 @@ class NetworkPolicy(GenomePolicy):
                 expected = f"shape {shape}" if self.policy.state_size else "none without memory"
                 raise ValueError(f"states: expected {expected}, got shape {np.shape(states)}")
             states = unmasked("states", states).astype(np.float32).reshape(len(views), shape[-1])
-            _check_finite("states", states)
+            check_finite("states", states)
         logits, following = self.policy.advance(self.genome, views, states)
         return logits, following.reshape(shape), leading
 
@@ -160,7 +146,7 @@ class NetworkPolicy(GenomePolicy):
         array = unmasked("observations", observations)
         if array.dtype.kind not in "buif":
             raise TypeError(f"observations: expected numbers, got dtype {array.dtype}")
-        _check_finite("observations", array)
+        check_finite("observations", array)
         view = (CHANNELS, self.policy.fov, self.policy.fov)
         size = self.policy.sizes[0]
         for tail in (view, (size,)):
@@ -218,8 +204,7 @@ class RatingPolicy(GenomePolicy):
 
         The inputs of an agent are all of `INPUTS`, float32 (n_actions, inputs), whichever it uses.
         """
-        given = self._checked(inputs)
-        ratings = np.where(self.allowed(given), self.rate(given), -np.inf)
+        ratings = np.where(self.allowed(inputs), self.rate(inputs), -np.inf)
         best = ratings == ratings.max(axis=-1, keepdims=True)
         # The largest of random numbers is at any of the best moves, all equally likely.
         actions = np.where(best, self._rng.random(best.shape), -1.0).argmax(axis=-1)
@@ -227,11 +212,11 @@ class RatingPolicy(GenomePolicy):
 
     def rate(self, inputs: ArrayLike) -> NDArray[np.float32]:
         """Return the ratings of all moves, float32 (..., n_actions), for inputs as in a call."""
-        return cast("NDArray[np.float32]", self.policy.rate(self.genome, self._checked(inputs)))
+        return cast("NDArray[np.float32]", self.policy.rate(self.genome, inputs))
 
     def allowed(self, inputs: ArrayLike) -> NDArray[np.bool_]:
         """Return which moves the mask allows, bool (..., n_actions), for inputs as in a call."""
-        given, names = self._checked(inputs), list(INPUTS)
+        given, names = self.policy.checked(inputs), list(INPUTS)
         masks: dict[str, NDArray[np.bool_]] = {
             "none": np.ones(given.shape[:-1], np.bool_),
             "obstacles": given[..., names.index("room")] > 0,
@@ -240,14 +225,6 @@ class RatingPolicy(GenomePolicy):
         free = masks[self.policy.mask]
         free[..., 0] = True  # agents may always stay
         return free
-
-    def _checked(self, inputs: ArrayLike) -> NDArray[np.float32]:
-        array, shape = unmasked("inputs", inputs), (self.policy.n_actions, len(INPUTS))
-        if array.dtype != np.float32 or array.shape[-2:] != shape:
-            expected = f"float32 of shape (..., {str(shape)[1:]}"
-            raise ValueError(f"inputs: expected {expected}, got {array.dtype} {array.shape}")
-        _check_finite("inputs", array)
-        return array
 
     def to_python(self) -> str:
         """Return lines of Python that play the same; see `Rating.to_python`."""
@@ -293,16 +270,13 @@ def read_genome(
     """
     path = Path(path)
     arrays = load_arrays(path, content)
-    genome = arrays.pop("genome", np.zeros(0, np.bool_))
+    genome = arrays["genome"]
     if genome.dtype.kind != "f" or genome.ndim != 1:
         expected = "expected an array 'genome' of floats with 1 dimension"
         got = f"got dtype {genome.dtype} and shape {genome.shape}"
         raise DamagedFileError(path, f"{expected}, {got}")
-    for name in ("team", "kind"):
-        if name not in arrays:
-            raise DamagedFileError(path, f"expected an array {name!r}, got {', '.join(arrays)}")
-    plain = {name: array.tolist() for name, array in arrays.items()}
-    team = plain.pop("team")
+    _, team = arrays["kind"], arrays["team"].tolist()
+    plain = {name: each.tolist() for name, each in arrays.items() if name not in ("genome", "team")}
     try:
         check_choice("team", team, TEAMS)
         policy = policy_of(plain)

@@ -9,11 +9,8 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from matplotlib.patheffects import Normal, Stroke
 from numpy.typing import ArrayLike, NDArray
 
@@ -21,28 +18,39 @@ from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
-from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, require
+from matrixworld.analysis.payoffs import TEAMS, Payoffs, Rates, Source, check_payoff
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
-OVER_SEEDS = "95% interval of the mean over seeds"
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
 FEWEST_CELLS = 5  # a lag whose mean rests on fewer cells is drawn faintly
 COLUMNS = 3  # the most races beside each other in `comparison`; further ones are in rows below
 SMALL = 0.83  # size of judgements above heat maps, as a multiple of the type
 ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))  # distances of ticks
-_SHADE = "#E4F0F8"  # a pale tone of the evaders, light in grey, too
+_SHADES = ("#FCF0E8", "#CFE4F3")  # behind epochs in which a team learns; different in grey, too
 _MARKED = 100  # curves with up to this many points have a marker at each
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
 
 def payoff_heatmap(
-    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str | None = None
+    payoff: ArrayLike, *, teams: Sequence[str] = TEAMS, title: str | None = None
 ) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
-    Of `payoff` (n, m) with a `title`; `teams` are the names of that of the rows and of the columns.
+    Parameters
+    ----------
+    payoff : array_like, shape (n, m)
+        Capture rates in [0, 1].
+    teams : sequence of str, optional
+        Names of the team of the rows and of that of the columns.
+    title : str, optional
+        Text above the figure.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
     """
     rows, columns = check_payoff(payoff).shape
     words = style.words_of(teams)
@@ -52,21 +60,11 @@ def payoff_heatmap(
     return figure
 
 
-def lag_profile_curve(
-    payoff: ArrayLike, *, teams: Sequence[str] = style.TEAMS, title: str = ""
-) -> Figure:
-    """Draw the lag profile of a payoff (n, m); lags with fewer than 5 cells are faint."""
-    figure, axes = style.single(6.4, 4.2, title)
-    _draw_lag_profile(axes, payoff, style.words_of(teams))
-    style.legend_below(figure, style.labelled(axes))
-    return figure
-
-
 def ciao_triangles(
     payoff: ArrayLike,
     *,
     every: int = 1,
-    teams: Sequence[str] = style.TEAMS,
+    teams: Sequence[str] = TEAMS,
     title: str = "CIAO: current individuals against ancestral opponents",
 ) -> Figure:
     """Draw the CIAO plots of both teams: current individuals against ancestral opponents.
@@ -95,18 +93,7 @@ def ciao_triangles(
         image, ax=list(panels), label="score (0 loses, 1 wins)", location="bottom", shrink=0.6,
         aspect=30,
     )  # fmt: skip
-    style.entitle(figure, title)
-    return figure
-
-
-def generalization_curves(
-    payoffs: Payoffs, *, teams: Sequence[str] = style.TEAMS, title: str | None = None
-) -> Figure:
-    """Draw the mean score of each generation against all opponents."""
-    figure, axes = style.single(5.6, 4.4, title)
-    _draw_generalization(axes, payoffs, style.words_of(teams))
-    axes.set_ylabel("mean score")
-    style.legend_below(figure, style.labelled(axes))
+    figure.suptitle(style.fitting(figure, title))
     return figure
 
 
@@ -114,33 +101,47 @@ def comparison(
     payoffs: Mapping[str, Source],
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
-    teams: Sequence[str] = style.TEAMS,
+    teams: Sequence[str] = TEAMS,
 ) -> Figure:
-    """Draw single races side by side, on the same scales, at most 3 in a row.
+    """Draw races side by side, on the same scales, at most 3 in a row.
 
-    Each race has its heat map, its lag profile and its generalization curves, in a column below its
-    name and its judgement: of `payoffs` of one run, as :func:`matrixworld.analysis.read_payoffs`
-    takes them, and `judgements`, both by the name of the race. The `teams` may have other names.
+    Each race has the heat map of its mean payoff, its lag profile and its generalization curves, in
+    a column below its name and its judgement. Bands are 95% intervals over its runs, or over the
+    episodes of a single one; thin lines are single runs, if at most 10.
+
+    Parameters
+    ----------
+    payoffs : mapping of str to array_like, path or Payoffs
+        Payoffs of one run or several, as :func:`matrixworld.analysis.read_payoffs` takes them, by
+        the name of the race.
+    judgements : mapping of str to Judgement, optional
+        Judgements by the name of the race.
+    teams : sequence of str, optional
+        Names of both teams.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
     """
     style.check_some(payoffs, "race")
     words = style.words_of(teams)
-    figure, panels, columns = style.columns_of_groups(
-        len(payoffs), COLUMNS, width=(1.2, 2.7), height=(0.6, 7.1), heights=(1.7, 0.8, 0.8)
-    )
+    lines = -(-len(payoffs) // COLUMNS)
+    columns = -(-len(payoffs) // lines)  # as many in each line, but the last
+    figure, heights = style.new_figure(1.2 + 2.7 * columns, 0.6 + 7.1 * lines), (1.7, 0.8, 0.8)
+    grid = figure.subplots(3 * lines, columns, squeeze=False, height_ratios=heights * lines)
+    panels = [grid[3 * line : 3 * line + 3, k] for line, k in np.ndindex(lines, columns)]
+    for axes in np.ravel(panels[len(payoffs) :]):
+        axes.remove()
+    panels = panels[: len(payoffs)]
     heads: dict[str, list[str]] = {}
     known = style.by_name("judgements", judgements)
     width = style.room(figure, columns + 0.3)
     for (heatmap, lags, scores), (name, source) in zip(panels, payoffs.items(), strict=True):
         race = analysis.read_payoffs(source)
-        require(len(race) == 1, f"one run of {name}", len(race))
-        [matrix] = race.matrices
-        _draw_heatmap(heatmap, matrix, words)
-        _draw_lag_profile(lags, matrix, words)
+        _draw_heatmap(heatmap, race.matrices.mean(axis=0), words)
+        _draw_lag_profile(lags, race.matrices, words)
         _draw_generalization(scores, race, words)
-        lags.set_title("lag profile", size="medium")
-        scores.set_title("generalization", size="medium")
-        scores.set_ylabel("mean score")
-        lags.set_xlabel(words.lag.replace("minus ", "minus\n"))
         judged = analysis.sentence(known[name]) if name in known else ""
         heads[name] = textwrap.wrap(judged, int(width / SMALL))
     _write_heads([heatmap for heatmap, *_ in panels], heads, width)
@@ -153,7 +154,8 @@ def comparison(
         # The scales are shared, so one label per row is enough.
         for axes in [axes for column in row[1:] for axes in column]:
             axes.set_ylabel("")
-    style.legend_below(figure, style.labelled(panels[0][2], panels[0][1]), columns=min(columns, 3))
+    curves = [axes for _, lags, scores in panels for axes in (scores, lags)]
+    style.legend_below(figure, style.labelled(*curves), columns=min(columns, 3))
     # A first pass of the layout: one alone leaves the names of three races above the edge.
     layout = figure.get_layout_engine()
     if layout is not None:
@@ -196,16 +198,21 @@ def _draw_cells(axes: Axes, cells: Rates, **look: Any) -> AxesImage:
     return axes.imshow(cells, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP, **look)
 
 
-def _draw_lag_profile(axes: Axes, payoff: ArrayLike, words: style.Words) -> None:
-    profile = analysis.lag_profile(payoff)
+def _draw_lag_profile(axes: Axes, matrices: Rates, words: style.Words) -> None:
+    profiles = [analysis.lag_profile(matrix) for matrix in matrices]
+    lags, counts = profiles[0].lags, profiles[0].cells
     # In a small matrix no lag has FEWEST_CELLS cells; the middle half of its lags is solid then.
-    cells = min(FEWEST_CELLS, (profile.cells.max() + 1) // 2)
-    solid = profile.cells >= cells
+    cells = min(FEWEST_CELLS, (counts.max() + 1) // 2)
+    means = [profile.means for profile in profiles]
+    band = analysis.band_over_runs(means, places=lags, bounds=UNIT)
     faint = f"lags with fewer than {cells} cells"
-    axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.3, linewidth=1.0, label=faint)
-    axes.plot(profile.lags[solid], profile.means[solid], color=colors.INK, linewidth=1.8)
-    mark_lag_0(axes)
+    axes.plot(lags, band.mean, color=colors.INK, alpha=0.3, linewidth=1.0, label=faint)
+    solid = counts >= cells
+    axes.plot(lags[solid], band.mean[solid], color=colors.INK, linewidth=1.8)
+    style.draw_runs(axes, band, means, colors.INK)
+    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
     axes.set(xlabel=words.lag, ylabel=f"mean {words.score}")
+    axes.set_title("lag profile", size="medium")
     style.generation_axis(axes)
     style.unit_axis(axes)
     aside: dict[str, Any] = {"color": colors.MUTED, "size": "small", "transform": axes.transAxes}
@@ -213,34 +220,26 @@ def _draw_lag_profile(axes: Axes, payoff: ArrayLike, words: style.Words) -> None
     axes.text(0.98, 0.03, f"later {words.teams[0]}", ha="right", va="bottom", **aside)
 
 
-def mark_lag_0(axes: Axes) -> None:
-    """Draw a line where opponents are of the same generation."""
-    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
-
-
-def _draw_generalization(axes: Axes, payoffs: Payoffs, words: style.Words) -> None:
+def _draw_generalization(axes: Axes, race: Payoffs, words: style.Words) -> None:
     """Draw the mean scores of both teams, with bands over seeds, or over episodes of one run."""
-    if len(payoffs) == 1 and payoffs.scores is not None and payoffs.has_episodes:
-        bands: Iterable[Band] = generalization_over_episodes(payoffs.scores[0])
+    teams = [*zip(*map(analysis.generalization, race.matrices), strict=True)]
+    bands: Iterable[Band] = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
+    interval = "95% interval of the mean over seeds"
+    if len(race) == 1 and race.scores is not None and race.has_episodes:
+        bands = generalization_over_episodes(race.scores[0])
         interval = "95% interval over episodes"
-    else:
-        teams = zip(*map(analysis.generalization, payoffs.matrices), strict=True)
-        bands = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
-        interval = OVER_SEEDS
-    draw_teams(axes, bands, interval, words)
-    style.unit_axis(axes)
-
-
-def draw_teams(axes: Axes, bands: Iterable[Band], interval: str, words: style.Words) -> None:
-    """Draw the curves of both teams, the second dashed, and the intervals if they have some."""
-    looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), words.scores, strict=True)
-    for band, color, line, label in looks:
-        style.draw_band(axes, band, color, line, label=label)
+    looks = zip(bands, teams, colors.TEAMS, ("-", style.EVADERS), words.scores, strict=True)
+    for band, curves, color, line, label in looks:
+        axes.plot(band.places, band.mean, color=color, linestyle=line, linewidth=1.7, label=label)
+        style.draw_runs(axes, band, curves, color)
     if band.low is not None:
         # An empty band for the legend, whose entry is of both teams.
         axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
-    axes.set_xlabel("generation")
+    style.label_runs(axes, len(race))
+    axes.set(xlabel="generation", ylabel="mean score")
+    axes.set_title("generalization", size="medium")
     style.generation_axis(axes)
+    style.unit_axis(axes)
 
 
 # ---- While it learns ---------------------------------------------------------------------------
@@ -252,48 +251,34 @@ def training_curve(
     *,
     generations: NDArray[Any] | None = None,
     window: int = 1,
-    teams: Sequence[str] = style.TEAMS,
+    teams: Sequence[str] = TEAMS,
     title: str = "",
 ) -> Figure:
-    """Draw the score (T,) over epochs, coloured by the team that learns, with its moving average.
+    """Draw the score (T,) over epochs, shaded by the team that learns, with its moving average.
 
     `learners` (T,) are 0 and 1, or None if both learn; `generations` (T,) are on a second axis.
     """
     words = style.words_of(teams)
-    shades = [colors.INK] * len(rates)
-    if learners is not None:
-        shades = [colors.TEAMS[int(team)] for team in learners]
-    figure = style.new_figure(8.0, 3.8)
-    axes = figure.add_subplot()
+    figure, axes = style.single(8.0, 3.8, title)
+    place, marker = np.arange(1, len(rates) + 1), "o" if len(rates) <= _MARKED else ""
     if window > 1:
-        axes.add_collection(_in_pieces(rates, shades, alpha=0.25, linewidth=0.6))
-    place = np.arange(1, len(rates) + 1)
-    if learners is not None:
-        # In grey the curves of both teams have the same tone.
-        axes.fill_between(
-            place, 0, 1, where=learners == 1, color=_SHADE, linewidth=0, zorder=0, step="mid",
-            transform=axes.get_xaxis_transform(),
-        )  # fmt: skip
+        axes.plot(place, rates, color=colors.INK, alpha=0.25, linewidth=0.6)
     smooth = _moving_average(rates, window)
-    axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
-    if len(rates) <= _MARKED:
-        axes.scatter(place, smooth, s=14, c=shades, zorder=3)
-    axes.set_title(style.fitting(figure, title))
+    axes.plot(place, smooth, color=colors.INK, linewidth=1.6, marker=marker, markersize=4)
+    for team, name, shade in zip((0, 1), words.teams, _SHADES, strict=True):
+        if learners is not None and team in learners:
+            axes.fill_between(
+                place, 0, 1, where=learners == team, color=shade, linewidth=0, zorder=0, step="mid",
+                transform=axes.get_xaxis_transform(), label=f"{name} learn",
+            )  # fmt: skip
     axes.set(xlabel="epoch", xlim=(0.5, len(rates) + 0.5))
     axes.set_ylabel(f"{words.score}, mean of {window} epochs" if window > 1 else words.score)
     axes.xaxis.set_major_locator(style.whole_numbers())
     style.unit_axis(axes)
     if generations is not None:
         _generation_axis(axes, generations)
-    entries: dict[str, Any] = {
-        f"{team} learn": (*behind, Line2D([], [], color=color))
-        for team, color, behind in zip(
-            words.teams, colors.TEAMS, ((), (Patch(color=_SHADE),)), strict=True
-        )
-        if color in shades
-    }
-    if entries:
-        style.legend_below(figure, entries, columns=4)
+    if learners is not None:
+        style.legend_below(figure, style.labelled(axes), columns=4)
     return figure
 
 
@@ -301,31 +286,20 @@ def collision_rates(rates: NDArray[np.float64], *, title: str) -> Figure:
     """Draw collisions per 1000 agent-steps (G, 2, 3) by generation, team and kind."""
     figure = style.new_figure(8.4, 3.8)
     panels = figure.subplots(1, 2, sharey=True)
+    marker = "o" if len(rates) <= _MARKED else ""
     for team, axes in enumerate(panels):
-        _draw_collisions(axes, rates[:, team], style.TEAMS[team], colors.TEAMS[team])
+        for kind, curve in enumerate(rates[:, team].T):
+            axes.plot(
+                curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
+                linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
+            )  # fmt: skip
+        axes.set_title(TEAMS[team], color=colors.TEAMS[team])
+        axes.set_xlabel("generation")
+        axes.xaxis.set_major_locator(style.whole_numbers())
+        style.plain_axis(axes)
     panels[0].set_ylabel("collisions per 1000 agent-steps")
     panels[0].set_ylim(bottom=0.0)
     return style.finished(figure, style.labelled(panels[0]), title, columns=3)
-
-
-def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: str) -> None:
-    marker = "o" if len(rates) <= _MARKED else ""
-    for kind, curve in enumerate(rates.T):
-        axes.plot(
-            curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
-            linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
-        )  # fmt: skip
-    axes.set_title(team, color=color)
-    axes.set_xlabel("generation")
-    axes.xaxis.set_major_locator(style.whole_numbers())
-    style.plain_axis(axes)
-
-
-def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> LineCollection:
-    """Return the curve, each piece in the colour of the point that it leads to."""
-    points = np.column_stack([np.arange(1, len(values) + 1), values])
-    pieces = np.stack([points[:-1], points[1:]], axis=1)
-    return LineCollection(list(pieces), colors=shades[1:], capstyle="round", **style)
 
 
 def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.float64]:

@@ -1,27 +1,23 @@
-"""Figures of groups of runs: any number or curve, bands over generations, verdicts, and scores."""
+"""Figures of groups of runs: any number or curve, and verdicts."""
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch, Rectangle
+from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import checks, colors
-from matrixworld.analysis.intervals import UNBOUNDED, UNIT, Band, Bounds, fewest_runs
-from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
-from matrixworld.analysis.payoffs import Payoffs, Rates
-from matrixworld.analysis.ratings import ELO_POINTS
+from matrixworld.analysis.intervals import UNBOUNDED, Bounds
+from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Judgement
 from matrixworld.plots import style
-from matrixworld.plots.race import OVER_SEEDS, draw_teams, mark_lag_0
 
-TEAMS = ("pursuer", "evader")
 NAMES = 3  # share of the width that the names of groups may take: a third
 
 
@@ -36,12 +32,27 @@ def run_dots(
 ) -> Figure:
     """Draw one number of each run as a dot, and the mean of each group with its 95% interval.
 
-    `groups` have numbers (runs,) by their names, and each a row, with the interval of
-    :func:`matrixworld.analysis.interval_over_runs`. The `label` says what the numbers are, and
-    `each` what a dot stands for. `levels` are numbers to compare with, by name: vertical lines.
-    Intervals are clipped to `bounds`, the smallest and the largest possible number. The figure may
-    have a `title`. The axis shows all of [0, 1] if the numbers are in it and reach half of it, as
-    scores do.
+    The axis shows all of [0, 1] if the numbers are in it and reach half of it, as scores do.
+
+    Parameters
+    ----------
+    groups : mapping of str to array_like, shape (runs,)
+        Finite numbers by the name of the group, which has a row.
+    label : str
+        What the numbers are.
+    levels : mapping of str to float, optional
+        Numbers to compare with, by name: vertical lines.
+    each : str, optional
+        What a dot stands for.
+    title : str, optional
+        Text above the figure.
+    bounds : tuple of float, optional
+        Smallest and largest possible number, to which intervals are clipped.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
     """
     style.check_some(groups)
     figure, axes = style.single(6.6, 1.5 + 0.5 * len(groups))
@@ -52,9 +63,11 @@ def run_dots(
         dashes = style.DASHES[index % len(style.DASHES)]
         place = checks.check_real(f"level {name}", level)
         axes.axvline(place, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
-    _label_dots(axes, each, "mean, 95% interval")
-    _name_rows(figure, axes, groups, NAMES)
-    axes.set_xlabel(label)
+    axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
+    axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label="mean, 95% interval")
+    names = [style.wrapped(name, style.room(figure, NAMES)) for name in groups]
+    axes.set_yticks(np.arange(len(names)), names)
+    axes.set(ylim=(len(names) - 0.5, -0.5), xlabel=label)
     low, high = axes.get_xlim()
     numbers = np.concatenate([np.ravel(values) for values in groups.values()])
     if numbers.min() >= 0.0 and 0.5 <= numbers.max() <= 1.0:
@@ -73,20 +86,6 @@ def _draw_dots(axes: Axes, row: int, mean: analysis.Estimate, values: np.ndarray
     axes.plot(mean.value, row + 0.2, "D", color=colors.INK, markersize=5)
 
 
-def _label_dots(axes: Axes, each: str, mean: str) -> None:
-    axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
-    axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label=mean)
-
-
-def _name_rows(
-    figure: Figure, axes: Axes, names: Iterable[str], columns: float, **look: Any
-) -> None:
-    """Name the rows of a panel from above, in a part of the width of the figure."""
-    texts = [style.wrapped(name, style.room(figure, columns)) for name in names]
-    axes.set_yticks(np.arange(len(texts)), texts, **look)
-    axes.set_ylim(len(texts) - 0.5, -0.5)
-
-
 def run_curves(
     groups: Mapping[str, ArrayLike],
     *,
@@ -98,23 +97,35 @@ def run_curves(
 ) -> Figure:
     """Draw mean curves over runs with their 95% bands; thin lines are single runs, if at most 10.
 
-    `groups` have curves (runs, k) by their names, and the bands of
-    :func:`matrixworld.analysis.band_over_runs`, which are clipped to `bounds`. The `label` says
-    what the numbers are. The points lie at `places` (k,), by default 0, 1, ..., `along` an axis of
-    this name. The figure may have a `title`.
+    Parameters
+    ----------
+    groups : mapping of str to array_like, shape (runs, k)
+        Curves by the name of the group, with the bands of
+        :func:`matrixworld.analysis.band_over_runs`.
+    label : str
+        What the numbers are.
+    places : array_like, shape (k,), optional
+        Where the points lie. The default is 0, 1, ...
+    along : str, optional
+        Name of the axis of places.
+    title : str, optional
+        Text above the figure.
+    bounds : tuple of float, optional
+        Smallest and largest possible number, to which bands are clipped.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
     """
     style.check_some(groups)
     figure, axes = style.single(6.6, 3.6)
     for index, (name, curves) in enumerate(groups.items()):
         color, line = style.LINES[index % len(style.LINES)]
         band = analysis.band_over_runs(curves, places=places, bounds=bounds)
-        if len(np.asarray(curves)) <= style.MOST_LINES:
-            # Smooth edges of many thin lines would make the picture several times as large.
-            look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
-            axes.plot(band.places, np.asarray(curves).T, color=color, **look)
-        style.draw_band(axes, band, color, line, label=name)
-    if min(len(np.asarray(curves)) for curves in groups.values()) <= style.MOST_LINES:
-        axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
+        axes.plot(band.places, band.mean, color=color, linestyle=line, linewidth=1.7, label=name)
+        style.draw_runs(axes, band, curves, color)
+    style.label_runs(axes, min(len(np.asarray(curves)) for curves in groups.values()))
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
     axes.set(xlabel=along, ylabel=label)
     style.generation_axis(axes)
@@ -123,122 +134,14 @@ def run_curves(
     return style.finished(figure, entries, title, columns=4 if len(entries) <= 4 else 3)
 
 
-SCORES = {"pursuer": "capture rate", "evader": "escape rate"}  # what the score of a team is called
-
-
-def seed_scores(scores: Mapping[str, Mapping[str, Rates]]) -> Figure:
-    """Draw scores (seeds, opponents) against held-out opponents, by group and then by team.
-
-    Dots are means of single seeds, diamonds the interquartile means of all.
-    """
-    drawn = {team: {name: each[team] for name, each in scores.items()} for team in SCORES}
-    figure = style.new_figure(6.6, 2.6 + len(scores))
-    panels = figure.subplots(len(drawn), 1)
-    for axes, (team, groups) in zip(panels, drawn.items(), strict=True):
-        for row, values in enumerate(groups.values()):
-            _draw_dots(axes, row, analysis.interquartile_mean(values), values.mean(axis=1))
-        names = [f"{name} ({len(values)} seeds)" for name, values in groups.items()]
-        _name_rows(figure, axes, names, NAMES, size="small")
-        axes.set(xlim=(-0.02, 1.02), xlabel=SCORES[team])
-        axes.set_title(f"{team}s", size="medium")
-        style.plain_axis(axes)
-    mean = f"interquartile mean, 95% interval from {fewest_runs()} seeds on"
-    _label_dots(panels[0], "mean of one run", mean)
-    title = "Scores of the last generation against held-out opponents"
-    return style.finished(figure, style.labelled(panels[0]), title, columns=2)
-
-
-GROUPS = 5  # the most groups of seeds beside each other; further ones are in rows below
-
-
-def seed_bands(
-    payoffs: Mapping[str, Payoffs],
-    judgements: Mapping[str, Judgement],
-    *,
-    teams: Sequence[str] = style.TEAMS,
-) -> Figure:
-    """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
-
-    The rows show generalization, Elo rating and lag profile.
-    """
-    words = style.words_of(teams)
-    figure, panels, columns = style.columns_of_groups(
-        len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
-    )
-    width = style.room(figure, max(2, columns) + 0.3)
-    for number, (column, (name, of_group)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        _draw_group(column, of_group.matrices, words)
-        counted = "1 seed: no band" if len(of_group) == 1 else f"{len(of_group)} seeds"
-        judged = textwrap.wrap(analysis.sentence(judgements[name]), width)
-        head = [style.wrapped(name, width), counted, *judged]
-        column[0].set_title("\n".join(head), size="medium")
-        names = ("mean score", "Elo rating (points)", f"mean {words.score}")
-        style.label_first(column, names, is_first=number % columns == 0)
-    ends = [column[1].get_ylim() for column in panels]
-    for column in panels:  # all groups have the same scale of ratings
-        column[1].set_ylim(min(low for low, _ in ends), max(high for _, high in ends))
-    entries = style.labelled(*(column[0] for column in panels))
-    return style.finished(figure, entries, None, columns=2 if columns < 3 else 4)
-
-
-def race_bands(matrices: Rates) -> dict[str, Band]:
-    """Return mean generalization, Elo points and lag profile of runs (runs, n, m), with intervals.
-
-    By name: ``pursuer_generalization``, ``evader_ratings`` and so on, and ``lag_profile``.
-    """
-    found: dict[str, Band] = {}
-    for team in ("pursuers", "evaders"):
-        scores = [getattr(analysis.generalization(matrix), team) for matrix in matrices]
-        ratings = [ELO_POINTS * getattr(analysis.elo(matrix), team) for matrix in matrices]
-        found[f"{team[:-1]}_generalization"] = analysis.band_over_runs(scores, bounds=UNIT)
-        found[f"{team[:-1]}_ratings"] = analysis.band_over_runs(ratings)
-    profiles = [analysis.lag_profile(matrix) for matrix in matrices]
-    lags, means = profiles[0].lags, [profile.means for profile in profiles]
-    found["lag_profile"] = analysis.band_over_runs(means, places=lags, bounds=UNIT)
-    return found
-
-
-def _draw_group(column: Sequence[Axes], matrices: Rates, words: style.Words) -> None:
-    """Draw the three panels of a group."""
-    bands = race_bands(matrices)
-    few = len(matrices) <= style.MOST_LINES
-    singles = [race_bands(matrix[None]) for matrix in matrices] if few else []
-    scores, strength, lags = column
-    for axes, number in ((scores, "generalization"), (strength, "ratings")):
-        names = [f"{team}_{number}" for team in TEAMS]
-        for name, color in zip(names, colors.TEAMS, strict=True):
-            _draw_singles(axes, singles, name, color)
-        draw_teams(axes, (bands[name] for name in names), OVER_SEEDS, words)
-    if singles:
-        scores.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
-    _draw_singles(lags, singles, "lag_profile", colors.INK)
-    style.draw_band(lags, bands["lag_profile"], colors.INK, "-")
-    mark_lag_0(lags)
-    lags.set_xlabel(words.lag.replace("minus ", "minus\n"))
-    for axes in column:
-        style.generation_axis(axes)
-        style.plain_axis(axes)
-    style.unit_axis(scores)
-    style.unit_axis(lags)
-
-
-def _draw_singles(axes: Axes, singles: Iterable[Mapping[str, Band]], name: str, color: str) -> None:
-    for bands in singles:
-        band = bands[name]
-        axes.plot(band.places, band.mean, color=color, alpha=0.3, linewidth=0.6)
-
-
 NOT_FINISHED = "not finished"
-LOOKS: dict[str, dict[str, Any]] = {
-    PRESENT: {"facecolor": colors.BLUE, "edgecolor": colors.PAPER},
-    ABSENT: {"facecolor": colors.GRID, "edgecolor": colors.PAPER},
-    CANNOT_TELL: {"facecolor": colors.PAPER, "edgecolor": colors.MUTED, "linewidth": 0.6},
-    NOT_FINISHED: {"facecolor": colors.PAPER, "edgecolor": colors.FREE, "hatch": "/////"},
+LOOKS = {
+    PRESENT: colors.BLUE,
+    ABSENT: colors.GRID,
+    CANNOT_TELL: colors.PAPER,
+    NOT_FINISHED: colors.FREE,
 }
-"""How a verdict is drawn: dark, light, empty, or hatched, so that colours are not needed."""
-SIGNS = {PRESENT: "yes", ABSENT: "no", CANNOT_TELL: "?", NOT_FINISHED: ""}
-"""Words in the cells, if they are wide enough."""
-WORDED = 15  # most seeds whose cells have words
+"""How a verdict is drawn: tones that differ in grey, too."""
 
 
 def verdict_strip(
@@ -246,25 +149,23 @@ def verdict_strip(
     seeds: Mapping[str, Sequence[int]],
     missing: Mapping[str, Sequence[int]] | None = None,
 ) -> Figure:
-    """Draw the verdicts on each seed and on all together: a block for each group of runs.
+    """Draw the verdicts on each seed, and name those on all together: a block for each group.
 
-    By the names of the groups there are `judgements`, the `seeds` of the runs in their order, and
-    those that are `missing`, which have an empty column.
+    By the names of the groups of runs there are `judgements`, the `seeds` of the runs in their
+    order, and those that are `missing`, whose columns say so.
     """
     style.check_some(judgements)
     of_seeds, absent = style.by_name("seeds", seeds), style.by_name("missing", missing)
-    columns: dict[str, dict[int, dict[str, str]]] = {}
+    columns: dict[str, dict[int, list[str]]] = {}
     for name, judgement in judgements.items():
         checks.check_instance(name, judgement, Judgement)
         finished = _seeds(f"seeds of {name}", of_seeds.get(name, ()))
         if len(finished) != judgement.runs:
             raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(finished)}")
-        verdicts = {
-            seed: {each: found.by_run[run] for each, found in judgement.findings.items()}
-            for run, seed in enumerate(finished)
-        }
-        for seed in _seeds(f"missing of {name}", absent.get(name, ())):
-            verdicts[seed] = dict.fromkeys(CONDITIONS, NOT_FINISHED)
+        findings = judgement.findings.values()
+        verdicts = {seed: [f.by_run[run] for f in findings] for run, seed in enumerate(finished)}
+        left = _seeds(f"missing of {name}", absent.get(name, ()))
+        verdicts |= dict.fromkeys(left, [NOT_FINISHED] * len(findings))
         columns[name] = dict(sorted(verdicts.items()))
     most = max(map(len, columns.values()))
     figure = style.new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.1 + 2.15 * len(judgements))
@@ -274,7 +175,7 @@ def verdict_strip(
         head = style.wrapped(f"{name}: {analysis.sentence(judgement)}", style.room(figure, 1.3))
         axes.set_title(head, size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
-    entries = {name: Patch(**look) for name, look in LOOKS.items()}
+    entries = {name: Patch(facecolor=look, edgecolor=colors.MUTED) for name, look in LOOKS.items()}
     title = "Verdict on each seed, and on all together"
     return style.finished(figure, entries, title, columns=4)
 
@@ -287,34 +188,16 @@ def _seeds(name: str, given: Sequence[int]) -> list[int]:
 
 
 def _draw_verdicts(
-    axes: Axes, columns: Mapping[int, Mapping[str, str]], judgement: Judgement, most: int
+    axes: Axes, columns: Mapping[int, list[str]], judgement: Judgement, most: int
 ) -> None:
-    for place, verdicts in enumerate(columns.values()):
-        for row, name in enumerate(CONDITIONS):
-            word = SIGNS[verdicts[name]] if most <= WORDED else ""
-            _draw_cell(axes, place, row, 1.0, verdicts[name], word)
-    # The verdict on all seeds is apart from the single ones, and always in words.
-    width = max(2.4, 0.13 * most)
-    for row, name in enumerate(CONDITIONS):
-        verdict = judgement.findings[name].verdict
-        _draw_cell(axes, most + 0.5, row, width, verdict, verdict)
-    every = -(-most // 30)
-    places = [*range(0, len(columns), every)]
-    axes.set_xticks(
-        [*(place + 0.5 for place in places), most + 0.5 + width / 2],
-        [*(str([*columns][place]) for place in places), "all together"],
-    )
-    axes.set_yticks(np.arange(len(CONDITIONS)) + 0.5, CONDITIONS)
-    axes.set(xlim=(-0.05, most + 0.55 + width), ylim=(len(CONDITIONS) + 0.05, -0.05))
+    kinds = [*LOOKS]
+    cells = np.array([[kinds.index(verdict) for verdict in column] for column in columns.values()])
+    look: dict[str, Any] = {"edgecolors": colors.MUTED, "linewidth": 0.6}
+    axes.pcolormesh(cells.T, cmap=ListedColormap([*LOOKS.values()]), vmin=0, vmax=3, **look)
+    rows = [f"{name}: {finding.verdict}" for name, finding in judgement.findings.items()]
+    axes.set_yticks(np.arange(len(rows)) + 0.5, rows)
+    places = range(0, len(columns), -(-most // 30))
+    axes.set_xticks([place + 0.5 for place in places], [str([*columns][place]) for place in places])
+    axes.set(xlim=(0, most), ylim=(len(rows), 0))
     axes.tick_params(length=0, labelsize="small")
     axes.spines[:].set_visible(False)
-
-
-def _draw_cell(axes: Axes, x: float, y: float, width: float, verdict: str, word: str) -> None:
-    inset, look = 0.05, LOOKS[verdict]
-    axes.add_patch(Rectangle((x + inset, y + inset), width - 2 * inset, 1 - 2 * inset, **look))
-    if word:
-        axes.text(
-            x + width / 2, y + 0.5, word, ha="center", va="center", size="small",
-            color=colors.PAPER if verdict == PRESENT else colors.INK,
-        )  # fmt: skip

@@ -14,14 +14,14 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
-from matrixworld.analysis import Judgement, sentence
-from matrixworld.analysis.payoffs import Payoffs
+from matrixworld.analysis import Judgement
+from matrixworld.analysis.intervals import UNIT
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.plots import race as of_race
 from matrixworld.plots import style
-from matrixworld.plots.runs import seed_bands, seed_scores, verdict_strip
+from matrixworld.plots.runs import run_dots, verdict_strip
 
 
 def figures_of(
@@ -35,10 +35,10 @@ def figures_of(
     check_choice("suffix", suffix, style.FORMATS)
     races = [group for group in groups if group.is_race]
     seeds = [group for group in races if group.several]
-    together = ["comparison"] if len(races) > 1 else []
+    together = ["comparison"] if len(races) > 1 or seeds else []
     if seeds:
         own_games = any(group.runs[0].settings.game for group in groups)
-        together = ["seeds", "verdicts", *([] if own_games else ["held_out"])]
+        together += ["verdicts", *([] if own_games else ["held_out"])]
     found: dict[Path, Callable[[], Figure]] = {}
     alone = [group for group in groups if each or group not in seeds]
     for single in [single for group in alone for single in group.singles]:
@@ -84,11 +84,6 @@ def _teams(*groups: RunGroup) -> tuple[str, str]:
     return found.pop() if len(found) == 1 else ("first teams", "second teams")
 
 
-def _generalization(group: RunGroup) -> Figure:
-    title = _title(group, "Mean score against all opponents")
-    return of_race.generalization_curves(group.payoffs, teams=_teams(group), title=title)
-
-
 def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
     """Return how often agents collide in 1000 agent-steps: (G, 2, 3), by generation, team, kind."""
     payoff = group.runs[0].payoff()
@@ -105,17 +100,13 @@ def _collisions(group: RunGroup) -> Figure:
     return of_race.collision_rates(collisions_per_1000(group), title=title)
 
 
-def _drawn(draw: Callable[..., Figure], shown: str, group: RunGroup) -> Figure:
-    """Draw the payoff of a race, titled by what it is; without words by what was judged."""
-    title = _title(group, shown or sentence(group.judgement))
-    return draw(group.payoffs.matrices[0], title=title, teams=_teams(group))
+def _payoff(group: RunGroup) -> Figure:
+    return _comparison({group.runs[0].title: group})
 
 
 OF_RUN: dict[str, Callable[[RunGroup], Figure]] = {
     "training": _training,
-    "payoff": partial(_drawn, of_race.payoff_heatmap, ""),
-    "generalization": _generalization,
-    "lag_profile": partial(_drawn, of_race.lag_profile_curve, "Lag profile"),
+    "payoff": _payoff,
     "collisions": _collisions,
 }
 """Figures of a race. A run of one team has the first one only."""
@@ -126,18 +117,9 @@ Groups = Mapping[str, RunGroup]
 
 
 def _comparison(groups: Groups) -> Figure:
-    singles = {
-        f"{name}, seed {single.seeds[0]}" if group.several else name: single
-        for name, group in groups.items()
-        for single in group.singles
-    }
-    return of_race.comparison(
-        _payoffs(singles), _judgements(singles), teams=_teams(*groups.values())
-    )
-
-
-def _seeds(groups: Groups) -> Figure:
-    return seed_bands(_payoffs(groups), _judgements(groups), teams=_teams(*groups.values()))
+    teams = _teams(*groups.values())
+    payoffs = {name: group.payoffs for name, group in groups.items()}
+    return of_race.comparison(payoffs, _judgements(groups), teams=teams)
 
 
 def _verdicts(groups: Groups) -> Figure:
@@ -149,13 +131,13 @@ def _verdicts(groups: Groups) -> Figure:
 
 
 def _held_out(groups: Groups) -> Figure:
-    return seed_scores(
-        {name: {team: each.held_out(team) for team in TEAMS} for name, each in groups.items()}
-    )
-
-
-def _payoffs(groups: Groups) -> dict[str, Payoffs]:
-    return {name: group.payoffs for name, group in groups.items()}
+    scores = {
+        f"{name}, {team}s": group.held_out(team).mean(axis=1)
+        for name, group in groups.items()
+        for team in TEAMS
+    }
+    label = "score of the last generation against held-out opponents"
+    return run_dots(scores, label=label, bounds=UNIT)
 
 
 def _judgements(groups: Groups) -> dict[str, Judgement]:
@@ -164,7 +146,6 @@ def _judgements(groups: Groups) -> dict[str, Judgement]:
 
 OF_GROUPS: dict[str, Callable[[Groups], Figure]] = {
     "comparison": _comparison,
-    "seeds": _seeds,
     "verdicts": _verdicts,
     "held_out": _held_out,
 }

@@ -14,12 +14,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
+from numpy.typing import ArrayLike
 
 from matrixworld._util import colors
 from matrixworld._util.checks import check_instance, check_sequence
 from matrixworld._util.files import replacing
 from matrixworld.analysis.intervals import Band
-from matrixworld.analysis.payoffs import require
+from matrixworld.analysis.payoffs import TEAMS, require
 
 OfName = TypeVar("OfName")
 
@@ -40,16 +41,13 @@ LINES: tuple[tuple[str, Any], ...] = tuple(
 MOST_LINES = 10  # with more runs the single ones are not drawn: their lines would hide the band
 
 
-TEAMS = ("pursuers", "evaders")
-
-
 class Words(NamedTuple):
     """What the axes and legends of a game say; of pursuit by default."""
 
     teams: tuple[str, str] = TEAMS
     score: str = "capture rate"
     generations: tuple[str, str] = ("pursuer generation", "evader generation")
-    lag: str = "lag: pursuer minus evader generation"
+    lag: str = "lag: pursuer minus\nevader generation"
     scale: str = "capture rate\n(0 all escape, 1 all caught)"
     scores: tuple[str, str] = (
         "pursuers (score: capture rate)",
@@ -72,7 +70,7 @@ def words_of(teams: Sequence[str]) -> Words:
         (first, second),
         f"score of {first}",
         (f"generation of {first}", f"generation of {second}"),
-        f"lag: generation of {first} minus that of {second}",
+        f"lag: generation of {first} minus\nthat of {second}",
         f"score of {first}\n(0 {second} win, 1 {first} win)",
         (f"{first} (score)", f"{second} (1 - score)"),
     )
@@ -110,12 +108,6 @@ def single(width: float, height: float, title: str | None = None) -> tuple[Figur
     return figure, axes
 
 
-def entitle(figure: Figure, title: str | None) -> None:
-    """Write a title above all panels of a figure, if there is one."""
-    if title:
-        figure.suptitle(fitting(figure, title))
-
-
 def check_some(groups: Mapping[str, object], what: str = "group of runs") -> None:
     """Raise TypeError unless groups are named, and ValueError if there is nothing to draw."""
     check_instance(f"{what}s by name", groups, Mapping)
@@ -128,39 +120,6 @@ def by_name(name: str, values: Mapping[str, OfName] | None) -> Mapping[str, OfNa
         return {}
     check_instance(name, values, Mapping)
     return values
-
-
-def columns_of_groups(
-    count: int,
-    most: int,
-    *,
-    width: tuple[float, float],
-    height: tuple[float, float],
-    heights: tuple[float, ...],
-    least: float = 0.0,
-) -> tuple[Figure, list[list[Axes]], int]:
-    """Return a figure, a column of panels for each group, and how many are beside each other.
-
-    Lines are equally long. Width and height have a part for each column, line.
-    """
-    lines = -(-count // most)
-    columns = -(-count // lines)
-    figure = new_figure(max(least, width[0] + width[1] * columns), height[0] + height[1] * lines)
-    rows = len(heights)
-    grid = figure.subplots(rows * lines, columns, squeeze=False, height_ratios=heights * lines)
-    panels = [[*grid[rows * line : rows * (line + 1), k]] for line, k in np.ndindex(lines, columns)]
-    for axes in (axes for column in panels[count:] for axes in column):
-        axes.remove()
-    return figure, panels[:count], columns
-
-
-def label_first(column: Sequence[Axes], names: Sequence[str], *, is_first: bool) -> None:
-    """Label the vertical axes of the first column only: all columns have the same scales."""
-    for axes, name in zip(column, names, strict=True):
-        if is_first:
-            axes.set_ylabel(name)
-        else:
-            axes.tick_params(labelleft=False)
 
 
 def labelled(*panels: Axes) -> dict[str, Artist]:
@@ -188,7 +147,8 @@ def finished(
 ) -> Figure:
     """Return a figure with its legend below all axes, and its title above them."""
     legend_below(figure, entries, columns=columns)
-    entitle(figure, title)
+    if title:
+        figure.suptitle(fitting(figure, title))
     return figure
 
 
@@ -217,12 +177,20 @@ def generation_axis(axes: Axes) -> None:
     axes.margins(x=0.02)
 
 
-def draw_band(axes: Axes, band: Band, color: str, line: str, *, label: str = "") -> None:
-    """Draw a mean curve, and its interval as a band if it has one."""
-    look: dict[str, Any] = {"color": color, "linestyle": line, "linewidth": 1.7}
-    axes.plot(band.places, band.mean, label=label or None, **look)
+def draw_runs(axes: Axes, band: Band, curves: ArrayLike, color: str) -> None:
+    """Draw the band around a mean curve if there is one, and some runs (runs, k) as thin lines."""
     if band.low is not None and band.high is not None:
         axes.fill_between(band.places, band.low, band.high, color=color, alpha=0.22, linewidth=0)
+    if 1 < len(np.asarray(curves)) <= MOST_LINES:
+        # Smooth edges of many thin lines would make the picture several times as large.
+        look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
+        axes.plot(band.places, np.asarray(curves).T, color=color, **look)
+
+
+def label_runs(axes: Axes, runs: int) -> None:
+    """Label the thin lines of single runs, if there are some."""
+    if 1 < runs <= MOST_LINES:
+        axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
 
 
 FORMATS = ("png", "pdf", "svg")
@@ -239,9 +207,19 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def save_figure(figure: Figure, path: str | Path) -> Path:
-    """Write a `figure`, complete or not at all, in the format of the suffix; return the file.
+    """Write a figure, complete or not at all, in the format of the suffix.
 
-    The `path` ends in ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
+    Parameters
+    ----------
+    figure : Figure
+        A figure of Matplotlib.
+    path : str or path
+        A name that ends in ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
+
+    Returns
+    -------
+    Path
+        The file.
     """
     check_instance("figure", figure, Figure)
     file = Path(path)

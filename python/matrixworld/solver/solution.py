@@ -89,9 +89,10 @@ class Solution(Readable):
         turn = checks.check_integer("turn", turn, 0, self.states.n_turns - 1)
         if team in self.fixed:
             return _play_of(self.fixed[team], team, turn, left)
-        found = _backup(
-            self.states, values_after(self, turn, left), turn, left, self.fixed, None, chosen=True
-        )
+        last = turn + 1 == self.states.n_turns  # the next turn is the first of a round
+        values = self.values[0 if last else turn + 1]
+        after = values[min(left - last, len(values) - 1)]
+        found = _backup(self.states, after, turn, left, self.fixed, None, chosen=True)
         played = found[2] if team == "pursuer" else found[3]
         assert played is not None  # it was asked for
         return played
@@ -112,14 +113,6 @@ class Solution(Readable):
                     told(0.0)
                 table[left - 1] = self.probabilities(team, left, turn)
         return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
-
-
-def values_after(solution: Solution, turn: int, rounds: int) -> NDArray[np.float64]:
-    """Return the values of the states of the next turn."""
-    last = turn + 1 == solution.states.n_turns
-    values = solution.values[0 if last else turn + 1]
-    row: NDArray[np.float64] = values[min(rounds - last, len(values) - 1)]
-    return row
 
 
 def _backup(
@@ -221,13 +214,27 @@ def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, 
 def solve(
     world: WorldConfig | States, *, steps: int | None = None, payoff: PayoffName = "capture-rate"
 ) -> Solution:
-    """Return values and perfect play of both teams in a small `world`, or in its `States`.
+    """Return values and perfect play of both teams in a small world.
 
+    Parameters
+    ----------
+    world : WorldConfig or States
+        The world, or its states, which several calls can share.
+    steps : int, optional
+        Rounds of an episode. The default is the world's `max_steps`.
+    payoff : {"capture-rate", "capture-time"}, optional
+        What the teams play for, see `Solution`.
+
+    Returns
+    -------
+    Solution
+        Values, and play by its `policy`.
+
+    Notes
+    -----
     Backward induction over the rounds. Where both teams move at once, each state and round is a
     matrix game, in which it can be best to mix (Shapley 1953, "Stochastic games", PNAS 39); in
-    turns, a maximum or a minimum. An episode has `steps` rounds, by default the world's
-    `max_steps`; `payoff` is what the teams play for, see `Solution`. Several calls can share
-    `States`.
+    turns, a maximum or a minimum.
     """
     return induct(world, steps, payoff, {})
 
@@ -240,12 +247,25 @@ def best_response(
     steps: int | None = None,
     payoff: PayoffName = "capture-rate",
 ) -> Solution:
-    """Return the best that the other team can do against a `champion` of a `team`, and how.
+    """Return the best that the other team can do against a champion, and how.
 
     The responder knows the champion's play, sees the whole world and is one player. So no opponent
-    gets more, whatever it is trained with. The champion cannot be a network with memory, a script
-    that does not see what it looks for, or a solution of other States or of fewer rounds. `world`,
-    `steps` and `payoff` are as in `solve`.
+    gets more, whatever it is trained with.
+
+    Parameters
+    ----------
+    world, steps, payoff
+        As for `solve`.
+    champion : Population, str or Solution
+        A population of one genome without memory, the name of a script that sees what it looks for,
+        or a solution of the same States and of as many rounds.
+    team : {"pursuer", "evader"}
+        The champion's team.
+
+    Returns
+    -------
+    Solution
+        Its `value` is what the pair comes to.
     """
     checks.check_choice("team", team, TEAMS)
     return induct(world, steps, payoff, {team: champion})

@@ -63,16 +63,14 @@ class Batch(Turns):
         checks.check_keywords(changes, WorldSettings.__annotations__, Batch)
         self.config: WorldConfig = WorldConfig.of(config, **changes)
         self.n_worlds: int = checks.check_integer("n_worlds", n_worlds, 1)
-        if not isinstance(autoreset, Autoreset):
-            raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
-        if not isinstance(buffers, dict | None):
-            raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
+        checks.check_instance("autoreset", autoreset, Autoreset)
         self.autoreset: Autoreset = autoreset
         n_threads = checks.check_threads(threads)
         if buffers is None:
             specs = array_specs(self.config)
             few = {name: spec for name, spec in specs.items() if name not in LARGE}
             buffers = new_arrays(few, self.n_worlds)
+        checks.check_instance("buffers", buffers, dict)
         self._buffers = buffers
         # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(self.config.setup, self.n_worlds, n_threads, autoreset, buffers)
@@ -93,14 +91,25 @@ class Batch(Turns):
         evaders: ArrayLike | None = None,
         obstacles: MapLike | None = None,
     ) -> dict[str, NDArray[Any]]:
-        """Start an episode in every world, or in some, and return the buffers.
+        """Start an episode in every world, or in some.
 
-        A `seed` s gives world w the seed s + w; there may be one for each, (W,). World w then plays
-        as a `World` does after ``reset(seed of w, episode=episode)``. Without a seed each world
-        starts its own seed's next episode. A `mask` (W,) of bool has the worlds to reset, by
-        default all. Start cells, `pursuers` and `evaders`, are (n, 2), the same in every world, or
-        (W, n, 2); by default they are drawn. `episode` and `obstacles` are as for `World.reset`,
-        which also says what is refused; then no world has changed.
+        Parameters
+        ----------
+        seed : int or array_like of int, shape (W,), optional
+            A seed s gives world w the seed s + w. World w then plays as a `World` does after
+            ``reset(seed of w, episode=episode)``. By default each world starts its own seed's next
+            episode.
+        mask : array_like of bool, shape (W,), optional
+            The worlds to reset. The default is all.
+        pursuers, evaders : array_like of int, shape (n, 2) or (W, n, 2), optional
+            Start cells, the same in every world or not. By default they are drawn.
+        episode, obstacles
+            As for `World.reset`, which also says what is refused; then no world has changed.
+
+        Returns
+        -------
+        dict of str to ndarray
+            The buffers.
         """
         if seed is None and episode != 0:
             raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")

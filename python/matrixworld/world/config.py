@@ -20,7 +20,7 @@ from typing_extensions import Unpack
 from matrixworld import _core
 from matrixworld._core import Capture
 from matrixworld._util import checks
-from matrixworld._util.files import read_text
+from matrixworld._util.files import load_toml, read_text
 from matrixworld.world.conflicts import agent_name
 from matrixworld.world.rules import Rewards, Rules, rules_of
 
@@ -40,18 +40,11 @@ _SIDE = 40
 _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
 
 WORLDS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
-    {
-        name: {**sizes, "rules": rules, "cols": sizes["rows"], "max_steps": 200}
-        for name, rules, sizes in (
-            ("courtyard", "O", {"rows": 20, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1}),
-            ("thicket", "D", {"rows": 10, "n_pursuers": 6, "n_evaders": 3, "obstacles": 0.2}),
-            ("park", "TO", {"rows": 28, "n_pursuers": 4, "n_evaders": 4, "obstacles": 0.1}),
-        )
-    }
+    load_toml(Path(__file__).with_name("worlds.toml"))
 )
 """Worlds that have names, as keyword arguments of a `WorldConfig`.
 
-In them good teams of both sides win about half; ``evolution/balance.py`` has found them.
+In them good teams of both sides win about half.
 """
 
 
@@ -100,10 +93,9 @@ def _plain(value: Any) -> Any:
     return getattr(value, "name", value)  # of a member of an enumeration its name
 
 
-def _all_fields(what: str, kind: type[Any], plain: object) -> dict[str, Any]:
+def _all_fields(what: str, kind: type[Any], plain: Any) -> dict[str, Any]:
     """Return a copy of the values of all fields of a dataclass; refuse a missing or unknown one."""
-    if not isinstance(plain, Mapping):
-        raise TypeError(f"{what}: expected a mapping, got {type(plain).__name__}")
+    checks.check_instance(what, plain, Mapping)
     names = {item.name for item in fields(kind)}
     if plain.keys() != names:
         raise ValueError(f"{what}: expected {sorted(names)}, got {sorted(map(str, plain))}")
@@ -189,8 +181,8 @@ class WorldConfig:
         terrain = _obstacles(obstacles)
         height, width = terrain.shape if isinstance(terrain, np.ndarray) else (_SIDE, _SIDE)
         pursuers, evaders = _TEAM_SIZES[row.capture]
-        if rewards is not None and not isinstance(rewards, Rewards):
-            raise TypeError(f"rewards: expected Rewards, got {rewards!r}")
+        rewards = Rewards() if rewards is None else rewards
+        checks.check_instance("rewards", rewards, Rewards)
         numbers = {
             "rows": height if rows is None else rows,
             "cols": width if cols is None else cols,
@@ -205,7 +197,7 @@ class WorldConfig:
             rules=row,
             diagonal=checks.check_bool("diagonal", diagonal),
             obstacles=terrain,
-            rewards=Rewards() if rewards is None else rewards,
+            rewards=rewards,
         )
         self.check_map(self.map)
         sizes = self.rows, self.cols, self.n_pursuers, self.n_evaders

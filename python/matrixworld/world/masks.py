@@ -80,10 +80,6 @@ class ActionMasks:
     """The masks of both teams: none for False, obstacles for True, or those of a name."""
 
     def __init__(self, chosen: bool | str, config: WorldConfig) -> None:
-        if not isinstance(chosen, bool | str):
-            raise TypeError(
-                f"action_mask: expected a bool or one of {', '.join(MASKS)}, got {shown(chosen)}"
-            )
         mask = ("obstacles" if chosen else "none") if isinstance(chosen, bool) else chosen
         check_mask("action_mask", mask, config)
         self._config, self._mask = config, mask
@@ -124,8 +120,7 @@ def check_team(name: str, given: Any, config: WorldConfig, team: policy.Team) ->
     """
     player = given.population() if hasattr(given, "population") else given
     if isinstance(player, policy.Population):
-        fits = (player.policy.fov, player.policy.n_actions) == (config.fov, config.n_actions)
-        if isinstance(player.policy, policy.Network) and fits:
+        if isinstance(player.policy, policy.Network) and player.policy.fits(config):
             _check_right_of_way(name, player.forbids, config, team)
         return player.policy.core, player.genomes
     if isinstance(player, policy.TablePolicy):

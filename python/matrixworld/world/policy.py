@@ -8,13 +8,16 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
 from math import prod
+from pathlib import Path
 from typing import Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import Self
 
 from matrixworld import _core
 from matrixworld._util import checks
+from matrixworld._util.files import load_toml
 from matrixworld._util.readable import Readable, plain_values
 from matrixworld.world.config import WorldConfig
 
@@ -29,18 +32,7 @@ Script: TypeAlias = str
 CAREFUL = "careful-"
 """Before the name of a script that takes only moves that right of way allows."""
 
-_PLAIN_TEXTS = {
-    "random": "any action, all equally likely",
-    "still": "always stays",
-    "chaser": "moves to where the nearest adversary in view is nearest",
-    "fleer": "moves to where the nearest adversary in view is farthest",
-    "clumsy-chaser": "a chaser that takes any action in half of the steps",
-    "hunter": "a chaser of the nearest adversary in view to which no teammate in view is nearer",
-    "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
-    "clumsy-fleer": "a fleer that takes any action in half of the steps",
-    "dodger": "moves to where all adversaries in view together are farthest",
-    "team-surrounder": "shares the free cells beside adversaries with its teammates, and searches",
-}
+_PLAIN_TEXTS: dict[Script, str] = load_toml(Path(__file__).with_name("scripts.toml"))
 
 SCRIPT_TEXTS: dict[Script, str] = _PLAIN_TEXTS | {
     f"{CAREFUL}{name}": f"as {name}, but takes only moves that right of way allows"
@@ -110,6 +102,25 @@ class Policy(ABC):
     memory: Memory = "none"
     state_size: int = 0
     """Length of what an agent remembers from one step to the next."""
+
+    @classmethod
+    def for_config(cls, config: WorldConfig, *first: Any, **more: Any) -> Self:
+        """Return one for the views and actions of a world; the others are its other fields."""
+        checks.check_instance("config", config, WorldConfig)
+        shape: dict[str, Any] = {"fov": config.fov, "n_actions": config.n_actions}
+        return cls(*first, **shape, **more)
+
+    def fits(self, config: WorldConfig) -> bool:
+        """Return whether it has the views and actions of a world."""
+        return (self.fov, self.n_actions) == (config.fov, config.n_actions)
+
+    def check_fits(self, name: str, config: WorldConfig) -> None:
+        """Raise ValueError, naming the argument, unless it has the views and actions of a world."""
+        if not self.fits(config):
+            raise ValueError(
+                f"{name}: expected a policy for fov {config.fov} and {config.n_actions} actions, "
+                f"got fov {self.fov} and {self.n_actions} actions"
+            )
 
     @property
     @abstractmethod
@@ -208,14 +219,6 @@ class Network(Policy):
         checks.check_choice("memory", self.memory, GATES)
         if self.memory != "none" and not self.hidden:
             raise ValueError(f"memory: expected none without hidden layers, got {self.memory!r}")
-
-    @classmethod
-    def for_config(
-        cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any
-    ) -> Network:
-        """Return a network for the views and actions of a world; `more` are its other fields."""
-        checks.check_instance("config", config, WorldConfig)
-        return cls(hidden, fov=config.fov, n_actions=config.n_actions, **more)
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -374,10 +377,7 @@ class Population(Readable):
             raise ValueError(
                 f"genomes: expected shape (n >= 1, {expected[1]}), got {np.shape(self.genomes)}"
             )
-        if not np.isfinite(genomes).all():
-            genome, gene = np.argwhere(~np.isfinite(genomes))[0]
-            got = f"{genomes[genome, gene]} (genome {genome}, number {gene})"
-            raise ValueError(f"genomes: expected finite numbers, got {got}")
+        checks.check_finite("genomes", genomes)
         # The engine reads the genomes from one block of memory, without copying them.
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
         self.policy.check_genomes(self.genomes)

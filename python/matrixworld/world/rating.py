@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import operator
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -12,12 +12,10 @@ from types import MappingProxyType
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
-from typing_extensions import Self
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
 from matrixworld._util import checks
-from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV, MASKS, Mask
 from matrixworld.world.policy import Layers, Network, Policy, layers_of
 
@@ -53,9 +51,9 @@ class _Rates(Policy):
     """What rates moves: the same function of the inputs for each move of an agent."""
 
     inputs: tuple[str, ...]
+    hidden: tuple[int, ...] = ()
+    length: int = 0
     mask: Mask
-    fov: int
-    n_actions: int
 
     def __post_init__(self) -> None:
         given = checks.check_sequence("inputs", self.inputs, "names of inputs")
@@ -70,28 +68,31 @@ class _Rates(Policy):
             least = f"at least {LEAST_FOV[self.mask]} for the mask {self.mask}"
             raise ValueError(f"fov: expected {least}, got {self.fov}")
 
-    @classmethod
-    def for_config(cls, config: WorldConfig, **more: Any) -> Self:
-        """Return one for the views and actions of a world; `more` are its other fields."""
-        checks.check_instance("config", config, WorldConfig)
-        return cls(fov=config.fov, n_actions=config.n_actions, **more)  # type: ignore[call-arg]
-
-    def _core_of(self, hidden: tuple[int, ...] = (), length: int = 0) -> _core.Rating:
+    @cached_property
+    def core(self) -> _core.Rating:
+        """The engine's form of this policy."""
         return _core.Rating(
             fov=self.fov,
             n_actions=self.n_actions,
             inputs=[list(INPUTS).index(name) for name in self.inputs],
-            hidden=list(hidden),
-            length=length,
+            hidden=list(self.hidden),
+            length=self.length,
             mask=self.mask,
         )
 
-    def _columns(self, inputs: _Floats) -> list[_Floats]:
-        """Return arrays (..., moves) of the inputs of this policy, from those of all inputs."""
-        if inputs.dtype != np.float32 or inputs.shape[-1] != len(INPUTS):
-            expected = f"float32 of shape (..., moves, {len(INPUTS)})"
-            raise ValueError(f"inputs: expected {expected}, got {inputs.dtype} {inputs.shape}")
-        return [inputs[..., list(INPUTS).index(name)] for name in self.inputs]
+    def checked(self, inputs: ArrayLike) -> _Floats:
+        """Return inputs (..., n_actions, all inputs), or raise a ValueError or TypeError."""
+        array, shape = checks.unmasked("inputs", inputs), (self.n_actions, len(INPUTS))
+        if array.dtype != np.float32 or array.shape[-2:] != shape:
+            expected = f"float32 of shape (..., {str(shape)[1:]}"
+            raise ValueError(f"inputs: expected {expected}, got {array.dtype} {array.shape}")
+        checks.check_finite("inputs", array)
+        return array
+
+    def _columns(self, inputs: ArrayLike) -> dict[str, _Floats]:
+        """Return arrays (..., n_actions) of the inputs of this policy by their names."""
+        array = self.checked(inputs)
+        return {name: array[..., list(INPUTS).index(name)] for name in self.inputs}
 
 
 _CHOICE = '''
@@ -166,11 +167,6 @@ class Rating(_Rates):
         """Number of weights and biases in a genome."""
         return sum((n_in + 1) * n_out for n_in, n_out in pairwise(self.sizes)) - 1
 
-    @cached_property
-    def core(self) -> _core.Rating:
-        """The engine's form of this policy."""
-        return self._core_of(hidden=self.hidden)
-
     def layers(self, genome: _Floats) -> Layers:
         """Return weights (inputs, outputs) and biases (outputs,) of each layer, views of a genome.
 
@@ -195,12 +191,12 @@ class Rating(_Rates):
             weights[:] = weight * rng.standard_normal(weights.shape, dtype=np.float32)
         return genome
 
-    def rate(self, genome: _Floats, inputs: _Floats) -> _Floats:
+    def rate(self, genome: _Floats, inputs: ArrayLike) -> _Floats:
         """Return ratings, float32 (..., moves), of `inputs` (..., moves, all inputs), in NumPy.
 
         The numbers are those of the engine, bit by bit.
         """
-        x = self._columns(inputs)
+        x = list(self._columns(inputs).values())
         *hidden, (last, _) = self.layers(genome)
         with np.errstate(over="ignore", invalid="ignore"):
             for weights, biases in hidden:
@@ -331,11 +327,6 @@ class Program(_Rates):
         """Numbers in a genome."""
         return 2 * self.length
 
-    @cached_property
-    def core(self) -> _core.Rating:
-        """The engine's form of this policy."""
-        return self._core_of(length=self.length)
-
     def check_genomes(self, genomes: _Floats) -> None:
         """Raise ValueError unless all genomes (n, genome_size) are programs."""
         self.core.check(genomes)
@@ -410,14 +401,8 @@ class Program(_Rates):
         Operations on numbers become numbers; twice negated, least and greatest of the same, and
         choices that are known vanish; so do 0 in sums and 1 in products.
         """
-        stack: list[list[Token]] = []
-        for token in self.tokens(genome):
-            if token not in OPERATIONS:
-                stack.append([token])
-                continue
-            first = len(stack) - OPERATIONS[token]
-            stack[first:] = [_shorter(str(token), stack[first:])]
-        return self.encode(stack[0])
+        shortest: list[Token] = self._folded(genome, lambda token: [token], _shorter)
+        return self.encode(shortest)
 
     def shorter(self, genome: _Floats) -> list[_Floats]:
         """Return the programs in which one operation is replaced by one of its arguments.
@@ -437,23 +422,17 @@ class Program(_Rates):
             starts[first:] = [start]
         return sorted(found.values(), key=lambda code: len(self.tokens(code)))
 
-    def rate(self, genome: _Floats, inputs: _Floats) -> _Floats:
-        """Return ratings, float32 (..., moves), of `inputs` (..., moves, all inputs), in NumPy.
-
-        The numbers are those of the engine, bit by bit.
-        """
-        named = dict(zip(self.inputs, self._columns(inputs), strict=True))
-        stack: list[Any] = []
+    def rate(self, genome: _Floats, inputs: ArrayLike) -> _Floats:
+        """Return ratings, as `Rating.rate` does."""
+        named: dict[Any, _Floats] = {**self._columns(inputs)}
+        room = np.shape(inputs)[:-1]
         with np.errstate(over="ignore", invalid="ignore"):
-            for token in self.tokens(genome):
-                if isinstance(token, float):
-                    stack.append(np.full(inputs.shape[:-1], token, np.float32))
-                elif token in named:
-                    stack.append(named[token])
-                else:
-                    first = len(stack) - OPERATIONS[token]
-                    stack[first:] = [_MEANINGS[token][0](*stack[first:])]
-            return np.asarray(np.fmax(stack[0], _LOWEST))
+            ratings = self._folded(
+                genome,
+                lambda token: named[token] if token in named else np.full(room, token, np.float32),
+                lambda name, parts: _MEANINGS[name][0](*parts),
+            )
+            return np.asarray(np.fmax(ratings, _LOWEST))
 
     def expression(self, genome: _Floats) -> str:
         """Return a genome as an expression, of which `genome` makes the same program."""
@@ -470,24 +449,34 @@ class Program(_Rates):
         self, genome: _Floats, name: str, constant: str, truth: str, *, of_arrays: bool = False
     ) -> str:
         """Return an expression by the forms of inputs, constants and comparisons."""
-        stack: list[tuple[str, bool]] = []  # text; whether it is a comparison
-        for token in self.tokens(genome):
-            if isinstance(token, float):
-                stack.append((constant.format(token), False))
-            elif token in self.inputs:
-                stack.append((name.format(token), False))
-            else:
-                first = len(stack) - OPERATIONS[token]
-                parts = [truth.format(text) if less else text for text, less in stack[first:]]
-                if token == "where":
-                    text, less = stack[first]
-                    parts[0] = text if less else f"({text}) > 0"
-                _, *forms = _MEANINGS[token]
-                form = forms[-1 if of_arrays else 0]
-                stack[first:] = [(form.format(*parts), token == "less")]
-        text, less = stack[0]
+
+        def leaf(token: Token) -> tuple[str, bool]:  # text; whether it is a comparison
+            return (constant if isinstance(token, float) else name).format(token), False
+
+        def joined(operation: str, parts: list[tuple[str, bool]]) -> tuple[str, bool]:
+            texts = [truth.format(text) if less else text for text, less in parts]
+            if operation == "where":
+                text, less = parts[0]
+                texts[0] = text if less else f"({text}) > 0"
+            _, *forms = _MEANINGS[operation]
+            return forms[-1 if of_arrays else 0].format(*texts), operation == "less"
+
+        text, less = self._folded(genome, leaf, joined)
         whole = ast.parse(truth.format(text) if less else text, mode="eval")
         return ast.unparse(whole)  # without the parentheses that are not needed
+
+    def _folded(
+        self, genome: _Floats, leaf: Callable[[Token], Any], joined: Callable[[str, list[Any]], Any]
+    ) -> Any:
+        """Return what a program leaves on a stack of leaves, and of parts that operations join."""
+        stack: list[Any] = []
+        for token in self.tokens(genome):
+            if token in OPERATIONS:
+                first = len(stack) - OPERATIONS[token]
+                stack[first:] = [joined(token, stack[first:])]
+            else:
+                stack.append(leaf(token))
+        return stack[0]
 
 
 def _shorter(name: str, parts: list[list[Token]]) -> list[Token]:

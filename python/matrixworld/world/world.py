@@ -143,14 +143,22 @@ class World(Turns, arrays.WorldArrays):
     ) -> None:
         """Start an episode. The same seed and number give the same start, on every machine.
 
-        Without a `seed`, 0 to 2**64 - 1, the next episode of the present seed starts. With one,
-        `episode` is the number of its episode, by default 0. `pursuers` and `evaders` (n, 2) are
-        start cells of a whole team, which are else drawn; `obstacles` are a map for this episode
-        only, as `read_map` takes it, by default that of the config.
+        Parameters
+        ----------
+        seed : int, optional
+            From 0 to 2**64 - 1. By default the next episode of the present seed starts.
+        episode : int, optional
+            Number of the seed's episode. The default is 0.
+        pursuers, evaders : array_like of int, shape (n, 2), optional
+            Start cells of a whole team. By default they are drawn.
+        obstacles : map, optional
+            A map for this episode only, as `read_map` takes it. The default is that of the config.
 
-        ValueError or TypeError if start cells overlap, lie outside the grid or on an obstacle; if a
-        map has another size or no room for the agents; and for wrong numbers. The world stays as it
-        was.
+        Raises
+        ------
+        ValueError, TypeError
+            If start cells overlap, lie outside the grid or on an obstacle; if a map has another
+            size or no room for the agents; and for wrong numbers. The world stays as it was.
         """
         if seed is None:
             # Numbers of episodes wrap around, so that a world never runs out of them.
@@ -166,11 +174,25 @@ class World(Turns, arrays.WorldArrays):
         self._explained = False
 
     def step(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
-        """Play one round and return the rewards, float32 of shape (A,).
+        """Play one round.
 
-        `actions` (A,) are numbers of `Action`; those of agents that are gone are ignored. Where the
-        rules take turns, all are chosen before the first turn. `explain` keeps the list of
-        `conflicts`. RuntimeError if the episode has ended, or a round is being played by turns.
+        Parameters
+        ----------
+        actions : array_like of int, shape (A,)
+            Numbers of `Action`; those of agents that are gone are ignored. Where the rules take
+            turns, all are chosen before the first turn.
+        explain : bool, optional
+            Whether the list of `conflicts` is kept. The default is False.
+
+        Returns
+        -------
+        ndarray of float32, shape (A,)
+            The rewards.
+
+        Raises
+        ------
+        RuntimeError
+            If the episode has ended, or a round is being played by turns.
         """
         self._require_open()
         if self.turn:

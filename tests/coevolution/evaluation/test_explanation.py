@@ -111,9 +111,9 @@ def test_effects_are_weights_by_spread_and_dependence_is_a_mean():
     [room] = [term for term in explanation.terms_of(acts, seen) if term.input == "room"]
     assert len(room.dependence) == 5
     for value, mean in room.dependence:
-        changed = seen[allowed].copy()
-        changed[:, NAMES.index("room")] = value
-        assert mean == pytest.approx(acts.policy.rate(acts.genome, changed).mean(), rel=1e-4)
+        changed = seen.copy()
+        changed[..., NAMES.index("room")] = value
+        assert mean == pytest.approx(acts.rate(changed)[allowed].mean(), rel=1e-4)
 
 
 # Networks:

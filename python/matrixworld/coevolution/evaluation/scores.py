@@ -27,7 +27,7 @@ from matrixworld.coevolution.pursuit import Network, Pursuit
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other, team_size
 from matrixworld.play.matches import Callback, Plays, capture_rates
-from matrixworld.play.policies import GenomePolicy, fits
+from matrixworld.play.policies import GenomePolicy
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
@@ -134,7 +134,7 @@ def _plays_in(opponent: TeamPolicy, config: WorldConfig) -> bool:
     """Return whether an opponent sees what it needs in a world."""
     if isinstance(opponent, str):
         return config.fov >= CAREFUL_FOV or not opponent.startswith(CAREFUL)
-    return fits(opponent.policy, config)
+    return bool(opponent.policy.fits(config))
 
 
 # Scores of genomes and runs:
