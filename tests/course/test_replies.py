@@ -19,7 +19,6 @@ from course.chapter_1 import BUMPER_CARS
 from course.chapter_2 import JAM_ACTIONS
 from course.chapter_5 import ENDINGS
 from course.chapter_9 import break_even
-from course.toys import reduced_virulence
 from matrixworld import Action, analysis
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
@@ -68,8 +67,7 @@ WRONG: dict[str, dict[str, Any]] = {
     },
     "3.3": {
         "no race": "race",
-        "evaders want captures": by_hand(3, side=1, select=student.the_lowest),
-        "old opponents": by_hand(3, side=1, opponent=0),
+        "evaders want captures": by_hand(3, select=student.the_lowest),
         "payoff turned": by_hand(3, payoff=np.transpose),
     },
     "3.4": {
@@ -114,7 +112,7 @@ WRONG: dict[str, dict[str, Any]] = {
         "of five matches": lambda wins, v: student.of_wins_only(wins / 5, v),
     },
     "7.2": {"below": 0.75, "above": 0.95},
-    "7.3": {"the wins": lambda wins: wins, "zeros": lambda wins: 0 * wins},
+    "7.3": {"the wins": lambda wins: wins},
     "8.1": {
         "the other order": student.rate_turned,
         "the last token": lambda tokens, inputs: inputs.get(tokens[-1], 0.0),
@@ -159,14 +157,14 @@ RIGHT: dict[str, list[Any]] = {
     "1.4": [student.careless],
     "2.3": [np.int64(202), 202.0],
     "2.4": [student.at_once],
-    "3.3": [by_hand(5), by_hand(5, payoff=np.ndarray.tolist)],
+    "3.3": [by_hand(5, payoff=np.ndarray.tolist)],
     "3.4": [student.game(student.sums), student.game(student.coin_of_sums, deterministic=False)],
     "4.1": [((0.5 + 0.5 * LAGS).tolist(), (0.5 - LAGS).tolist()), (BELOW_DIAGONAL, 0.5 - LAGS)],
     "5.3": [GAINS],
     "5.4": [student.both_rise],
     "6.1": [lambda matrix: analysis.checkerboards(matrix).count],
     "6.3": [student.hall(4), lambda available, rng: np.array(student.hall(4)(available, rng))],
-    "7.3": [lambda wins: -abs(wins - 3), lambda wins: reduced_virulence(wins, 0.6)],
+    "7.3": [lambda wins: -abs(wins - 3)],
     "9.2": [-break_even(), np.float32(break_even())],
     "9.3": [np.ceil(298.07)],
     "8.3": ["0.2 * teammate - adversary - must_yield"],

@@ -125,21 +125,6 @@ def test_verdicts(judge, given, verdict):
     assert judge(*given) == verdict
 
 
-def test_mixtures_of_a_race_are_equilibria_of_its_generations():
-    matrix = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
-    first, whole = convergence.mixtures(matrix, 1)[0], convergence.mixtures(matrix, 2)[0]
-    np.testing.assert_allclose(first, [0.0, 1.0, 0.0], atol=1e-9)  # paper beats rock
-    np.testing.assert_allclose(whole, [1 / 3] * 3, atol=1e-9)
-
-
-def test_members_of_a_mixture_have_shares_next_to_the_weights():
-    weights = np.array([0.0, 0.53, 0.12, 0.35])
-    shares = np.bincount(learned.members(weights), minlength=4) / learned.PARTS
-    assert shares.sum() == 1.0
-    assert shares[0] == 0.0
-    np.testing.assert_allclose(shares, weights, atol=1 / learned.PARTS)
-
-
 COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
 
 
@@ -151,15 +136,3 @@ def test_normal_runs_are_covered_in_93_to_97_percent():
         assert [row.samples for row in rows] == [2, 3, 5, 10, 20]
         covered, given = (sum(getattr(row, name) for row in rows) for name in ("covered", "given"))
         assert 0.93 < covered / given < 0.97
-
-
-def test_evaders_of_the_authors_move_to_free_cells_one_by_one():
-    # A pursuer, and three evaders in a corner: the first one has no free side until another left.
-    positions = np.array([[5, 5], [0, 0], [0, 1], [1, 0]])
-    for seed in range(20):
-        moves = scripted_pursuit.open_moves(positions, 1, 40, np.random.default_rng(seed))
-        assert moves[0] == 0
-        assert moves[1] in (2, 3)  # east or south of (0, 1)
-        assert moves[2] in (2, 3)
-    found = list(scripted_pursuit.sides(positions, 1, 40))
-    assert found == [[], [2, 3], [2, 3]]

@@ -1,7 +1,7 @@
 """Functions that students of the course write, right ones and with their mistakes."""
 
 from functools import partial
-from itertools import combinations, permutations
+from itertools import combinations, permutations, product
 from typing import Any
 
 import numpy as np
@@ -61,21 +61,14 @@ def the_lowest(candidates, scores):
     return candidates[np.argsort(1 - scores)[-8:]].mean(axis=0)
 
 
-def hand_race(seed, *, generations=3, side=None, payoff=np.asarray, **change):
-    """Return the answer of exercise 3.3; `change` is how a team, or both, learns otherwise."""
+def hand_race(seed, *, payoff=np.asarray, select=chapter_3.mean_of_best):
+    """Return the answer of exercise 3.3; the evaders select in a way that may be wrong."""
     archives = [chapter_3.first_genome(seed, 0)], [chapter_3.first_genome(seed, 1)]
-    opponent, select = change.get("opponent"), change.get("select", chapter_3.mean_of_best)
-    for k in range(1, generations + 1):
-        for team in (0, 1):
-            other = side is None or team == side
-            newest = archives[1 - team][opponent if other and opponent is not None else -1]
-            chosen = select if other else chapter_3.mean_of_best
-            rng = np.random.default_rng([seed, k, team])
-            archives[team].append(
-                chapter_3.learn(team, archives[team][-1], newest, rng, select=chosen)
-            )
-    rates = chapter_3.all_against_all(archives)
-    return seed, *archives, payoff(rates)
+    for k, (team, chosen) in product((1, 2, 3), enumerate((chapter_3.mean_of_best, select))):
+        newest, rng = archives[1 - team][-1], np.random.default_rng([seed, k, team])
+        learned = chapter_3.learn(team, archives[team][-1], newest, rng, select=chosen)
+        archives[team].append(learned)
+    return seed, *archives, payoff(chapter_3.all_against_all(archives))
 
 
 class Later(partial):
@@ -171,22 +164,9 @@ def of_wins_only(wins, v):
     return 2 * wins / v - wins**2 / v**2
 
 
-STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
-
-
 def right_before_left(own: int, other: int) -> bool:
     """Go first if the other one has this move on its right, and say nothing of two face to face."""
     return (other - own) % 4 == 1
-
-
-def left_waits(own: int, other: int) -> bool:
-    """Go first unless the other one comes from the right."""
-    return (own - other) % 4 != 1
-
-
-def right_of_way(own: int, other: int) -> bool:
-    """Decide as the mask of the package does."""
-    return own < other if abs(own - other) == 2 else right_before_left(own, other)
 
 
 def coin() -> Any:
