@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import coevolution, solver
+from matrixworld import coevolution, plots, solver
 from matrixworld.coevolution.seeding import match_seed
 from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
@@ -139,6 +139,11 @@ CALLS = [
     partial(MONITOR.add_episode, episode=EPISODE),
     partial(MONITOR.add_infos, infos=None),
     partial(MONITOR.add_statistics, statistics=None),
+    partial(plots.payoff_heatmap, payoff=np.eye(3)),
+    partial(plots.comparison, payoffs={"a": np.eye(3)}),
+    partial(plots.ciao_triangles, payoff=np.eye(3), every=1),
+    partial(plots.verdict_strip, judgements={}, seeds={}, missing={}),
+    partial(plots.save_figure, figure=plots.payoff_heatmap(np.eye(3)), path="new.png"),
     partial(solver.States, config=STATES.config, threads=1),
     partial(STATES.cells, turn=0),
     partial(STATES.decisions, policy="still", team="pursuer"),

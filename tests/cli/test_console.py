@@ -4,7 +4,7 @@ import json
 import warnings
 
 from command_line import matrixworld_command
-from matrixworld.cli.console import note, print_table, warnings_as_notes
+from matrixworld.cli.console import warnings_as_notes
 from matrixworld.coevolution import DisengagementWarning
 
 
@@ -28,11 +28,3 @@ def test_names_and_files_give_a_terminal_no_orders(run, tmp_path):
     (evil / "config.json").write_text(json.dumps({**config, "format": EVIL}))
     told += matrixworld_command("judge", evil, code=1).output
     assert "".join(told.split("\n")).isprintable(), told
-
-
-def test_tables_and_notes_show_escapes_as_they_stand(capsys):
-    print_table([("name", "rank"), (EVIL, "1")], "<>")
-    note(EVIL)
-    out, err = capsys.readouterr()
-    assert out.splitlines()[1] == f"{SHOWN}     1"
-    assert err == f"{SHOWN}\n"

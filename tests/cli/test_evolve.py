@@ -97,16 +97,6 @@ def test_settings_from_a_file(undrawn, tmp_path):
     assert again == tiny_race(learner="ga", mutation=1 / 3, seed=6)
 
 
-def test_a_map_file_and_no_hidden_layer():
-    rows = [".....", ".@@..", "....."]
-    Path("a.map").write_text("\n".join(["type octile", "height 3", "width 5", "map", *rows]))
-    sets = [("policy.hidden", []), ("world.obstacles", "a.map")]
-    options = {"n_pursuers": 2, "n_evaders": 3, "schedule": ("alternating",), "sets": sets}
-    [settings] = settings_of(options)
-    assert settings.policy.hidden == ()
-    assert settings.world.map.sum() == 2
-
-
 def test_worlds_with_names_are_told():
     told = [line.split() for line in evolved("--worlds").output.splitlines()]
     assert ["park", "TO", "28", "x", "28", "4", "4", "10%", "200"] in told
@@ -153,12 +143,6 @@ def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
     third = evolved(*one, "--out", "runs/O-seed5", code=2).stderr
     assert "--out: expected a new or empty directory, got 'runs/O-seed5'; " in third
     assert "matrixworld evolve --resume runs/O-seed5 continues the run" in third
-
-
-def test_the_runs_of_a_job_are_in_the_order_of_their_schedules():
-    job = job_of({"schedule": ("hall-of-fame", "all"), "seeds": (10, 2)})
-    schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
-    assert [*job] == [f"{name}/seed-{seed}" for name in schedules for seed in (10, 2)]
 
 
 def test_one_team_alone_against_a_script_and_then_against_the_result():

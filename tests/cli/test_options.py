@@ -1,6 +1,5 @@
 """Options that commands share: declared once, existing outputs, seeds, completion."""
 
-import json
 import os
 import subprocess
 import sys
@@ -32,14 +31,6 @@ def test_options_of_one_name_are_equal_in_all_commands():
     assert {name for name, meanings in found.items() if len(meanings) > 1} == DIFFERENT
 
 
-def test_every_command_that_names_an_output_file_has_force():
-    for name, command in main.commands.items():
-        flags = {flag for param in command.params for flag in param.opts}
-        # It names a new directory, and replaces nothing.
-        if flags & {"--json", "--out"} and name != "evolve":
-            assert "--force" in flags, name
-
-
 OUTPUTS = {
     "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
     "tournament": (["tournament", "run", "--episodes", 2], "run/tournament-2-seed0.png"),
@@ -63,13 +54,6 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
     assert file.read_bytes() != b"precious"
     for kept in ("config.json", "pursuers.npy", "payoff.npz", "summary.json", "stage-0001.npz"):
         assert (run / kept).read_bytes() == before[run / kept]
-
-
-def test_numbers_on_standard_output(run):
-    done = matrixworld_command("judge", "run", "--json", "-")
-    assert [*json.loads(done.stdout)["groups"]] == ["run"]
-    assert "run" in done.stderr
-    assert not Path("-").exists()
 
 
 def test_the_package_is_a_command_and_needs_no_docstrings():

@@ -14,8 +14,7 @@ import pytest
 import own_code
 from executors import Reversed
 from matrixworld import coevolution as co
-from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of, shares
-from matrixworld.coevolution.race import ALL_SCHEDULES
+from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of
 from tiny_race import hall_of_fame, played, results, straight, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -248,30 +247,6 @@ def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
             co.evolve(other, tmp_path)
     # Not even written again.
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
-
-
-def test_a_few_runs_have_two_threads_each_and_of_more_the_last_does_not_play_alone():
-    asked = [(1, 2), (2, 2), (3, 2), (3, 1), (3, 4), (3, 8), (4, 2), (5, 4), (9, 4)]
-    expected = [(1, 2), (1, 2), (1, 2), (1, 1), (2, 2), (3, 2), (2, 1), (5, 1), (4, 1)]
-    assert [shares(runs, cores) for runs, cores in asked] == expected
-
-
-def test_names_and_what_was_asked_for(tmp_path):
-    races = [tiny_race(schedule=name, seed=n) for n in (3, 12) for name in ALL_SCHEDULES[:2]]
-    job = job_of([*races, tiny_single(seed=7)])
-    first, second = ALL_SCHEDULES[:2]
-    assert [*job] == [
-        f"{first}/seed-3", f"{second}/seed-3", f"{first}/seed-12", f"{second}/seed-12",
-        "pursuer-against-random/seed-7",
-    ]  # fmt: skip
-    create_job(job, tmp_path / "job")
-    assert found_job(tmp_path / "job") == job
-    assert [*found_job(tmp_path / "job")] == [
-        f"{first}/seed-3", f"{first}/seed-12", f"{second}/seed-3", f"{second}/seed-12",
-        "pursuer-against-random/seed-7",
-    ]  # fmt: skip
-    co.create(races[0], tmp_path / "run")
-    assert found_job(tmp_path / "run") == {".": races[0]}
 
 
 def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeypatch):

@@ -106,13 +106,6 @@ def test_another_seed_is_another_race():
     assert all(ours[name] != theirs[name] for name in ours)
 
 
-def test_log_of_a_hall_of_fame_has_a_row_per_epoch_and_team(tmp_path):
-    run = played(hall_of_fame(), tmp_path / "run")
-    assert run.payoff().matrix.shape == (4, 4)
-    assert run.log()["team"].tolist() == ["pursuer", "evader"] * 6
-    assert run.log()["generation"].tolist() == [1] * 4 + [2] * 4 + [3] * 4
-
-
 def test_every_cell_can_be_replayed_alone(race):
     run = playing(co.Run(race), StopAt(0)).run()  # of a finished run nothing is played
     settings, payoff = run.settings, run.payoff()

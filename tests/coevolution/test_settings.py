@@ -2,7 +2,7 @@
 
 import json
 import pickle
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -68,13 +68,6 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
     assert settings_of(measure="rewards").training_game.penalty == 0.0
     started = co.RaceSettings(schedule=co.Against(team="evader", start="a-run"))
     assert started.training_game.penalty == 0.2
-
-
-def test_what_follows_from_the_settings():
-    settings, alone = co.RaceSettings(), co.RaceSettings(schedule=co.Against(team="evader"))
-    assert settings.schedule.total_epochs("evader") == 30 * 58
-    assert settings.evaluation_game.policy.genome_size == (3 * 11 * 11 + 1) * 32 + (32 + 1) * 5
-    assert (settings.is_race, alone.is_race, alone.learning_teams) == (True, False, ("evader",))
 
 
 def test_a_text_stands_for_a_section():
@@ -217,14 +210,6 @@ def test_later_values_change_earlier_ones_before_defaults_are_filled_in():
     assert mixed.changed({"evader_learner": None}) == co.RaceSettings.of(file)
     # Mappings and texts stand for sections in constructors, too.
     assert co.RaceSettings(schedule="hall-of-fame", **file).learner == settings.learner
-
-
-def test_every_setting_has_a_help_text():
-    for settings in EVERY:
-        assert all(text for _, _, text in sections.leaves(settings))
-    for kinds in map(sections.sections_in, sections.hints_of(co.RaceSettings).values()):
-        for cls in kinds.values():
-            assert all(item.metadata["help"] in cls.__doc__ for item in fields(cls))
 
 
 def test_a_part_of_an_opponent_sampler_that_a_schedule_names():

@@ -6,8 +6,6 @@ import os
 import re
 import subprocess
 import sys
-from types import SimpleNamespace
-from unittest.mock import Mock, call
 
 import imageio_ffmpeg
 import numpy as np
@@ -17,7 +15,6 @@ from PIL import Image, ImageColor
 import matrixworld as mw
 from matrixworld._util import colors
 from matrixworld.episodes import replay as term
-from matrixworld.episodes.record import FPS, Drawing, Notebook
 from matrixworld.episodes.replay import animate_terminal, animation, save, scene
 from matrixworld.world import render
 from rows import config_of, random_walks
@@ -182,30 +179,3 @@ def test_without_display_or_terminal_it_is_plain_text(naps, capsys):
     assert naps == []  # a file needs no time to be seen
     for step in (0, 1):
         assert f"step {step}    captured 0 of 4 (0%)   P 3  E 4\n" in printed
-
-
-def test_a_terminal_is_drawn_in_place(naps, terminal):
-    shown = Drawing(mw.World(config_of("O")), "human")
-    for _ in range(3):
-        shown.show()
-    start, *pieces = terminal.readouterr().out.split(term.HOME)
-    assert start == term.WRAP_OFF + term.CLEAR
-    assert len(pieces) == 3
-    assert pieces[0].startswith(render.ansi(shown.scene()).splitlines()[0])
-    assert pieces[0] == pieces[1] == pieces[2] + term.WRAP_OFF
-    assert pieces[2].endswith(term.WRAP_ON + "\n")
-    assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
-
-
-def test_a_notebook_s_output_is_drawn_anew():
-    shell, display = SimpleNamespace(execution_count=4), Mock()
-    drawn = scene(EPISODE)
-    place = Notebook(shell, display)
-    for _ in range(3):
-        place.show(drawn)
-    data = {"image/png": render.png(drawn)}
-    redrawn = call().update(data, raw=True)
-    assert display.mock_calls == [call(data, raw=True, display_id=True), redrawn, redrawn]
-    shell.execution_count = 5  # another cell is run
-    place.show(drawn)
-    assert display.call_count == 2

@@ -130,16 +130,3 @@ def test_colours_are_codes_around_the_same_cells():
     assert bare[1:] == ["▲ · · · · · ", "· · ██· ● · ", "· · · ▲ · · ", "● · · · · ██"]
     assert text.count("38;5;166") == 3  # two agents and the legend
     assert all(line.endswith("\x1b[0m") for line in text.split("\n")[1:])
-
-
-@pytest.mark.parametrize(
-    ("draw", "options", "field"),
-    [
-        (rgb, {"cell": 0}, "cell"),
-        (rgb, {"cell": 19, "numbers": True}, "cell"),
-        (ansi, {"color": False, "compact": True}, "compact"),
-    ],
-)
-def test_options_that_are_refused(draw, options, field):
-    with pytest.raises(ValueError, match=f"^{field}: expected"):
-        draw(scene(), **options)

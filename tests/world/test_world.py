@@ -5,7 +5,6 @@ That a batch plays as single worlds do, by any number of threads, is shown in ``
 
 import copy
 import dataclasses
-import itertools
 import json
 import pickle
 
@@ -122,16 +121,6 @@ def test_penalties_agree_with_reported_fault_and_involvement(name, blame):
         np.testing.assert_array_equal(rewards, (tariff * to_blame).sum(axis=1))
 
 
-def test_equal_dtypes_are_one():
-    """As those of arrays from a pickle, or of another integer of C of the same size."""
-    world, batch = small(), mw.Batch(1, small().config)
-    stay = np.zeros(3, np.int64)
-    for row in (pickle.loads(pickle.dumps(stay)), stay.astype(np.longlong)):  # noqa: S301
-        world.step(row)
-        batch.step(row[None])
-        batch.reset(mask=pickle.loads(pickle.dumps(np.array([True]))))  # noqa: S301
-
-
 WORD = 2**64
 KEYS = [(0, 0), (1, 0), (0, 1), (2**64 - 1, 2**63), (0x123456789ABCDEF, 0xFEDCBA987654321)]
 COUNTERS = [(1, 0, 0, 0), (0, 1, 0, 0), (7, 500, 2, 0), (3, 2, 1, 2**64 - 1), (0, 0, 0, 0)]
@@ -185,15 +174,6 @@ def test_obstacles_of_a_density_lie_anywhere():
     assert stats.chisquare(ground.sum(axis=0)).pvalue > 1e-3
     places = arrays["positions"] @ [5, 1]
     assert not np.take_along_axis(ground, places, axis=1).any()
-
-
-def test_seeds_and_episodes_are_told_apart():
-    world = mw.World(rows=40, cols=40)
-    drawn = set()
-    for seed, episode in itertools.product((0, 1, 2**32, 2**64 - 1), repeat=2):
-        world.reset(seed, episode=episode)
-        drawn.add(world.positions.tobytes())
-    assert len(drawn) == 16
 
 
 OF_TURNS = {"SIMULTANEOUS": 1, "SWARM_TURNS": 2}
