@@ -22,6 +22,7 @@ from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.sections import values_of
 from matrixworld.coevolution.storage import find_runs
 from scripts import group_lives, wait_until
+from slow import quickly
 from tiny_race import StopAt, playing, results, tiny_race, tiny_single
 
 
@@ -237,9 +238,9 @@ def process_of(*args):
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
-@pytest.mark.parametrize("send", [os.killpg, os.kill], ids=["to all processes", "to the parent"])
+@quickly("send", [os.killpg, os.kill], os.killpg.__eq__, lambda send: send.__name__)
 def test_stopped_and_killed_and_resumed_ends_the_same(send, monkeypatch):
-    """Ctrl-C in the first runs leaves no process; a kill loses nothing."""
+    """Ctrl-C, to all processes or the parent, leaves no process; a kill loses nothing."""
     monkeypatch.setattr("matrixworld.cli.evolve.report", lambda *args, **timed: None)
     longer = {**ONE, "generations": 4, "pursuer_epochs": 30, "evader_epochs": 30}
     chosen = ["--seeds", "0-2", "--schedule", MAIN_JOB[0], *words(longer)]

@@ -63,25 +63,6 @@ def test_runs_have_the_same_bytes_with_a_page_that_grows(job, tmp_path):
             assert (root / name / file).read_bytes() == (job / name / file).read_bytes()
 
 
-def test_pages_take_little_time(job, tmp_path, monkeypatch):
-    now = 0.0
-    monkeypatch.setattr(runs_page.time, "monotonic", lambda: now)
-    page, written = GrowingPage(job, NAMES), []
-
-    def write(*given):
-        nonlocal now
-        now += 2.0
-        written.append(now)
-
-    monkeypatch.setattr(runs_page, "write_page", write)
-    monkeypatch.setattr(page, "_look", lambda name: True)
-    monkeypatch.setattr(runs_page, "explorer_page", lambda *given, **more: "")
-    while now < 100.0:
-        now += 0.5
-        page.write()
-    assert written == [5.0, 27.0, 49.0, 71.0, 93.0]
-
-
 @pytest.mark.parametrize("name", JOB)
 def test_cells_are_the_first_episodes_of_the_evaluation(job, name):
     run = open_run(job / name)
