@@ -1,8 +1,5 @@
 """Options that commands share: declared once, existing outputs, seeds, completion."""
 
-import os
-import subprocess
-import sys
 from collections import defaultdict
 from contextlib import nullcontext
 from pathlib import Path
@@ -14,6 +11,7 @@ import matrixworld
 from command_line import matrixworld_command
 from matrixworld.cli import main
 from matrixworld.cli.options import seeds_of
+from scripts import python
 
 DIFFERENT = {"--force", "--episodes", "--explain", "--each", "--out", "--generation"}
 """Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
@@ -57,9 +55,7 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
 
 
 def test_the_package_is_a_command_and_needs_no_docstrings():
-    env = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONOPTIMIZE": "2"}
-    command = [sys.executable, "-m", "matrixworld", "--version"]
-    done = subprocess.run(command, env=os.environ | env, capture_output=True, text=True, check=True)
+    done = python("-OO", "-m", "matrixworld", "--version")
     assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
 
 

@@ -1,10 +1,7 @@
 """The sentences that users meet first: what commands refuse, before anything is written."""
 
-import os
 import re
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +13,7 @@ from matrixworld.coevolution import Run, create, evolve, open_run
 from matrixworld.coevolution.settings import MOST_SEED
 from matrixworld.play import save_genome
 from rows import archive, random_walks
+from scripts import python
 from tiny_race import StopAt, playing, tiny_race, tiny_single
 
 # fmt: off
@@ -166,12 +164,8 @@ def test_a_missing_file_is_no_such_file(place, monkeypatch, words):
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is full")
 @pytest.mark.parametrize("words", ["evolve --variants", "solve --rows 3 --cols 3"])
 def test_output_that_cannot_be_written_is_an_error(words):
-    command = [sys.executable, "-m", "matrixworld", *words.split()]
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     with open("/dev/full", "w") as full:
-        done = subprocess.run(
-            command, env=environment, stdout=full, stderr=subprocess.PIPE, text=True, check=False
-        )
+        done = python("-m", "matrixworld", *words.split(), stdout=full)
     assert done.returncode == 1
     assert re.fullmatch(r"Error: (standard output: )?no space left on device\n", done.stderr)
 

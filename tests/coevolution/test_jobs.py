@@ -1,9 +1,7 @@
 """Many runs at one call: the same bytes as one by one, whatever happens to them."""
 
 import io
-import os
 import re
-import subprocess
 import sys
 import warnings
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
@@ -15,6 +13,7 @@ import own_code
 from executors import Reversed
 from matrixworld import coevolution as co
 from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of
+from scripts import python
 from tiny_race import hall_of_fame, played, results, straight, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -160,14 +159,7 @@ def test_processes_that_cannot_begin_end_the_job(tmp_path):
         "from tiny_race import tiny_race\n"
         "evolve([tiny_race(seed=seed) for seed in range(2)], sys.argv[1], threads=4)\n"
     )
-    done = subprocess.run(
-        [sys.executable, tmp_path / "script.py", tmp_path / "job"],
-        capture_output=True,
-        text=True,
-        timeout=120,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-    )
-    last = done.stderr.splitlines()[-1]
+    last = python(tmp_path / "script.py", tmp_path / "job").stderr.splitlines()[-1]
     assert 'or a script has no `if __name__ == "__main__":`' in last
     assert {run.newest() for run in map(co.open_run, (tmp_path / "job").glob("*/*"))} == {0}
 

@@ -296,3 +296,16 @@ def test_agents_are_asked_and_weights_are_dragged(browser, page):
     press(browser, "As evolved")
     assert browser.js(told) == evolved
     assert browser.violations() == browser.errors() == []
+
+
+@pytest.mark.nightly
+def test_two_races_stand_side_by_side_without_motion(browser, page):
+    browser.prefer(prefers_reduced_motion="reduce")
+    opened(browser, page, SMALL + "&beside=hall-of-fame&learner=ga", PHONE)
+    assert not browser.js(f"{LANE}.chases.runs")  # no motion unless asked for
+    browser.click(".evolve")
+    browser.wait(f"{STATE} === 'ended'", 240)
+    assert browser.js("matrixworldEvolve.lanes.map((lane) => lane.newestGeneration)") == [15, 15]
+    assert browser.js("document.documentElement.scrollWidth") <= PHONE[0]
+    assert browser.errors() == []
+    browser.prefer()
