@@ -108,6 +108,10 @@ CALLS = [
     partial(coevolution.check_learner, learner=coevolution.CmaEs(sigma=0.1)),
     partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform(), count=1),
     partial(coevolution.available, team="pursuer", k=1),
+    partial(
+        coevolution.Game, play=np.dot, genes=2, teams=("cats", "mice"), initial=None, bounds=(0, 1),
+        deterministic=True, show=None,
+    ),
     partial(coevolution.tournament, **TEAMS, seed=0, episodes=1, threads=1),
     partial(
         coevolution.score_policy, policy=TEAM, team="pursuer", config=CONFIG, episodes=2,

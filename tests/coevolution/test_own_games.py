@@ -234,18 +234,11 @@ def counts_its_calls(a, b, rng, calls=[]):  # noqa: B006
         (changed(uses_the_global_generator), "play: expected equal scores from equal generators"),
         (changed(counts_its_calls), "play: expected equal scores from equal generators"),
         (changed(lambda a, b, rng: a), r"scores of the game: expected .*\(1,\), got \(1, 2\)"),
-        (changed(lambda a, b, rng: 0.5), r"scores of the game: expected .*\(1,\), got \(\)"),
         (changed(lambda a, b, rng: a[:, 0] * np.nan), r"numbers in \[0, 1\], got nan"),
-        (changed(lambda a, b, rng: 1 + b[:, 0] ** 2), r"numbers in \[0, 1\], got 1"),
         (
             changed(lambda a, b, rng: 1.0 * (a[:, 0] > a[:, 0].mean()), deterministic=True),
             "play: expected scores of each match alone",
         ),
-        (
-            changed(lambda a, b, rng: np.linspace(0, 1, len(a)), deterministic=True),
-            "play: expected scores of each match alone",
-        ),
-        (changed(initial=lambda rng: np.zeros(3)), "initial: expected 2 finite genes, got"),
         (changed(initial=lambda rng: [0, np.inf]), "initial: expected 2 finite genes, got"),
     ],
 )
@@ -264,17 +257,11 @@ def test_a_game_that_keeps_all_promises(game):
 @pytest.mark.parametrize(
     ("fields", "error", "message"),
     [
-        ({"play": 3}, TypeError, "play: expected a function, got 3"),
         ({"genes": 0}, ValueError, "genes: expected .*, got 0"),
-        ({"genes": 2.5}, TypeError, "genes: expected .*, got 2.5"),
         ({"genes": (2, 3, 4)}, ValueError, "genes: expected those of two teams, got 3"),
-        ({"teams": ("cats", "cats")}, ValueError, "teams: expected two different words"),
         ({"teams": ("big cats", "mice")}, ValueError, "teams: expected two different words"),
         ({"bounds": ([0, 0], [1, 1])}, ValueError, "bounds: expected one value, or one for"),
-        ({"bounds": (1,)}, ValueError, "bounds: expected the least and the largest value"),
         ({"bounds": (1, 0)}, ValueError, "bounds: expected least < largest value"),
-        ({"deterministic": 1}, TypeError, "deterministic: expected "),
-        ({"show": "text"}, TypeError, "show: expected a function"),
     ],
 )
 def test_what_is_no_game_is_refused(fields, error, message):

@@ -133,15 +133,6 @@ def test_gymnasium_makes_and_checks_it(variant, agent):
         check_env(env.unwrapped, skip_render_check=True)
 
 
-def test_it_tells_the_allowed_actions():
-    env = gymnasium.make("matrixworld/pursuit-evasion-o", action_mask="right-of-way", **SMALL)
-    _, info = env.reset(seed=0)
-    masks = env.get_wrapper_attr("action_masks")()
-    assert masks.dtype == bool
-    np.testing.assert_array_equal(masks, info["action_mask"])
-    assert mw.AgentEnv("O", **SMALL).action_masks().all()  # without a mask
-
-
 def test_mates_and_opponents_are_drawn_independently():
     env = mw.AgentEnv("O", pursuers=["chaser", "random"], evaders=["fleer", "random"], **SMALL)
     pairs = set()

@@ -4,10 +4,7 @@ import numpy as np
 import pytest
 
 import judgement_tables as tables
-from course import toys
-from course.toys import History
 from judgement_races import synthetic_races
-from judgement_toys import truths_of_history
 from judgement_truths import truths
 from matrixworld.analysis import CONDITIONS
 from synthetic_races import SyntheticRace
@@ -88,39 +85,6 @@ def test_truth_of_a_drop_by_hand():
     race = SyntheticRace(rates, np.zeros(8), np.zeros(8))
     assert truths(race, "whole")["forgetting"] == (True, pytest.approx(0.1))
     assert truths(race, "first half")["forgetting"] == (False, 0.0)
-
-
-def a_history(game, totals):
-    """Return a history of pairs of individuals with `totals` ones, (k, dimensions)."""
-    ones = np.repeat(np.repeat(totals[:, None, None, :], 2, axis=1), 2, axis=2)
-    return History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals), 2, 2)))
-
-
-def test_truths_of_histories_by_hand():
-    every = np.arange(11)
-
-    def whole(game, totals, **options):
-        return held(truths_of_history(a_history(game, totals), every, **options)["whole"])
-
-    climbing = whole("scalar", 5 * every[:, None])
-    # Later generations win all matches against earlier ones, and half against their own.
-    assert climbing["arms race"] is True
-    assert climbing["one-sided progress"] is climbing["cycling"] is False
-    assert climbing["forgetting"] is climbing["stagnation"] is False
-    assert whole("scalar", 5 * every[:, None], selected=False)["arms race"] is False
-    still = whole("scalar", np.full((11, 1), 50))
-    assert [name for name, holds in still.items() if holds] == ["stagnation"]
-    lost = whole("scalar", 50 - every[:, None])
-    assert lost["forgetting"] is True
-    assert lost["arms race"] is lost["stagnation"] is False
-    slow = whole("scalar", 50 + every[:, None] // 4)
-    assert slow["arms race"] is None
-    assert whole("focusing", np.full((11, 10), 5) + every[:, None])["arms race"] is None
-    one_sided = a_history("scalar", np.full((11, 1), 50))
-    one_sided.ones[:, 1] = 0
-    found = held(truths_of_history(one_sided, every)["last half"])
-    assert found.pop("disengagement") is True
-    assert set(found.values()) == {None}
 
 
 def judgement(kind, found, **setting):

@@ -2,7 +2,6 @@
 
 import json
 import re
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -35,7 +34,6 @@ import yoked_races
 import yoked_variants
 import yoked_worlds
 from evolution_scripts import RESULTS, read
-from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution.race import HIDES_CYCLING
 
 NUMBER = r"-?\d+\.\d+"
@@ -103,36 +101,3 @@ def test_what_short_races_are_said_to_hide_follows_from_published_numbers():
     short = cycling(race_budgets.DEFAULT, race_budgets.DEFAULT_SAME)
     assert short in told
     assert cycling(race_budgets.LONG, race_budgets.LONG_SPREADING) in told.split(short)[1]
-
-
-def yoked(p, low, high):
-    value = 0.0 if low is None or high is None else (low + high) / 2
-    difference = replace(interval_over_runs([0.0, 1.0]), value=value, low=low, high=high)
-    return yoked_races.verdict(p, difference)
-
-
-@pytest.mark.parametrize(
-    ("judge", "given", "verdict"),
-    [
-        (hall_of_fame.verdict, (0.01, -0.1, 1), "the opposite"),
-        (hall_of_fame.verdict, (0.05, 0.1, 1), "as expected"),
-        (yoked, (0.01, -0.09, -0.01), "yoked higher"),
-        (yoked, (1.0, None, None), "cannot tell"),
-    ],
-)
-def test_verdicts(judge, given, verdict):
-    """That no published table has; these are tests of all others."""
-    assert judge(*given) == verdict
-
-
-COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
-
-
-def test_normal_runs_are_covered_in_93_to_97_percent():
-    assert all(0 <= row.covered <= row.given <= row.repetitions for row in COUNTS)
-    assert {row.repetitions for row in COUNTS} == {400}
-    for interval in ("mean of runs", "difference of runs"):
-        rows = [row for row in COUNTS if (row.interval, row.data) == (interval, "normal")]
-        assert [row.samples for row in rows] == [2, 3, 5, 10, 20]
-        covered, given = (sum(getattr(row, name) for row in rows) for name in ("covered", "given"))
-        assert 0.93 < covered / given < 0.97

@@ -3,14 +3,10 @@
 import random
 import re
 
-import numpy as np
 import pytest
 
-import deap_example
-import matrixworld as mw
 import readable
 from evolution_scripts import SCRIPTS, read, run_quickly
-from matrixworld import coevolution
 
 LIBRARIES = {"common", "paper_runs", "tabular"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
@@ -31,26 +27,6 @@ def test_a_script_says_the_same_again_from_what_it_keeps(name, tmp_path):
     if name not in ONCE:
         assert run_quickly(name, tmp_path) == told
     assert runs == {path: path.stat().st_mtime_ns for path in runs}
-
-
-def test_the_deap_example_scores_each_player_against_each_rival():
-    world, rng = deap_example.SMALL, np.random.default_rng(0)
-    network = mw.Network.for_config(world)
-    own, rivals = (np.stack([network.initial(rng) for _ in range(n)]) for n in (3, 2))
-    seeds = rng.integers(2**63, size=(3, 2))
-    for team in coevolution.TEAMS:
-        expected = np.zeros(3)
-        for i, j in np.ndindex(3, 2):
-            sides = (own[i], rivals[j]) if team == "pursuer" else (rivals[j], own[i])
-            pursuer, evader = (mw.Population(genome, network) for genome in sides)
-            match = mw.Matches.of(0, 0, seeds[i, j])
-            scores = mw.rollout(world, pursuer, evader, match)
-            captured = float(scores.captured_fraction[0, 0])
-            escaped = 1 - captured - 0.2 * float(scores.evader_overlap[0, 0])
-            expected[i] += (captured if team == "pursuer" else escaped) / 2
-        np.testing.assert_allclose(
-            deap_example.score(team, world, own, rivals, seeds), expected, rtol=1e-5
-        )
 
 
 def test_the_readable_example_evolves_programs_that_beat_untrained_ones():

@@ -113,9 +113,9 @@ class Game:
 
     def __post_init__(self) -> None:
         for name in ("play", "initial", "show"):
-            if not callable(getattr(self, name) or len):
-                got = checks.shown(getattr(self, name))
-                raise TypeError(f"{name}: expected a function, got {got}")
+            function = getattr(self, name)
+            if not callable(function) and (name == "play" or function is not None):
+                raise TypeError(f"{name}: expected a function, got {checks.shown(function)}")
         genes = self.genes if isinstance(self.genes, tuple | list) else (self.genes, self.genes)
         sizes = tuple(checks.check_integer("genes", n, 1) for n in genes)
         object.__setattr__(self, "genes", sizes)
@@ -123,7 +123,7 @@ class Game:
         for given, name in ((sizes, "genes"), (names, "teams")):
             if len(given) != 2:
                 raise ValueError(f"{name}: expected those of two teams, got {len(given)}")
-        if len({*names}) < 2 or not all(isinstance(n, str) and n.isidentifier() for n in names):
+        if not all(isinstance(n, str) and n.isidentifier() for n in names) or len({*names}) < 2:
             raise ValueError(f"teams: expected two different words, got {self.teams!r}")
         checks.check_bool("deterministic", self.deterministic)
         if self.bounds is not None:
