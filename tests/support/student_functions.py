@@ -1,7 +1,7 @@
 """Functions that students of the course write, right ones and with their mistakes."""
 
 from functools import partial
-from itertools import combinations, permutations, product
+from itertools import combinations, product
 from typing import Any
 
 import numpy as np
@@ -19,12 +19,6 @@ def conflicts(cells: list, targets: list, *, vertex: bool = True, edge: bool = T
         if (vertex and targets.count(there) > 1)
         or (edge and here != there and (there, here) in moves)
     }
-
-
-def all_occupied(cells: list, targets: list) -> set[int]:
-    """Take every target that is occupied for a conflict, also if its agent leaves."""
-    occupied = {a for a, there in enumerate(targets) if there in cells and there != cells[a]}
-    return conflicts(cells, targets) | occupied
 
 
 def careless(cells: list, targets: list) -> list[int]:
@@ -45,10 +39,6 @@ def by_index(cells: list, targets: list) -> list:
 def without_chains(cells: list, targets: list) -> list:
     held = conflicts(cells, targets)
     return [cells[a] if a in held else there for a, there in enumerate(targets)]
-
-
-def one_link_only(cells: list, targets: list) -> list:
-    return without_chains(cells, without_chains(cells, targets))
 
 
 def at_once(cells: list, targets: list) -> np.ndarray:
@@ -123,16 +113,6 @@ def both_rise(scores: np.ndarray) -> np.bool_:
     return np.all([curve[-6:].mean() - curve[:6].mean() > 0.05 for curve in curves])
 
 
-def each_square_four_times(matrix: np.ndarray) -> int:
-    wins = matrix > 0.5
-    return sum(
-        bool(wins[a, x] and wins[b, y] and not wins[a, y] and not wins[b, x])
-        or bool(wins[a, y] and wins[b, x] and not wins[a, x] and not wins[b, y])
-        for a, b in permutations(range(len(matrix)), 2)
-        for x, y in permutations(range(matrix.shape[1]), 2)
-    )
-
-
 def strict_losses(matrix: np.ndarray) -> int:
     return sum(
         np.array_equal(
@@ -148,11 +128,6 @@ def of_other_shapes(beats, individuals, opponents):
     return (individuals > opponents).mean()
 
 
-def mean_twice(matrix: np.ndarray) -> float:
-    rest = matrix - matrix.mean(axis=1)[:, None] - matrix.mean(axis=0)
-    return float(1 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
-
-
 def hall(count: int, *, repeat: bool = False) -> Any:
     return lambda available, rng: [
         available - 1,
@@ -160,15 +135,6 @@ def hall(count: int, *, repeat: bool = False) -> Any:
     ]
 
 
-def of_wins_only(wins, v):
-    return 2 * wins / v - wins**2 / v**2
-
-
 def right_before_left(own: int, other: int) -> bool:
     """Go first if the other one has this move on its right, and say nothing of two face to face."""
     return (other - own) % 4 == 1
-
-
-def coin() -> Any:
-    rng = np.random.default_rng(0)
-    return lambda own, other: rng.random() < 0.5
