@@ -198,9 +198,8 @@ BAD = [
     ({"settings": {"a": tiny_race(), "b": tiny_race()}}, ValueError, "different runs, got a and b"),
     *(
         ({"settings": {name: tiny_race()}}, ValueError, "expected names such as")
-        for name in ("", ".", "../a", "a/../b", "/a", "a/", "a/b/c", "a\n", "a@b")
+        for name in ("", "../a", "/a", "a/b/c", "a\n")
     ),
-    ({"settings": [tiny_race(learner="nowhere:Learner")]}, ValueError, "nowhere"),
     ({"settings": tiny_race(learner="nowhere:Learner")}, ValueError, "nowhere"),
     ({"settings": [tiny_single(opponent="nowhere")]}, FileNotFoundError, "nowhere"),
 ]
@@ -252,15 +251,6 @@ def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeyp
 class Terminal(io.StringIO):
     def isatty(self):
         return True
-
-
-def test_progress_lines_without_a_terminal():
-    seconds = iter([0.0, 0.0, 1.0, 2.0, 3.0, 4.0])
-    out = io.StringIO()
-    lines = co.ProgressBar(stream=out, clock=lambda: next(seconds))
-    for done in (100, 150, 300, 350, 600):
-        lines(co.Progress("evaders", done, 1000, 100))
-    assert out.getvalue().splitlines() == ["evaders:  30%  00:07 left", "evaders:  60%  00:03 left"]
 
 
 def test_a_bar_in_a_terminal_begins_with_what_is_done():

@@ -24,6 +24,13 @@ from tiny_race import (
 )
 
 SAMPLERS = [name for name in sections_in(hints_of(co.InTurns)["pursuers_meet"]) if name != "own"]
+WORLDS = [{"n_pursuers": 1, "n_evaders": 1}, {"rows": 5}, {"obstacles": 0.1, "max_steps": 5}]
+IN_WORLDS = {
+    "in turns": tiny_race(training_worlds=WORLDS),
+    "psro": tiny_race(training_worlds=WORLDS, schedule="psro", retest_episodes=1),
+    "at once": tiny_race(training_worlds=WORLDS, schedule="hall-of-fame"),
+    "alone": tiny_single(training_worlds=WORLDS, learner="cma"),
+}
 RETEST = {"retest_episodes": 2, "match_episodes": 2, "train_steps": 20}
 GA = {"learner": "ga", "elites": 3, "population": 8}
 OWN = {"learner": "own_code:HillClimber", "learner.settings": {"sigma": 0.2}}
@@ -46,6 +53,7 @@ RUNS = {
     "hall of fame alone": (hall_of_fame(contemporaries=0), [3]),
     "contemporaries alone": (hall_of_fame(hall_sample=0), [3]),
     "alone": (tiny_single(team="evader", learner="ga"), [0, 3, 5]),
+    **{f"worlds of training: {name}": (each, [1, 4]) for name, each in IN_WORLDS.items()},
     **{f"in turns: {name}": (alternating(name), [7]) for name in SAMPLERS},
     **{f"joint: {name}": (hall_of_fame(name, generations=4), [7]) for name in SAMPLERS},
     "retest in turns": (alternating(**RETEST, **GA), [5]),
@@ -210,10 +218,7 @@ ES = {"learner": "es", "learning_rate": 1e39}
 DIVERGING = {
     "evaders": (tiny_race(evader_learner={"kind": "ga", "mutation": 2e38}), "mutation"),
     "es": (tiny_race(**ES), "learning_rate"),
-    "later": (tiny_race(learner="es", learning_rate=1e38, generations=9), "learning_rate"),
     "hall of fame": (hall_of_fame(**ES), "learning_rate"),
-    "one team": (tiny_single(**ES), "learning_rate"),
-    "noise": (tiny_race(learner="es", sigma=1e300), "sigma"),
     "ga": (tiny_race(learner="ga", mutation=2e38), "mutation"),
     "cma": (tiny_race(learner="cma", sigma=1e300), "sigma"),
     "actor": (tiny_race(learner="actor-critic", population=2, actor_rate=1e30), "actor_rate"),

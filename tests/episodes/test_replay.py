@@ -20,7 +20,6 @@ from matrixworld.world import render
 from rows import config_of, random_walks
 
 EPISODE = random_walks()
-Terminal = pytest.CaptureFixture[str]
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ import pytest
 import matrixworld as mw
 from command_line import matrixworld_command
 from matrixworld import Episode, Matches, World, WorldConfig, record, rollout
-from matrixworld.coevolution import TEAMS, SavedRun
+from matrixworld.coevolution import TEAMS
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Playground, explore
 from matrixworld.explorer.page import write_page
@@ -22,7 +22,6 @@ from matrixworld.world.policy import Population
 from scripts import wait_until
 
 DOCS = Path(__file__).parents[2] / "docs"
-Job = dict[str, SavedRun]
 
 
 def small_world(rules="SB"):

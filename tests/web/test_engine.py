@@ -73,7 +73,6 @@ ARRAYS = (
     *("positions", "last_positions", "alive", "captured", "ever_captured", "actions", "rewards"),
     *("involved", "fault", "map"),
 )
-Policy = mw.Population | str
 READ = ("positions", "alive", "rewards", "captors", "involved", "fault", "views", "capture_rate")
 
 

@@ -198,17 +198,6 @@ def test_a_round_by_turns_is_a_step(name):
         assert whole.conflicts == by_turns.conflicts
 
 
-def test_a_round_is_finished_as_it_was_begun():
-    world = mw.World(config_of("TO"))
-    stay = np.zeros(world.config.n_agents, int)
-    world.play_turn([0, *[99] * (len(stay) - 1)])  # only actions of those that act are read
-    with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
-        world.step(stay)
-    assert world.steps == 0
-    world.reset(1)
-    assert world.turn == 0
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_a_batch_by_turns_writes_what_its_worlds_would(name):
     """After each turn, also of rounds in whose middle some worlds end, and of none."""
@@ -232,16 +221,17 @@ def test_a_batch_by_turns_writes_what_its_worlds_would(name):
         order.reset(0)
 
 
-def test_a_batch_finishes_its_round():
-    batch = mw.Batch(3, config_of("TO"))
-    stay = np.zeros((3, batch.config.n_agents), int)
-    batch.play_turn(stay)
-    with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
-        batch.step(stay)
+def test_a_round_is_finished_as_it_was_begun():
+    batch, world = mw.Batch(3, config_of("TO")), mw.World(config_of("TO"))
+    for each, stay in ((batch, np.zeros((3, 7), int)), (world, np.zeros(7, int))):
+        each.play_turn(stay)
+        with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
+            each.step(stay)
     with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
         batch.reset(1, mask=[True, False, False])
-    batch.reset(1)
-    assert batch.turn == 0
+    for each in (batch, world):
+        each.reset(1)
+        assert each.turn == 0
     with pytest.raises(ValueError, match="expected DISABLED"):
         mw.Batch(3, autoreset=mw.Autoreset.SAME_STEP).play_turn(np.zeros((3, 38), int))
 
