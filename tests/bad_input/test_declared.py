@@ -1,7 +1,7 @@
 """Bad values that follow from what is declared: of all settings, and of all options of commands.
 
 A new setting or option is tried without a line here. What two settings or options mean together
-is tested where that rule stands.
+is tested where that rule stands. Sizes that the machine cannot hold are refused, too.
 """
 
 import math
