@@ -49,6 +49,14 @@ def test_heatmap_shows_the_matrix_with_pursuers_upwards():
     np.testing.assert_array_equal(above % 1, 0.5)
 
 
+def test_generalization_curves():
+    figure = generalization_curves(analysis.read_payoffs(RACE))
+    (axes,) = figure.axes
+    for line, expected in zip(axes.lines, analysis.generalization(RACE), strict=True):
+        np.testing.assert_allclose(line.get_ydata(), expected)
+    assert not axes.collections  # a single run without episodes has no interval
+
+
 def test_generalization_curves_show_intervals_over_episodes_or_seeds():
     seeds = np.clip(RACE + RNG.normal(0, 0.1, (4, 31, 31)), 0, 1)
     run = analysis.read_payoffs(SINGLE, per_episode=True)

@@ -6,6 +6,7 @@ import pytest
 from matplotlib.text import Text
 
 from command_line import matrixworld_command
+from matrixworld import analysis
 from matrixworld.coevolution import evolve, open_groups
 from matrixworld.plots import saved
 from own_games import pictures, short_race, words
@@ -47,6 +48,17 @@ def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
         files_of(runs, "hall", suffix="bmp")
     both = [f"{place}/{name}" for place in ("hall", "job/seed-5") for name in of_run]
     assert files_of(runs, "hall", "job/seed-5") == [*both, "comparison.png"]
+
+
+def test_titles_name_the_run_its_seed_and_what_was_judged(runs):
+    [group] = open_groups(runs / "hall")
+    figures = saved.figures_of([group], runs)
+    for name in ("training", "payoff", "generalization", "lag_profile", "collisions"):
+        figure = figures[runs / "hall" / f"{name}.png"]()
+        title = figure.get_suptitle() or figure.axes[0].get_title()
+        shown = analysis.sentence(group.judgement) if name == "payoff" else ""
+        head, _, said = title.partition("\n")
+        assert (head, shown in said.replace("\n", " ")) == ("hall (hall-of-fame), seed 5", True)
 
 
 def test_figures_of_your_own_game_have_its_words(tmp_path):

@@ -1,13 +1,15 @@
-"""Races of tables, also yoked ones: responses and NashConv beside a slow reading."""
+"""Races of tables: exact responses and NashConv beside a slow reading, and the script's words."""
 
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
+import perfect_learners
 import tabular
-import yoked_worlds
+from evolution_scripts import read, run_quickly
 from matrixworld.coevolution import TEAMS, Team
 from matrixworld.coevolution.types import other
 from matrixworld.solver import solve
@@ -98,38 +100,20 @@ def test_perfect_specialists_play_one_turn_more_perfectly_in_each_generation() -
     assert race.nash_conv() == pytest.approx(0.0, abs=1e-9)
 
 
-GAME = tabular.Game(CONFIGS["at once"])
-SETTINGS = tabular.SCHEDULES[tabular.GENERALISTS], tabular.LEARNERS["perfect where it plays"]
+def test_schedules_matter_only_if_told_apart_and_far_enough() -> None:
+    rng = np.random.default_rng(0)
+    same = {name: 0.5 + 0.001 * rng.normal(size=15) for name in "abc"}
+    apart = {**same, "c": same["c"] - 0.1}
+    wide = {name: 0.5 + rng.normal(size=15) for name in "abc"}
+    for found, said in ((same, "do not matter"), (apart, "matter"), (wide, "cannot tell")):
+        assert perfect_learners.verdict(found, perfect_learners.friedman(found)) == said
+    curves = np.array([[1, 0, 1, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 1]], float)
+    at = np.array([0, 1, 2, 4, 8])
+    np.testing.assert_array_equal(perfect_learners.settles(curves, at), [4, 0, np.nan])
 
 
-def raced(race: tabular.Race) -> tabular.Race:
-    for _ in range(3):
-        race.go()
-    return race
-
-
-def captured(table: tabular.Table, evaders: tabular.Play) -> float:
-    """Return the capture rate of pursuers that play a table, forward from all starts."""
-    at_last = GAME.reached("pursuer", table, evaders)[0][0]  # before the last round
-    succ, actions = GAME.succ[0], table[0][0]
-    after = GAME.payoffs[succ[np.arange(len(succ)), actions]]
-    return float((at_last * (after * evaders[0][0]).sum(axis=1)).sum())
-
-
-def test_a_yoked_race_answers_the_opponents_of_the_other_race() -> None:
-    replayed = raced(tabular.Race(GAME, *SETTINGS, 1))
-    yoked = raced(yoked_worlds.YokedRace(replayed, GAME, *SETTINGS, 0))
-    race = tabular.Race(GAME, *SETTINGS, 0)
-    for team in TEAMS:
-        np.testing.assert_array_equal(yoked.tables[team][0][0], race.tables[team][0][0])
-    # Its last pursuers are the best response to the first three evaders of the other race.
-    met = GAME.mixed("evader", replayed.tables["evader"][:3], np.full(3, 1 / 3))
-    best, last = GAME.respond("pursuer", met)[0], yoked.tables["pursuer"][-1]
-    assert captured(last, met) == pytest.approx(captured(best, met))
-    expected = GAME.scores(yoked.tables["pursuer"], replayed.tables["evader"])
-    np.testing.assert_allclose(yoked.scores("pursuer"), expected)
-    expected = 1.0 - GAME.scores(replayed.tables["pursuer"], yoked.tables["evader"]).T
-    np.testing.assert_allclose(yoked.scores("evader"), expected)
-    # A race that is yoked to itself is that race.
-    same, own = raced(race), yoked_worlds.YokedRace(race, GAME, *SETTINGS, 0)
-    assert yoked_worlds.shortfalls(raced(own), "newest") == yoked_worlds.shortfalls(same, "newest")
+@pytest.mark.nightly
+def test_the_script_goes_on_where_it_stopped(tmp_path: Path) -> None:
+    printed = run_quickly("perfect_learners", tmp_path)
+    assert printed.startswith(read(tmp_path / "perfect_learners/quick/table.md"))
+    assert run_quickly("perfect_learners", tmp_path) == printed
