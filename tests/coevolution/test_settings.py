@@ -117,6 +117,11 @@ REFUSED = {
                      "policy.mask": "right-of-way"},
                     {**SMALL, "learner": "cma", "policy.mask": "obstacles"},
                     {**SMALL, "evader_learner": "cma", "policy.mask": "obstacles"}],
+    "training_worlds.fov": [{"training_worlds": [{"fov": 5}]}],
+    "training_worlds.n_cats": [{"training_worlds": [{"n_cats": 5}]}],
+    "training_worlds": [{"training_worlds": [7]}],
+    "training_shares": [{"training_worlds": [{}] * 3, "training_shares": (1,)},
+                        {"training_shares": (1,)}],
     "sigma": [{"sigma": 0.1}],
 }  # fmt: skip
 """Settings that do not fit together, by the path with which the message begins.

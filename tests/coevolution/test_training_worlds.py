@@ -48,18 +48,3 @@ def test_scores_in_every_world_of_training(tmp_path):
     found = score(run, world=small, episodes=2)["pursuer"]
     # One evader is captured, or none.
     assert {*np.unique(found.rates)} <= {0.0, 1.0}
-
-
-@pytest.mark.parametrize(
-    ("bad", "message"),
-    [
-        ({"training_worlds": [{"fov": 5}]}, r"training_worlds\.fov: expected 3, as in world"),
-        ({"training_worlds": [{"n_cats": 5}]}, r"training_worlds\.n_cats: expected one of"),
-        ({"training_worlds": [7]}, "training_worlds: expected the fields of a world, got 7"),
-        ({"training_worlds": WORLDS, "training_shares": (1,)}, "expected 3 or none, got 1"),
-        ({"training_shares": (1,)}, "training_shares: expected 0 or none, got 1"),
-    ],
-)
-def test_worlds_in_which_the_genomes_cannot_play_are_refused(bad, message):
-    with pytest.raises((TypeError, ValueError), match=message):
-        tiny_race(**bad)

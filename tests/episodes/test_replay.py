@@ -75,19 +75,6 @@ def test_a_gif_shows_every_step(tmp_path):
     assert os.listdir(tmp_path) == ["episode.gif"]
 
 
-@pytest.mark.parametrize(
-    ("name", "options"),
-    [("fps", {"fps": 0}), ("every", {"every": 0}), ("path", {"path": "episode.avi"})],
-)
-def test_what_is_refused_leaves_no_file(tmp_path, name, options, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    with pytest.raises(ValueError, match=f"^{name}: expected"):
-        save(EPISODE, **{"path": "no.gif", **options})
-    with pytest.raises(TypeError, match=f"unexpected keyword argument .{name}s"):
-        save(EPISODE, "no.gif", **{f"{name}s": 1})
-    assert os.listdir(tmp_path) == []
-
-
 def test_a_film_shows_every_step(tmp_path):
     path = tmp_path / "episode.mp4"
     save(EPISODE, path, fps=8, cell=14)
