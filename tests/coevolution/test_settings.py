@@ -217,6 +217,11 @@ def test_later_values_change_earlier_ones_before_defaults_are_filled_in():
     assert co.RaceSettings(schedule="hall-of-fame", **file).learner == settings.learner
 
 
+def test_every_setting_has_a_help_text():
+    for settings in EVERY:
+        assert all(text for _, _, text in sections.leaves(settings))
+
+
 def test_a_part_of_an_opponent_sampler_that_a_schedule_names():
     given = {"schedule": "psro", f"{MEET}.episodes": 3}
     for settings in (

@@ -121,6 +121,16 @@ def test_penalties_agree_with_reported_fault_and_involvement(name, blame):
         np.testing.assert_array_equal(rewards, (tariff * to_blame).sum(axis=1))
 
 
+def test_equal_dtypes_are_one():
+    """As those of arrays from a pickle, or of another integer of C of the same size."""
+    world, batch = small(), mw.Batch(1, small().config)
+    stay = np.zeros(3, np.int64)
+    for row in (pickle.loads(pickle.dumps(stay)), stay.astype(np.longlong)):  # noqa: S301
+        world.step(row)
+        batch.step(row[None])
+        batch.reset(mask=pickle.loads(pickle.dumps(np.array([True]))))  # noqa: S301
+
+
 WORD = 2**64
 KEYS = [(0, 0), (1, 0), (0, 1), (2**64 - 1, 2**63), (0x123456789ABCDEF, 0xFEDCBA987654321)]
 COUNTERS = [(1, 0, 0, 0), (0, 1, 0, 0), (7, 500, 2, 0), (3, 2, 1, 2**64 - 1), (0, 0, 0, 0)]

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from matrixworld.coevolution import Cells, Pursuit, Results, create, open_run
+from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import ActorCritic, Update, advantages
 from matrixworld.coevolution.learners.learner import Task
 from matrixworld.play.experience import experience
@@ -228,3 +229,13 @@ def test_an_update_changes_no_array_of_the_state_before():
     one.learn(seen)
     assert all(np.array_equal(state[name], before[name]) for name in before)
     assert not np.array_equal(genome(one), before["actor_weights"])
+
+
+def test_minibatches_and_chunks_divide_the_transitions(monkeypatch):
+    monkeypatch.setattr(actor_critic, "CHUNK", 50)
+    one = new(minibatches=3, actor_updates=3)
+    seen = seen_by(one)
+    numbers = np.arange(len(seen))
+    places = [numbers[place] for part in one._parts(seen.views) for _, place in part]
+    assert len(places) > 3
+    np.testing.assert_array_equal(np.sort(np.concatenate(places)), numbers)
