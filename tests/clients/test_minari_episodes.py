@@ -48,11 +48,17 @@ def test_an_environment_gives_what_is_loaded(name, library):
     for start, *teams in zip(options, *both, strict=True):
         actions = teams[0].actions | teams[1].actions
         seen = teams[0].observations | teams[1].observations
+        env = mw.aec_env(config)
+        env.reset(options=start)
+        for agent in env.agent_iter():
+            view, _, terminated, truncated, _ = env.last()
+            step, ended = env.unwrapped.world.steps, terminated or truncated
+            if not ended:
+                np.testing.assert_array_equal(view, seen[agent][step])
+            env.step(None if ended else actions[agent][step])
         parallel = mw.parallel_env(config)
-        views, _ = parallel.reset(options=start)
+        parallel.reset(options=start)
         for step in range(len(teams[0])):
-            for agent in parallel.agents:
-                np.testing.assert_array_equal(views[agent], seen[agent][step])
             living = {agent: actions[agent][step] for agent in parallel.agents}
             views, rewards, _, _, infos = parallel.step(living)
             for team, episode in zip(TEAMS, teams, strict=True):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from class_tournament.votes import count_votes, read_predictions
-from course.questions import Prediction, exercises
+from course.questions import EDITION, Prediction, exercises
 from course.toys import GAMES, beats, race_of_hands
 from node import run_node
 from scripts import wait_until
@@ -183,5 +183,5 @@ def test_a_walk_through_the_page(browser, tmp_path):
     file = tmp_path / "predictions.jsonl"
     wait_until(file.exists, "a file of predictions", 10)
     choices, pupil, edition = read_predictions(file.read_bytes())
-    assert (choices, len(pupil), edition) == (CHOICES, 8, 2)
+    assert (choices, len(pupil), edition) == (CHOICES, 8, EDITION)
     assert browser.errors() == []
