@@ -1,4 +1,4 @@
-"""What notebooks and figures say is true: of small worlds and rules, learning, and kept races."""
+"""What notebooks say is true: of their small worlds, of learning, and of kept races."""
 
 from functools import partial
 from itertools import combinations, permutations, product
@@ -11,11 +11,9 @@ from course import check, kept
 from course.boards import random_pack
 from course.chapter_1 import MAZE, SHORTEST
 from course.chapter_2 import JAM, JAM_ACTIONS, true_cells
-from course.figures import CROSSINGS, MOVES, SITUATIONS, may_go, moves_of, world_of
 from matrixworld import Action, analysis
 from matrixworld.explorer.playground import drawn_world
 from notebooks import NOTEBOOKS, cells, source
-from right_of_way import from_the_right
 from student_functions import by_index
 
 STAY, NORTH, EAST, SOUTH = list(Action)[:4]
@@ -113,32 +111,3 @@ def test_conventions_that_stop_no_group_are_the_orders_of_the_moves() -> None:
         reply = check("9.4", lambda own, other, table=table: table[own, other])
         assert reply.right is (firsts in orders)
         assert reply.right or "exactly one goes first, so nobody collides" in reply.text
-
-
-def test_the_situations_are_of_the_forms_and_kinds_that_they_name() -> None:
-    """In each named conflict the engine finds this form or kind, and in the others none."""
-    found = {}
-    for situation in SITUATIONS:
-        world = world_of(situation, mw.Outcome.BOUNCE)
-        world.step(moves_of(situation, world), explain=True)
-        found[situation.name] = {(each.kind, each.form) for each in world.conflicts}
-    assert found == {
-        "vertex": {("teammate", "vertex")},
-        "edge": {("teammate", "edge")},
-        "following": set(),
-        "cycle": set(),
-        "blocked": {("obstacle", "vertex"), ("teammate", "vertex")},
-        "obstacle": {("obstacle", "vertex")},
-        "adversary": {("adversary", "vertex")},
-    }
-
-
-def test_those_go_first_who_come_from_the_right() -> None:
-    for *_, moves in CROSSINGS:
-        steps = {move: tuple(MOVES[move]) for move in moves}
-
-        def first(one: int, other: int, steps=steps) -> bool:
-            faces = np.add(steps[one], steps[other]).any() == 0
-            return one < other if faces else from_the_right(steps[other], steps[one])
-
-        assert may_go(moves) == [all(first(m, o) for o in moves if o != m) for m in moves]
