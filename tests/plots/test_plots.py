@@ -164,13 +164,23 @@ def test_bands_show_means_and_intervals_over_seeds():
     assert not single.collections
 
 
-def test_the_strip_has_a_column_for_each_seed_and_a_verdict_for_each_row():
+def test_the_strip_has_a_cell_for_each_verdict():
     judgement = judged_seeds(3)
-    (axes,) = plots.verdict_strip({"a": judgement}, {"a": (2, 5, 9)}, {"a": (7,)}).axes
+    figure = plots.verdict_strip({"a": judgement}, {"a": (2, 5, 9)}, {"a": (7,)})
+    (axes,) = figure.axes
+    findings = judgement.findings
+    looks = {"present": colors.BLUE, "absent": colors.GRID, "cannot tell": colors.PAPER}
+    drawn = {(round(c.get_x()), round(c.get_y())): c for c in axes.patches}
+    for column, run in ((0, 0), (1, 1), (3, 2)):
+        for row, finding in enumerate(findings.values()):
+            patch = drawn[column, row]
+            expected = tuple(int(looks[finding.by_run[run]][k : k + 2], 16) for k in (1, 3, 5))
+            assert tuple(round(255 * part) for part in patch.get_facecolor()[:3]) == expected
+    assert all(drawn[2, row].get_hatch() for row in range(len(findings)))
     names = [tick.get_text() for tick in axes.get_xticklabels()]
     assert names == ["2", "5", "7", "9", "all together"]
-    verdicts = [finding.verdict for finding in judgement.findings.values()]
-    assert [text.get_text() for text in axes.texts][-len(verdicts) :] == verdicts
+    words = [text.get_text() for text in axes.texts]
+    assert words[-len(findings) :] == [finding.verdict for finding in findings.values()]
 
 
 def test_scores_show_seeds_and_interquartile_means():
