@@ -10,6 +10,7 @@ from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.coevolution.seeding import evaluation_seed
 from tiny_race import (
+    WORLDS,
     Listening,
     StopAt,
     alternating,
@@ -24,7 +25,6 @@ from tiny_race import (
 )
 
 SAMPLERS = [name for name in sections_in(hints_of(co.InTurns)["pursuers_meet"]) if name != "own"]
-WORLDS = [{"n_pursuers": 1, "n_evaders": 1}, {"rows": 5}, {"obstacles": 0.1, "max_steps": 5}]
 IN_WORLDS = {
     "in turns": tiny_race(training_worlds=WORLDS),
     "psro": tiny_race(training_worlds=WORLDS, schedule="psro", retest_episodes=1),

@@ -5,9 +5,8 @@ import pytest
 
 from command_line import matrixworld_command
 from matrixworld.coevolution import RaceSettings, score
-from tiny_race import Listening, played, results, tiny_race, tiny_single
+from tiny_race import WORLDS, Listening, played, results, tiny_race, tiny_single
 
-WORLDS = [{"n_pursuers": 1, "n_evaders": 1}, {"rows": 5}, {"obstacles": 0.1, "max_steps": 5}]
 RACE = tiny_race(training_worlds=WORLDS)
 
 

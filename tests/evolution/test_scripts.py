@@ -2,11 +2,15 @@
 
 import random
 import re
+import sys
 
+import numpy as np
 import pytest
 
+import common
 import readable
 from evolution_scripts import SCRIPTS, read, run_quickly
+from tiny_race import tiny_race
 
 LIBRARIES = {"common", "paper_runs", "tabular"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
@@ -27,6 +31,68 @@ def test_a_script_says_the_same_again_from_what_it_keeps(name, tmp_path):
     if name not in ONCE:
         assert run_quickly(name, tmp_path) == told
     assert runs == {path: path.stat().st_mtime_ns for path in runs}
+
+
+def kinds(quick):
+    return {
+        f"races, {n} epochs": tiny_race().changed(epochs(n)) for n in ((1,) if quick else (1, 2))
+    }
+
+
+def epochs(n):
+    return {"schedule.pursuer_epochs": n, "schedule.evader_epochs": n}
+
+
+def later(runs, quick):
+    begun = runs["races, 1 epochs"]
+    return {"later": [run.settings.changed({"seed": run.settings.seed + 5}) for run in begun]}
+
+
+def measure(runs, quick):
+    def of_run(run):
+        return {"seed": run.settings.seed, "rates": run.payoff().matrix}
+
+    return {**common.by_seed(runs, of_run), "count": len(runs)}
+
+
+def played(monkeypatch, *options, **others):
+    monkeypatch.setattr(sys, "argv", ["place/script.py", "--threads", "1", *options])
+    common.experiment(
+        "What is asked?",
+        kinds=kinds,
+        measure=measure,
+        table=lambda numbers: ", ".join(common.kinds_in(numbers)),
+        **{"seeds": 2, **others},
+    )
+
+
+def test_an_experiment_keeps_numbers_by_kind_and_seed(tmp_path, monkeypatch, capsys, no_processes):
+    monkeypatch.chdir(tmp_path)
+    played(monkeypatch, "--kinds", "races-2")
+    assert capsys.readouterr().out.startswith("races, 2 epochs\n")
+    file = tmp_path / "script/numbers.npz"
+    assert list(np.load(file)["races, 2 epochs / seed"]) == [0, 1]
+    # Numbers of other kinds stay, and runs are not played again.
+    ended = (tmp_path / "runs/script/races-2-epochs/1/payoff.npz").stat().st_mtime_ns
+    played(monkeypatch, then=later, seeds={"races, 1 epochs": 2, "races, 2 epochs": 1})
+    assert capsys.readouterr().out.startswith("races, 2 epochs, races, 1 epochs, later\n")
+    numbers = dict(np.load(file))
+    assert list(numbers["races, 2 epochs / seed"]) == [0]
+    assert list(numbers["later / seed"]) == [5, 6]
+    assert numbers["count"] == 3
+    shape = np.shape(numbers["later / rates"][0])
+    assert numbers["races, 1 epochs / rates"].shape == (2, *shape)
+    again = (tmp_path / "runs/script/races-2-epochs/1/payoff.npz").stat().st_mtime_ns
+    assert again == ended
+    assert read(tmp_path / "script/table.md").startswith("races, 2 epochs")
+
+
+def test_an_unknown_kind_is_refused(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit):
+        played(monkeypatch, "--kinds", "race-3")
+    assert "races-1-epochs, races-2-epochs, got race-3" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_readable_example_evolves_programs_that_beat_untrained_ones():
