@@ -62,16 +62,6 @@ def test_what_is_shown_is_what_the_game_returns(job):
         assert np.array_equal(np.asarray(image), own_games.drawn(hosts[3], parasites[1]))
 
 
-def test_a_page_holds_few_cells_and_bytes_of_all_its_runs(job, monkeypatch):
-    both = data(job["words"], job["words"])["runs"]
-    assert sum(len(run["game"]["shows"]) for run in both) <= teams.MOST_SHOWN
-    monkeypatch.setattr(teams, "MOST_SHOWN_BYTES", 300)
-    [run] = data(job["words"])["runs"]
-    texts = [each["text"] for each in run["game"]["shows"].values()]
-    assert 3 <= len(texts) <= sum(map(len, texts)) <= 300
-    assert next(iter(run["game"]["shows"])) == "15 15"
-
-
 def test_the_page_has_no_engine_no_genomes_and_no_playground(job):
     page = explorer_page([job["words"], job["pictures"]])
     for part in ("script-engine", "playground", "genomes-0-pursuer"):

@@ -23,8 +23,8 @@ from scripts import wait_until
 DOCS = Path(__file__).parents[2] / "docs"
 
 
-def small_world(rules="SB"):
-    world = mw.World(rules, rows=2, cols=4, n_pursuers=2, n_evaders=1)
+def small_world():
+    world = mw.World("SB", rows=2, cols=4, n_pursuers=2, n_evaders=1)
     world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[1, 3]])
     return world
 
@@ -51,21 +51,12 @@ def test_all_settings_are_in_the_link():
     )
 
 
-def in_a_round():
-    world = small_world("TO")
-    world.play_turn([0, 0, 0])
-    return world
-
-
 @pytest.mark.parametrize(
     ("call", "field"),
     [
-        (lambda: scene_link(small_world(), [0, 0]), "actions"),
         (lambda: scene_link(small_world(), [0, "chase", 0]), "actions"),
         (lambda: scene_link(small_world(), compare="X"), "variant"),
-        (lambda: scene_link("SB"), "world"),
         (lambda: scene_link(mw.World("O", rows=65)), "world, rows"),
-        (lambda: scene_link(in_a_round()), "world"),
         (lambda: Playground(actions=[0]), "world"),
     ],
 )

@@ -340,7 +340,6 @@ OPEN = config_of("O").to_json()
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"rows": 3.5}, "rows: expected an integer, got 3.5"),
         ({"n_pursuers": 40}, "more agents than free cells: expected at most 42 agents"),
         ({"obstacles": ["?" * 6] * 7}, "map, row 0: expected '.GS' (free) or '#@OTW'"),
         ({"rules": {**OPEN["rules"], "evader": "EXPLODE"}}, "evader: expected one of DISAPPEAR"),
