@@ -16,7 +16,9 @@ import ground_truth
 import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
+import learned_exploitability as learned
 import liveness
+import map_races
 import mask_price
 import matrixworld as mw
 import page_races
@@ -43,9 +45,9 @@ def of(table):
 
 
 OF_A_TABLE = (
-    baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame,
-    page_races, perfect_learners, policies, race_budgets, rating_inputs, safe_learning, yoked_races,
-    yoked_variants, yoked_worlds,
+    baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame, learned,
+    page_races, perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning,
+    yoked_races, yoked_variants, yoked_worlds,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES = {
