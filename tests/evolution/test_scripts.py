@@ -87,6 +87,14 @@ def test_an_experiment_keeps_numbers_by_kind_and_seed(tmp_path, monkeypatch, cap
     assert read(tmp_path / "script/table.md").startswith("races, 2 epochs")
 
 
+def test_an_unknown_kind_is_refused(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit):
+        played(monkeypatch, "--kinds", "race-3")
+    assert "races-1-epochs, races-2-epochs, got race-3" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_the_readable_example_evolves_programs_that_beat_untrained_ones():
     random.seed(2)
     champions = readable.co_evolve(3, 3, 20)
