@@ -146,6 +146,12 @@ def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
     assert "matrixworld evolve --resume runs/O-seed5 continues the run" in third
 
 
+def test_the_runs_of_a_job_are_in_the_order_of_their_schedules():
+    job = job_of({"schedule": ("hall-of-fame", "all"), "seeds": (10, 2)})
+    schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
+    assert [*job] == [f"{name}/seed-{seed}" for name in schedules for seed in (10, 2)]
+
+
 def test_one_team_alone_against_a_script_and_then_against_the_result():
     # So small that some evaders are still captured.
     steps = {"sigma": 0.1, "learning_rate": 0.02}

@@ -50,15 +50,6 @@ def test_obstacles_for_one_episode(always, count):
     assert world.map.sum() == count
 
 
-def test_text():
-    world = mw.World("R", obstacles=["....#", ".....", "....."], n_pursuers=4, n_evaders=3)
-    world.reset(pursuers=[[0, 0], [2, 0], [2, 1], [1, 4]], evaders=[[1, 2], [0, 2], [2, 4]])
-    assert str(world) == "P.E.#\n..E.P\nPP..E"
-    east, south, north = mw.Action.EAST, mw.Action.SOUTH, mw.Action.NORTH
-    world.step([0, east, 0, 0, 0, south, north])
-    assert str(world) == "P...#\n..2.X\n.2..."
-
-
 def test_conflicts_are_kept_only_with_explain():
     world = small()
     world.step([0, 0, 0], explain=True)
