@@ -12,6 +12,7 @@ from itertools import chain
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 import matrixworld as mw
 from matrixworld import coevolution, explorer
@@ -118,3 +119,10 @@ def test_copies_are_equal(tmp_path):
             changed.append(type(each).__name__)
     assert changed == []
     assert public_classes().keys() - classes - NOT_COPIED.keys() == set()
+
+
+@pytest.mark.parametrize("copied", [pickle.dumps, copy.deepcopy])
+def test_batches_say_why_they_are_not_copied(copied):
+    for live in (mw.Batch(2), mw.VectorEnv(n_worlds=2)):
+        with pytest.raises(TypeError, match="its buffers belong to the caller"):
+            copied(live)
