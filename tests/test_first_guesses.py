@@ -116,7 +116,7 @@ def test_rules_are_given_by_name():
 
 @pytest.mark.usefixtures("no_processes")
 def test_two_groups_are_compared(tmp_path):
-    runs = [tiny_race(seed=seed) for seed in range(3)]
+    runs = [tiny_race(seed=seed) for seed in range(2)]
     one = mw.evolve(runs, tmp_path / "one")
     other = mw.evolve([each.changed({"learner": "ga"}) for each in runs], tmp_path / "other")
     found = mw.compare(one, other)

@@ -1,7 +1,5 @@
 """Results have a text of one line, and tables where they are printed and in notebooks."""
 
-import re
-
 import numpy as np
 import pytest
 
@@ -26,26 +24,6 @@ def test_a_result_has_a_text_of_one_line(name):
     assert text.startswith(f"{name}(")
     assert "\n" not in text
     assert len(text) <= 600  # a few lines of a notebook; arrays would have thousands
-
-
-def cells_in(page):
-    rows = re.findall(r"<tr.*?>(.*?)</tr>", page, re.DOTALL)
-    return [re.findall(r"<t[dh].*?>\s*(.*?)\s*</t[dh]>", row, re.DOTALL) for row in rows]
-
-
-def test_columns_have_the_numbers_of_the_arrays():
-    nash = analysis.nash_averaging(PAYOFF)
-    rows = cells_in(nash._repr_html_())
-    assert rows[:3] == [
-        ["Nash", ""],
-        ["value", f"{nash.value:.3f}"],
-        ["", "pursuers", "evaders", "pursuer_averages", "evader_averages"],
-    ]
-    weights = [*nash.evaders, None]  # there is one evader generation less
-    for number, (row, weight) in enumerate(zip(rows[3:], weights, strict=True)):
-        assert row[:2] == [str(number), f"{nash.pursuers[number]:.3f}"]
-        assert row[2] == ("" if weight is None else f"{weight:.3f}")
-    assert [line.split() for line in str(nash).splitlines()[-12:-1]] == rows[3:-1]
 
 
 def test_text_of_others_is_escaped():

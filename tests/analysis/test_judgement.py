@@ -87,7 +87,7 @@ def test_noise_of_wins_and_losses_is_no_cycle(chance):
 @pytest.mark.parametrize("turns", [2, 3, 6])
 def test_strategies_that_turn_cycle_and_do_not_improve(turns, exact):
     """Each beats those that are up to half a turn older. One turn or less looks like a rise."""
-    angles = 2 * np.pi * turns * np.arange(60) / 60
+    angles = 2 * np.pi * turns * np.arange(40) / 40
     chance = 0.5 + 0.45 * np.sin(np.subtract.outer(angles, angles))
     exactly = analysis.read_payoffs(chance, exact=True)
     judgement = judge(exactly) if exact else of_scores(drawn(chance))

@@ -76,13 +76,9 @@ LONG = "pursuer,evader,capture_rate\n"
         # A line with a number is no header, and no line vanishes.
         ("0.5,,0.7\n0.4,0.5,0.6\n", r"line 1: expected a capture rate in \[0, 1\], got ''"),
         (",0.5\n0.4,0.5\n", "line 1: .* got ''"),
-        ("x,0,1\n1,0,1\n0,1,1\n", "line 1: .* got 'x'"),
-        ("nan,nan\n0.4,0.5\n", "line 1: .* got 'nan'"),
-        ("NA,.5\nNA,.6\n", "line 1: .* got 'NA'"),
         ("50,60\n40,30\n", "line 1: .* got '50'"),
         ("0_1,0.5\n", "line 1: .* got '0_1'"),
         ("0.5 0.6\n0.4 0.3\n", "line 2: .* got '0.4 0.3'"),
-        (".5,.6\n,\n.1,.2\n", "line 2: .* got ''"),
         ("who,x,y\nzed,.5,.6\n1,.4,.3\n", "line 2: .* got 'zed'"),
         ("zed,.5,.6\namy,.4,.3\n", "line 1: .* got 'zed'"),
         ('.5,".6\n.4,.3\n', "expected a CSV file, got: unexpected end"),

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import coevolution, solver
+from matrixworld import analysis, coevolution, plots, solver
 from matrixworld.coevolution.seeding import match_seed
 from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
@@ -22,6 +22,7 @@ from tiny_race import tiny_race
 MALFORMED = {
     "a huge integer": 10**400,
     "an integer that Python does not write": -(10**5000),
+    "below all limits": -(2**70),
     "nan": float("nan"),
     "infinity": float("inf"),
     "an unhashable list": [[]],
@@ -44,6 +45,7 @@ MATCH = mw.Matches.of(0, 0, 0)
 EPISODE = random_walks(steps=3)
 MONITOR = mw.SafetyMonitor()
 MONITOR.add_episode(EPISODE)
+JUDGED = mw.judge(np.eye(8))
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
 
 TEAMS = {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
@@ -108,6 +110,10 @@ CALLS = [
     partial(coevolution.check_learner, learner=coevolution.CmaEs(sigma=0.1)),
     partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform(), count=1),
     partial(coevolution.available, team="pursuer", k=1),
+    partial(
+        coevolution.Game, play=np.dot, genes=2, teams=("cats", "mice"), initial=None, bounds=(0, 1),
+        deterministic=True, show=None,
+    ),
     partial(coevolution.tournament, **TEAMS, seed=0, episodes=1, threads=1),
     partial(
         coevolution.score_policy, policy=TEAM, team="pursuer", config=CONFIG, episodes=2,
@@ -139,6 +145,15 @@ CALLS = [
     partial(MONITOR.add_episode, episode=EPISODE),
     partial(MONITOR.add_infos, infos=None),
     partial(MONITOR.add_statistics, statistics=None),
+    partial(analysis.interval_over_runs, values=[0.1, 0.2], level=0.9, bounds=(0, 1)),
+    partial(analysis.sentence, judgement=JUDGED),
+    partial(analysis.judgement_table, judgement=JUDGED),
+    partial(analysis.explain, judgement=JUDGED),
+    partial(plots.payoff_heatmap, payoff=np.eye(3)),
+    partial(plots.comparison, payoffs={"a": np.eye(3)}),
+    partial(plots.ciao_triangles, payoff=np.eye(3), every=1),
+    partial(plots.verdict_strip, judgements={}, seeds={}, missing={}),
+    partial(plots.save_figure, figure=plots.payoff_heatmap(np.eye(3)), path="new.png"),
     partial(solver.States, config=STATES.config, threads=1),
     partial(STATES.cells, turn=0),
     partial(STATES.decisions, policy="still", team="pursuer"),
@@ -171,7 +186,8 @@ def test_a_malformed_value_is_a_value_or_type_error(call, parameter, tmp_path, m
     # None: as if it were not given.
     others = {key: value for key, value in call.keywords.items() if value is not None}
     for what, wrong in MALFORMED.items():
-        if (name, parameter, what) in ACCEPTED:
+        reward = what == "below all limits" and parameter.startswith(("pursuer_", "evader_"))
+        if reward or (name, parameter, what) in ACCEPTED:
             continue
         with pytest.raises((TypeError, ValueError)) as caught:
             call.func(*call.args, **{**others, parameter: wrong})

@@ -1,7 +1,7 @@
 """Bad values that follow from what is declared: of all settings, and of all options of commands.
 
 A new setting or option is tried without a line here. What two settings or options mean together
-is tested where that rule stands.
+is tested where that rule stands. Sizes that the machine cannot hold are refused, too.
 """
 
 import math
@@ -13,10 +13,13 @@ import click
 import numpy as np
 import pytest
 
+import matrixworld as mw
+from matrixworld._util import checks
 from matrixworld.cli import main
-from matrixworld.coevolution import RaceSettings
+from matrixworld.coevolution import RaceSettings, evolve
 from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.world.config import WorldConfig
+from tiny_race import tiny_race
 
 NO_NUMBERS = ("1", None, [1], {}, True, np.True_, 1j, b"1")
 NO_INTEGERS = (*NO_NUMBERS, 1.5, math.nan, math.inf, 10**400)
@@ -133,3 +136,32 @@ def test_a_bad_word_is_refused_by_the_name_of_its_option(command, param):
         told = caught.value.format_message()
         assert f"'{param.opts[0]}'" in told, (word, told)
         assert word in told, (word, told)
+
+
+MANY = 2**31 - 1  # the largest number that is accepted where sizes are ints
+GB = 10**9
+TOO_LARGE = {
+    "networks": tiny_race(hidden=(2**20, 2**20)),
+    "population": tiny_race(population=2**31 - 2),
+    "generations": tiny_race(generations=MANY),
+    "episodes": tiny_race(evaluation_episodes=MANY),
+}
+"""Jobs by the setting to make smaller."""
+
+
+@pytest.mark.parametrize("settings", TOO_LARGE.values(), ids=TOO_LARGE)
+def test_a_job_that_is_too_large_is_refused_with_an_estimate(settings, tmp_path, monkeypatch):
+    monkeypatch.setattr(checks, "available_memory", lambda: GB // 2)
+    with pytest.raises(checks.OutOfMemoryError, match="expected .*at most 0.5 GB.* got .* GB"):
+        evolve(settings, tmp_path / "job")
+    assert list(tmp_path.iterdir()) == []
+    monkeypatch.setattr(checks, "available_memory", lambda: None)
+    checks.check_memory("all", bytes=10**30)  # where memory is unknown nothing is refused
+
+
+def test_what_else_is_too_large_fails_as_in_numpy():
+    giant = mw.Network((2**20, 2**20))
+    with pytest.raises(MemoryError, match="Unable to allocate"):
+        giant.initial(np.random.default_rng(0))
+    with pytest.raises(MemoryError):
+        mw.Batch(MANY, mw.WorldConfig(rows=60, cols=60))

@@ -57,16 +57,12 @@ def score(**arguments):
 
 VALUES = [
     value(config(rules="Q"), "one of D, R, B, O, S | got 'Q'"),
-    value(config(rows=0), "1 to 4096 | got 0"),
     value(config(n_pursuers=12), "at least 13 cells (rows x cols) for 12 | got 3 x 4"),
-    value(config(fov=4), "an odd number | got 4"),
     value(config(obstacles=1.0), "a number in [0, 1) | got 1.0"),
     value(config(obstacles=0.9), "at most 1 agents | got 3"),
     value(config(obstacles=np.zeros((4, 3), bool)), "shape (3, 4) | got (4, 3)"),
     value(config(obstacles=[[0, 2, 0, 0]] * 3), "0 (free) or 1 (obstacle) | got 2"),
     value(lambda: mw.Rewards(pursuer_collide=(1, 2)), "1 or 3 numbers | got (1, 2)"),
-    value(lambda: mw.Network(activation="gelu"), "one of relu, tanh | got 'gelu'"),
-    value(lambda: mw.Network(memory="lstm"), "one of none, gru | got 'lstm'"),
     value(lambda: NETWORK.layers(GENOME[:-1]), "shape (329,) | got (328,)"),
     value(lambda: mw.Population(TEAM.genomes[:, :9], NETWORK), "shape (n >= 1, 329) | got (2, 9)"),
     value(lambda: mw.Population(SPOILT, NETWORK), "finite numbers | got nan"),
@@ -91,13 +87,19 @@ VALUES = [
     value(lambda: mw.VectorEnv(dtype=np.float64), "one of uint8, float32 | float64"),
     value(lambda: mw.parallel_env(dtype="u1", observation="named"), "one of float32 | uint8"),
     value(lambda: mw.VectorEnv("O", fov=1, action_mask=True), "a fov | 1"),
-    value(lambda: mw.VectorEnv(autoreset_mode="Never"), "one of | 'Never'"),
-    value(lambda: mw.VectorEnv(render_mode="human"), "None or | 'human'"),
     value(lambda: mw.VectorEnv("O", 4).world(4), "0 to 3 | got 4"),
     value(lambda: mw.VectorEnv().reset(options={"map": 1}), "some of | map"),
     value(lambda: mw.AgentVectorEnv(mw.VectorEnv(), "both"), "one of | both"),
     value(lambda: mw.AgentVectorEnv(mw.VectorEnv(evaders="fleer"), "evader"), "the | evader"),
     value(lambda: mw.AgentEnv("O", agent="prey"), "one of pursuer_0 | got 'prey'"),
+    value(lambda: mw.parallel_env(evaders="flier"), "one of | evaders"),
+    kind(lambda: mw.parallel_env(pursuers=3), "the name | pursuers"),
+    value(lambda: mw.parallel_env(evaders=[]), "at least one | evaders"),
+    value(lambda: mw.parallel_env(evaders="fleer", pursuers="chaser"), "one | pursuers, evaders"),
+    value(lambda: mw.parallel_env(evaders="evolved-1", fov=5), "a policy for fov 5 | evaders"),
+    # Their order is not the same in every process.
+    kind(lambda: mw.parallel_env(evaders={"still", "random"}), "a sequence | evaders"),
+    value(lambda: mw.parallel_env(evaders=""), "one of | evaders"),  # no current directory
     # Maps
     value(lambda: mw.read_map([]), "at least one row | got []"),
     value(lambda: mw.read_map(["...", ".."]), "3 cells as in row 0 | row 1"),

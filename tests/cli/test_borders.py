@@ -22,8 +22,6 @@ from matrixworld.cli import main
 from matrixworld.cli.console import printable
 from matrixworld.coevolution.settings import paths_of
 
-Tree = dict[Path, bytes | None]
-
 # ---- What makes a command small and complete -----------------------------------------------------
 
 PLACES = {"runs": "RUN", "sources": "RUN/payoff.npz"}

@@ -15,8 +15,6 @@ from matrixworld.cli import cluster
 from matrixworld.coevolution import evolve, open_runs
 from tiny_race import results, tiny_race
 
-distributed = pytest.importorskip("distributed")
-
 SCHEDULE = ("--schedule", "generalist-generalist")
 OPTIONS = (*SCHEDULE, *words({name: value for name, value in RACE.items() if name != "seed"}))
 
@@ -24,6 +22,7 @@ OPTIONS = (*SCHEDULE, *words({name: value for name, value in RACE.items() if nam
 @pytest.fixture(scope="module")
 def dask():
     """A cluster; on exit no process is left."""
+    distributed = pytest.importorskip("distributed")
     local = {"dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL", "memory_limit": 0}
     with distributed.LocalCluster(2, threads_per_worker=1, **local) as running:
         yield running

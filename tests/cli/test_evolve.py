@@ -32,6 +32,7 @@ from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.sections import values_of
 from matrixworld.coevolution.storage import find_runs
 from scripts import group_lives, wait_until
+from slow import quickly
 from tiny_race import StopAt, playing, results, tiny_race, tiny_single
 
 
@@ -119,16 +120,6 @@ def test_settings_from_a_file(undrawn, tmp_path):
     evolved("--out", "again", "--config", "run/config.json", "--seed", 6)
     again = open_run("again/generalist-generalist/seed-6").settings
     assert again == tiny_race(learner="ga", mutation=1 / 3, seed=6)
-
-
-def test_a_map_file_and_no_hidden_layer():
-    rows = [".....", ".@@..", "....."]
-    Path("a.map").write_text("\n".join(["type octile", "height 3", "width 5", "map", *rows]))
-    sets = [("policy.hidden", []), ("world.obstacles", "a.map")]
-    options = {"n_pursuers": 2, "n_evaders": 3, "schedule": ("alternating",), "sets": sets}
-    [settings] = settings_of(options)
-    assert settings.policy.hidden == ()
-    assert settings.world.map.sum() == 2
 
 
 def test_worlds_with_names_are_told():
@@ -277,9 +268,9 @@ def process_of(*args):
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
-@pytest.mark.parametrize("send", [os.killpg, os.kill], ids=["to all processes", "to the parent"])
+@quickly("send", [os.killpg, os.kill], os.killpg.__eq__, lambda send: send.__name__)
 def test_stopped_and_killed_and_resumed_ends_the_same(send, monkeypatch):
-    """Ctrl-C in the first runs leaves no process; a kill loses nothing."""
+    """Ctrl-C, to all processes or the parent, leaves no process; a kill loses nothing."""
     monkeypatch.setattr("matrixworld.cli.evolve.report", lambda *args, **timed: None)
     longer = {**ONE, "generations": 4, "pursuer_epochs": 30, "evader_epochs": 30}
     chosen = ["--seeds", "0-2", "--schedule", MAIN_JOB[0], *words(longer)]

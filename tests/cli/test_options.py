@@ -1,9 +1,7 @@
-"""Options that commands share: declared once, existing outputs, seeds, completion."""
+"""What commands share: options declared once, outputs, seeds, warnings, and text of others."""
 
 import json
-import os
-import subprocess
-import sys
+import warnings
 from collections import defaultdict
 from contextlib import nullcontext
 from pathlib import Path
@@ -14,7 +12,10 @@ import pytest
 import matrixworld
 from command_line import matrixworld_command
 from matrixworld.cli import main
+from matrixworld.cli.console import warnings_as_notes
 from matrixworld.cli.options import seeds_of
+from matrixworld.coevolution import DisengagementWarning
+from scripts import python
 
 DIFFERENT = {"--force", "--episodes", "--explain", "--each", "--out", "--generation"}
 """Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
@@ -30,14 +31,6 @@ def test_options_of_one_name_are_equal_in_all_commands():
                 meaning = (option.help, repr(option.default), repr(option.type), option.multiple)
                 found[option.opts[0]].add(meaning)
     assert {name for name, meanings in found.items() if len(meanings) > 1} == DIFFERENT
-
-
-def test_every_command_that_names_an_output_file_has_force():
-    for name, command in main.commands.items():
-        flags = {flag for param in command.params for flag in param.opts}
-        # It names a new directory, and replaces nothing.
-        if flags & {"--json", "--out"} and name != "evolve":
-            assert "--force" in flags, name
 
 
 OUTPUTS = {
@@ -65,17 +58,8 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
         assert (run / kept).read_bytes() == before[run / kept]
 
 
-def test_numbers_on_standard_output(run):
-    done = matrixworld_command("judge", "run", "--json", "-")
-    assert [*json.loads(done.stdout)["groups"]] == ["run"]
-    assert "run" in done.stderr
-    assert not Path("-").exists()
-
-
 def test_the_package_is_a_command_and_needs_no_docstrings():
-    env = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONOPTIMIZE": "2"}
-    command = [sys.executable, "-m", "matrixworld", "--version"]
-    done = subprocess.run(command, env=os.environ | env, capture_output=True, text=True, check=True)
+    done = python("-OO", "-m", "matrixworld", "--version")
     assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
 
 
@@ -94,3 +78,25 @@ def test_seeds_that_a_text_names(text, seeds):
     context = click.Context(click.Command("evolve")), click.Option(["--seeds"])
     with nullcontext() if seeds else pytest.raises(click.BadParameter, match="expected .*seeds"):
         assert seeds_of(*context, text) == seeds
+
+
+def test_warnings_for_users_are_lines_of_their_own(capsys):
+    with warnings_as_notes():
+        warnings.warn("the pursuers win nearly everything", DisengagementWarning, stacklevel=1)
+    assert capsys.readouterr().err == "Warning: the pursuers win nearly everything\n"
+
+
+EVIL = "a\x1b]0;owned\x07\u202efdp.exe\x9b31m\udcff"
+"""Sets the title of the terminal, rings, turns the direction of text round, has a color."""
+SHOWN = r"a\x1b]0;owned\x07\u202efdp.exe\x9b31m\udcff"
+
+
+def test_names_and_files_give_a_terminal_no_orders(run, tmp_path):
+    evil = tmp_path / EVIL
+    run.rename(evil)
+    config = json.loads((evil / "config.json").read_text())
+    told = matrixworld_command("judge", evil).output
+    assert SHOWN in "".join(told.split("\n"))
+    (evil / "config.json").write_text(json.dumps({**config, "format": EVIL}))
+    told += matrixworld_command("judge", evil, code=1).output
+    assert "".join(told.split("\n")).isprintable(), told

@@ -1,8 +1,5 @@
 """A learner and samplers of the user's own on the command line."""
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 from click.testing import CliRunner
@@ -10,6 +7,7 @@ from click.testing import CliRunner
 from command_line import MAIN_JOB, RACE, evolved, words
 from matrixworld.cli import main
 from matrixworld.coevolution import open_run
+from scripts import python
 
 PLACE = "alternating/seed-5"
 PLAIN = {name: value for name, value in RACE.items() if name != "population"}
@@ -39,12 +37,7 @@ def test_a_learner_of_the_current_folder():
     command.parent.mkdir()
     command.write_text(COMMAND)
     options = words({**PLAIN, "schedule": "alternating", "opponents": 2, **OWN})
-    paths = [str(Path(__file__).parents[1] / "support"), os.environ.get("PYTHONPATH", "")]
-    subprocess.run(
-        [sys.executable, command, "evolve", "--out", "job", *options, "--threads", "1"],
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
-        check=True,
-    )
+    python(command, "evolve", "--out", "job", *options, "--threads", "1", check=True)
     settings = open_run(Path("job") / PLACE).settings
     assert (settings.learner.code, settings.learner.settings) == ("mine:Learner", {"sigma": 0.2})
     assert settings.schedule.pursuers_meet.settings == {"forget": 0.25}

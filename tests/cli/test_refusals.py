@@ -1,10 +1,7 @@
 """The sentences that users meet first: what commands refuse, before anything is written."""
 
-import os
 import re
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -13,9 +10,9 @@ import pytest
 from command_line import matrixworld_command, run_together
 from matrices import circular
 from matrixworld.coevolution import Run, create, evolve, open_run
-from matrixworld.coevolution.settings import MOST_SEED
 from matrixworld.play import save_genome
 from rows import archive, random_walks
+from scripts import python
 from tiny_race import StopAt, playing, tiny_race, tiny_single
 
 # fmt: off
@@ -45,13 +42,11 @@ REPLAY = [
     (["race", "--evader", "pursuer.npz"], 2, "--evader: expected a file of evaders, got one of pu"),
     (["race", "--seed", "1"], 2, "is a run: expected no --seed beside it"),
     (["O", "--pursuer", "3"], 2, "--pursuer: expected one of random, still, chaser, fleer, "),
-    (["O", "--rows", "1", "--cols", "3"], 2, "rows: expected at least 38 cells"),
     (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
     (["O", "--numbers", "--out", "x.npz"], 2, "--out writes no picture: expected no --numbers"),
     (["O", "--step", "3", "--out", "x.gif"], 2, "--out writes no .png: expected no --step"),
     (["O", "--steps", "5", "--step", "6"], 2, "--step: expected -6 to 5, got 6"),
     (["O", "--out", "x.avi"], 2, "ends in .gif, .mp4, .png, .npz: x.avi"),
-    (["O", "--seed", MOST_SEED + 1], 2, f"'--seed': {MOST_SEED + 1} is not in the range 0<=x<="),
     (["walks.npz", "--explain"], 2, "expected a recording with conflicts, got none"),
 ]
 EXPLORE = [
@@ -62,15 +57,12 @@ EXPLORE = [
 ALONE = ["--schedule", "against"]
 EVOLVE = [
     (["--paper", "--n-pursuers", 30, "--rows", 6, "--cols", 6], 2, "--rows: expected at least "),
-    (["--set", "learner.population=7"], 2, "learner.population: expected an even number for es, g"),
     (["--variant", "Q"], 2, "--variant: expected one of D, R, B, O, S, SB"),
     (["--config", "q.toml"], 2, "--variant: expected one of D, R, B, O, S, SB"),
     (["--set", "learner.sigma"], 2, "expected PATH=VALUE, such as learner.sigma=0.1, got 'learner"),
     (["--set", "learner.sigmma=1"], 2, "; did you mean learner.sigma?"),
     (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, gp, actor-critic, or mod"),
-    (["--learner", "nowhere:Learner"], 2, "nowhere:Learner: expected a module that can be impo"),
     (["--set", "learner.mutation=0.1"], 2, "; it is a setting of learner=ga"),
-    (["--set", "schedule.team=evader"], 2, "; it is a setting of schedule=against"),
     ([*ALONE, "--generations", 3], 2, "--generations: expected one of the settings te"),
     ([*ALONE, "--set", "schedule.opponent=nobody"], 2,
      "schedule.opponent: nobody: no such file or directory; expected random, still, chaser, "),
@@ -93,7 +85,6 @@ OTHERS = [
     (["score", "race", "--generation", "x"], 2, "expected a generation or all, got 'x'"),
     (["score", "race", "--json", "no/a.json"], 2, "no/a.json: expected a directory in which files"),
     (["score", "race", "--json", "empty", "--force"], 2, "empty: expected a file, got a directory"),
-    (["solve", "--rows", 30, "--cols", 30], 2, "cells would fit"),
     (["solve", "--rows", 4, "--cols", 4, "--obstacles", 0.1], 2, "expected none or a map"),
     (["solve", "--run", "race", "--rows", 4], 2, "--run: expected no --rows beside it"),
     (["solve", "--run", "race"], 2, "states: expected at most "),
@@ -166,12 +157,8 @@ def test_a_missing_file_is_no_such_file(place, monkeypatch, words):
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is full")
 @pytest.mark.parametrize("words", ["evolve --variants", "solve --rows 3 --cols 3"])
 def test_output_that_cannot_be_written_is_an_error(words):
-    command = [sys.executable, "-m", "matrixworld", *words.split()]
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     with open("/dev/full", "w") as full:
-        done = subprocess.run(
-            command, env=environment, stdout=full, stderr=subprocess.PIPE, text=True, check=False
-        )
+        done = python("-m", "matrixworld", *words.split(), stdout=full)
     assert done.returncode == 1
     assert re.fullmatch(r"Error: (standard output: )?no space left on device\n", done.stderr)
 

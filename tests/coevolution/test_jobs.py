@@ -1,9 +1,7 @@
 """Many runs at one call: the same bytes as one by one, whatever happens to them."""
 
 import io
-import os
 import re
-import subprocess
 import sys
 import warnings
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
@@ -14,8 +12,8 @@ import pytest
 import own_code
 from executors import Reversed
 from matrixworld import coevolution as co
-from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of, shares
-from matrixworld.coevolution.race import ALL_SCHEDULES
+from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of
+from scripts import python
 from tiny_race import hall_of_fame, played, results, straight, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -161,14 +159,7 @@ def test_processes_that_cannot_begin_end_the_job(tmp_path):
         "from tiny_race import tiny_race\n"
         "evolve([tiny_race(seed=seed) for seed in range(2)], sys.argv[1], threads=4)\n"
     )
-    done = subprocess.run(
-        [sys.executable, tmp_path / "script.py", tmp_path / "job"],
-        capture_output=True,
-        text=True,
-        timeout=120,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-    )
-    last = done.stderr.splitlines()[-1]
+    last = python(tmp_path / "script.py", tmp_path / "job").stderr.splitlines()[-1]
     assert 'or a script has no `if __name__ == "__main__":`' in last
     assert {run.newest() for run in map(co.open_run, (tmp_path / "job").glob("*/*"))} == {0}
 
@@ -207,9 +198,8 @@ BAD = [
     ({"settings": {"a": tiny_race(), "b": tiny_race()}}, ValueError, "different runs, got a and b"),
     *(
         ({"settings": {name: tiny_race()}}, ValueError, "expected names such as")
-        for name in ("", ".", "../a", "a/../b", "/a", "a/", "a/b/c", "a\n", "a@b")
+        for name in ("", "../a", "/a", "a/b/c", "a\n")
     ),
-    ({"settings": [tiny_race(learner="nowhere:Learner")]}, ValueError, "nowhere"),
     ({"settings": tiny_race(learner="nowhere:Learner")}, ValueError, "nowhere"),
     ({"settings": [tiny_single(opponent="nowhere")]}, FileNotFoundError, "nowhere"),
 ]
@@ -250,30 +240,6 @@ def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
 
 
-def test_a_few_runs_have_two_threads_each_and_of_more_the_last_does_not_play_alone():
-    asked = [(1, 2), (2, 2), (3, 2), (3, 1), (3, 4), (3, 8), (4, 2), (5, 4), (9, 4)]
-    expected = [(1, 2), (1, 2), (1, 2), (1, 1), (2, 2), (3, 2), (2, 1), (5, 1), (4, 1)]
-    assert [shares(runs, cores) for runs, cores in asked] == expected
-
-
-def test_names_and_what_was_asked_for(tmp_path):
-    races = [tiny_race(schedule=name, seed=n) for n in (3, 12) for name in ALL_SCHEDULES[:2]]
-    job = job_of([*races, tiny_single(seed=7)])
-    first, second = ALL_SCHEDULES[:2]
-    assert [*job] == [
-        f"{first}/seed-3", f"{second}/seed-3", f"{first}/seed-12", f"{second}/seed-12",
-        "pursuer-against-random/seed-7",
-    ]  # fmt: skip
-    create_job(job, tmp_path / "job")
-    assert found_job(tmp_path / "job") == job
-    assert [*found_job(tmp_path / "job")] == [
-        f"{first}/seed-3", f"{first}/seed-12", f"{second}/seed-3", f"{second}/seed-12",
-        "pursuer-against-random/seed-7",
-    ]  # fmt: skip
-    co.create(races[0], tmp_path / "run")
-    assert found_job(tmp_path / "run") == {".": races[0]}
-
-
 def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     job = job_of([tiny_single(opponent="runs/my first/seed-3", start="/other")])
@@ -285,15 +251,6 @@ def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeyp
 class Terminal(io.StringIO):
     def isatty(self):
         return True
-
-
-def test_progress_lines_without_a_terminal():
-    seconds = iter([0.0, 0.0, 1.0, 2.0, 3.0, 4.0])
-    out = io.StringIO()
-    lines = co.ProgressBar(stream=out, clock=lambda: next(seconds))
-    for done in (100, 150, 300, 350, 600):
-        lines(co.Progress("evaders", done, 1000, 100))
-    assert out.getvalue().splitlines() == ["evaders:  30%  00:07 left", "evaders:  60%  00:03 left"]
 
 
 def test_a_bar_in_a_terminal_begins_with_what_is_done():

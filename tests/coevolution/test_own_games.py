@@ -2,9 +2,7 @@
 
 import importlib
 import linecache
-import os
 import shutil
-import subprocess
 import sys
 from dataclasses import replace
 
@@ -14,6 +12,7 @@ import pytest
 from matrixworld import coevolution as co
 from matrixworld.coevolution.game import digest_of
 from own_games import chance, coins, fewer, higher, numbers
+from scripts import python
 from tiny_race import results, straight
 
 IN_TURNS = {"schedule.generations": 4, "schedule.pursuer_epochs": 4, "schedule.evader_epochs": 4}
@@ -235,18 +234,11 @@ def counts_its_calls(a, b, rng, calls=[]):  # noqa: B006
         (changed(uses_the_global_generator), "play: expected equal scores from equal generators"),
         (changed(counts_its_calls), "play: expected equal scores from equal generators"),
         (changed(lambda a, b, rng: a), r"scores of the game: expected .*\(1,\), got \(1, 2\)"),
-        (changed(lambda a, b, rng: 0.5), r"scores of the game: expected .*\(1,\), got \(\)"),
         (changed(lambda a, b, rng: a[:, 0] * np.nan), r"numbers in \[0, 1\], got nan"),
-        (changed(lambda a, b, rng: 1 + b[:, 0] ** 2), r"numbers in \[0, 1\], got 1"),
         (
             changed(lambda a, b, rng: 1.0 * (a[:, 0] > a[:, 0].mean()), deterministic=True),
             "play: expected scores of each match alone",
         ),
-        (
-            changed(lambda a, b, rng: np.linspace(0, 1, len(a)), deterministic=True),
-            "play: expected scores of each match alone",
-        ),
-        (changed(initial=lambda rng: np.zeros(3)), "initial: expected 2 finite genes, got"),
         (changed(initial=lambda rng: [0, np.inf]), "initial: expected 2 finite genes, got"),
     ],
 )
@@ -265,17 +257,11 @@ def test_a_game_that_keeps_all_promises(game):
 @pytest.mark.parametrize(
     ("fields", "error", "message"),
     [
-        ({"play": 3}, TypeError, "play: expected a function, got 3"),
         ({"genes": 0}, ValueError, "genes: expected .*, got 0"),
-        ({"genes": 2.5}, TypeError, "genes: expected .*, got 2.5"),
         ({"genes": (2, 3, 4)}, ValueError, "genes: expected those of two teams, got 3"),
-        ({"teams": ("cats", "cats")}, ValueError, "teams: expected two different words"),
         ({"teams": ("big cats", "mice")}, ValueError, "teams: expected two different words"),
         ({"bounds": ([0, 0], [1, 1])}, ValueError, "bounds: expected one value, or one for"),
-        ({"bounds": (1,)}, ValueError, "bounds: expected the least and the largest value"),
         ({"bounds": (1, 0)}, ValueError, "bounds: expected least < largest value"),
-        ({"deterministic": 1}, TypeError, "deterministic: expected "),
-        ({"show": "text"}, TypeError, "show: expected a function"),
     ],
 )
 def test_what_is_no_game_is_refused(fields, error, message):
@@ -298,21 +284,10 @@ if __name__ == "__main__":
 """
 
 
-@pytest.mark.parametrize(
-    ("file", "arguments", "name"),
-    [
-        ("pack/race.py", ["-m", "pack.race"], "pack.race"),
-        ("a-race.py", ["a-race.py"], "__main__"),  # of no use to other processes
-    ],
-)
-def test_a_script_that_runs_is_named_as_others_import_it(file, arguments, name, tmp_path):
-    (tmp_path / file).parent.mkdir(exist_ok=True)
-    (tmp_path / file).write_text(SCRIPT)
-    done = subprocess.run(
-        [sys.executable, *arguments], cwd=tmp_path, capture_output=True, text=True, check=True,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-    )  # fmt: skip
-    assert done.stdout.split() == [f"{name}:game"]
+def test_a_script_that_runs_is_named_as_others_import_it(tmp_path):
+    (tmp_path / "pack").mkdir()
+    (tmp_path / "pack/race.py").write_text(SCRIPT)
+    assert python("-m", "pack.race", cwd=tmp_path).stdout == "pack.race:game\n"
 
 
 def test_matches_are_seen_by_nobody_else(tmp_path):

@@ -2,7 +2,7 @@
 
 import json
 import pickle
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -70,13 +70,6 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
     assert started.training_game.penalty == 0.2
 
 
-def test_what_follows_from_the_settings():
-    settings, alone = co.RaceSettings(), co.RaceSettings(schedule=co.Against(team="evader"))
-    assert settings.schedule.total_epochs("evader") == 30 * 58
-    assert settings.evaluation_game.policy.genome_size == (3 * 11 * 11 + 1) * 32 + (32 + 1) * 5
-    assert (settings.is_race, alone.is_race, alone.learning_teams) == (True, False, ("evader",))
-
-
 def test_a_text_stands_for_a_section():
     assert co.RaceSettings(schedule="hall-of-fame") == co.RaceSettings(schedule=co.AtOnce())
     alternating = co.InTurns(pursuers_meet="latest", evaders_meet="prioritized-even")
@@ -124,6 +117,11 @@ REFUSED = {
                      "policy.mask": "right-of-way"},
                     {**SMALL, "learner": "cma", "policy.mask": "obstacles"},
                     {**SMALL, "evader_learner": "cma", "policy.mask": "obstacles"}],
+    "training_worlds.fov": [{"training_worlds": [{"fov": 5}]}],
+    "training_worlds.n_cats": [{"training_worlds": [{"n_cats": 5}]}],
+    "training_worlds": [{"training_worlds": [7]}],
+    "training_shares": [{"training_worlds": [{}] * 3, "training_shares": (1,)},
+                        {"training_shares": (1,)}],
     "sigma": [{"sigma": 0.1}],
 }  # fmt: skip
 """Settings that do not fit together, by the path with which the message begins.
@@ -222,9 +220,6 @@ def test_later_values_change_earlier_ones_before_defaults_are_filled_in():
 def test_every_setting_has_a_help_text():
     for settings in EVERY:
         assert all(text for _, _, text in sections.leaves(settings))
-    for kinds in map(sections.sections_in, sections.hints_of(co.RaceSettings).values()):
-        for cls in kinds.values():
-            assert all(item.metadata["help"] in cls.__doc__ for item in fields(cls))
 
 
 def test_a_part_of_an_opponent_sampler_that_a_schedule_names():

@@ -5,22 +5,15 @@ import pytest
 
 from command_line import matrixworld_command
 from matrixworld.coevolution import RaceSettings, score
-from tiny_race import Listening, check_resumes, played, results, tiny_race, tiny_single
+from tiny_race import WORLDS, Listening, played, results, tiny_race, tiny_single
 
-WORLDS = [{"n_pursuers": 1, "n_evaders": 1}, {"rows": 5}, {"obstacles": 0.1, "max_steps": 5}]
-RACES = {
-    "in turns": tiny_race(training_worlds=WORLDS),
-    "psro": tiny_race(training_worlds=WORLDS, schedule="psro", retest_episodes=1),
-    "at once": tiny_race(training_worlds=WORLDS, schedule="hall-of-fame"),
-    "alone": tiny_single(training_worlds=WORLDS, learner="cma"),
-}
+RACE = tiny_race(training_worlds=WORLDS)
 
 
 def test_fields_that_are_not_given_are_those_of_the_world_and_of_training():
-    settings = RACES["in turns"]
-    rows = [(w.rows, w.n_pursuers, w.density, w.max_steps) for w in settings.training_worlds]
+    rows = [(w.rows, w.n_pursuers, w.density, w.max_steps) for w in RACE.training_worlds]
     assert rows == [(6, 1, 0.0, 8), (5, 2, 0.0, 8), (6, 2, 0.1, 5)]
-    assert RaceSettings.of(settings.to_json()) == settings
+    assert RaceSettings.of(RACE.to_json()) == RACE
 
 
 def test_the_world_itself_changes_nothing(tmp_path):
@@ -29,12 +22,6 @@ def test_the_world_itself_changes_nothing(tmp_path):
     plain, one = results(tmp_path / "plain"), results(tmp_path / "one")
     assert plain.pop("config.json") != one.pop("config.json")
     assert plain == one
-
-
-@pytest.mark.parametrize("kind", RACES)
-@pytest.mark.parametrize("call_number", [1, 4])
-def test_a_stopped_run_draws_the_same_worlds(kind, call_number, tmp_path):
-    check_resumes(RACES[kind], call_number, tmp_path)
 
 
 def test_worlds_are_drawn_by_their_shares(tmp_path):
@@ -52,7 +39,7 @@ def test_worlds_are_drawn_by_their_shares(tmp_path):
 
 
 def test_scores_in_every_world_of_training(tmp_path):
-    run = played(RACES["alone"], tmp_path / "run")
+    run = played(tiny_single(training_worlds=WORLDS), tmp_path / "run")
     told = matrixworld_command("score", run.path, "--episodes", 2).output
     assert "in a world of training: 5 x 6, 2 v 3\n" in told
     assert "in a world of training: 6 x 6, 2 v 3, with obstacles" in told
@@ -60,18 +47,3 @@ def test_scores_in_every_world_of_training(tmp_path):
     found = score(run, world=small, episodes=2)["pursuer"]
     # One evader is captured, or none.
     assert {*np.unique(found.rates)} <= {0.0, 1.0}
-
-
-@pytest.mark.parametrize(
-    ("bad", "message"),
-    [
-        ({"training_worlds": [{"fov": 5}]}, r"training_worlds\.fov: expected 3, as in world"),
-        ({"training_worlds": [{"n_cats": 5}]}, r"training_worlds\.n_cats: expected one of"),
-        ({"training_worlds": [7]}, "training_worlds: expected the fields of a world, got 7"),
-        ({"training_worlds": WORLDS, "training_shares": (1,)}, "expected 3 or none, got 1"),
-        ({"training_shares": (1,)}, "training_shares: expected 0 or none, got 1"),
-    ],
-)
-def test_worlds_in_which_the_genomes_cannot_play_are_refused(bad, message):
-    with pytest.raises((TypeError, ValueError), match=message):
-        tiny_race(**bad)

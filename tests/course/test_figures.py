@@ -1,12 +1,9 @@
 """Figures of the game show what the engine does, and the rules that it plays."""
 
-import runpy
-
 import numpy as np
 
 import matrixworld as mw
 from course.figures import CROSSINGS, MOVES, SITUATIONS, may_go, moves_of, world_of
-from pages import ROOT
 from right_of_way import from_the_right
 
 
@@ -37,14 +34,3 @@ def test_those_go_first_who_come_from_the_right() -> None:
             return one < other if faces else from_the_right(steps[other], steps[one])
 
         assert may_go(moves) == [all(first(m, o) for o in moves if o != m) for m in moves]
-
-
-def test_each_turn_shows_who_acts() -> None:
-    figure = runpy.run_path(str(ROOT / "docs" / "interaction_figure.py"))
-    pursuers, everyone = [0, 1], [*range(2 * figure["PER_TEAM"])]
-    turns = {
-        mw.Interaction.SIMULTANEOUS: [everyone],
-        mw.Interaction.SWARM_TURNS: [pursuers, everyone[2:]],
-        mw.Interaction.AGENT_TURNS: [[agent] for agent in everyone],
-    }
-    assert {each: [*map(list, figure["turns_of"](each))] for each in mw.Interaction} == turns

@@ -19,7 +19,6 @@ from course.chapter_1 import BUMPER_CARS
 from course.chapter_2 import JAM_ACTIONS
 from course.chapter_5 import ENDINGS
 from course.chapter_9 import break_even
-from course.toys import reduced_virulence
 from matrixworld import Action, analysis
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
@@ -42,22 +41,16 @@ WRONG: dict[str, dict[str, Any]] = {
     "1.2": {"swaps": [EAST, WEST, EAST, WEST], "into the border": [WEST, EAST, WEST, EAST]},
     "1.3": {
         "simultaneous": bumper_cars(interaction=mw.Interaction.SIMULTANEOUS),
-        "two fields": bumper_cars(pursuer=mw.Outcome.REACH, captured_disappear=True),
         "occupation": bumper_cars(capture=mw.Capture.OCCUPATION),
     },
     "1.4": {
         "no vertex conflicts": partial(student.conflicts, vertex=False),
-        "every occupied target": student.all_occupied,
         "no return": lambda cells, targets: None,
     },
     "2.1": {"nothing changed": JAM_ACTIONS, "still a chain": [EAST, EAST, WEST, STAY, SOUTH]},
-    "2.2": {
-        "no reward of the step": [-12, -12, 10, -10, -12],
-        "a penalty for the capture": [-12.05, -12.05, -2.05, -22.05, -12.05],
-        "no capture": [-12.05, -12.05, 9.95, -0.05, -12.05],
-    },
+    "2.2": {"no reward of the step": [-12, -12, 10, -10, -12]},
     "2.3": {"equal": 201, "too few": 100},
-    "2.4": {"by index": student.by_index, "one link of a chain": student.one_link_only},
+    "2.4": {"by index": student.by_index},
     "3.1": {
         "no biases": lambda side, hidden, moves: 3 * side**2 * hidden + hidden * moves,
         "one layer": lambda side, hidden, moves: (side**2 + 1) * hidden + (hidden + 1) * moves,
@@ -68,16 +61,12 @@ WRONG: dict[str, dict[str, Any]] = {
     },
     "3.3": {
         "no race": "race",
-        "evaders want captures": by_hand(3, side=1, select=student.the_lowest),
-        "old opponents": by_hand(3, side=1, opponent=0),
+        "evaders want captures": by_hand(3, select=student.the_lowest),
         "payoff turned": by_hand(3, payoff=np.transpose),
     },
     "3.4": {
-        "a name": "my_game",
         "two scores": student.game(lambda a, b, rng: student.sums(a, b, rng) * 2),
-        "one score for all": student.game(lambda a, b, rng: student.sums(a, b, rng).mean()),
         "a generator of its own": student.game(lambda a, b, rng: np.random.rand(len(a))),  # noqa: NPY002
-        "the order counts": student.game(lambda a, b, rng: np.arange(len(a)) / len(a)),
         "nothing to select": student.game(lambda a, b, rng: 0 * student.sums(a, b, rng)),
     },
     "4.1": {"swapped": (0.5 - LAGS, 0.5 + LAGS), "one team only": (ONE_TEAM, 0.5 - LAGS)},
@@ -100,21 +89,12 @@ WRONG: dict[str, dict[str, Any]] = {
         "always": lambda scores: True,
         "the diagonal": lambda scores: bool(np.diag(scores.mean(axis=2))[-1] > 0.5),
     },
-    "6.1": {
-        "each four times": student.each_square_four_times,
-        "strict losses": student.strict_losses,
-    },
-    "6.2": {
-        "the rest": lambda matrix: 1 - analysis.transitive_share(matrix),
-        "the mean twice": student.mean_twice,
-    },
+    "6.1": {"strict losses": student.strict_losses},
+    "6.2": {"the rest": lambda matrix: 1 - analysis.transitive_share(matrix)},
     "6.3": {"with repetition": student.hall(4, repeat=True), "too few": student.hall(3)},
-    "7.1": {
-        "of wins": student.of_wins_only,
-        "of five matches": lambda wins, v: student.of_wins_only(wins / 5, v),
-    },
+    "7.1": {"of wins": lambda wins, v: 2 * wins / v - wins**2 / v**2},
     "7.2": {"below": 0.75, "above": 0.95},
-    "7.3": {"the wins": lambda wins: wins, "zeros": lambda wins: 0 * wins},
+    "7.3": {"the wins": lambda wins: wins},
     "8.1": {
         "the other order": student.rate_turned,
         "the last token": lambda tokens, inputs: inputs.get(tokens[-1], 0.0),
@@ -127,19 +107,13 @@ WRONG: dict[str, dict[str, Any]] = {
     },
     "8.3": {
         "collides": "-open_side",
-        "one file": "-open_side - must_yield",
         "too long": "0.3 * teammate - open_side - must_yield + room",
         "no input": "distance",
-        "no text": -1,
     },
     "9.1": {"greedy": [6, 20, 0, 0, 0, 0], "careful": [3, 10, -10, -10, -6, 0]},
     "9.2": {"the paper's": 12, "low": 5.0},
     "9.3": {"few": 100, "one more": 300},
-    "9.4": {
-        "a coin": student.coin(),
-        "never": lambda own, other: False,
-        "right before left": student.right_before_left,
-    },
+    "9.4": {"never": lambda own, other: False, "right before left": student.right_before_left},
 }
 
 WRONG |= {
@@ -159,14 +133,14 @@ RIGHT: dict[str, list[Any]] = {
     "1.4": [student.careless],
     "2.3": [np.int64(202), 202.0],
     "2.4": [student.at_once],
-    "3.3": [by_hand(5), by_hand(5, payoff=np.ndarray.tolist)],
+    "3.3": [by_hand(5, payoff=np.ndarray.tolist)],
     "3.4": [student.game(student.sums), student.game(student.coin_of_sums, deterministic=False)],
     "4.1": [((0.5 + 0.5 * LAGS).tolist(), (0.5 - LAGS).tolist()), (BELOW_DIAGONAL, 0.5 - LAGS)],
     "5.3": [GAINS],
     "5.4": [student.both_rise],
     "6.1": [lambda matrix: analysis.checkerboards(matrix).count],
     "6.3": [student.hall(4), lambda available, rng: np.array(student.hall(4)(available, rng))],
-    "7.3": [lambda wins: -abs(wins - 3), lambda wins: reduced_virulence(wins, 0.6)],
+    "7.3": [lambda wins: -abs(wins - 3)],
     "9.2": [-break_even(), np.float32(break_even())],
     "9.3": [np.ceil(298.07)],
     "8.3": ["0.2 * teammate - adversary - must_yield"],

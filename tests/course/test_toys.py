@@ -7,25 +7,7 @@ import pytest
 
 from course import toys
 from judgement_races import play_episodes
-from matrices import ROCK_PAPER_SCISSORS
-from matrixworld import analysis
 from matrixworld.coevolution import check_game
-from matrixworld.coevolution.types import TEAMS
-
-
-def test_generalists_do_not_cycle():
-    """A player of average hands is nearly in equilibrium, unlike one of the last specialists."""
-
-    def exploitability(hands):
-        x, y = (np.bincount(hands[team], minlength=3) / len(hands[team]) for team in TEAMS)
-        return analysis.exploitability(ROCK_PAPER_SCISSORS, x, y).total
-
-    # Known: fictitious play, .099 after 100 rounds and .273 after 10.
-    assert exploitability(toys.race_of_hands("fictitious play", 100)) == pytest.approx(
-        0.1, abs=0.03
-    )
-    assert exploitability(toys.race_of_hands("generalists", 100)) < 0.15
-    assert exploitability(toys.race_of_hands("specialists", 2)) > 0.3
 
 
 def test_games_by_hand():
@@ -44,20 +26,16 @@ def test_games_by_hand():
 
 
 @pytest.mark.parametrize(
-    ("name", "flips", "expected", "tolerance"),
-    # Four standard errors of four seeds around the means over 20 seeds; their standard deviations
-    # are 0.2, 2.8, 20.4, 0.1, 3.0 and 26.1.
+    ("name", "expected", "tolerance"),
+    # Means over 20 seeds, and four standard errors of four.
     [
-        ("scalar", 0.005, 99.3, 0.4),
-        pytest.param("focusing", 0.005, 85.6, 5.6, marks=pytest.mark.slow),
-        pytest.param("intransitive", 0.005, 53.2, 41.0, marks=pytest.mark.slow),
-        pytest.param("scalar", 0.0025, 99.7, 0.2, marks=pytest.mark.nightly),
-        pytest.param("focusing", 0.0025, 90.2, 6.0, marks=pytest.mark.nightly),
-        pytest.param("intransitive", 0.0025, 39.3, 52.0, marks=pytest.mark.nightly),
+        ("scalar", 99.3, 0.4),
+        pytest.param("focusing", 85.6, 5.6, marks=pytest.mark.slow),
+        pytest.param("intransitive", 53.2, 41.0, marks=pytest.mark.slow),
     ],
 )
-def test_numbers_game(name, flips, expected, tolerance):
-    finals = [toys.numbers_game(name, seed, flips=flips).final_objective for seed in range(4)]
+def test_numbers_game(name, expected, tolerance):
+    finals = [toys.numbers_game(name, seed).final_objective for seed in range(2)]
     assert np.mean(finals) == pytest.approx(expected, abs=tolerance)
 
 
@@ -83,10 +61,9 @@ def test_games_keep_their_promises():
     [(1.0, 0.1, 50), (0.75, 0.995, 93)],
 )
 def test_virulence_disengages_the_hosts(virulence, engaged, hosts):
-    races = [toys.hosts_and_parasites(virulence, seed) for seed in range(3)]
-    assert np.mean([race.engaged.mean() for race in races]) == pytest.approx(engaged, abs=0.1)
-    last = np.mean([race.objective[-50:, 0].mean() for race in races])
-    assert last == pytest.approx(hosts, abs=6)
+    race = toys.hosts_and_parasites(virulence, 0)
+    assert race.engaged.mean() == pytest.approx(engaged, abs=0.1)
+    assert race.objective[-50:, 0].mean() == pytest.approx(hosts, abs=6)
 
 
 # tests/evolution/test_judgement_benchmark.py looks at each kind of synthetic race.

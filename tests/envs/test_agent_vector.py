@@ -74,15 +74,6 @@ def test_masked_transitions_end_where_agents_disappear(mode):
     assert len(whole) > 3 * env.num_envs
 
 
-def test_refuses():
-    env = mw.AgentVectorEnv(worlds_of())
-    env.reset(seed=1)
-    with pytest.raises(ValueError, match="^actions:"):
-        env.step(np.zeros((3, 7), int))
-    with pytest.raises(ValueError, match="^reset_mask: expected .*same value .* in world 1"):
-        env.reset(options={"reset_mask": np.arange(21) == 8})
-
-
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
 def test_it_tells_the_allowed_actions_and_attributes_of_each_agent(team):
     small = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
@@ -133,15 +124,6 @@ def test_gymnasium_makes_and_checks_it(variant, agent):
         check_env(env.unwrapped, skip_render_check=True)
 
 
-def test_it_tells_the_allowed_actions():
-    env = gymnasium.make("matrixworld/pursuit-evasion-o", action_mask="right-of-way", **SMALL)
-    _, info = env.reset(seed=0)
-    masks = env.get_wrapper_attr("action_masks")()
-    assert masks.dtype == bool
-    np.testing.assert_array_equal(masks, info["action_mask"])
-    assert mw.AgentEnv("O", **SMALL).action_masks().all()  # without a mask
-
-
 def test_mates_and_opponents_are_drawn_independently():
     env = mw.AgentEnv("O", pursuers=["chaser", "random"], evaders=["fleer", "random"], **SMALL)
     pairs = set()
@@ -151,7 +133,13 @@ def test_mates_and_opponents_are_drawn_independently():
     assert len(pairs) == 4
 
 
-def test_it_refuses():
+def test_actions_and_resets_that_are_refused():
+    env = mw.AgentVectorEnv(worlds_of())
+    env.reset(seed=1)
+    with pytest.raises(ValueError, match="^actions:"):
+        env.step(np.zeros((3, 7), int))
+    with pytest.raises(ValueError, match="^reset_mask: expected .*same value .* in world 1"):
+        env.reset(options={"reset_mask": np.arange(21) == 8})
     env = mw.AgentEnv("O", **SMALL)
     with pytest.raises(RuntimeError, match=r"call reset\(\)"):
         env.step(0)

@@ -94,25 +94,6 @@ def test_a_function_gets_the_observations_of_living_agents():
     assert seen[0].shape == (4, 3, 5, 5)
 
 
-@pytest.mark.parametrize(
-    ("given", "error", "field"),
-    [
-        ({"evaders": "flier"}, ValueError, "evaders"),
-        ({"pursuers": 3}, TypeError, "pursuers"),
-        ({"evaders": []}, ValueError, "evaders"),
-        ({"evaders": "fleer", "pursuers": "chaser"}, ValueError, "pursuers, evaders"),
-        ({"evaders": "evolved-1", "fov": 5}, ValueError, "evaders"),
-        ({"evaders": "evolved-1", "diagonal": True}, ValueError, "evaders"),
-        ({"evaders": {"still", "random"}}, TypeError, "evaders"),  # their order is not the same
-        ({"evaders": {"still": 0.2, "random": 0.8}}, TypeError, "evaders"),  # in every process
-        ({"evaders": ""}, ValueError, "evaders"),  # which is the current directory
-    ],
-)
-def test_non_players_are_refused(given, error, field):
-    with pytest.raises(error, match=f"^{field}: .*expected"):
-        mw.parallel_env("O", **given)
-
-
 def test_each_episode_draws_an_opponent_by_its_seed():
     league = ["still", "random", "fleer"]
     env = mw.parallel_env(config_of("R"), evaders=league)

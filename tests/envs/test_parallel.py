@@ -193,7 +193,7 @@ def test_only_simultaneous_rules_are_parallelizable(name):
             aec_to_parallel(env)
 
 
-def test_refused():
+def test_a_refused_turn_is_still_to_be_taken():
     env = MatrixWorldAEC(config_of("O"))
     with pytest.raises(RuntimeError, match="call reset"):
         env.step(0)
@@ -202,6 +202,5 @@ def test_refused():
         with pytest.raises(error, match="^action of pursuer_0:"):
             env.step(action)
     assert env.agent_selection == "pursuer_0"
-    seen = env.observe("pursuer_0")
-    seen[:] = 9  # the caller's own
+    env.observe("pursuer_0")[:] = 9  # the caller's own
     assert env.observation_space("pursuer_0").contains(env.last()[0])

@@ -5,7 +5,7 @@ from itertools import chain
 import numpy as np
 import pytest
 
-from games.nim import MOST, STONES, nim, taken
+from games.nim import nim
 from games.numbers_game import focusing, numbers, relativism
 from games.rock_paper_scissors import rock_paper_scissors
 from games.tic_tac_toe import tic_tac_toe
@@ -20,9 +20,6 @@ GAMES = (rock_paper_scissors, numbers, focusing, relativism, nim, tic_tac_toe)
 IN_TURNS = {
     "schedule": "specialist-specialist", "schedule.pursuer_epochs": 5, "schedule.evader_epochs": 5,
     "schedule.generations": 20,
-}  # fmt: skip
-HALL = {
-    "schedule": "hall-of-fame", "schedule.joint_epochs": 5, "schedule.generations": 20,
 }  # fmt: skip
 LEARNERS = {
     "ga": {"learner": "ga", "learner.mutation": 0.5, "learner.population": 12},
@@ -74,17 +71,3 @@ def test_larger_numbers_are_an_arms_race_unless_one_team_runs_away(learner):
     hosts, parasites = (archive.sum(axis=1) for archive in archives)
     assert (matrix[1:, 1:] > 0.5).tolist() == np.greater.outer(hosts, parasites)[1:, 1:].tolist()
     assert min(hosts[-1], parasites[-1]) > 50
-
-
-LEFT = np.arange(1, STONES + 1)
-PERFECT = np.eye(MOST, dtype=np.float32)[np.maximum(LEFT % 4, 1) - 1].ravel()
-
-
-def test_a_first_player_of_nim_who_beats_all_that_evolved_loses_to_perfect_play():
-    matrix, (first, second), _ = raced(nim, "ga", HALL, 7)
-    perfect = np.tile(PERFECT, (len(first), 1))
-    assert (nim.play(perfect, second, None) == 1).all()
-    assert (matrix[-1] == 1).all()
-    assert nim.play(first, perfect, None)[-1] == 0
-    assert (taken(perfect[:3], np.array([13, 11, 4])) == [1, 3, 1]).all()
-    assert nim.show(PERFECT, PERFECT) == "13 12 11 8 7 4 3 0"

@@ -1,16 +1,11 @@
 """The benchmark of the judgement: races whose truth is known, counts, tables and files."""
 
-from operator import itemgetter
-
 import numpy as np
 import pytest
 
 import judgement_tables as tables
-from course import toys
-from course.toys import History
 from judgement_races import SyntheticRace, synthetic_races
-from judgement_toys import chances_of_history, truths_of_history
-from judgement_truths import truths, truths_of_group
+from judgement_truths import truths
 from matrixworld.analysis import CONDITIONS
 
 
@@ -57,10 +52,6 @@ def test_what_is_true_of_kinds(kind, window, expected):
         assert wanted is ANY or wanted <= found <= wanted | OPEN, condition
 
 
-def test_a_strong_loss_is_forgetting():
-    assert True in what_holds("forgetting", "last half", effect=2.0)[6]
-
-
 @pytest.mark.parametrize("kind", ["switch of style", "three styles", "slow turn", "new styles"])
 def test_what_does_not_return_is_no_cycle(kind):
     circles, cycling = what_holds(kind)[4:6]
@@ -93,70 +84,6 @@ def test_truth_of_a_drop_by_hand():
     race = SyntheticRace(rates, np.zeros(8), np.zeros(8))
     assert truths(race, "whole")["forgetting"] == (True, pytest.approx(0.1))
     assert truths(race, "first half")["forgetting"] == (False, 0.0)
-
-
-def test_truth_of_a_group_is_open_where_its_runs_differ():
-    runs = [synthetic_races(kind, 20, 0)[0] for kind in ("pure race", "only pursuers rise")]
-    found = truths_of_group(runs, "whole")
-    assert found["arms race"].holds is None
-    assert found["cycling"].holds is False
-
-
-@pytest.mark.parametrize("game", ["scalar", "focusing", "intransitive"])
-def test_chances_are_the_means_of_many_matches(game):
-    history, picked = toys.numbers_game(game, 3, generations=60), np.array([0, 20, 40, 60])
-    chances = chances_of_history(history, picked)
-    scores = history.scores(picked, 4000, np.random.default_rng(1))
-    # 4 standard errors of 4000 matches are 0.032.
-    np.testing.assert_allclose(scores.mean(axis=2), chances, atol=0.04)
-
-
-def a_history(game, totals):
-    """Return a history of pairs of individuals with `totals` ones, (k, dimensions)."""
-    ones = np.repeat(np.repeat(totals[:, None, None, :], 2, axis=1), 2, axis=2)
-    return History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals), 2, 2)))
-
-
-def test_truths_of_histories_by_hand():
-    every = np.arange(11)
-
-    def whole(game, totals, **options):
-        return held(truths_of_history(a_history(game, totals), every, **options)["whole"])
-
-    climbing = whole("scalar", 5 * every[:, None])
-    # Later generations win all matches against earlier ones, and half against their own.
-    assert climbing["arms race"] is True
-    assert climbing["one-sided progress"] is climbing["cycling"] is False
-    assert climbing["forgetting"] is climbing["stagnation"] is False
-    assert whole("scalar", 5 * every[:, None], selected=False)["arms race"] is False
-    still = whole("scalar", np.full((11, 1), 50))
-    assert [name for name, holds in still.items() if holds] == ["stagnation"]
-    lost = whole("scalar", 50 - every[:, None])
-    assert lost["forgetting"] is True
-    assert lost["arms race"] is lost["stagnation"] is False
-    slow = whole("scalar", 50 + every[:, None] // 4)
-    assert slow["arms race"] is None
-    assert whole("focusing", np.full((11, 10), 5) + every[:, None])["arms race"] is None
-    one_sided = a_history("scalar", np.full((11, 1), 50))
-    one_sided.ones[:, 1] = 0
-    found = held(truths_of_history(one_sided, every)["last half"])
-    assert found.pop("disengagement") is True
-    assert set(found.values()) == {None}
-
-
-def test_sizes_by_hand():
-    place = itemgetter("condition", "from", "to")
-    found = [
-        ["last half", "intransitivity", True, 0.09, "present"],
-        ["last half", "disengagement", False, 0.5, "absent"],
-        ["last half", "stagnation", False, 0.9, "absent"],
-        ["whole", "arms race", True, 0.9, "present"],
-    ]
-    rows = tables.count_by_size([judgement("cycle", found)])
-    assert [*map(place, rows)] == [("intransitivity", "0.08", "0.14")]
-    found[0][2] = False
-    rows = tables.count_by_size([judgement("cycle", found)])
-    assert [*map(place, rows)] == [("stagnation", "0.2", "0.4")]
 
 
 def judgement(kind, found, **setting):

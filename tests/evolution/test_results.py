@@ -2,7 +2,6 @@
 
 import json
 import re
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -35,7 +34,6 @@ import yoked_races
 import yoked_variants
 import yoked_worlds
 from evolution_scripts import RESULTS, read
-from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution.race import HIDES_CYCLING
 
 NUMBER = r"-?\d+\.\d+"
@@ -103,63 +101,3 @@ def test_what_short_races_are_said_to_hide_follows_from_published_numbers():
     short = cycling(race_budgets.DEFAULT, race_budgets.DEFAULT_SAME)
     assert short in told
     assert cycling(race_budgets.LONG, race_budgets.LONG_SPREADING) in told.split(short)[1]
-
-
-def yoked(p, low, high):
-    value = 0.0 if low is None or high is None else (low + high) / 2
-    difference = replace(interval_over_runs([0.0, 1.0]), value=value, low=low, high=high)
-    return yoked_races.verdict(p, difference)
-
-
-@pytest.mark.parametrize(
-    ("judge", "given", "verdict"),
-    [
-        (hall_of_fame.verdict, (0.01, -0.1, 1), "the opposite"),
-        (hall_of_fame.verdict, (0.05, 0.1, 1), "as expected"),
-        (yoked, (0.01, -0.09, -0.01), "yoked higher"),
-        (yoked, (1.0, None, None), "cannot tell"),
-    ],
-)
-def test_verdicts(judge, given, verdict):
-    """That no published table has; these are tests of all others."""
-    assert judge(*given) == verdict
-
-
-def test_mixtures_of_a_race_are_equilibria_of_its_generations():
-    matrix = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
-    first, whole = convergence.mixtures(matrix, 1)[0], convergence.mixtures(matrix, 2)[0]
-    np.testing.assert_allclose(first, [0.0, 1.0, 0.0], atol=1e-9)  # paper beats rock
-    np.testing.assert_allclose(whole, [1 / 3] * 3, atol=1e-9)
-
-
-def test_members_of_a_mixture_have_shares_next_to_the_weights():
-    weights = np.array([0.0, 0.53, 0.12, 0.35])
-    shares = np.bincount(learned.members(weights), minlength=4) / learned.PARTS
-    assert shares.sum() == 1.0
-    assert shares[0] == 0.0
-    np.testing.assert_allclose(shares, weights, atol=1 / learned.PARTS)
-
-
-COUNTS = coverage.read_counts(RESULTS / "coverage" / "coverage.csv")
-
-
-def test_normal_runs_are_covered_in_93_to_97_percent():
-    assert all(0 <= row.covered <= row.given <= row.repetitions for row in COUNTS)
-    assert {row.repetitions for row in COUNTS} == {400}
-    for interval in ("mean of runs", "difference of runs"):
-        rows = [row for row in COUNTS if (row.interval, row.data) == (interval, "normal")]
-        assert [row.samples for row in rows] == [2, 3, 5, 10, 20]
-        covered, given = (sum(getattr(row, name) for row in rows) for name in ("covered", "given"))
-        assert 0.93 < covered / given < 0.97
-
-
-def test_evaders_of_the_authors_move_to_free_cells_one_by_one():
-    # A pursuer, and three evaders in a corner: the first one has no free side until another left.
-    positions = np.array([[5, 5], [0, 0], [0, 1], [1, 0]])
-    for seed in range(20):
-        moves = scripted_pursuit.open_moves(positions, 1, 40, np.random.default_rng(seed))
-        assert moves[0] == 0
-        assert moves[1] in (2, 3)  # east or south of (0, 1)
-        assert moves[2] in (2, 3)
-    found = list(scripted_pursuit.sides(positions, 1, 40))
-    assert found == [[], [2, 3], [2, 3]]

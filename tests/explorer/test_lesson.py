@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from class_tournament.votes import count_votes, read_predictions
-from course.questions import Prediction, exercises
+from course.questions import EDITION, Prediction, exercises
 from course.toys import GAMES, beats, race_of_hands
 from node import run_node
 from scripts import wait_until
@@ -183,18 +183,5 @@ def test_a_walk_through_the_page(browser, tmp_path):
     file = tmp_path / "predictions.jsonl"
     wait_until(file.exists, "a file of predictions", 10)
     choices, pupil, edition = read_predictions(file.read_bytes())
-    assert (choices, len(pupil), edition) == (CHOICES, 8, 2)
-    # The class: the same file twice is one pupil.
-    browser.js("location.hash = '#votes'")
-    browser.wait("document.querySelector('#vote-files')")
-    field = browser.driver.find_element("id", "vote-files")
-    field.send_keys(str(file))
-    copy = tmp_path / "predictions (1).jsonl"
-    copy.write_bytes(file.read_bytes())
-    field.send_keys(str(copy))
-    browser.wait("/2 files, 1 pupil/.test(document.querySelector('.drop').textContent)")
-    assert "double: the same content as predictions.jsonl" in browser.js(TEXT, ".left")
-    assert "1 of 1, at first 0" in browser.js(TEXT, "[id='votes-0.h']")
-    browser.js("document.getElementById('outcome-0.b').click()")
-    assert "✓ the outcome" in browser.js(TEXT, "[id='votes-0.b']")
+    assert (choices, len(pupil), edition) == (CHOICES, 8, EDITION)
     assert browser.errors() == []

@@ -5,8 +5,6 @@ import hashlib
 import io
 import json
 import re
-import unicodedata
-from collections import Counter
 from html import unescape
 from os.path import relpath
 from pathlib import Path
@@ -129,48 +127,17 @@ def test_a_page_opens_and_runs_no_script_but_its_own(browser, page, made, tmp_pa
 
 
 SHEETS = sorted((REPOSITORY / "docs" / "class_material").glob("*.html"))
-TEXT = """[...document.querySelectorAll("h1, h2, h3, p, li, td, th, figcaption, legend, label")]
-    .filter((each) => each.checkVisibility({ visibilityProperty: true })
-      && !each.closest("button, select, nav, .heard, .lane-title, .controls, .play-keys, .setup,"
-        + "footer.card, .arena, .layout, .play-choice"))
-    .map((each) => [...each.childNodes].filter((node) => node.nodeType === 3)
-      .map((node) => node.textContent).join(" ")).join(" ")"""
-"""What a page tells: texts that are no buttons or choices, nor how they are used."""
-
-
-def words(text):
-    return Counter(re.findall(r"[A-Za-z]{3,}", text.lower()))
 
 
 @pytest.mark.slow
-def test_paper_has_all_words_of_the_screen(browser, made, tmp_path):
-    """Of all pages, of the lesson with all predictions made, and of the sheets for a class."""
+def test_each_sheet_for_a_class_is_a_page_of_paper(browser):
     pypdf = pytest.importorskip("pypdf")
-    for name, html in made.items():
-        write_page(tmp_path / f"{name}.html", html)
-    for file in [*(tmp_path / f"{name}.html" for name in MADE), *SHEETS]:
-        browser.resize(*DESKTOP)
+    for file in SHEETS:
         browser.driver.get(file.as_uri())
-        if file not in SHEETS:
-            browser.wait("document.body.dataset.ready === 'true'")
-        for form in range(20 if file.stem == "lesson" else 0):
-            browser.driver.execute_script(
-                """const form = document.querySelectorAll("form.prediction")[arguments[0]];
-                form?.querySelector("input").click();
-                form?.querySelector("button:not([hidden])")?.click();""",
-                form,
-            )
-        screen = words(browser.js(TEXT))
-        printed = browser.driver.execute_cdp_cmd(
-            "Page.printToPDF", {"paperWidth": 8.27, "paperHeight": 11.69, "preferCSSPageSize": True}
-        )
+        size = {"paperWidth": 8.27, "paperHeight": 11.69, "preferCSSPageSize": True}
+        printed = browser.driver.execute_cdp_cmd("Page.printToPDF", size)
         pages = pypdf.PdfReader(io.BytesIO(base64.b64decode(printed["data"]))).pages
-        paper = "".join(page.extract_text() for page in pages)  # some words without room between
-        paper = re.sub(r"[^a-z]", "", unicodedata.normalize("NFKD", paper).lower())  # ligatures
-        missing = {w: n for w, n in screen.items() if paper.count(w) < n}
-        assert len(missing) <= 0.03 * screen.total(), f"{file.stem}: {missing}"
-        if file in SHEETS:
-            assert len(pages) == browser.js("document.querySelectorAll('body > svg').length")
+        assert len(pages) == browser.js("document.querySelectorAll('body > svg').length") > 0
 
 
 @pytest.mark.nightly

@@ -124,11 +124,3 @@ def test_a_rating_policy_plays_as_its_population():
     assert np.array_equal(played, mw.score_policy(team, "pursuer", config, episodes=4).rates)
     one, same = (mw.record(config, "chaser", each, seed=3).actions for each in (policy, team))
     assert np.array_equal(one, same)
-    states = []
-    for opponent in (policy, team):
-        env = mw.make(config, team="evader", opponent=opponent)
-        env.reset(seed=1)
-        for _ in range(5):
-            env.step(dict.fromkeys(env.agents, 0))
-        states.append(env.unwrapped.state())
-    assert np.array_equal(*states)

@@ -180,16 +180,6 @@ def test_curves_have_means_and_bands():
         check_band(filled, band)
 
 
-def test_triangles_are_those_of_ciao():
-    payoff = RNG.random((6, 6))
-    figure = plots.ciao_triangles(payoff)
-    for axes, triangle in zip(figure.axes[:2], analysis.ciao(payoff), strict=True):
-        drawn = np.ma.filled(axes.images[0].get_array(), np.nan)
-        np.testing.assert_allclose(drawn, triangle.payoff)
-    every = plots.ciao_triangles(payoff, every=20).axes[0].images[0]
-    assert [*every.get_extent()] == [-10, 110, -10, 110]  # generations 0 to 100
-
-
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_figures_are_files_of_their_suffix(suffix, tmp_path):
     begins = {"png": b"\x89PNG\r\n\x1a\n", "pdf": b"%PDF-", "svg": b"<?xml"}
@@ -217,25 +207,6 @@ scores = analysis.judge([SQUARE] * 3)
 )
 def test_what_cannot_be_drawn_is_refused(draw, message):
     with pytest.raises(ValueError, match=message):
-        draw()
-
-
-@pytest.mark.parametrize(
-    "draw",
-    [
-        lambda: plots.comparison([SQUARE]),
-        lambda: plots.comparison({"a": SQUARE}, [scores]),
-        lambda: plots.run_dots([[0.5, 0.6]], label="score"),
-        lambda: plots.run_dots({1: [0.5, 0.6]}, label="score"),
-        lambda: plots.verdict_strip({"a": scores}, {"a": {3, 1, 2}}),  # in which order?
-        lambda: plots.verdict_strip({"a": "judgement"}, {"a": [1]}),
-        lambda: plots.ciao_triangles(SQUARE, teams={"a", "b"}),
-        lambda: plots.payoff_heatmap(SQUARE, title=3),
-        lambda: plots.save_figure("figure", "x.png"),
-    ],
-)
-def test_what_has_a_wrong_type_is_refused(draw):
-    with pytest.raises(TypeError, match=r"expected .* got "):
         draw()
 
 

@@ -1,14 +1,8 @@
 """In a browser, without processes and threads, the package is imported and races run."""
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 from matrixworld.coevolution import evolve
+from scripts import python
 from tiny_race import results, tiny_race
-
-SUPPORT = Path(__file__).parents[1] / "support"
 
 EVOLVES = """
 import like_a_browser
@@ -25,9 +19,7 @@ with ProgressBar() as bar:
 
 def test_races_run_as_elsewhere(tmp_path):
     code = EVOLVES.format(directory=str(tmp_path / "browser"))
-    python = [sys.executable, "-W", "error", "-c", code]
-    paths = os.pathsep.join([str(SUPPORT), *sys.path])
-    subprocess.run(python, env=os.environ | {"PYTHONPATH": paths}, check=True)
+    python("-W", "error", "-c", code, check=True)
     for run in evolve([tiny_race(seed=1)], tmp_path / "here", threads=1):
         name = run.path.relative_to(tmp_path / "here")
         assert results(tmp_path / "browser" / name) == results(run.path)

@@ -126,26 +126,6 @@ def test_predictions_are_made_before_their_experiments(path):
     assert order == [(what, name) for name in names for what in ("predict", "outcome")]
 
 
-def minutes(path: Path) -> float:
-    """Return how long a notebook takes: 200 words a minute, and two lines of code."""
-    text = re.sub(r"\]\(.*?\)", "]", "\n".join(map(source, cells(path, "markdown"))), flags=re.S)
-    blocks = re.findall(r"^```.*\n((?:.*\n)*?)```", text, re.M)
-    code = [*map(source, cells(path, "code")), *blocks]
-    words = re.findall(r"\w[\w'.-]*", re.sub(r"^```.*\n(?:.*\n)*?```", "", text, flags=re.M))
-    lines = [line for each in code for line in each.splitlines() if line.strip()[:1] not in "#%"]
-    return len(words) / 200 + len(lines) / 2
-
-
-@each_notebook
-def test_a_notebook_says_how_long_it_takes(path: Path) -> None:
-    said = int(re.search(r"\*\*Time\*\* (\d+) minutes", source(cells(path)[0]))[1])
-    assert said - 5 <= minutes(path) <= said + 5
-    row = re.search(
-        rf"\({path.name}\) \| .+? \| (\d+) \|", (TUTORIALS / "README.md").read_text("utf-8")
-    )
-    assert int(row[1]) == said
-
-
 @each_solution
 def test_solutions_are_right(path, tmp_path, monkeypatch):
     """A file of solutions has one function or value ``exercise_<n>`` for each exercise."""

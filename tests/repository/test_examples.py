@@ -5,12 +5,9 @@ it, ``<!-- needs torch -->``: it runs where the library is installed. A block th
 begins with ``python no-run``, one with a title is a recipe of ``test_how_to_add.py``.
 """
 
-import ast
 import json
-import os
 import re
 import shlex
-import subprocess
 import sys
 import warnings
 from functools import cache
@@ -38,7 +35,6 @@ ELSEWHERE = {
 PAGES = sorted({ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *ROOT.glob("*/*/README.md")})
 
 NUMBER = r"-?\d+\.?\d*"
-RATE = r"0\.\d+ \(0\.\d+ to 0\.\d+\)"
 FENCE = re.compile(
     r"^(?:<!-- needs (?P<needs>.+) -->\n)?```python(?P<rest>.*)\n(?P<code>(?:.*\n)*?)```$"
     r"(?:\n\n```text\n(?P<shown>(?:.*\n)*?)```$)?",
@@ -99,39 +95,6 @@ def test_examples_run_and_print_what_is_shown(page, tmp_path, monkeypatch, capsy
     # `.ci/run` installs PyTorch, and then runs again what was skipped.
     if missing:
         pytest.skip(f"without {', '.join(sorted(missing))}; the other examples have run")
-
-
-PROGRAMS = sorted((ROOT / "docs" / "clients").glob("learn_*.py"))
-
-
-def missing_modules(code):
-    statements = [*ast.walk(ast.parse(code))]
-    names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
-    names += [each.module or "" for each in statements if isinstance(each, ast.ImportFrom)]
-    return [name for name in names if find_spec(name.partition(".")[0]) is None]
-
-
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.stem)
-def test_learners_of_other_libraries_run_with_few_steps(program, tmp_path):
-    assert f"](clients/{program.name})" in read("docs/clients.md")
-    code = program.read_text(encoding="utf-8")
-    for module in missing_modules(code):
-        pytest.importorskip(module, exc_type=ImportError)
-    # One or two updates of the learner.
-    short, count = re.subn(r"^STEPS = [\d_]+", "STEPS = 8_192", code, flags=re.M)
-    assert count == 1  # else the program would take its full time
-    paths = os.pathsep.join([str(program.parent), *sys.path])
-    done = subprocess.run(
-        [sys.executable, "-c", short],
-        cwd=tmp_path,  # where it may write
-        env={**os.environ, "PYTHONPATH": paths, "MINARI_DATASETS_PATH": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    for moment in ("before", "after"):
-        assert re.search(rf"^{moment} {RATE}$", done.stdout, re.M), done.stdout
 
 
 # Commands

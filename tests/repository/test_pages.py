@@ -48,16 +48,6 @@ def test_links_lead_somewhere(page):
             assert not anchor or target.suffix != ".md" or anchor in anchors(target), link
 
 
-def test_each_picture_of_the_pages_is_shown():
-    shown = {
-        (page.parent / link).resolve()
-        for page in ALL_PAGES
-        for link in re.findall(r"!\[[^]]*\]\(([^)\s]+)\)", prose(page))
-    }
-    pictures = {path for kind in ("png", "gif") for path in DOCS.rglob(f"*.{kind}")}
-    assert pictures - shown == set()
-
-
 def test_the_exercises_that_the_teachers_page_names_exist():
     named = re.findall(r"\b[1-9]\.[a-z1-9]\b", read("docs/teachers.md"))
     assert named

@@ -29,9 +29,6 @@ def logistic(size, slope=0.15):
     return 1 / (1 + np.exp(-slope * (generation[:, None] - generation[None, :])))
 
 
-Pair = tuple[float, float]
-
-
 def quadruples(matrix):
     """Yield all that could be checkerboards: both winning and both losing cells, and their place.
 

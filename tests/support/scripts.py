@@ -31,6 +31,13 @@ def start(script, *options):
     )
 
 
+def python(*words, **options):
+    """Run Python with the modules of this process; return its output, errors and exit code."""
+    env = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    kept = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "timeout": 120}
+    return subprocess.run([sys.executable, *map(str, words)], env=env, **{**kept, **options})
+
+
 def finish(process):
     """Return the output of a script; fail if it hangs or ends with an error."""
     try:

@@ -1,7 +1,7 @@
 """Functions that students of the course write, right ones and with their mistakes."""
 
 from functools import partial
-from itertools import combinations, permutations
+from itertools import combinations, product
 from typing import Any
 
 import numpy as np
@@ -19,12 +19,6 @@ def conflicts(cells: list, targets: list, *, vertex: bool = True, edge: bool = T
         if (vertex and targets.count(there) > 1)
         or (edge and here != there and (there, here) in moves)
     }
-
-
-def all_occupied(cells: list, targets: list) -> set[int]:
-    """Take every target that is occupied for a conflict, also if its agent leaves."""
-    occupied = {a for a, there in enumerate(targets) if there in cells and there != cells[a]}
-    return conflicts(cells, targets) | occupied
 
 
 def careless(cells: list, targets: list) -> list[int]:
@@ -47,10 +41,6 @@ def without_chains(cells: list, targets: list) -> list:
     return [cells[a] if a in held else there for a, there in enumerate(targets)]
 
 
-def one_link_only(cells: list, targets: list) -> list:
-    return without_chains(cells, without_chains(cells, targets))
-
-
 def at_once(cells: list, targets: list) -> np.ndarray:
     for _ in cells:
         targets = without_chains(cells, targets)
@@ -61,21 +51,14 @@ def the_lowest(candidates, scores):
     return candidates[np.argsort(1 - scores)[-8:]].mean(axis=0)
 
 
-def hand_race(seed, *, generations=3, side=None, payoff=np.asarray, **change):
-    """Return the answer of exercise 3.3; `change` is how a team, or both, learns otherwise."""
+def hand_race(seed, *, payoff=np.asarray, select=chapter_3.mean_of_best):
+    """Return the answer of exercise 3.3; the evaders select in a way that may be wrong."""
     archives = [chapter_3.first_genome(seed, 0)], [chapter_3.first_genome(seed, 1)]
-    opponent, select = change.get("opponent"), change.get("select", chapter_3.mean_of_best)
-    for k in range(1, generations + 1):
-        for team in (0, 1):
-            other = side is None or team == side
-            newest = archives[1 - team][opponent if other and opponent is not None else -1]
-            chosen = select if other else chapter_3.mean_of_best
-            rng = np.random.default_rng([seed, k, team])
-            archives[team].append(
-                chapter_3.learn(team, archives[team][-1], newest, rng, select=chosen)
-            )
-    rates = chapter_3.all_against_all(archives)
-    return seed, *archives, payoff(rates)
+    for k, (team, chosen) in product((1, 2, 3), enumerate((chapter_3.mean_of_best, select))):
+        newest, rng = archives[1 - team][-1], np.random.default_rng([seed, k, team])
+        learned = chapter_3.learn(team, archives[team][-1], newest, rng, select=chosen)
+        archives[team].append(learned)
+    return seed, *archives, payoff(chapter_3.all_against_all(archives))
 
 
 class Later(partial):
@@ -130,16 +113,6 @@ def both_rise(scores: np.ndarray) -> np.bool_:
     return np.all([curve[-6:].mean() - curve[:6].mean() > 0.05 for curve in curves])
 
 
-def each_square_four_times(matrix: np.ndarray) -> int:
-    wins = matrix > 0.5
-    return sum(
-        bool(wins[a, x] and wins[b, y] and not wins[a, y] and not wins[b, x])
-        or bool(wins[a, y] and wins[b, x] and not wins[a, x] and not wins[b, y])
-        for a, b in permutations(range(len(matrix)), 2)
-        for x, y in permutations(range(matrix.shape[1]), 2)
-    )
-
-
 def strict_losses(matrix: np.ndarray) -> int:
     return sum(
         np.array_equal(
@@ -155,11 +128,6 @@ def of_other_shapes(beats, individuals, opponents):
     return (individuals > opponents).mean()
 
 
-def mean_twice(matrix: np.ndarray) -> float:
-    rest = matrix - matrix.mean(axis=1)[:, None] - matrix.mean(axis=0)
-    return float(1 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
-
-
 def hall(count: int, *, repeat: bool = False) -> Any:
     return lambda available, rng: [
         available - 1,
@@ -167,28 +135,6 @@ def hall(count: int, *, repeat: bool = False) -> Any:
     ]
 
 
-def of_wins_only(wins, v):
-    return 2 * wins / v - wins**2 / v**2
-
-
-STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
-
-
 def right_before_left(own: int, other: int) -> bool:
     """Go first if the other one has this move on its right, and say nothing of two face to face."""
     return (other - own) % 4 == 1
-
-
-def left_waits(own: int, other: int) -> bool:
-    """Go first unless the other one comes from the right."""
-    return (own - other) % 4 != 1
-
-
-def right_of_way(own: int, other: int) -> bool:
-    """Decide as the mask of the package does."""
-    return own < other if abs(own - other) == 2 else right_before_left(own, other)
-
-
-def coin() -> Any:
-    rng = np.random.default_rng(0)
-    return lambda own, other: rng.random() < 0.5

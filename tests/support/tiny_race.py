@@ -31,6 +31,9 @@ SCHEDULES = ("specialist-specialist", "generalist-generalist")
 LONG = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
 """Settings of short races that have enough generations to be judged."""
 
+WORLDS = [{"n_pursuers": 1, "n_evaders": 1}, {"rows": 5}, {"obstacles": 0.1, "max_steps": 5}]
+"""Worlds of training."""
+
 SHARED = "/dev/shm"
 LEAST_FREE = 2**30
 MEMORY = (

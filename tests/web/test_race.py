@@ -24,6 +24,7 @@ from matrixworld.explorer.runs_page import explorer_page
 from matrixworld.version import __version__
 from node import run_node
 from page_races import against_scripts
+from slow import quickly
 
 SMALL = {
     "world.rows": 7,
@@ -197,7 +198,7 @@ def courses(kind, rng, n):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.nightly)])
+@quickly("count", [40, 200], (40).__eq__)
 def test_the_sentence_of_a_race_never_contradicts_its_judgement(count):
     """The page says that a team became better, or weaker; in races of every verdict."""
     rng, n, races = np.random.default_rng(0), 14, []

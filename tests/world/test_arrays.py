@@ -51,15 +51,3 @@ def test_arrays_are_written_in_full_and_nothing_else_is(views):
         written.append(buffers)
     for name, array in written[0].items():
         np.testing.assert_array_equal(array, written[1][name], name)
-
-
-def test_every_output_is_in_infos():
-    """In infos under its own name, or one of the arrays that environments return otherwise."""
-    env = mw.VectorEnv(config_of("O"), 2)
-    returned = {"rewards", "terminations", "truncations", "views", "last_positions"}
-    renamed = {"steps", "ended", "final_views"}
-    statistics = {name for name in BATCH_FIELDS if name.startswith("episode_")}
-    assert {name.removeprefix("episode_") for name in statistics} == set(env.infos["episode"])
-    observed = {"inputs", "final_inputs", "state"}  # as observations, or of a world, only
-    named = {*WORLD_FIELDS, *BATCH_FIELDS} - returned - renamed - statistics - observed
-    assert named <= set(env.infos)

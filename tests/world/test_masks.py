@@ -40,32 +40,31 @@ def world_of(rules, **changes):
         return mw.WorldConfig(rules, **{**usual, **changes})
 
 
-KEEPERS = (("pursuer",), ("evader",), TEAMS)
-"""Teams that keep to the right of way."""
 WALL = np.zeros((3, 3), bool)
 WALL[1, 1] = True
 
 
-def both(config):
-    return {team: masks.forbidding_cells(config, MASK, team) for team in TEAMS}
+def faults_of(config, team):
+    cells = masks.forbidding_cells(config, MASK, team)
+    return faults_of_all_choices(config, team, cells)
 
 
-@pytest.mark.parametrize("keeps", KEEPERS, ids="+".join)
+@pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("rules", UNUSUAL, ids=str)
-def test_no_choice_on_a_small_board_is_at_fault(rules, keeps):
+def test_no_choice_on_a_small_board_is_at_fault(rules, team):
     config = world_of(rules, rows=2, cols=3, n_pursuers=2, n_evaders=2)
-    assert faults_of_all_choices(config, keeps, both(config)) == 0
+    assert faults_of(config, team) == 0
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("keeps", KEEPERS, ids="+".join)
+@pytest.mark.parametrize("team", TEAMS)
 @quickly("rules", [*VARIANTS, *ROWS[::200], *UNUSUAL], lambda rules: rules == "SB")
-def test_no_choice_of_four_agents_is_at_fault(rules, keeps):
+def test_no_choice_of_four_agents_is_at_fault(rules, team):
     for n, m, walls in ((3, 1, {}), (2, 2, {}), (1, 3, {}), (2, 2, {"obstacles": WALL})):
         config = world_of(rules, rows=3, cols=3, n_pursuers=n, n_evaders=m, **walls)
-        assert faults_of_all_choices(config, keeps, both(config)) == 0
+        assert faults_of(config, team) == 0
     config = world_of(rules, rows=3, cols=3, n_pursuers=2, n_evaders=1, diagonal=True)
-    assert faults_of_all_choices(config, keeps, both(config)) == 0
+    assert faults_of(config, team) == 0
 
 
 @pytest.mark.slow
@@ -76,14 +75,14 @@ def test_the_mask_forbids_no_more_than_it_must(rules, team):
     sizes = {"n_pursuers": 2, "n_evaders": 1} if team == "pursuer" else {}
     config = world_of(rules, rows=3, cols=3, **{"n_pursuers": 1, "n_evaders": 2, **sizes})
     cells = masks.forbidding_cells(config, MASK, team)
-    assert faults_of_all_choices(config, (team,), {team: cells}) == 0
+    assert faults_of_all_choices(config, team, cells) == 0
     centre = {channel * 25 + 12 for channel in range(3)}
     for move, named in enumerate(cells):
         for cell in set(named.tolist()) - centre:  # agents begin on cells of their own
             fewer = cells.copy()
             left = named[named != cell]
             fewer[move] = np.resize(left, len(named))
-            assert faults_of_all_choices(config, (team,), {team: fewer}) > 0, (move, cell)
+            assert faults_of_all_choices(config, team, fewer) > 0, (move, cell)
 
 
 def begun(config, placed):
@@ -94,18 +93,16 @@ def begun(config, placed):
     return batch
 
 
-def faults_of_all_choices(config, keeps, cells):
-    """Play a round from each placement, with each choice that masks leave to the teams that keep
-    them; return how often an agent of these is at fault."""
+def faults_of_all_choices(config, team, cells):
+    """Play a round from each placement, with each choice that the mask leaves to a team; return how
+    often one of its agents is at fault, whatever the other team does."""
     free = np.argwhere(~np.broadcast_to(config.obstacles != 0, (config.rows, config.cols)))
     placed = np.array(list(itertools.permutations(free, config.n_agents)))
-    teams = {"pursuer": slice(0, config.n_pursuers), "evader": slice(config.n_pursuers, None)}
-    everyone = {f"{team}s": placed[:, part] for team, part in teams.items()}
-    start = begun(config, everyone)
+    n = config.n_pursuers
+    everyone = {"pursuers": placed[:, :n], "evaders": placed[:, n:]}
+    own = slice(0, n) if team == "pursuer" else slice(n, None)
     allowed = np.ones((*placed.shape[:2], config.n_actions), np.int8)
-    for team in keeps:
-        views = start.buffers["views"][:, teams[team]]
-        allowed[:, teams[team]] = masks.action_masks(views, cells[team])
+    allowed[:, own] = masks.action_masks(begun(config, everyone).buffers["views"][:, own], cells)
     found = 0
     for choice in itertools.product(range(config.n_actions), repeat=config.n_agents):
         # The placements in which everybody may act so.
@@ -113,7 +110,7 @@ def faults_of_all_choices(config, keeps, cells):
         if may.any():
             batch = begun(config, {name: cells[may] for name, cells in everyone.items()})
             batch.step(np.tile(choice, (batch.n_worlds, 1)))
-            found += sum(int(batch.buffers["fault"][:, teams[team]].sum()) for team in keeps)
+            found += int(batch.buffers["fault"][:, own].sum())
     return found
 
 

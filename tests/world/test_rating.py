@@ -152,9 +152,7 @@ def test_what_is_no_policy_is_refused():
         ([[1, 2], [0, 0], [0, 0]], "genome 0, program: expected an input from 0 to 1"),
         ([[3, 0], [0, 0], [0, 0]], "expected 2 numbers on the stack for add"),
         ([[1, 0], [1, 1], [0, 0]], "expected code that leaves one number, got 2"),
-        ([[11, 0], [0, 0], [0, 0]], "expected an operation from 0 to 10"),
         ([[1, 0], [0, 0], [1, 0]], "expected zeros after the end"),
-        ([[1, 0], [1, 1], [3, 1]], "expected 0 as the operand of add"),
     ):
         with pytest.raises(ValueError, match=f"^genomes, .*{told}"):
             mw.Population(np.float32(code).ravel(), program)

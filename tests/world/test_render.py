@@ -103,15 +103,6 @@ def test_agents_at_fault_have_a_ring_and_others_a_fainter_one():
     assert (rgb(scene(fault=none, involved=contact)) == rgb(scene())).all()
 
 
-def test_a_trail_leads_to_each_living_agent_and_fades():
-    before = np.array([[0, 2], [2, 3], [1, 4], [3, 0], [0, 5]])
-    between = np.array([[0, 1], [2, 3], [1, 4], [3, 0], [-1, -1]])
-    drawn = scene(trail=np.stack([before, between]))
-    paper, new, old = (pixel(rgb(drawn), drawn, -0.1, col) for col in (2.4, 0.6, 1.6))
-    assert paper == ImageColor.getrgb(colors.PAPER)
-    assert new[2] < old[2] < paper[2]  # the less blue, the stronger the vermilion
-
-
 def test_plain_text_of_several_agents_captures_and_deaths():
     cells = [[0, 0], [0, 0], [0, 1], [0, 1], [0, 2], [0, 3], [0, 2], [0, 4]]
     captured = np.array([True, False, False, False, False])
@@ -130,16 +121,3 @@ def test_colours_are_codes_around_the_same_cells():
     assert bare[1:] == ["▲ · · · · · ", "· · ██· ● · ", "· · · ▲ · · ", "● · · · · ██"]
     assert text.count("38;5;166") == 3  # two agents and the legend
     assert all(line.endswith("\x1b[0m") for line in text.split("\n")[1:])
-
-
-@pytest.mark.parametrize(
-    ("draw", "options", "field"),
-    [
-        (rgb, {"cell": 0}, "cell"),
-        (rgb, {"cell": 19, "numbers": True}, "cell"),
-        (ansi, {"color": False, "compact": True}, "compact"),
-    ],
-)
-def test_options_that_are_refused(draw, options, field):
-    with pytest.raises(ValueError, match=f"^{field}: expected"):
-        draw(scene(), **options)

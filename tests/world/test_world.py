@@ -5,7 +5,6 @@ That a batch plays as single worlds do, by any number of threads, is shown in ``
 
 import copy
 import dataclasses
-import itertools
 import json
 import pickle
 
@@ -49,15 +48,6 @@ def test_obstacles_for_one_episode(always, count):
         np.testing.assert_array_equal(world.map, mw.read_map(once))
         world.reset()
     assert world.map.sum() == count
-
-
-def test_text():
-    world = mw.World("R", obstacles=["....#", ".....", "....."], n_pursuers=4, n_evaders=3)
-    world.reset(pursuers=[[0, 0], [2, 0], [2, 1], [1, 4]], evaders=[[1, 2], [0, 2], [2, 4]])
-    assert str(world) == "P.E.#\n..E.P\nPP..E"
-    east, south, north = mw.Action.EAST, mw.Action.SOUTH, mw.Action.NORTH
-    world.step([0, east, 0, 0, 0, south, north])
-    assert str(world) == "P...#\n..2.X\n.2..."
 
 
 def test_conflicts_are_kept_only_with_explain():
@@ -187,15 +177,6 @@ def test_obstacles_of_a_density_lie_anywhere():
     assert not np.take_along_axis(ground, places, axis=1).any()
 
 
-def test_seeds_and_episodes_are_told_apart():
-    world = mw.World(rows=40, cols=40)
-    drawn = set()
-    for seed, episode in itertools.product((0, 1, 2**32, 2**64 - 1), repeat=2):
-        world.reset(seed, episode=episode)
-        drawn.add(world.positions.tobytes())
-    assert len(drawn) == 16
-
-
 OF_TURNS = {"SIMULTANEOUS": 1, "SWARM_TURNS": 2}
 
 
@@ -216,17 +197,6 @@ def test_a_round_by_turns_is_a_step(name):
         assert acted == list(range(config.n_agents))
         assert_same_worlds(whole, by_turns)
         assert whole.conflicts == by_turns.conflicts
-
-
-def test_a_round_is_finished_as_it_was_begun():
-    world = mw.World(config_of("TO"))
-    stay = np.zeros(world.config.n_agents, int)
-    world.play_turn([0, *[99] * (len(stay) - 1)])  # only actions of those that act are read
-    with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
-        world.step(stay)
-    assert world.steps == 0
-    world.reset(1)
-    assert world.turn == 0
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -252,16 +222,17 @@ def test_a_batch_by_turns_writes_what_its_worlds_would(name):
         order.reset(0)
 
 
-def test_a_batch_finishes_its_round():
-    batch = mw.Batch(3, config_of("TO"))
-    stay = np.zeros((3, batch.config.n_agents), int)
-    batch.play_turn(stay)
-    with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
-        batch.step(stay)
+def test_a_round_is_finished_as_it_was_begun():
+    batch, world = mw.Batch(3, config_of("TO")), mw.World(config_of("TO"))
+    for each, stay in ((batch, np.zeros((3, 7), int)), (world, np.zeros(7, int))):
+        each.play_turn(stay)
+        with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
+            each.step(stay)
     with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
         batch.reset(1, mask=[True, False, False])
-    batch.reset(1)
-    assert batch.turn == 0
+    for each in (batch, world):
+        each.reset(1)
+        assert each.turn == 0
     with pytest.raises(ValueError, match="expected DISABLED"):
         mw.Batch(3, autoreset=mw.Autoreset.SAME_STEP).play_turn(np.zeros((3, 38), int))
 

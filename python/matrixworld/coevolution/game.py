@@ -114,9 +114,8 @@ class Game:
     def __post_init__(self) -> None:
         for name in ("play", "initial", "show"):
             given = getattr(self, name)
-            checks.expect(
-                callable(given or len), name, "a function", checks.shown(given), TypeError
-            )
+            is_function = callable(given) or (given is None and name != "play")
+            checks.expect(is_function, name, "a function", checks.shown(given), TypeError)
         genes = self.genes if isinstance(self.genes, tuple | list) else (self.genes, self.genes)
         sizes = tuple(checks.check_integer("genes", n, 1) for n in genes)
         object.__setattr__(self, "genes", sizes)

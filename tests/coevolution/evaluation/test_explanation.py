@@ -43,7 +43,6 @@ SENTENCES = [
         "A pursuer goes for evaders that no teammate is nearer to, goes for the free sides of "
         "evaders and minds walls little.",
     ),
-    ("evader", {"pressure": -3, "exits": 0.01}, "An evader runs from all pursuers in view."),
     ("evader", {"adversary": 0.0}, "An evader takes any move that is allowed."),
 ]
 
