@@ -67,11 +67,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     "--evader", metavar="WHO", help=f"the same  [default: the last; of a VARIANT {FLEER}]"
 )
 @options.integer(
-    "--episode",
-    "which episode of the match, or of the seed",
-    least=0,
-    most=checks.SEED_MAX,
-    default=0,
+    "--episode", "which episode of the match or seed", least=0, most=checks.SEED_MAX, default=0
 )
 @options.shared("seed", "steps")
 @options.out(

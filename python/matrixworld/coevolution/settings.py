@@ -313,10 +313,17 @@ class RaceSettings(Section):
         return archive, states
 
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
-        """Return the settings with other values by their paths.
+        """Return the settings with some changes.
 
-        A section of another kind starts from its defaults. TypeError or ValueError if a path is
-        unknown or has a bad value.
+        Parameters
+        ----------
+        changes : mapping of str to any
+            Values by their paths; a section of another kind starts from its defaults.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a path is unknown or has a bad value; the message begins with it.
 
         Examples
         --------

@@ -375,8 +375,8 @@ class SavedRun:
         _ = self.pursuit
         check_choice("team", team, TEAMS)
         policy = self.teams[team]
-        got = f"{team}: {policy} plays for it"
-        expect(not isinstance(policy, str), "team", "one that learned", got)
+        if isinstance(policy, str):
+            raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
         genome = policy.genomes[self.generation(team, generation, "generation")]
         return acting(policy.policy, genome, sampled=sampled, seed=seed)
 

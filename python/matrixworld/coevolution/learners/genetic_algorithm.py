@@ -84,6 +84,8 @@ class GeneticAlgorithm(learner.Generational):
         positive=True,
     )
 
+    elites: int = setting(2, "fittest individuals kept unchanged")
+
     def check(self) -> None:
         """Raise ValueError if two ways to select are given, or too many elites."""
         if self.tournament is not None and self.truncation is not None:

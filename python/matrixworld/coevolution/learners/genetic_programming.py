@@ -157,6 +157,7 @@ class GeneticProgramming(learner.Generational):
         most=1.0,
     )
     crossover: float = setting(0.6, "share of children with a part of another parent", most=1.0)
+    elites: int = setting(2, "fittest individuals kept unchanged")
 
     def start(self, task: learner.Task) -> State:
         """Return a population that nobody has scored yet."""

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from matrixworld._util.checks import check_floats, expect, shown
 from matrixworld.coevolution import types
 from matrixworld.coevolution.game import Game
-from matrixworld.coevolution.sections import PluginError, Section, by_race, section, setting
+from matrixworld.coevolution.sections import PluginError, Section, by_race, section
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
 
@@ -172,12 +172,10 @@ class Generational(Learner):
 
     ignores: ClassVar[tuple[str, ...]] = ()
 
-    elites: int = setting(2, "fittest individuals kept unchanged")
-
     def check(self) -> None:
-        """Raise ValueError for too many elites."""
-        if self.population is not None and self.elites >= self.population:
-            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
+        """Raise ValueError for too many elites, which are a setting of each of these learners."""
+        elites, most = vars(self)["elites"], self.population
+        expect(most is None or elites < most, "elites", f"fewer than {most}", elites)
 
     @abstractmethod
     def offspring(self, state: State, rng: Rng) -> Genomes:
