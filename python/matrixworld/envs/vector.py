@@ -300,8 +300,19 @@ def make_vec(
 ) -> VectorEnv:
     """Make a `VectorEnv` with the names of arguments that ``gymnasium.make_vec`` uses.
 
-    There are `num_envs` worlds; `config` and `settings` are as for `VectorEnv`, such as ``size=10``
-    or ``flatten=True``, and `team` and `opponent` as for `make`.
+    Parameters
+    ----------
+    config, **settings
+        As for `VectorEnv`, such as ``size=10`` or ``flatten=True``.
+    num_envs : int, optional
+        Number of worlds. The default is 1.
+    team, opponent : optional
+        As for `make`.
+
+    Returns
+    -------
+    VectorEnv
+        The environment.
     """
     known = WorldSettings.__annotations__.keys() | signature(VectorEnv).parameters.keys()
     checks.check_keywords(settings, known - {"n_worlds", "changes"}, make_vec)

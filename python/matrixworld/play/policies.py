@@ -10,13 +10,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import (
-    check_bool,
-    check_choice,
-    check_finite,
-    check_instance,
-    unmasked,
-)
+from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
 from matrixworld.world.policy import CHANNELS, TEAMS, Layers, Network, Policy, Population, Team
 from matrixworld.world.rating import INPUTS, policy_of
@@ -85,10 +79,10 @@ class NetworkPolicy(GenomePolicy):
         sampled: bool | None = None,
         seed: int | None = None,
     ) -> None:
-        check_instance("policy", policy, Network)
+        checks.check_instance("policy", policy, Network)
         super().__init__(policy, genome, seed)
         if sampled is not None:
-            self.policy = replace(policy, sampled=check_bool("sampled", sampled))
+            self.policy = replace(policy, sampled=checks.check_bool("sampled", sampled))
 
     def __call__(self, observations: ArrayLike, states: ArrayLike | None = None) -> Any:
         """Return actions for observations: an int for one, int64 of the leading axes for several.
@@ -136,17 +130,19 @@ class NetworkPolicy(GenomePolicy):
             if np.shape(states) != shape or not self.policy.state_size:
                 expected = f"shape {shape}" if self.policy.state_size else "none without memory"
                 raise ValueError(f"states: expected {expected}, got shape {np.shape(states)}")
-            states = unmasked("states", states).astype(np.float32).reshape(len(views), shape[-1])
-            check_finite("states", states)
+            states = (
+                checks.unmasked("states", states).astype(np.float32).reshape(len(views), shape[-1])
+            )
+            checks.check_finite("states", states)
         logits, following = self.policy.advance(self.genome, views, states)
         return logits, following.reshape(shape), leading
 
     def _views(self, observations: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
         """Return observations as (n, 3, fov, fov), and the axes in front of an observation."""
-        array = unmasked("observations", observations)
+        array = checks.unmasked("observations", observations)
         if array.dtype.kind not in "buif":
             raise TypeError(f"observations: expected numbers, got dtype {array.dtype}")
-        check_finite("observations", array)
+        checks.check_finite("observations", array)
         view = (CHANNELS, self.policy.fov, self.policy.fov)
         size = self.policy.sizes[0]
         for tail in (view, (size,)):
@@ -194,7 +190,7 @@ class RatingPolicy(GenomePolicy):
     def __init__(
         self, policy: Policy, genome: NDArray[np.float32], *, seed: int | None = None
     ) -> None:
-        check_instance("policy", policy, Policy)
+        checks.check_instance("policy", policy, Policy)
         if isinstance(policy, Network):
             raise TypeError(f"policy: expected one that rates moves, got {policy}")
         super().__init__(policy, genome, seed)
@@ -255,8 +251,8 @@ def save_genome(path: str | os.PathLike[str], team: Team, policy: GenomePolicy) 
     An older file at `path` is replaced. `policy` plays for `team`, such as
     ``open_run(directory).policy("pursuer")``.
     """
-    check_choice("team", team, TEAMS)
-    check_instance("policy", policy, GenomePolicy)
+    checks.check_choice("team", team, TEAMS)
+    checks.check_instance("policy", policy, GenomePolicy)
     save_arrays(Path(path), {"genome": policy.genome, "team": team, **policy.policy.to_json()})
 
 
@@ -278,7 +274,7 @@ def read_genome(
     _, team = arrays["kind"], arrays["team"].tolist()
     plain = {name: each.tolist() for name, each in arrays.items() if name not in ("genome", "team")}
     try:
-        check_choice("team", team, TEAMS)
+        checks.check_choice("team", team, TEAMS)
         policy = policy_of(plain)
         missing = policy.to_json().keys() - plain
         if missing:
