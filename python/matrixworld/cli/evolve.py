@@ -389,7 +389,7 @@ def report(
         console.print_wrapped(sentence(clearest.judgement))
     if of_pursuit:
         console.say()
-        console.print_wrapped(_against_strangers(of_pursuit))
+        console.print_table(_against_strangers(of_pursuit), "<<<")
     for group in of_pursuit:
         if words := [said for team in TEAMS if (said := sentence_of(group.runs[0], team))]:
             console.print_head(f"What evolved: {group.name}, seed {group.seeds[0]}")
@@ -400,21 +400,16 @@ def report(
         console.say(f"\n{why}\n  {typed}")
 
 
-def _against_strangers(groups: Sequence[RunGroup]) -> str:
-    """Return the scores of the best group against held-out opponents, and what stands beside."""
-
-    def means(group: RunGroup) -> list[float]:
-        return [float(group.held_out(team).mean()) for team in TEAMS]
-
-    best = max(groups, key=lambda group: sum(means(group)))
-    beside = [kept_scores(best.runs)[0][f"{team}s"] for team in TEAMS]
-    numbers = (
-        *zip(("pursuers", "evaders"), means(best), strict=True),
-        *((f"script {name}", value) for name, value in (each["best script"] for each in beside)),
-    )
-    told = ", ".join(f"{name} {value:.2f}" for name, value in numbers)
-    first = " and ".join(f"{each['untrained']:.2f}" for each in beside)
-    return f"Best against strangers: {best.name} ({told}; untrained teams {first})."
+def _against_strangers(groups: Sequence[RunGroup]) -> list[list[str]]:
+    """Return a table of the scores of races against held-out opponents, and what stands beside."""
+    beside = [kept_scores(groups[0].runs)[0][f"{team}s"] for team in TEAMS]
+    scripts = [each["best script"] for each in beside]
+    return [
+        ["score against strangers", "pursuers", "evaders"],
+        *([g.name, *(f"{g.held_out(team).mean():.2f}" for team in TEAMS)] for g in groups),
+        ["the best script", *(f"{value:.2f} {name}" for name, value in scripts)],
+        ["untrained teams", *(f"{each['untrained']:.2f}" for each in beside)],
+    ]
 
 
 def draw(groups: Sequence[RunGroup], root: Path) -> None:
