@@ -22,3 +22,4 @@ from __future__ import annotations
 from matrixworld._util.imports import lazy
 
 __getattr__, __dir__, __all__ = lazy(__name__, __file__, {})
+__all__.remove("Game")  # documented as `matrixworld.Game`

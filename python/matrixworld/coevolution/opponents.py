@@ -17,6 +17,17 @@ from matrixworld.analysis.games import nash_averaging
 from matrixworld.coevolution.sections import OwnCode, Section, section, setting
 from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
 
+__all__ = [
+    "Latest",
+    "NashOpponents",
+    "NewestAndOlder",
+    "Opponents",
+    "Prioritized",
+    "RoundRobin",
+    "SharedSampling",
+    "Uniform",
+]
+
 PayoffFunction = Callable[[Indices, Indices], ArrayLike]
 """Generations (n,) of the team and (m,) of its opponents -> payoffs (n, m) to the team, in [0, 1].
 
