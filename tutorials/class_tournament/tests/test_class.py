@@ -185,7 +185,7 @@ def test_a_program_that_waits_ends_by_the_clock(tmp_path: Path) -> None:
         honest_programs(1)
         | {
             "match": "import _thread\n" + waits.format(0.2),
-            "all": "import _thread\n" + waits.format(0.03),
+            "all": "import _thread\n" + waits.format(0.06),
         },
     )
     began = time.monotonic()
