@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import io
 import os
 import shutil
@@ -42,16 +43,17 @@ SAMPLES = 8  # frames looked at to choose the palette
 
 @dataclass(frozen=True, repr=False)
 class Animation:
-    """A GIF that a notebook shows: `data`, the contents of the file."""
+    """A GIF that a notebook shows: `data`, the contents of the file, and `alt`, its text."""
 
     data: bytes
+    alt: str = "an episode"
 
     def __repr__(self) -> str:
         return f"<Animation: a GIF of {len(self.data) / 1000:.0f} kB>"
 
     def _repr_html_(self) -> str:
         encoded = base64.b64encode(self.data).decode("ascii")
-        return f'<img src="data:image/gif;base64,{encoded}" alt="an episode">'
+        return f'<img src="data:image/gif;base64,{encoded}" alt="{html.escape(self.alt)}">'
 
 
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
