@@ -158,8 +158,10 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         if self._masks.given or built_in is not None:  # functions that play see views
             asked.add("views")
         kept = _make_buffers(self.config, self.num_envs, asked, self._observed, self._space.dtype)
-        how: Any = {"threads": threads, "autoreset": Autoreset[mode.name], "buffers": kept}
-        self._batch = Batch(self.num_envs, self.config, **how)
+        reset = Autoreset[mode.name]
+        self._batch = Batch(
+            self.num_envs, self.config, threads=threads, autoreset=reset, buffers=kept
+        )
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
         everyone = range(self.config.n_agents)
         self.agents: range = everyone if self._team is None else self._team.learners
@@ -178,7 +180,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
             self._views: NDArray[Any] = mine["views"]
             self.infos["action_mask"] = self._masks.of(self._views, self.agents.start)
         n_actions = self.config.n_actions
-        self.single_observation_space = _widened(self._space, shape[1:])
+        self.single_observation_space: spaces.Box = _widened(self._space, shape[1:])
         self.observation_space = _widened(self._space, shape)
         self.single_action_space = spaces.MultiDiscrete([n_actions] * len(self.agents))
         self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
@@ -356,9 +358,9 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode
         n_actions, one = worlds.config.n_actions, worlds._space
-        self.single_observation_space = copy_of(one)
+        self.single_observation_space: spaces.Box = copy_of(one)
         self.observation_space = _widened(one, (self.num_envs, *one.shape))
-        self.single_action_space = spaces.Discrete(n_actions)
+        self.single_action_space: spaces.Discrete = spaces.Discrete(n_actions)
         self.action_space = _widened(spaces.MultiDiscrete([n_actions]), (self.num_envs,))
 
     def reset(

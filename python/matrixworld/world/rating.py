@@ -192,9 +192,9 @@ class Rating(_Rates):
         return genome
 
     def rate(self, genome: _Floats, inputs: ArrayLike) -> _Floats:
-        """Return ratings, float32 (..., moves), of `inputs` (..., moves, all inputs), in NumPy.
+        """Return ratings, float32 (..., n_actions), of finite inputs (..., n_actions, all inputs).
 
-        The numbers are those of the engine, bit by bit.
+        They are computed in NumPy. The numbers are those of the engine, bit by bit.
         """
         x = list(self._columns(inputs).values())
         *hidden, (last, _) = self.layers(genome)
