@@ -226,8 +226,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
         given = dict(options or {})
         unknown = set(given) - set(OPTIONS)
-        if unknown:
-            raise ValueError(f"options: expected some of {OPTIONS}, got {sorted(unknown)}")
+        checks.expect(not unknown, "options", f"some of {OPTIONS}", sorted(unknown))
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
         mask = given.pop("reset_mask", None)
@@ -352,8 +351,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         parts = {"pursuer": worlds.pursuers, "evader": worlds.evaders, None: slice(None)}
         self._slice = parts[team]  # of the agents in the worlds' arrays
         self._agents = worlds.agents[self._slice]
-        if not self._agents:
-            raise ValueError(f"team: expected the one that the caller plays, got {team!r}")
+        checks.expect(self._agents, "team", "the one that the caller plays", repr(team))
         self.num_envs: int = worlds.n_worlds * len(self._agents)
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode
@@ -381,9 +379,8 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         checks.check_shape("reset_mask", agents, self.num_envs)
         by_world = agents.reshape(self.worlds.n_worlds, -1)
         differ = (by_world != by_world[:, :1]).any(axis=1)
-        if differ.any():
-            expected, got = "the same value for all agents of a world", int(differ.argmax())
-            raise ValueError(f"reset_mask: expected {expected}, got both in world {got}")
+        expected, got = "the same value for all agents of a world", int(differ.argmax())
+        checks.expect(not differ.any(), "reset_mask", expected, f"both in world {got}")
         return by_world[:, 0]
 
     def step(

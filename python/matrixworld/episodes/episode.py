@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_instance, check_integer
+from matrixworld._util.checks import check_instance, check_integer, check_shape, expect
 from matrixworld._util.files import DamagedFileError, load_arrays, read_json, replacing
 from matrixworld.world.conflicts import Conflict, conflict_of
 from matrixworld.world.render import MARK_STEPS, Scene
@@ -104,15 +104,13 @@ class Episode:
                 got = getattr(array, "dtype", type(array).__name__)
                 raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
         steps, agents = (*self.actions.shape, 0, 0)[:2]
-        if not 0 <= self.n_pursuers <= agents:
-            raise ValueError(f"n_pursuers: expected 0 to {agents} (agents), got {self.n_pursuers}")
+        fits = 0 <= self.n_pursuers <= agents
+        expect(fits, "n_pursuers", f"0 to {agents} (agents)", self.n_pursuers)
         sizes = {"S": steps + 1, "T": steps, "A": agents, "E": agents - self.n_pursuers}
         sizes |= {"2": 2, "3": 3, "11": 11, "N": len(arrays.get("conflict_table", ()))}
         sizes["rows"], sizes["cols"] = (*self.map.shape, 0, 0)[:2]
         for name, array in arrays.items():
-            expected = tuple(sizes[letter] for letter in _ARRAYS[name][0].split())
-            if array.shape != expected:
-                raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+            check_shape(name, array, *(sizes[letter] for letter in _ARRAYS[name][0].split()))
         if self.seat is not None:
             object.__setattr__(self, "seat", check_integer("seat", self.seat, 0, agents - 1))
         # Gone agents keep whatever action was passed for them.

@@ -44,7 +44,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from matrixworld._util.checks import check_choice, check_instance, check_integer
+from matrixworld._util.checks import check_choice, check_instance, check_integer, expect
 from matrixworld._util.files import load_toml
 from matrixworld.coevolution.evaluation.scores import held_out
 from matrixworld.coevolution.storage import SavedRun
@@ -295,8 +295,7 @@ def scene_link(
     """
     check_instance("world", world, World)
     config = world.config
-    if world.turn:
-        raise ValueError(f"world: expected the end of a round, got turn {world.turn}")
+    expect(not world.turn, "world", "the end of a round", f"turn {world.turn}")
     for name, most in MOST.items():
         check_integer(f"world, {name}", getattr(config, name), 1, most)
     parts = {

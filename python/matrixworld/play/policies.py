@@ -23,8 +23,7 @@ class GenomePolicy:
 
     def __init__(self, policy: Policy, genome: NDArray[np.float32], seed: int | None) -> None:
         genomes = Population(genome, policy).genomes
-        if len(genomes) != 1:
-            raise ValueError(f"genome: expected a single one, got {len(genomes)}")
+        checks.expect(len(genomes) == 1, "genome", "a single one", len(genomes))
         self.genome = genomes[0].copy()
         self.policy = policy
         self._rng = np.random.default_rng(seed)
@@ -237,8 +236,7 @@ def acting(
     """Return a genome of any policy as what acts by it."""
     if isinstance(policy, Network):
         return NetworkPolicy(policy, genome, sampled=sampled, seed=seed)
-    if sampled is not None:
-        raise ValueError(f"sampled: expected no value for a {policy.kind} policy, got {sampled}")
+    checks.expect(sampled is None, "sampled", f"no value for a {policy.kind} policy", sampled)
     return RatingPolicy(policy, genome, seed=seed)
 
 
