@@ -407,8 +407,7 @@ def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
     rates: dict[tuple[int, ...], float] = {}
     for where, row in lines:
         cells = [row[names.index(key)] for key in keys]
-        if not all(cell.isdecimal() for cell in cells):
-            raise ValueError(f"{where}: expected numbers of {', '.join(keys)}, got {cells}")
+        expect(all(map(str.isdecimal, cells)), where, f"numbers of {', '.join(keys)}", cells)
         place = tuple(map(int, cells))
         if place in rates:
             hint = "" if "episode" in keys else "; number the matches of a pair in a column episode"

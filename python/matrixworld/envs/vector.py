@@ -158,10 +158,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         if self._masks.given or built_in is not None:  # functions that play see views
             asked.add("views")
         kept = _make_buffers(self.config, self.num_envs, asked, self._observed, self._space.dtype)
-        reset = Autoreset[mode.name]
-        self._batch = Batch(
-            self.num_envs, self.config, threads=threads, autoreset=reset, buffers=kept
-        )
+        n_worlds, reset = self.num_envs, Autoreset[mode.name]
+        self._batch = Batch(n_worlds, self.config, threads=threads, autoreset=reset, buffers=kept)
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
         everyone = range(self.config.n_agents)
         self.agents: range = everyone if self._team is None else self._team.learners
@@ -326,12 +324,18 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     Sub-environment ``w * n + i`` is agent i of the n agents in world w: ``num_envs`` is W * n. A
     single observation is a Box and a single action is Discrete.
 
-    The `worlds` are an attribute, too: ``worlds.infos["capture_rate"]``. Their settings hold here:
-    ``copy``, the autoreset mode, dtype and so on. The sub-environments are the agents of a `team`,
-    "pursuer" or "evader", by default all that the caller plays. If that is both teams, the other
-    one plays what ``worlds.actions[:, worlds.evaders]`` holds at a step: set it before. At first
-    that is staying.
+    Parameters
+    ----------
+    worlds : VectorEnv
+        An attribute, too: ``worlds.infos["capture_rate"]``. Its settings hold here: ``copy``, the
+        autoreset mode, dtype and so on.
+    team : {"pursuer", "evader"}, optional
+        The agents that are sub-environments. The default is all that the caller plays. If that is
+        both teams, the other one plays what ``worlds.actions`` holds for it at a step, such as
+        ``worlds.actions[:, worlds.evaders]``; at first that is staying.
 
+    Notes
+    -----
     **The episode of a sub-environment is the episode of its world.** All agents of a world end and
     start again in the same step, as Gymnasium's autoreset modes prescribe. An agent that disappears
     earlier observes zeros until then, its rewards are 0 and its actions are ignored. A learner that

@@ -162,11 +162,21 @@ class Episode:
     def explain(self, step: int = -1) -> list[Conflict]:
         """Return the conflicts of one step: why agents bounced or disappeared in it.
 
-        They are those of `World.conflicts`; ``str`` of each is a sentence.
+        Parameters
+        ----------
+        step : int, optional
+            Step 1 to T led to the moment that `replay.scene` draws for the same number; moment 0
+            has no conflicts. Negative numbers count from the end; the default is the last step.
 
-        Step 1 to T led to the moment that `replay.scene` draws for the same number; moment 0 has no
-        conflicts. Negative numbers count from the end. IndexError outside the episode, ValueError
-        if the recording has no conflicts.
+        Returns
+        -------
+        list of Conflict
+            Those of `World.conflicts`; ``str`` of each is a sentence.
+
+        Raises
+        ------
+        IndexError, ValueError
+            Outside the episode; if the recording has no conflicts.
         """
         if self.conflict_table is None:
             raise ValueError("conflict_table: expected a recording with conflicts, got none")
@@ -175,9 +185,12 @@ class Episode:
         return [conflict_of(numbers, self.n_pursuers) for numbers in rows]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the episode to an npz file, which appears complete or not at all.
+        """Write the episode to a file, which appears complete or not at all.
 
-        ValueError for a name that ends otherwise than in ``.npz``, such as that of a picture.
+        Parameters
+        ----------
+        path : str or path
+            A name that ends in ``.npz`` or has no suffix; `replay.save` writes pictures.
         """
         if Path(path).suffix not in ("", ".npz"):
             hint = "mw.replay.save(episode, path) writes pictures"

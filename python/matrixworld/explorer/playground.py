@@ -326,8 +326,7 @@ def _agents_text(world: World) -> dict[str, str]:
 
 
 def _commands_text(config: WorldConfig, actions: Sequence[Command]) -> str:
-    if len(actions) != config.n_agents:
-        raise ValueError(f"actions: expected {config.n_agents} (agents), got {len(actions)}")
+    expect(len(actions) == config.n_agents, "actions", f"{config.n_agents} (agents)", len(actions))
     text = ""
     for action in actions:
         if isinstance(action, str):

@@ -246,8 +246,14 @@ def acting(
 def save_genome(path: str | os.PathLike[str], team: Team, policy: GenomePolicy) -> None:
     """Write a policy as a file that `read_genome` reads and that a class tournament plays.
 
-    An older file at `path` is replaced. `policy` plays for `team`, such as
-    ``open_run(directory).policy("pursuer")``.
+    Parameters
+    ----------
+    path : str or path
+        The file. An older one is replaced.
+    team : {"pursuer", "evader"}
+        The team that it plays for.
+    policy : GenomePolicy
+        Such as ``open_run(directory).policy("pursuer")``.
     """
     checks.check_choice("team", team, TEAMS)
     checks.check_instance("policy", policy, GenomePolicy)
@@ -259,8 +265,17 @@ def read_genome(
 ) -> tuple[Team, Population]:
     """Return the team of a genome's file, and the genome as a population of one.
 
-    The file at `path`, or its `content`, is one of `save_genome`, or of ``numpy.savez`` with the
-    same keys; DamagedFileError, a ValueError, if it is not of this form.
+    Parameters
+    ----------
+    path : str or path
+        A file of `save_genome`, or of ``numpy.savez`` with the same keys.
+    content : bytes, optional
+        What the file holds. The default is to read it.
+
+    Raises
+    ------
+    DamagedFileError
+        A ValueError: if the file is not of this form.
     """
     path = Path(path)
     arrays = load_arrays(path, content)

@@ -354,15 +354,13 @@ def _from_array(array: NDArray[Any]) -> NDArray[np.bool_]:
 
 def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
     rows = [row.strip() for row in rows]  # programs leave blanks at the ends of lines
-    if not rows or not rows[0]:
-        raise ValueError(f"{name}: expected at least one row of at least one cell, got {rows!r}")
+    checks.expect(rows and rows[0], name, "at least one row of at least one cell", repr(rows))
     for number, row in enumerate(rows):
-        if len(row) != len(rows[0]):
-            expected = f"{len(rows[0])} cells as in row 0"
-            raise ValueError(f"{name}, row {number}: expected {expected}, got {len(row)}")
+        where, cells = f"{name}, row {number}", len(rows[0])
+        checks.expect(len(row) == cells, where, f"{cells} cells as in row 0", len(row))
         if unknown := sorted(set(row) - set(FREE + BLOCKED)):
             expected = f"{FREE!r} (free) or {BLOCKED!r} (obstacle)"
-            raise ValueError(f"{name}, row {number}: expected {expected}, got {unknown}")
+            raise ValueError(f"{where}: expected {expected}, got {unknown}")
     return np.array([[cell in BLOCKED for cell in row] for row in rows])
 
 

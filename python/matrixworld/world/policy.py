@@ -333,9 +333,8 @@ class Network(Policy):
         terms = prod(n_in + 1 for n_in, _ in self.shapes)
         most = (-FORBIDDEN / 8 / terms) ** (1 / len(self.shapes))
         largest = np.abs(masked[masked != FORBIDDEN]).max(initial=0.0)
-        if largest > most:
-            expected = f"weights of at most {most:.1e} beside a mask"
-            raise ValueError(f"genomes: expected {expected}, got {largest:.1e}")
+        expected = f"weights of at most {most:.1e} beside a mask"
+        checks.expect(largest <= most, "genomes", expected, f"{largest:.1e}")
 
     # Networks are compared and hashed by their fields, so the engine's form is not one of them.
     @cached_property
