@@ -100,7 +100,7 @@ def save(
     `every` so many steps, and the last step is always shown. `look` is ``cell`` and ``numbers`` as
     for `render.rgb`, and ``trail``: steps back that the trails of the agents go, 6 by default. The
     file appears complete or not at all. Until then the frames of a GIF are in memory: of 40 x 40
-    cells they take 0.6 MB each, so a film of thousands of steps is better an MP4.
+    cells they take 0.6 MB each, so a film of thousands of steps should be an MP4.
     """
     step = checks.check_integer("step", step)
     suffix = Path(path).suffix.lower()
