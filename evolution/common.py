@@ -172,14 +172,14 @@ def experiment(
     def finished(planned: Mapping[str, list[Any]]) -> dict[str, list[SavedRun]]:
         # Seed by seed, so that what is finished at any time is a fair sample of the kinds.
         settings = {
-            f"{slug(kind)}/{of_kind[run].seed}": of_kind[run]
+            f"{slug(kind)}/{first_seed + run}": of_kind[run]
             for run in range(max(map(len, planned.values()), default=0))
             for kind, of_kind in planned.items()
             if run < len(of_kind)
         }
         runs = finish_all(settings, root, play=play, threads=args.threads, where=args.cluster)
         return {
-            kind: [runs[f"{slug(kind)}/{each.seed}"] for each in of_kind]
+            kind: [runs[f"{slug(kind)}/{first_seed + run}"] for run in range(len(of_kind))]
             for kind, of_kind in planned.items()
             if of_kind
         }

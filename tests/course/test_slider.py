@@ -1,4 +1,4 @@
-"""The slider of the notebooks: a picture for each value, by keyboard, and one without scripts."""
+"""Sliders of the notebooks: a picture for each value, by keyboard, one without scripts; films."""
 
 from pathlib import Path
 
@@ -7,6 +7,7 @@ import pytest
 
 from browser import Browser, browser  # noqa: F401  # a fixture
 from course import Slider
+from course.shown import film
 
 
 @pytest.mark.slow
@@ -29,3 +30,9 @@ def test_a_slider_shows_the_picture_of_its_value(tmp_path: Path, browser: Browse
     picture = page["text/html"].partition("<script>")[0]
     assert page["image/png"] in picture
     assert "<input" not in picture
+
+
+def test_a_film_has_its_words() -> None:
+    shown = film(plt.figure(figsize=(1, 1)), lambda frame: None, range(2), 2, '<"5"> & more')
+    assert 'alt="&lt;&quot;5&quot;&gt; &amp; more"' in shown._repr_html_()
+    plt.close()

@@ -141,8 +141,9 @@ def check_instance(name: str, value: Any, kind: type) -> None:
     """Raise TypeError unless an argument is an instance of a type."""
     if not isinstance(value, kind):
         # numpy.random.Generator is of numpy.random._generator, such as others.
-        place = re.sub(r"^(matrixworld)\b.*|\._.*", r"\1", kind.__module__)
-        raise TypeError(f"{name}: expected a {place}.{kind.__name__}, got {shown(value)}")
+        inner = r"^builtins\.|(?<=^matrixworld\.)[\w.]+\.|(?<=\.)_[\w.]+\."
+        expected = re.sub(inner, "", f"{kind.__module__}.{kind.__name__}")
+        raise TypeError(f"{name}: expected a {expected}, got {shown(value)}")
 
 
 def check_sequence(name: str, value: Any, of: str) -> tuple[Any, ...]:

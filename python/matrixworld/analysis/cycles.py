@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -133,15 +134,15 @@ def checkerboards(
     -------
     Checkerboards
         Their number, and that of all quadruples. A staircase and any matrix ``f(r_g + c_h)`` with
-        increasing f have none. It takes time O(n^2 m^2) and memory O(n m^2).
+        increasing f have none. It takes time O(n^2 m^2) and memory O(m^2).
     """
     matrix = check_payoff(payoff)
     require(0.0 <= check_real("margin", margin) < 1.0, "a margin in [0, 1)", margin)
     if level is not None:
         check_number("level", level, least=0.0, most=1.0)
     count = 0
-    for p, row in enumerate(matrix):
-        won, lost = _sides(row, matrix[p + 1 :])
+    for row, other in combinations(matrix, 2):
+        won, lost = _sides(row, other)
         found = won - lost > margin
         if level is not None:
             found &= (won > level) & (lost <= level)
@@ -150,11 +151,9 @@ def checkerboards(
     return Checkerboards(count, math.comb(rows, 2) * math.comb(columns, 2))
 
 
-def _sides(row: Rates, others: Rates) -> tuple[Rates, Rates]:
-    """Return the lower of the two wins and the higher of the two losses, both (others, m, m)."""
-    won = np.minimum(row[:, None], others[:, None, :])
-    lost = np.maximum(row, others[:, :, None])
-    return won, lost
+def _sides(row: Rates, other: Rates) -> tuple[Rates, Rates]:
+    """Return the lower of the two wins and the higher of the two losses, by evaders, (m, m)."""
+    return np.minimum(row[:, None], other), np.maximum(row, other[:, None])
 
 
 def strongest_checkerboards(
@@ -166,12 +165,12 @@ def strongest_checkerboards(
     """
     rows, columns = (_even(size).tolist() for size in matrix.shape)
     few, boards = thinned(matrix), list[Checkerboard]()
-    for p, row in enumerate(few):
-        won, lost = _sides(row, few[p + 1 :])
-        for q, margins in enumerate(won - lost, p + 1):
-            a, b = divmod(int(margins.argmax()), len(columns))
-            pairs = (rows[p], rows[q]), (columns[a], columns[b])
-            boards.append(Checkerboard(*pairs, float(margins[a, b])))
+    for (p, row), (q, other) in combinations(enumerate(few), 2):
+        won, lost = _sides(row, other)
+        margins = won - lost
+        a, b = divmod(int(margins.argmax()), len(columns))
+        pairs = (rows[p], rows[q]), (columns[a], columns[b])
+        boards.append(Checkerboard(*pairs, float(margins[a, b])))
     chosen: list[Checkerboard] = []
     for board in sorted(boards, key=lambda each: -each.margin):
         alike = any(_in_common(board, other) > 2 for other in chosen)

@@ -19,7 +19,7 @@ from typing import Any, Generic, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_bool, check_floats, check_integer
+from matrixworld._util.checks import check_bool, check_floats, check_integer, expect
 from matrixworld._util.files import DamagedFileError, load_arrays, read_text
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
@@ -310,11 +310,9 @@ def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
     # Episodes are part of the shape: a mix of runs with and without them is refused.
     shapes = [(run.matrices if run.scores is None else run.scores).shape for run in runs]
     for path, shape in zip(paths, shapes, strict=True):
-        if shape[0] != 1:
-            raise ValueError(f"{path}: expected one run a file, got {shape[0]}")
-        if shape != shapes[0]:
-            expected = f"the shape of {paths[0]}, {shapes[0][1:]}"
-            raise ValueError(f"{path}: expected {expected}, got {shape[1:]}")
+        expect(shape[0] == 1, str(path), "one run a file", shape[0])
+        expected = f"the shape of {paths[0]}, {shapes[0][1:]}"
+        expect(shape == shapes[0], str(path), expected, shape[1:])
     matrices = np.concatenate([run.matrices for run in runs])
     scores = [run.scores for run in runs if run.scores is not None]
     return Payoffs(matrices, np.concatenate(scores) if scores else None, runs[0].episodes)
@@ -370,10 +368,7 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
     where, head = lines[0]
     names = [cell.lower().replace(" ", "_") for cell in head]
     for at, row in lines:
-        if len(row) != len(head):
-            raise ValueError(
-                f"{at}: expected {len(head)} cells as in the first line, got {len(row)}"
-            )
+        expect(len(row) == len(head), at, f"{len(head)} cells as in the first line", len(row))
     is_long = {*_PAIR} <= {*names} or _RATE in names
     if is_long and any(names.count(name) != 1 for name in (*_PAIR, _RATE)):
         expected = f"the columns {', '.join(_PAIR)} and {_RATE} once each"
@@ -381,8 +376,7 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
     corner, *above = names
     has_labels = corner in ("", "pursuer") and (_are_names(above) or _count_up(above))
     body = lines[is_long or has_labels or _are_names(names) :]
-    if not body:
-        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
+    expect(body, str(path), "lines of capture rates", "a header only")
     if is_long:
         return _long(path, names, body), "episode" in names
     return np.array([[_rate(at, cell) for cell in row[has_labels:]] for at, row in body]), False
@@ -403,8 +397,7 @@ def _lines(path: Path) -> list[Line]:
         raise DamagedFileError(path, problem) from error
     while rows and not any(rows[-1][1]):  # spreadsheets end with rows of empty cells
         rows.pop()
-    if not rows:
-        raise ValueError(f"{path}: expected a table of capture rates, got no lines")
+    expect(rows, str(path), "a table of capture rates", "no lines")
     return [(f"{path}, line {number}", row) for number, row in rows if row]
 
 
@@ -414,8 +407,7 @@ def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
     rates: dict[tuple[int, ...], float] = {}
     for where, row in lines:
         cells = [row[names.index(key)] for key in keys]
-        if not all(cell.isdecimal() for cell in cells):
-            raise ValueError(f"{where}: expected numbers of {', '.join(keys)}, got {cells}")
+        expect(all(map(str.isdecimal, cells)), where, f"numbers of {', '.join(keys)}", cells)
         place = tuple(map(int, cells))
         if place in rates:
             hint = "" if "episode" in keys else "; number the matches of a pair in a column episode"

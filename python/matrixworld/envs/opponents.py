@@ -14,7 +14,7 @@ from gymnasium import spaces
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape
+from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape, expect
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.policies import GenomePolicy
 from matrixworld.solver import solve
@@ -84,8 +84,7 @@ class BuiltInTeam:
             for given in _several(name, opponents)
             for policy in _resolved(name, self._team, given, self._config)
         ]
-        if not found:
-            raise ValueError(f"{name}: expected at least one opponent, got none")
+        expect(found, name, "at least one opponent", "none")
         return tuple(found)
 
     @property
@@ -176,11 +175,9 @@ def one_team(
     pursuers: Opponents | None, evaders: Opponents | None
 ) -> tuple[Team, Opponents] | None:
     """Return the team that an environment plays itself, and its opponents, if there is one."""
-    if pursuers is not None and evaders is not None:
-        raise ValueError(
-            "pursuers, evaders: expected one team that the environment plays, got both; "
-            "matrixworld.rollout plays matches of both"
-        )
+    both = pursuers is not None and evaders is not None
+    got = "both; matrixworld.rollout plays matches of both"
+    expect(not both, "pursuers, evaders", "one team that the environment plays", got)
     if pursuers is not None:
         return "pursuer", pursuers
     return None if evaders is None else ("evader", evaders)
@@ -204,8 +201,7 @@ class PlaysTeam:
     def _set_up(
         self, config: Any, changes: Any, action_mask: bool | str, mode: str | None, *modes: str
     ) -> None:
-        if mode not in (None, *modes):
-            raise ValueError(f"render_mode: expected None or one of {modes}, got {mode!r}")
+        expect(mode in (None, *modes), "render_mode", f"None or one of {modes}", repr(mode))
         self.config: WorldConfig = WorldConfig.of(config, **changes)
         self._masks = ActionMasks(action_mask, self.config)
         self.render_mode = mode

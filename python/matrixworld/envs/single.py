@@ -341,8 +341,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         if missing:
             raise ValueError(f"actions: expected one for each of agents, none came for {missing}")
         unknown = [agent for agent in actions if agent not in self._index]
-        if unknown:
-            raise ValueError(f"actions: expected names of agents, got {unknown}")
+        checks.expect(not unknown, "actions", "names of agents", unknown)
         self._actions = np.zeros(self.config.n_agents, np.int64)
         for agent in self.agents:
             self._choose(agent, actions[agent])
@@ -452,8 +451,16 @@ def aec_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> MatrixW
 
     Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
     Where they do not, agents only choose one after the other, and the last choice plays the round.
-    Takes `config` and `settings` as `parallel_env` does. PettingZoo's wrappers around it refuse
-    actions out of range and calls out of order.
+
+    Parameters
+    ----------
+    config, **settings
+        As for `parallel_env`.
+
+    Returns
+    -------
+    MatrixWorldAEC
+        In PettingZoo's wrappers, which refuse actions out of range and calls out of order.
     """
     env: MatrixWorldAEC = OrderEnforcingWrapper(
         AssertOutOfBoundsWrapper(MatrixWorldAEC(config, **settings))

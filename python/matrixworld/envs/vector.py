@@ -158,8 +158,8 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         if self._masks.given or built_in is not None:  # functions that play see views
             asked.add("views")
         kept = _make_buffers(self.config, self.num_envs, asked, self._observed, self._space.dtype)
-        how: Any = {"threads": threads, "autoreset": Autoreset[mode.name], "buffers": kept}
-        self._batch = Batch(self.num_envs, self.config, **how)
+        n_worlds, reset = self.num_envs, Autoreset[mode.name]
+        self._batch = Batch(n_worlds, self.config, threads=threads, autoreset=reset, buffers=kept)
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
         everyone = range(self.config.n_agents)
         self.agents: range = everyone if self._team is None else self._team.learners
@@ -178,7 +178,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
             self._views: NDArray[Any] = mine["views"]
             self.infos["action_mask"] = self._masks.of(self._views, self.agents.start)
         n_actions = self.config.n_actions
-        self.single_observation_space = _widened(self._space, shape[1:])
+        self.single_observation_space: spaces.Box = _widened(self._space, shape[1:])
         self.observation_space = _widened(self._space, shape)
         self.single_action_space = spaces.MultiDiscrete([n_actions] * len(self.agents))
         self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
@@ -224,8 +224,7 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
         given = dict(options or {})
         unknown = set(given) - set(OPTIONS)
-        if unknown:
-            raise ValueError(f"options: expected some of {OPTIONS}, got {sorted(unknown)}")
+        checks.expect(not unknown, "options", f"some of {OPTIONS}", sorted(unknown))
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
         mask = given.pop("reset_mask", None)
@@ -325,12 +324,18 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     Sub-environment ``w * n + i`` is agent i of the n agents in world w: ``num_envs`` is W * n. A
     single observation is a Box and a single action is Discrete.
 
-    The `worlds` are an attribute, too: ``worlds.infos["capture_rate"]``. Their settings hold here:
-    ``copy``, the autoreset mode, dtype and so on. The sub-environments are the agents of a `team`,
-    "pursuer" or "evader", by default all that the caller plays. If that is both teams, the other
-    one plays what ``worlds.actions[:, worlds.evaders]`` holds at a step: set it before. At first
-    that is staying.
+    Parameters
+    ----------
+    worlds : VectorEnv
+        An attribute, too: ``worlds.infos["capture_rate"]``. Its settings hold here: ``copy``, the
+        autoreset mode, dtype and so on.
+    team : {"pursuer", "evader"}, optional
+        The agents that are sub-environments. The default is all that the caller plays. If that is
+        both teams, the other one plays what ``worlds.actions`` holds for it at a step, such as
+        ``worlds.actions[:, worlds.evaders]``; at first that is staying.
 
+    Notes
+    -----
     **The episode of a sub-environment is the episode of its world.** All agents of a world end and
     start again in the same step, as Gymnasium's autoreset modes prescribe. An agent that disappears
     earlier observes zeros until then, its rewards are 0 and its actions are ignored. A learner that
@@ -350,15 +355,14 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         parts = {"pursuer": worlds.pursuers, "evader": worlds.evaders, None: slice(None)}
         self._slice = parts[team]  # of the agents in the worlds' arrays
         self._agents = worlds.agents[self._slice]
-        if not self._agents:
-            raise ValueError(f"team: expected the one that the caller plays, got {team!r}")
+        checks.expect(self._agents, "team", "the one that the caller plays", repr(team))
         self.num_envs: int = worlds.n_worlds * len(self._agents)
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode
         n_actions, one = worlds.config.n_actions, worlds._space
-        self.single_observation_space = copy_of(one)
+        self.single_observation_space: spaces.Box = copy_of(one)
         self.observation_space = _widened(one, (self.num_envs, *one.shape))
-        self.single_action_space = spaces.Discrete(n_actions)
+        self.single_action_space: spaces.Discrete = spaces.Discrete(n_actions)
         self.action_space = _widened(spaces.MultiDiscrete([n_actions]), (self.num_envs,))
 
     def reset(
@@ -379,9 +383,8 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         checks.check_shape("reset_mask", agents, self.num_envs)
         by_world = agents.reshape(self.worlds.n_worlds, -1)
         differ = (by_world != by_world[:, :1]).any(axis=1)
-        if differ.any():
-            expected, got = "the same value for all agents of a world", int(differ.argmax())
-            raise ValueError(f"reset_mask: expected {expected}, got both in world {got}")
+        expected, got = "the same value for all agents of a world", int(differ.argmax())
+        checks.expect(not differ.any(), "reset_mask", expected, f"both in world {got}")
         return by_world[:, 0]
 
     def step(

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_instance, check_integer
+from matrixworld._util.checks import check_instance, check_integer, check_shape, expect
 from matrixworld._util.files import DamagedFileError, load_arrays, read_json, replacing
 from matrixworld.world.conflicts import Conflict, conflict_of
 from matrixworld.world.render import MARK_STEPS, Scene
@@ -104,15 +104,13 @@ class Episode:
                 got = getattr(array, "dtype", type(array).__name__)
                 raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
         steps, agents = (*self.actions.shape, 0, 0)[:2]
-        if not 0 <= self.n_pursuers <= agents:
-            raise ValueError(f"n_pursuers: expected 0 to {agents} (agents), got {self.n_pursuers}")
+        fits = 0 <= self.n_pursuers <= agents
+        expect(fits, "n_pursuers", f"0 to {agents} (agents)", self.n_pursuers)
         sizes = {"S": steps + 1, "T": steps, "A": agents, "E": agents - self.n_pursuers}
         sizes |= {"2": 2, "3": 3, "11": 11, "N": len(arrays.get("conflict_table", ()))}
         sizes["rows"], sizes["cols"] = (*self.map.shape, 0, 0)[:2]
         for name, array in arrays.items():
-            expected = tuple(sizes[letter] for letter in _ARRAYS[name][0].split())
-            if array.shape != expected:
-                raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+            check_shape(name, array, *(sizes[letter] for letter in _ARRAYS[name][0].split()))
         if self.seat is not None:
             object.__setattr__(self, "seat", check_integer("seat", self.seat, 0, agents - 1))
         # Gone agents keep whatever action was passed for them.
@@ -164,11 +162,21 @@ class Episode:
     def explain(self, step: int = -1) -> list[Conflict]:
         """Return the conflicts of one step: why agents bounced or disappeared in it.
 
-        They are those of `World.conflicts`; ``str`` of each is a sentence.
+        Parameters
+        ----------
+        step : int, optional
+            Step 1 to T led to the moment that `replay.scene` draws for the same number; moment 0
+            has no conflicts. Negative numbers count from the end; the default is the last step.
 
-        Step 1 to T led to the moment that `replay.scene` draws for the same number; moment 0 has no
-        conflicts. Negative numbers count from the end. IndexError outside the episode, ValueError
-        if the recording has no conflicts.
+        Returns
+        -------
+        list of Conflict
+            Those of `World.conflicts`; ``str`` of each is a sentence.
+
+        Raises
+        ------
+        IndexError, ValueError
+            Outside the episode; if the recording has no conflicts.
         """
         if self.conflict_table is None:
             raise ValueError("conflict_table: expected a recording with conflicts, got none")
@@ -177,9 +185,12 @@ class Episode:
         return [conflict_of(numbers, self.n_pursuers) for numbers in rows]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the episode to an npz file, which appears complete or not at all.
+        """Write the episode to a file, which appears complete or not at all.
 
-        ValueError for a name that ends otherwise than in ``.npz``, such as that of a picture.
+        Parameters
+        ----------
+        path : str or path
+            A name that ends in ``.npz`` or has no suffix; `replay.save` writes pictures.
         """
         if Path(path).suffix not in ("", ".npz"):
             hint = "mw.replay.save(episode, path) writes pictures"

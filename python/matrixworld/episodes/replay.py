@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import io
 import os
 import shutil
@@ -42,16 +43,17 @@ SAMPLES = 8  # frames looked at to choose the palette
 
 @dataclass(frozen=True, repr=False)
 class Animation:
-    """A GIF that a notebook shows: `data`, the contents of the file."""
+    """A GIF that a notebook shows: `data`, the contents of the file, and `alt`, its text."""
 
     data: bytes
+    alt: str = "an episode"
 
     def __repr__(self) -> str:
         return f"<Animation: a GIF of {len(self.data) / 1000:.0f} kB>"
 
     def _repr_html_(self) -> str:
         encoded = base64.b64encode(self.data).decode("ascii")
-        return f'<img src="data:image/gif;base64,{encoded}" alt="an episode">'
+        return f'<img src="data:image/gif;base64,{encoded}" alt="{html.escape(self.alt)}">'
 
 
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
@@ -97,7 +99,8 @@ def save(
     ``.png`` for one moment, a `step` as for `scene`. There are `fps` frames per second, 0.1 to 50,
     `every` so many steps, and the last step is always shown. `look` is ``cell`` and ``numbers`` as
     for `render.rgb`, and ``trail``: steps back that the trails of the agents go, 6 by default. The
-    file appears complete or not at all.
+    file appears complete or not at all. Until then the frames of a GIF are in memory: of 40 x 40
+    cells they take 0.6 MB each, so a film of thousands of steps should be an MP4.
     """
     step = checks.check_integer("step", step)
     suffix = Path(path).suffix.lower()

@@ -44,7 +44,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from matrixworld._util.checks import check_choice, check_instance, check_integer
+from matrixworld._util.checks import check_choice, check_instance, check_integer, expect
 from matrixworld._util.files import load_toml
 from matrixworld.coevolution.evaluation.scores import held_out
 from matrixworld.coevolution.storage import SavedRun
@@ -295,8 +295,7 @@ def scene_link(
     """
     check_instance("world", world, World)
     config = world.config
-    if world.turn:
-        raise ValueError(f"world: expected the end of a round, got turn {world.turn}")
+    expect(not world.turn, "world", "the end of a round", f"turn {world.turn}")
     for name, most in MOST.items():
         check_integer(f"world, {name}", getattr(config, name), 1, most)
     parts = {
@@ -327,8 +326,7 @@ def _agents_text(world: World) -> dict[str, str]:
 
 
 def _commands_text(config: WorldConfig, actions: Sequence[Command]) -> str:
-    if len(actions) != config.n_agents:
-        raise ValueError(f"actions: expected {config.n_agents} (agents), got {len(actions)}")
+    expect(len(actions) == config.n_agents, "actions", f"{config.n_agents} (agents)", len(actions))
     text = ""
     for action in actions:
         if isinstance(action, str):

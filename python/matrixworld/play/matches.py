@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import SEED_MAX, check_instance, check_integer
+from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, check_shape
 from matrixworld.play.policies import RatingPolicy
 from matrixworld.world.arrays import array_specs, integers, new_arrays
 from matrixworld.world.batch import Batch
@@ -37,10 +37,7 @@ _READ = ("views", "alive", "terminated", "truncated", "capture_rate")
 def checked_actions(policy: Callback, views: NDArray[Any], n_actions: int) -> NDArray[np.int64]:
     """Return the actions (n,) of a function; ValueError or TypeError if they are not legal."""
     chosen = _asked(policy, views.astype(np.uint8, copy=False))
-    if chosen.shape != (len(views),):
-        raise ValueError(
-            f"actions of the policy: expected shape {(len(views),)}, got {chosen.shape}"
-        )
+    check_shape("actions of the policy", chosen, len(views))
     if chosen.min() < 0 or chosen.max() >= n_actions:
         wrong = chosen[(chosen < 0) | (chosen >= n_actions)][0]
         raise ValueError(f"actions of the policy: expected 0 to {n_actions - 1}, got {wrong}")

@@ -23,8 +23,7 @@ class GenomePolicy:
 
     def __init__(self, policy: Policy, genome: NDArray[np.float32], seed: int | None) -> None:
         genomes = Population(genome, policy).genomes
-        if len(genomes) != 1:
-            raise ValueError(f"genome: expected a single one, got {len(genomes)}")
+        checks.expect(len(genomes) == 1, "genome", "a single one", len(genomes))
         self.genome = genomes[0].copy()
         self.policy = policy
         self._rng = np.random.default_rng(seed)
@@ -237,8 +236,7 @@ def acting(
     """Return a genome of any policy as what acts by it."""
     if isinstance(policy, Network):
         return NetworkPolicy(policy, genome, sampled=sampled, seed=seed)
-    if sampled is not None:
-        raise ValueError(f"sampled: expected no value for a {policy.kind} policy, got {sampled}")
+    checks.expect(sampled is None, "sampled", f"no value for a {policy.kind} policy", sampled)
     return RatingPolicy(policy, genome, seed=seed)
 
 
@@ -248,8 +246,14 @@ def acting(
 def save_genome(path: str | os.PathLike[str], team: Team, policy: GenomePolicy) -> None:
     """Write a policy as a file that `read_genome` reads and that a class tournament plays.
 
-    An older file at `path` is replaced. `policy` plays for `team`, such as
-    ``open_run(directory).policy("pursuer")``.
+    Parameters
+    ----------
+    path : str or path
+        The file. An older one is replaced.
+    team : {"pursuer", "evader"}
+        The team that it plays for.
+    policy : GenomePolicy
+        Such as ``open_run(directory).policy("pursuer")``.
     """
     checks.check_choice("team", team, TEAMS)
     checks.check_instance("policy", policy, GenomePolicy)
@@ -261,24 +265,32 @@ def read_genome(
 ) -> tuple[Team, Population]:
     """Return the team of a genome's file, and the genome as a population of one.
 
-    The file at `path`, or its `content`, is one of `save_genome`, or of ``numpy.savez`` with the
-    same keys; DamagedFileError, a ValueError, if it is not of this form.
+    Parameters
+    ----------
+    path : str or path
+        A file of `save_genome`, or of ``numpy.savez`` with the same keys.
+    content : bytes, optional
+        What the file holds. The default is to read it.
+
+    Raises
+    ------
+    DamagedFileError
+        A ValueError: if the file is not of this form.
     """
     path = Path(path)
     arrays = load_arrays(path, content)
-    genome = arrays["genome"]
+    genome, team, _ = (arrays[name] for name in ("genome", "team", "kind"))  # all must be there
     if genome.dtype.kind != "f" or genome.ndim != 1:
         expected = "expected an array 'genome' of floats with 1 dimension"
         got = f"got dtype {genome.dtype} and shape {genome.shape}"
         raise DamagedFileError(path, f"{expected}, {got}")
-    _, team = arrays["kind"], arrays["team"].tolist()
     plain = {name: each.tolist() for name, each in arrays.items() if name not in ("genome", "team")}
     try:
-        checks.check_choice("team", team, TEAMS)
+        checks.check_choice("team", team.tolist(), TEAMS)
         policy = policy_of(plain)
         missing = policy.to_json().keys() - plain
         if missing:
             raise ValueError(f"expected an array {min(missing)!r}, got {', '.join(arrays)}")
-        return cast(Team, team), Population(genome, policy)
+        return cast(Team, team.tolist()), Population(genome, policy)
     except (OverflowError, TypeError, ValueError) as error:
         raise DamagedFileError(path, str(error)) from error

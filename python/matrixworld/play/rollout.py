@@ -48,8 +48,7 @@ class Matches(NamedTuple):
         # `broadcast_arrays` is slow beside a short rollout, and rarely needed.
         if any(part.shape != broadcast[0].shape for part in broadcast):
             broadcast = np.broadcast_arrays(*broadcast)
-        if broadcast[0].ndim != 1:
-            raise ValueError(f"matches: expected one axis, got shape {broadcast[0].shape}")
+        checks.expect(broadcast[0].ndim == 1, "matches", "one axis", f"shape {broadcast[0].shape}")
         return cls(*(np.ascontiguousarray(part) for part in broadcast))
 
 

@@ -206,7 +206,7 @@ def _draw_lag_profile(axes: Axes, matrices: Rates, words: style.Words) -> None:
     means = [profile.means for profile in profiles]
     band = analysis.band_over_runs(means, places=lags, bounds=UNIT)
     faint = f"lags with fewer than {cells} cells"
-    axes.plot(lags, band.mean, color=colors.INK, alpha=0.3, linewidth=1.0, label=faint)
+    axes.plot(lags, band.mean, color=colors.INK, alpha=0.3, linewidth=1.8, label=faint)
     solid = counts >= cells
     axes.plot(lags[solid], band.mean[solid], color=colors.INK, linewidth=1.8)
     style.draw_runs(axes, band, means, colors.INK)
@@ -235,7 +235,7 @@ def _draw_generalization(axes: Axes, race: Payoffs, words: style.Words) -> None:
     if band.low is not None:
         # An empty band for the legend, whose entry is of both teams.
         axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
-    style.label_runs(axes, len(race))
+    style.label_runs(axes, [len(race)])
     axes.set(xlabel="generation", ylabel="mean score")
     axes.set_title("generalization", size="medium")
     style.generation_axis(axes)

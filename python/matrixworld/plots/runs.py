@@ -125,7 +125,7 @@ def run_curves(
         band = analysis.band_over_runs(curves, places=places, bounds=bounds)
         axes.plot(band.places, band.mean, color=color, linestyle=line, linewidth=1.7, label=name)
         style.draw_runs(axes, band, curves, color)
-    style.label_runs(axes, min(len(np.asarray(curves)) for curves in groups.values()))
+    style.label_runs(axes, (len(np.asarray(curves)) for curves in groups.values()))
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
     axes.set(xlabel=along, ylabel=label)
     style.generation_axis(axes)

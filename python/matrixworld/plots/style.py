@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
@@ -187,9 +187,9 @@ def draw_runs(axes: Axes, band: Band, curves: ArrayLike, color: str) -> None:
         axes.plot(band.places, np.asarray(curves).T, color=color, **look)
 
 
-def label_runs(axes: Axes, runs: int) -> None:
-    """Label the thin lines of single runs, if there are some."""
-    if 1 < runs <= MOST_LINES:
+def label_runs(axes: Axes, counts: Iterable[int]) -> None:
+    """Label the thin lines of single runs, if a group of so many runs has some."""
+    if any(1 < runs <= MOST_LINES for runs in counts):
         axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
 
 

@@ -72,10 +72,8 @@ class States:
         checks.check_instance("config", config, WorldConfig)
         self.config, self.threads = config, checks.check_threads(threads)
         self.report = report
-        if config.density:
-            raise ValueError(
-                "obstacles: expected none or a map, got obstacles that each episode draws anew"
-            )
+        drawn = "obstacles that each episode draws anew"
+        checks.expect(not config.density, "obstacles", "none or a map", drawn)
         _check_size(config)
         self.core = _core.States(config.setup, self.threads, _count(config), self.told("states"))
         self.n_turns = self.core.n_turns()

@@ -131,10 +131,13 @@ class Batch(Turns):
         return np.ascontiguousarray(checks.check_integers("seed", seed, np.uint64))
 
     def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
-        """Play one round in every world with actions (W, A), and return the buffers.
+        """Play one round in every world, and return the buffers.
 
-        Actions of gone agents and in ended worlds are ignored. If one is refused (ValueError names
-        its world and agent, TypeError what is no integer), no world has changed.
+        Parameters
+        ----------
+        actions : array_like of int, shape (W, A)
+            Those of gone agents and in ended worlds are ignored. If one is refused (ValueError
+            names its world and agent, TypeError what is no integer), no world has changed.
         """
         self._require_no_round("step")
         self._core.step(integers("actions", actions))
@@ -200,6 +203,5 @@ class Batch(Turns):
 
 def _mask(given: ArrayLike) -> NDArray[np.bool_]:
     mask = np.ascontiguousarray(checks.unmasked("mask", given))
-    if mask.dtype != np.bool_:
-        raise TypeError(f"mask: expected dtype bool, got {mask.dtype}")
+    checks.expect(mask.dtype == np.bool_, "mask", "dtype bool", mask.dtype, TypeError)
     return mask

@@ -97,8 +97,7 @@ def _all_fields(what: str, kind: type[Any], plain: Any) -> dict[str, Any]:
     """Return a copy of the values of all fields of a dataclass; refuse a missing or unknown one."""
     checks.check_instance(what, plain, Mapping)
     names = {item.name for item in fields(kind)}
-    if plain.keys() != names:
-        raise ValueError(f"{what}: expected {sorted(names)}, got {sorted(map(str, plain))}")
+    checks.expect(plain.keys() == names, what, sorted(names), sorted(map(str, plain)))
     return dict(plain)
 
 
@@ -201,12 +200,10 @@ class WorldConfig:
         )
         self.check_map(self.map)
         sizes = self.rows, self.cols, self.n_pursuers, self.n_evaders
-        if min(sizes) > 0 and self.n_agents > self.rows * self.cols:
-            teams = f"{self.n_pursuers} pursuers and {self.n_evaders} evaders"
-            raise ValueError(
-                f"rows: expected at least {self.n_agents} cells (rows x cols) for {teams}, got "
-                f"{self.rows} x {self.cols}"
-            )
+        fits = min(sizes) <= 0 or self.n_agents <= self.rows * self.cols
+        teams = f"{self.n_pursuers} pursuers and {self.n_evaders} evaders"
+        cells = f"at least {self.n_agents} cells (rows x cols) for {teams}"
+        checks.expect(fits, "rows", cells, f"{self.rows} x {self.cols}")
         # Building the engine's form checks the ranges, so a bad config fails here and not later.
         self.setup  # noqa: B018
         if not row.captures:
@@ -348,8 +345,7 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
 def _from_array(array: NDArray[Any]) -> NDArray[np.bool_]:
     if array.dtype.kind not in "biu":
         raise TypeError(f"map: expected dtype bool, or 0 and 1, got {array.dtype}")
-    if array.ndim != 2 or array.size == 0:
-        raise ValueError(f"map: expected shape (rows, cols), got {array.shape}")
+    checks.expect(array.ndim == 2 and array.size, "map", "shape (rows, cols)", array.shape)
     unknown = array[(array != 0) & (array != 1)]
     if unknown.size:
         raise ValueError(f"map: expected 0 (free) or 1 (obstacle), got {unknown[0]}")
@@ -358,15 +354,13 @@ def _from_array(array: NDArray[Any]) -> NDArray[np.bool_]:
 
 def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
     rows = [row.strip() for row in rows]  # programs leave blanks at the ends of lines
-    if not rows or not rows[0]:
-        raise ValueError(f"{name}: expected at least one row of at least one cell, got {rows!r}")
+    checks.expect(rows and rows[0], name, "at least one row of at least one cell", repr(rows))
     for number, row in enumerate(rows):
-        if len(row) != len(rows[0]):
-            expected = f"{len(rows[0])} cells as in row 0"
-            raise ValueError(f"{name}, row {number}: expected {expected}, got {len(row)}")
+        where, cells = f"{name}, row {number}", len(rows[0])
+        checks.expect(len(row) == cells, where, f"{cells} cells as in row 0", len(row))
         if unknown := sorted(set(row) - set(FREE + BLOCKED)):
             expected = f"{FREE!r} (free) or {BLOCKED!r} (obstacle)"
-            raise ValueError(f"{name}, row {number}: expected {expected}, got {unknown}")
+            raise ValueError(f"{where}: expected {expected}, got {unknown}")
     return np.array([[cell in BLOCKED for cell in row] for row in rows])
 
 

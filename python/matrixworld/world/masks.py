@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_choice, shown
+from matrixworld._util.checks import check_choice, expect, shown
 from matrixworld.world import policy
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.config import WorldConfig
@@ -30,9 +30,8 @@ def check_mask(name: str, mask: str, config: WorldConfig, user: str = "") -> Non
     """Raise ValueError unless a mask exists and agents see enough for it."""
     check_choice(name, mask, MASKS)
     least = LEAST_FOV[mask]  # type: ignore[index]  # one of the choices
-    if config.fov < least:
-        expected = f"a fov of at least {least} for {user or f'the mask {mask}'}"
-        raise ValueError(f"{name}: expected {expected}, got {config.fov}")
+    expected = f"a fov of at least {least} for {user or f'the mask {mask}'}"
+    expect(config.fov >= least, name, expected, config.fov)
 
 
 def check_script(name: str, player: str, config: WorldConfig) -> None:

@@ -59,8 +59,8 @@ class _Rates(Policy):
         given = checks.check_sequence("inputs", self.inputs, "names of inputs")
         for name in given:
             checks.check_choice("inputs", name, INPUTS)
-        if not given or len(set(given)) < len(given):
-            raise ValueError(f"inputs: expected different ones, got {checks.shown(given)}")
+        different = 0 < len(set(given)) == len(given)
+        checks.expect(different, "inputs", "different ones", checks.shown(given))
         object.__setattr__(self, "inputs", given)
         checks.check_choice("mask", self.mask, MASKS)
         self._check_world()
@@ -192,9 +192,9 @@ class Rating(_Rates):
         return genome
 
     def rate(self, genome: _Floats, inputs: ArrayLike) -> _Floats:
-        """Return ratings, float32 (..., moves), of `inputs` (..., moves, all inputs), in NumPy.
+        """Return ratings, float32 (..., n_actions), of finite inputs (..., n_actions, all inputs).
 
-        The numbers are those of the engine, bit by bit.
+        They are computed in NumPy. The numbers are those of the engine, bit by bit.
         """
         x = list(self._columns(inputs).values())
         *hidden, (last, _) = self.layers(genome)
@@ -333,8 +333,7 @@ class Program(_Rates):
 
     def encode(self, tokens: list[Token]) -> _Floats:
         """Return the genome of a sequence of tokens; ValueError if they are no program."""
-        if len(tokens) > self.length:
-            raise ValueError(f"tokens: expected at most {self.length}, got {len(tokens)}")
+        checks.expect(len(tokens) <= self.length, "tokens", f"at most {self.length}", len(tokens))
         genome = np.zeros((self.length, 2), np.float32)
         for row, token in zip(genome, tokens, strict=False):
             if isinstance(token, str):
