@@ -10,6 +10,7 @@ from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from numbers import Real
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
@@ -72,7 +73,7 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
     if "kind" in fields:
         name = fields.pop("kind")
         checks.check_choice("kind", name, WORLDS)
-        is_map = not isinstance(fields.get("obstacles", 0.0), int | float)
+        is_map = not isinstance(fields.get("obstacles"), Real | None)
         own_size = ("rows", "cols") if is_map else ()
         fields = {**{n: v for n, v in WORLDS[name].items() if n not in own_size}, **fields}
     values = dict(fields)
