@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import time
 import traceback
 from collections.abc import Iterator, Mapping, Sequence
@@ -455,10 +456,10 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
     path = root if sum(len(group.runs) for group in groups) == 1 else last.path
     if isinstance(schedule, Against):
         team = f"--set schedule.team={other(schedule.team)}"
-        met = f"--set schedule.opponent={path}"
-        same = f"evolve --config {last.path / 'config.json'}"
+        met = f"--set schedule.opponent={shlex.quote(str(path))}"
+        same = ("evolve --config", last.path / "config.json", team, met)
         untrained = "--set schedule.start=null"
-        opponent = console.command(same, team, met, *([untrained] if schedule.start else []))
+        opponent = console.command(*same, *([untrained] if schedule.start else []))
         return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]
     more = ("Verdict on each seed:", console.command("judge --each", root))
     if not any(group.several for group in groups):

@@ -51,7 +51,7 @@ OTHER_DEFAULTS = {
     "schedule=against, schedule.team=pursuer": Against().defaults,
     "schedule=against, schedule.team=evader": Against(team="evader").defaults,
     "learner=actor-critic": ActorCritic.defaults,
-    "without --paper and --config": DEFAULT_RACE,
+    "without --paper, --config and --game": DEFAULT_RACE,
 }
 """The defaults that kinds of races and learners have of their own, and those of the command."""
 
@@ -119,8 +119,8 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
         # "" stands for the schedule of the file.
         usual = [""] if "schedule" in file else MAIN_JOB
         names = [changes.pop("schedule")] if "schedule" in changes else usual
-    if "paper" in given and (beside := given.keys() & {"config", "game"}):
-        options.refuse_beside("--paper", [*beside])
+    if "paper" in given:
+        options.refuse_beside("--paper", {"config", "game"} & {*given, *changes})
     is_plain = given.keys() & {"config", "paper"} or "game" in changes
     known = sections_in(HINTS["schedule"])
     own = {n: {item.name for item in fields(known[n])} if n in known else set() for n in names}
