@@ -177,6 +177,10 @@ def _in_options(message: str) -> str:
     name = names.get(field, field)
     if name in known and name != "learner":
         return f"{options.option_name(name)}{colon}{rest}"
+    if path == "policy" and (needed := re.match(r" expected (\w+) with the learner", rest)):
+        given = context.params if context else {}
+        networks = needed[1] == "cells" and not (given.get("paper") or given.get("config"))
+        return f"{message}; give {'--paper' if networks else f'--set policy={needed[1]}'}, too"
     return message + _meant(path) if "expected one of the settings" in rest else message
 
 
