@@ -23,7 +23,7 @@ JUDGE = [
     (["one.npz", "--all"], 2, "--all: expected at least 2 x 2 generations, got 1 x 3"),
     (["scores.npz", "--episodes", 6], 2, "expected the 5 episodes of each cell that the payoffs"),
     (["race", "--episodes", 6], 2, "--episodes: expected a FILE"),
-    (["race", "copy"], 2, "expected runs with different seeds, got the same run twice: race, copy"),
+    (["race", "copy"], 2, "runs: expected different seeds, got the same run twice: race, copy"),
     (["alone"], 2, "alone: expected a race, got a run of one team"),
     (["stopped"], 2, "expected a finished run; matrixworld evolve --resume stopped"),
     (["damaged"], 1, "payoff.npz: cut, altered or not an npz file"),

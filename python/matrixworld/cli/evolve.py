@@ -163,7 +163,8 @@ def _shows(function: Any) -> Any:
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     callback=setting_options.configured,
     metavar="FILE",
-    help="settings from a .toml file, or the config.json of a run; options replace them",
+    help="settings from a .toml file, or the config.json of a run, in place of those of --paper; "
+    "options replace them",
 )
 @_shows
 def evolve_command(

@@ -207,7 +207,7 @@ def check_own_settings(name: str, given: Any) -> dict[str, Any]:
         fits = isinstance(value, bool | int | str)
         fits = fits or (isinstance(value, float) and math.isfinite(value))
         expected = f"a finite number, text, True or False as {key}"
-        checks.expect(fits, name, expected, repr(value), TypeError)
+        checks.expect(fits, name, expected, checks.shown(value), TypeError)
     return dict(sorted(values.items()))
 
 
@@ -423,12 +423,9 @@ def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
             for name, each in value.to_json().items():
                 yield f"{here}.{name}", each, PLAIN[type(value)].help[name]
         else:
-            yield here, [*map(_plain, value)] if isinstance(value, tuple) else value, text
-
-
-def _plain(value: Any) -> Any:
-    """Return a part of a value as JSON holds it."""
-    return value.to_json() if type(value) in PLAIN else value
+            if isinstance(value, tuple):
+                value = [each.to_json() if type(each) in PLAIN else each for each in value]
+            yield here, value, text
 
 
 def values_of(section: Section) -> dict[str, Any]:

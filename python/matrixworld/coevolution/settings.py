@@ -370,7 +370,7 @@ def default_race(schedule: str) -> dict[str, Any]:
     Parameters
     ----------
     schedule : str
-        A name in `SCHEDULES`, or ``"against"``.
+        A schedule, such as ``"hall-of-fame"`` or ``"against"``.
 
     Returns
     -------

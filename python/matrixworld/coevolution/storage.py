@@ -81,7 +81,6 @@ epoch of a generation, which choose its champion, count in the row of that epoch
 Row = dict[str, Any]
 Archive = dict[str, Genomes]
 
-
 OTHER_NAMES = {
     **dict.fromkeys(("payoff_matrix", "payoffs", "matrix"), "run.payoff()"),
     **dict.fromkeys(("resume", "continue_run", "train"), "run.extend(generations=60)"),
