@@ -292,14 +292,11 @@ class RaceSettings(Section):
     def task(self, team: Team, begin: Genome | None = None) -> Task:
         """Return what the learner of a team starts from: untrained genomes, or `begin`."""
         game = self.evaluation_game
+        untrained = partial(self.learner_of(team).untrained, game, team)
         return Task(
-            seed=self.seed,
-            team=TEAMS.index(team),
-            epochs=self.schedule.total_epochs(team),
-            untrained=partial(self.learner_of(team).untrained, game, team),
-            begin=begin,
-            game=game,
-        )
+            seed=self.seed, team=TEAMS.index(team), epochs=self.schedule.total_epochs(team),
+            untrained=untrained, begin=begin, game=game,
+        )  # fmt: skip
 
     def beginning(self, begin: Genome | None = None) -> tuple[dict[Team, Any], dict[str, Any]]:
         """Return generation 0 of all that learn, and the states of learners and samplers."""

@@ -395,10 +395,20 @@ class SavedRun:
         return run.finish(self.path, threads=threads, report=report)
 
     def best(self, team: str, *, sampled: bool | None = None, seed: int | None = None) -> Any:
-        """Return the `policy` of a team that is best against held-out opponents.
+        """Return the policy of a team that is best against held-out opponents.
 
-        It is chosen by episodes of its own, which no score is from. They are played once. In a game
-        of your own, which has no held-out opponents, it is the last one, as `last` returns it.
+        It is chosen by episodes of its own, which no score is from. They are played once.
+
+        Parameters
+        ----------
+        team, sampled, seed
+            As in `policy`.
+
+        Returns
+        -------
+        NetworkPolicy or RatingPolicy
+            What plays. In a game of your own, which has no held-out opponents, it is the last
+            generation, as `last` returns it.
         """
         if self.settings.game:
             return self.last(team)
@@ -413,16 +423,30 @@ class SavedRun:
         return scores.best_generations(self)
 
     def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
-        """Return what a generation of a team does, in words and numbers: an `Explanation`.
+        """Return what a generation of a team does, in words and numbers.
 
         Of a policy that rates moves it tells what its inputs do and cost; of a network over cells
-        it has a decision tree that imitates it (extra ``explain``). `options` are ``episodes``
-        against each held-out opponent, at least 2, by default 40; a ``seed``, by default 0, whose
-        matches no other call plays; the ``depth`` of a tree, 3 to 6, by default 4; and ``threads``
-        and ``report`` as for `Run`.
+        it has a decision tree that imitates it (extra ``explain``).
 
-        IndexError, ValueError or MissingExtraError if there is no such generation or team, a script
-        plays for it, it has memory, or a tree needs scikit-learn.
+        Parameters
+        ----------
+        team, generation
+            As in `policy`.
+        **options
+            ``episodes`` against each held-out opponent, at least 2, by default 40; a ``seed``, by
+            default 0, whose matches no other call plays; the ``depth`` of a tree, 3 to 6, by
+            default 4; and ``threads`` and ``report`` as in `evolve`.
+
+        Returns
+        -------
+        Explanation
+            What the team does; it prints as sentences and a table.
+
+        Raises
+        ------
+        IndexError, ValueError, MissingExtraError
+            If there is no such generation or team, a script plays for it, it has memory, or a tree
+            needs scikit-learn.
         """
         from matrixworld.coevolution.evaluation import explanation, scores
 
@@ -434,7 +458,10 @@ class SavedRun:
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.
 
-        IndexError, which begins with `name` or the team, if there is no such generation.
+        Raises
+        ------
+        IndexError
+            If there is no such generation; the message begins with `name` or the team.
         """
         count = len(self.archive()[self.key_of(team)]) or 1  # a script has one
         expected = f"a generation from 0 to {count - 1}"
