@@ -109,7 +109,8 @@ def _shows(function: Any) -> Any:
     "--world",
     type=click.Choice([*WORLDS]),
     metavar="NAME",
-    help=f"a world in which good teams win about half: {', '.join(WORLDS)}; --worlds explains them",
+    help=f"a world in which good teams win about half: {', '.join(WORLDS)}; --worlds explains "
+    "them  [default: courtyard]",
 )
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(

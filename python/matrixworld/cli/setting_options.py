@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from dataclasses import fields, replace
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any, get_args, get_origin
 
 import click
 
@@ -38,13 +38,7 @@ PATHS = {name: path for name in NAMES for path in paths_of(name)}
 """Options of their own, and the settings that they set."""
 AS_BEFORE = {"evader_learner", "schedule.evaders_meet"}
 """Settings that have the sections of the setting before them."""
-TYPES = {
-    bool: "true|false",
-    WorldConfig: "WORLDS",
-    Ellipsis: "SIZES",
-    int: "INTEGER",
-    float: "NUMBER",
-}
+TYPES = {bool: "true|false", WorldConfig: "WORLDS", tuple: "LIST", int: "INTEGER", float: "NUMBER"}
 """How the help names the value of a setting; any other one is a text."""
 OTHER_DEFAULTS = {
     "schedule=hall-of-fame": AtOnce().defaults,
@@ -217,7 +211,8 @@ def _help_sections(
                 # The opponents of several schedules have the same sections.
                 found |= _help_sections(each, f"{here}.", f"{here}={each.kind}".rstrip("="))
         else:
-            accepted, usual = {hint, *get_args(hint)}, _shown(item.metadata["default"])
+            accepted = {hint, get_origin(hint), *get_args(hint)}
+            usual = _shown(item.metadata["default"])
             kind = next((text for each, text in TYPES.items() if each in accepted), "TEXT")
             others = "; others below" if item.metadata["by_race"] else ""
             default = f"  [default: {usual}{others}]" if usual else ""

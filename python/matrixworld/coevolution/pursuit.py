@@ -53,8 +53,8 @@ the rewards summed over the team and the steps (not zero-sum)."""
 WORLD_HELP = {
     "kind": f"a world with a name, from which the other fields differ: {', '.join(WORLDS)}",
     "rules": "game variant, a name such as O, or its rules one by one",
-    "rows": "rows of the grid; default: those of the obstacle map, or 40, in solve 6",
-    "cols": "columns of the grid; default: those of the obstacle map, or 40, in solve 6",
+    "rows": "rows of the grid; default: those of the world or its map, or 40, in solve 6",
+    "cols": "columns of the grid; default: those of the world or its map, or 40, in solve 6",
     "n_pursuers": "number of pursuers; default: depends on rules and command",
     "n_evaders": "number of evaders; default: depends on rules and command",
     "fov": "side of an agent's square field of view, in cells; odd",
