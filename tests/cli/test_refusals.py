@@ -63,6 +63,7 @@ EVOLVE = [
     (["--set", "learner.sigmma=1"], 2, "; did you mean learner.sigma?"),
     (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, gp, actor-critic, or mod"),
     (["--set", "learner.mutation=0.1"], 2, "; it is a setting of learner=ga"),
+    (["--set", "schedule=1,2"], 2, "--schedule: expected one of alternating, specialist-"),
     (["--learner", "actor-critic"], 2, "actor-critic, got rating; give --paper, too"),
     (["--learner", "gp"], 2, "got rating; give --set policy=program, too"),
     ([*ALONE, "--generations", 3], 2, "--generations: expected one of the settings te"),

@@ -112,7 +112,7 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
     if not names:
         # "" stands for the schedule of the file.
         usual = [""] if "schedule" in file else MAIN_JOB
-        names = [changes.pop("schedule")] if "schedule" in changes else usual
+        names = [str(changes.pop("schedule"))] if "schedule" in changes else usual
     if "paper" in given:
         options.refuse_beside("--paper", {"config", "game"} & {*given, *changes})
     is_plain = given.keys() & {"config", "paper"} or "game" in changes

@@ -380,8 +380,9 @@ def default_race(schedule: str) -> dict[str, Any]:
     >>> RaceSettings.of(default_race("hall-of-fame"), seed=1).policy.kind
     'rating'
     """
-    cls = sections.sections_in(sections.hints_of(RaceSettings)["schedule"]).get(schedule)
-    paths = {f"schedule.{item.name}" for item in fields(cls)} if cls else set()
+    known = sections.sections_in(sections.hints_of(RaceSettings)["schedule"])
+    checks.check_choice("schedule", schedule, known)
+    paths = {f"schedule.{item.name}" for item in fields(known[schedule])}
     usual = {p: v for p, v in DEFAULT_RACE.items() if p in paths or not p.startswith("schedule.")}
     return {"schedule": schedule, **usual}
 
