@@ -184,13 +184,13 @@ class RaceSettings(Section):
             if part is None or (path in ignored and section == "policy" and part.kind != "cells"):
                 continue
             for item in fields(part):
-                value = getattr(part, item.name)
-                usual = self._defaults().get(f"{section}.{item.name}", item.metadata["default"])
+                here, value = f"{section}.{item.name}", getattr(part, item.name)
+                usual = self._defaults().get(here, item.metadata["default"])
                 # Settings that were made from others may have the default of these.
-                unset = name not in ("", item.name) or value in (usual, item.metadata["default"])
+                chosen = value not in (usual, item.metadata["default"], DEFAULT_RACE.get(here))
                 expected = "no value" if usual is None else f"{usual!r}, the default"
                 got = f"{value!r}; it has no effect {why}"
-                checks.expect(unset, f"{section}.{item.name}", expected, got)
+                checks.expect(not chosen or name not in ("", item.name), here, expected, got)
         rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
         if self.game is None and not rewarded:
             expected = "the default without the fitness rewards or the learner actor-critic"
