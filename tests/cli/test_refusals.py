@@ -66,6 +66,7 @@ EVOLVE = [
     (["--set", "schedule=1,2"], 2, "--schedule: expected one of alternating, specialist-"),
     (["--learner", "actor-critic"], 2, "actor-critic, got rating; give --paper, too"),
     (["--learner", "gp"], 2, "got rating; give --set policy=program, too"),
+    (["--paper", "--set", "game=games:nim"], 2, "--paper: expected no --game beside it"),
     ([*ALONE, "--generations", 3], 2, "--generations: expected one of the settings te"),
     ([*ALONE, "--set", "schedule.opponent=nobody"], 2,
      "schedule.opponent: nobody: no such file or directory; expected random, still, chaser, "),

@@ -137,12 +137,6 @@ def test_bad_settings_and_those_without_effect_are_refused(path):
             co.RaceSettings.of(changes)
 
 
-def test_what_the_command_starts_from_is_nobody_s_choice():
-    """An initial weight has no effect with a genome to start from, but nobody has given it."""
-    started = {"schedule.team": "evader", "schedule.start": "run"}
-    assert co.RaceSettings.of(co.default_race("against"), started).schedule.start == "run"
-
-
 EVERY = [
     *(tiny_race(schedule=name) for name in ALL_SCHEDULES),
     *(tiny_race(learner=name, hidden=()) for name in LEARNERS),
