@@ -256,22 +256,14 @@ class Pursuit(Game):
     penalty: float = 0.0
 
     columns: ClassVar[Mapping[str, type]] = {
-        "capture_rate": float,
-        "length": float,
-        "pursuer_faults": float,
-        "evader_faults": float,
-        "matches": int,
-        "steps": int,
-    }
+        "capture_rate": float, "length": float, "pursuer_faults": float, "evader_faults": float,
+        "matches": int, "steps": int,
+    }  # fmt: skip
     score_words: ClassVar[tuple[str, str]] = ("capture rate", "escape rate")
     single: ClassVar[tuple[str, ...]] = ("length",)
     means: ClassVar[tuple[str, ...]] = (
-        "collisions",
-        "faults",
-        "agent_steps",
-        "pursuer_survivors",
-        "evader_survivors",
-    )
+        "collisions", "faults", "agent_steps", "pursuer_survivors", "evader_survivors",
+    )  # fmt: skip
     counters: ClassVar[tuple[str, ...]] = ("steps", "agent_steps")
 
     def __post_init__(self) -> None:

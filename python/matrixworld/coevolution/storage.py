@@ -60,15 +60,9 @@ MOST_NAMED = 5  # most names that a message lists
 SEED = re.compile(r"seed-(\d+)")  # names of the directories of a job's runs
 
 COLUMNS: dict[str, type] = {
-    "stage": int,
-    "generation": int,
-    "team": str,
-    "epoch": int,
-    "opponent": int,
-    "fitness_mean": float,
-    "fitness_std": float,
-    "fitness_best": float,
-}
+    "stage": int, "generation": int, "team": str, "epoch": int, "opponent": int,
+    "fitness_mean": float, "fitness_std": float, "fitness_best": float,
+}  # fmt: skip
 """Columns of the log, one row per epoch, and their types, before those of the game
 (`Game.columns`).
 
@@ -382,12 +376,28 @@ class SavedRun:
     def extend(
         self, generations: int, *, threads: int | None = None, report: Report = silent
     ) -> SavedRun:
-        """Return the run of a race that goes on until it has so many `generations`.
+        """Return the run of a race that goes on until it has so many generations.
 
         It is the same, bit for bit, as if the race had had them from the beginning. A run that is
-        stopped goes on by the same call, or as any other. ValueError if it cannot go on: fewer
-        generations than it has, one team alone, a learner that anneals over the whole run, no
-        checkpoint, or a game that has changed.
+        stopped goes on by the same call, or as any other.
+
+        Parameters
+        ----------
+        generations : int
+            Generations of the whole race.
+        threads, report
+            As in `evolve`.
+
+        Returns
+        -------
+        SavedRun
+            The finished run.
+
+        Raises
+        ------
+        ValueError
+            If it cannot go on: fewer generations than it has, one team alone, a learner that
+            anneals over the whole run, no checkpoint, or a game that has changed.
         """
         from matrixworld.coevolution import run
 
