@@ -76,7 +76,7 @@ def by_race(default: Any, text: str, **limits: Any) -> Any:
 def section(cls: type[AnySection]) -> type[AnySection]:
     """Make a class a frozen dataclass whose docstring has the help texts of its fields."""
     cls = dataclass(frozen=True)(cls)
-    lines = [cleandoc(cls.__doc__ or ""), "", "Parameters", "----------"]
+    lines = [cleandoc(cls.__doc__ or ""), *["", "Parameters", "----------"] * bool(fields(cls))]
     for item in fields(cls):
         lines += [f"{item.name} : {item.type}, optional", f"    {item.metadata['help']}"]
     cls.__doc__ = "\n".join(lines)
