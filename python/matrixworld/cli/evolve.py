@@ -359,7 +359,10 @@ def report(
     `failed` says why other runs of the job failed, by their directories; `began` is the time of
     `time.monotonic` when it began.
     """
-    found = grouped((SavedRun(root / name) for name in job), finished=[run.path for run in results])
+    runs = [SavedRun(root / name) for name in job]
+    for run, settings in zip(runs, job.values(), strict=True):
+        run.settings = settings  # a run that has failed may have lost its own
+    found = grouped(runs, finished=[run.path for run in results])
     groups = [group.inside(root) for group in found]
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]

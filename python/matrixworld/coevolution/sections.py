@@ -56,12 +56,9 @@ def setting(
     One `by_race` is None until `RaceSettings` knows the kind of race and the learner.
     """
     metadata = {
-        "help": text,
-        "default": default,
-        "by_race": by_race,
-        "choices": choices,
+        "help": text, "default": default, "by_race": by_race, "choices": choices,
         "limits": (least, most, positive),
-    }
+    }  # fmt: skip
     if isinstance(default, dict):  # which has no hash: equal sections have equal ones nevertheless
         return field(default_factory=dict, hash=False, metadata=metadata)
     return field(default=None if by_race else default, metadata=metadata)
