@@ -223,7 +223,7 @@ def _help_sections(
 def _shown(value: Any) -> str:
     """Return a default as ``--set`` takes it; empty if there is none."""
     if isinstance(value, tuple):
-        return ",".join(map(str, value))
+        return ",".join(map(str, value)) if {*map(type, value)} <= {int} else json.dumps(value)
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, float):

@@ -265,8 +265,6 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
         is_one = isinstance(value, int) and not isinstance(value, bool)  # such as a single layer
         return checks.check_sizes(name, (value,) if is_one else value)
     if get_origin(hint) is tuple:  # worlds are read by `RaceSettings`
-        if str in accepted and isinstance(value, str):  # as one types them
-            value = [part.strip() for part in value.split(",")]
         parts = checks.check_sequence(name, value, "texts" if str in accepted else "mappings")
         fits = str not in accepted or all(isinstance(part, str) for part in parts)
         checks.expect(fits, name, "a sequence of texts", checks.shown(value), TypeError)
