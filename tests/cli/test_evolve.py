@@ -78,8 +78,9 @@ def test_the_default_job_is_the_one_that_was_judged():
     assert changed == RaceSettings.of(
         default_race("hall-of-fame"), {"learner": "ga", "world.rows": 9}
     )
-    refused = evolved("--paper", "--game", "games:nim", code=2).stderr
-    assert "--paper: expected no --game beside it" in refused
+    # With a genome to start from, an initial weight that nobody has given is not refused.
+    started = {"schedule.team": "evader", "schedule.start": "run"}
+    assert RaceSettings.of(default_race("against"), started).schedule.start == "run"
 
 
 def test_a_setting_of_one_schedule_of_a_job_is_left_out_of_the_others():

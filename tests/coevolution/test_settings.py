@@ -191,6 +191,7 @@ def test_a_name_stands_for_a_world_whose_other_fields_can_be_changed():
         ([{"world": {"kind": "park", "n_pursuers": 6}}], larger),
         ([{"world.n_pursuers": 6, "world": "park"}], larger),
         ([{"world": "park"}, {"world.n_pursuers": 6}], larger),
+        ([{"world": "park"}, {"world.obstacles": None}], replace(park, obstacles=0.0)),
         ([{"world.n_pursuers": 6}, {"world": "park"}], park),
     ):
         assert co.RaceSettings.of(*given).world == expected

@@ -209,13 +209,21 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race):
 
 
 def test_the_command_of_the_settings_plays_the_same_race(job):
-    """Also of a team alone, and with values that a shell would split."""
-    for run in job.values():
-        program, command, *options = shlex.split(as_read(run)["command"])
+    """Also of a team alone, with values that a shell would split, and of other kinds."""
+    every = {run.settings: as_read(run)["command"] for run in job.values()}
+    for start, changes in (
+        (default_race("against"), {"learner": "ga", "learner.population": 12}),
+        (default_race("hall-of-fame"), {"policy": "cells", "policy.mask": "obstacles"}),
+        ({}, {"learner": "actor-critic", "policy.hidden": 32, "train_steps": 200}),
+    ):
+        changed = RaceSettings.of(start, changes)
+        every[changed] = command_of(changed)
+    for expected, typed in every.items():
+        program, command, *options = shlex.split(typed)
         assert (program, command) == ("matrixworld", "evolve")
         with evolve_command.make_context("evolve", options) as context:
             [settings] = job_of(given(context.params)).values()
-        assert settings == run.settings
+        assert settings == expected
     usual = RaceSettings.of(default_race("hall-of-fame"), seed=3)
     assert plain_settings(usual) == []
     assert command_of(usual) == "matrixworld evolve --schedule hall-of-fame --seed 3"

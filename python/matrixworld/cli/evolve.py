@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import time
 import traceback
 from collections.abc import Iterator, Mapping, Sequence
@@ -108,7 +109,8 @@ def _shows(function: Any) -> Any:
     "--world",
     type=click.Choice([*WORLDS]),
     metavar="NAME",
-    help=f"a world in which good teams win about half: {', '.join(WORLDS)}; --worlds explains them",
+    help=f"a world in which good teams win about half: {', '.join(WORLDS)}; --worlds explains "
+    "them  [default: courtyard]",
 )
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
@@ -162,7 +164,8 @@ def _shows(function: Any) -> Any:
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     callback=setting_options.configured,
     metavar="FILE",
-    help="settings from a .toml file, or the config.json of a run; options replace them",
+    help="settings from a .toml file, or the config.json of a run, in place of those of --paper; "
+    "options replace them",
 )
 @_shows
 def evolve_command(
@@ -356,7 +359,10 @@ def report(
     `failed` says why other runs of the job failed, by their directories; `began` is the time of
     `time.monotonic` when it began.
     """
-    found = grouped((SavedRun(root / name) for name in job), finished=[run.path for run in results])
+    runs = [SavedRun(root / name) for name in job]
+    for run, settings in zip(runs, job.values(), strict=True):
+        run.settings = settings  # a run that has failed may have lost its own
+    found = grouped(runs, finished=[run.path for run in results])
     groups = [group.inside(root) for group in found]
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]
@@ -450,10 +456,10 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
     path = root if sum(len(group.runs) for group in groups) == 1 else last.path
     if isinstance(schedule, Against):
         team = f"--set schedule.team={other(schedule.team)}"
-        met = f"--set schedule.opponent={path}"
-        same = f"evolve --config {last.path / 'config.json'}"
+        met = f"--set schedule.opponent={shlex.quote(str(path))}"
+        same = ("evolve --config", last.path / "config.json", team, met)
         untrained = "--set schedule.start=null"
-        opponent = console.command(same, team, met, *([untrained] if schedule.start else []))
+        opponent = console.command(*same, *([untrained] if schedule.start else []))
         return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]
     more = ("Verdict on each seed:", console.command("judge --each", root))
     if not any(group.several for group in groups):

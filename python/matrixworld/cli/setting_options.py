@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from dataclasses import fields, replace
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any, get_args, get_origin
 
 import click
 
@@ -38,20 +38,14 @@ PATHS = {name: path for name in NAMES for path in paths_of(name)}
 """Options of their own, and the settings that they set."""
 AS_BEFORE = {"evader_learner", "schedule.evaders_meet"}
 """Settings that have the sections of the setting before them."""
-TYPES = {
-    bool: "true|false",
-    WorldConfig: "WORLDS",
-    Ellipsis: "SIZES",
-    int: "INTEGER",
-    float: "NUMBER",
-}
+TYPES = {bool: "true|false", WorldConfig: "WORLDS", tuple: "LIST", int: "INTEGER", float: "NUMBER"}
 """How the help names the value of a setting; any other one is a text."""
 OTHER_DEFAULTS = {
     "schedule=hall-of-fame": AtOnce().defaults,
     "schedule=against, schedule.team=pursuer": Against().defaults,
     "schedule=against, schedule.team=evader": Against(team="evader").defaults,
     "learner=actor-critic": ActorCritic.defaults,
-    "without --paper and --config": DEFAULT_RACE,
+    "without --paper, --config and --game": DEFAULT_RACE,
 }
 """The defaults that kinds of races and learners have of their own, and those of the command."""
 
@@ -118,9 +112,9 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
     if not names:
         # "" stands for the schedule of the file.
         usual = [""] if "schedule" in file else MAIN_JOB
-        names = [changes.pop("schedule")] if "schedule" in changes else usual
-    if "paper" in given and (beside := given.keys() & {"config", "game"}):
-        options.refuse_beside("--paper", [*beside])
+        names = [str(changes.pop("schedule"))] if "schedule" in changes else usual
+    if "paper" in given:
+        options.refuse_beside("--paper", {"config", "game"} & {*given, *changes})
     is_plain = given.keys() & {"config", "paper"} or "game" in changes
     known = sections_in(HINTS["schedule"])
     own = {n: {item.name for item in fields(known[n])} if n in known else set() for n in names}
@@ -177,6 +171,10 @@ def _in_options(message: str) -> str:
     name = names.get(field, field)
     if name in known and name != "learner":
         return f"{options.option_name(name)}{colon}{rest}"
+    if path == "policy" and (needed := re.match(r" expected (\w+) with the learner", rest)):
+        given = context.params if context else {}
+        networks = needed[1] == "cells" and not (given.get("paper") or given.get("config"))
+        return f"{message}; give {'--paper' if networks else f'--set policy={needed[1]}'}, too"
     return message + _meant(path) if "expected one of the settings" in rest else message
 
 
@@ -213,7 +211,8 @@ def _help_sections(
                 # The opponents of several schedules have the same sections.
                 found |= _help_sections(each, f"{here}.", f"{here}={each.kind}".rstrip("="))
         else:
-            accepted, usual = {hint, *get_args(hint)}, _shown(item.metadata["default"])
+            accepted = {hint, get_origin(hint), *get_args(hint)}
+            usual = _shown(item.metadata["default"])
             kind = next((text for each, text in TYPES.items() if each in accepted), "TEXT")
             others = "; others below" if item.metadata["by_race"] else ""
             default = f"  [default: {usual}{others}]" if usual else ""
@@ -224,7 +223,7 @@ def _help_sections(
 def _shown(value: Any) -> str:
     """Return a default as ``--set`` takes it; empty if there is none."""
     if isinstance(value, tuple):
-        return ",".join(map(str, value))
+        return ",".join(map(str, value)) if {*map(type, value)} <= {int} else json.dumps(value)
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, float):

@@ -134,8 +134,8 @@ class Game:
                 fits = not each.ndim or {each.shape} == {(size,) for size in sizes}
                 expected = f"one value, or one for each gene of both teams, {sizes}"
                 checks.expect(fits, "bounds", expected, each.size)
-            ordered = (low < high).all()
-            checks.expect(ordered, "bounds", "least < largest value", (low, high))
+            ordered, got = (low < high).all(), f"{low} and {high}"
+            checks.expect(ordered, "bounds", "least < largest value", got)
             object.__setattr__(self, "bounds", (low, high))
 
     # What a run asks for:

@@ -176,11 +176,8 @@ def grouped(runs: Iterable[SavedRun], finished: Collection[Path] | None = None) 
         for run in of_method:
             if run.finished if finished is None else run.path in finished:
                 first = seeds.setdefault(run.settings.seed, run)
-                if first is not run:
-                    expected = "expected runs with different seeds"
-                    raise ValueError(
-                        f"{expected}, got the same run twice: {first.path}, {run.path}"
-                    )
+                got = f"the same run twice: {first.path}, {run.path}"
+                checks.expect(first is run, "runs", "different seeds", got)
         missing = sorted({run.settings.seed for run in of_method} - seeds.keys())
         paths = _named([run.path for run in of_method])
         groups.append(RunGroup(paths, tuple(seeds.values()), tuple(missing)))

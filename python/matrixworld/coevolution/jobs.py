@@ -235,9 +235,8 @@ def _asked(settings: Any, seeds: Sequence[int] | None, named: Mapping[str, Any])
     if seeds is None:
         return settings
     checks.check_instance("settings", settings, RaceSettings)
-    return [
-        replace(settings, seed=seed) for seed in checks.check_sequence("seeds", seeds, "integers")
-    ]
+    every = checks.check_sequence("seeds", seeds, "integers")
+    return [replace(settings, seed=seed) for seed in every]
 
 
 def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = False) -> None:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_instance, check_integer
+from matrixworld._util.checks import check_instance, check_integer, expect
 from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.learners.learner import Learner, Results, Task, check_genomes
 from matrixworld.coevolution.opponents import Opponents
@@ -48,13 +48,10 @@ def check_learner(learner: Learner) -> None:
     target = untrained(np.random.default_rng(1))
     groups = np.array(learner.seed_groups)
     numbers, sizes = np.unique(groups, return_counts=True)
-    _expect(
-        groups.shape == (n,)
-        and groups.dtype.kind in "iu"
-        and 0 <= numbers[0] <= numbers[-1] < n
-        and len(set(sizes)) == 1,
-        f"seed_groups: expected {n} numbers of groups from 0, all of one size, got {groups}",
-    )
+    kept = groups.shape == (n,) and groups.dtype.kind in "iu" and len(set(sizes)) == 1
+    kept = kept and 0 <= numbers[0] <= numbers[-1] < n
+    expected = f"{n} numbers of groups from 0, all of one size"
+    expect(kept, "seed_groups", expected, groups, PluginError)
 
     def step(state: State, epoch: int) -> tuple[list[NDArray[Any]], State]:
         candidates, asked = learner.ask(state, np.random.default_rng([0, epoch]))
@@ -88,29 +85,18 @@ def check_sampler(sampler: Opponents, *, count: int = 2) -> None:
         # Several epochs with the same opponents, then one more, as in a race.
         available = 1 + epoch // 2
         most, chosen = min(count, available), sampler.sample(state, available, count, epoch, rng)
-        _expect(
-            isinstance(chosen, np.ndarray)
-            and chosen.dtype.kind in "iu"
-            and chosen.ndim == 1
-            and 1 <= len(chosen) <= most
-            and len({*chosen.tolist()} & {*range(available)}) == len(chosen),
-            f"sample: expected 1 to {most} different opponents from 0 to {available - 1}, got "
-            f"{chosen}",
-        )
+        kept = isinstance(chosen, np.ndarray) and chosen.dtype.kind in "iu" and chosen.ndim == 1
+        kept = kept and len({*chosen.tolist()} & {*range(available)}) == len(chosen)
+        expected = f"1 to {most} different opponents from 0 to {available - 1}"
+        expect(kept and 1 <= len(chosen) <= most, "sample", expected, chosen, PluginError)
         return [chosen.copy()], sampler.tell(state, chosen, rng.random((4, len(chosen))))
 
     _check_steps(sampler.start, step)
 
 
-def _expect(kept: bool, promise: str) -> None:
-    """Raise PluginError unless a promise is kept."""
-    if not kept:
-        raise PluginError(promise)
-
-
 def _expect_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
     check_genomes(name, array, shape)
-    _expect(bool(np.isfinite(array).all()), f"{name}: expected finite numbers, got {array}")
+    expect(np.isfinite(array).all(), name, "finite numbers", array, PluginError)
 
 
 def _check_steps(start: Callable[[], State], step: Step) -> None:
@@ -122,20 +108,19 @@ def _check_steps(start: Callable[[], State], step: Step) -> None:
         # Also what was decided: a learner may go on in arrays that it has returned.
         decisions.append(deepcopy(decided))
         states.append(state)
-    _expect(
-        all(map(_equal, states, copies)),
-        "state: expected arrays that stay as they were, got some that change afterwards",
-    )
+    stay, got = all(map(_equal, states, copies)), "some that change afterwards"
+    expect(stay, "state", "arrays that stay as they were", got, PluginError)
     again = start()
     for state, when in ((again, "from equal generators"), (copies[2], "from a saved state")):
         first = 0 if state is again else 2
         for epoch in range(first, EPOCHS):
             decided, state = step(state, epoch)
-            _expect(
-                all(map(np.array_equal, decided, decisions[epoch])),
-                f"expected equal results {when}, got others in epoch {epoch}; random numbers must "
-                f"come from the generator that is passed, and the state must hold all that changes",
-            )
+            if not all(map(np.array_equal, decided, decisions[epoch])):
+                raise PluginError(
+                    f"expected equal results {when}, got others in epoch {epoch}; random numbers "
+                    f"must come from the generator that is passed, and the state must hold all "
+                    f"that changes"
+                )
 
 
 def _equal(one: State, other: State) -> bool:
@@ -144,12 +129,12 @@ def _equal(one: State, other: State) -> bool:
 
 def _from_file(state: Any) -> State:
     """Return a state as it comes back from a file."""
-    _expect(isinstance(state, dict), f"state: expected a dict of arrays, got {state!r}")
+    expect(isinstance(state, dict), "state", "a dict of arrays", state, PluginError)
     for name, value in state.items():
         # A checkpoint holds the arrays of all parts of a run, as part.name.
-        _expect(name.isidentifier(), f"state: expected names such as sigma, got {name!r}")
+        expect(name.isidentifier(), "state", "names such as sigma", repr(name), PluginError)
         is_plain = isinstance(value, np.ndarray) and not value.dtype.hasobject
-        _expect(is_plain, f"state: expected an array of numbers or text as {name}, got {value!r}")
+        expect(is_plain, "state", f"an array of numbers or text as {name}", value, PluginError)
     buffer = io.BytesIO()
     np.savez(buffer, **state)
     buffer.seek(0)

@@ -10,6 +10,7 @@ from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from numbers import Real
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
@@ -52,8 +53,8 @@ the rewards summed over the team and the steps (not zero-sum)."""
 WORLD_HELP = {
     "kind": f"a world with a name, from which the other fields differ: {', '.join(WORLDS)}",
     "rules": "game variant, a name such as O, or its rules one by one",
-    "rows": "rows of the grid; default: those of the obstacle map, or 40, in solve 6",
-    "cols": "columns of the grid; default: those of the obstacle map, or 40, in solve 6",
+    "rows": "rows of the grid; default: those of the world or its map, or 40, in solve 6",
+    "cols": "columns of the grid; default: those of the world or its map, or 40, in solve 6",
     "n_pursuers": "number of pursuers; default: depends on rules and command",
     "n_evaders": "number of evaders; default: depends on rules and command",
     "fov": "side of an agent's square field of view, in cells; odd",
@@ -72,7 +73,7 @@ def _world(plain: Mapping[str, Any]) -> WorldConfig:
     if "kind" in fields:
         name = fields.pop("kind")
         checks.check_choice("kind", name, WORLDS)
-        is_map = not isinstance(fields.get("obstacles", 0.0), int | float)
+        is_map = not isinstance(fields.get("obstacles"), Real | None)
         own_size = ("rows", "cols") if is_map else ()
         fields = {**{n: v for n, v in WORLDS[name].items() if n not in own_size}, **fields}
     values = dict(fields)
@@ -255,22 +256,14 @@ class Pursuit(Game):
     penalty: float = 0.0
 
     columns: ClassVar[Mapping[str, type]] = {
-        "capture_rate": float,
-        "length": float,
-        "pursuer_faults": float,
-        "evader_faults": float,
-        "matches": int,
-        "steps": int,
-    }
+        "capture_rate": float, "length": float, "pursuer_faults": float, "evader_faults": float,
+        "matches": int, "steps": int,
+    }  # fmt: skip
     score_words: ClassVar[tuple[str, str]] = ("capture rate", "escape rate")
     single: ClassVar[tuple[str, ...]] = ("length",)
     means: ClassVar[tuple[str, ...]] = (
-        "collisions",
-        "faults",
-        "agent_steps",
-        "pursuer_survivors",
-        "evader_survivors",
-    )
+        "collisions", "faults", "agent_steps", "pursuer_survivors", "evader_survivors",
+    )  # fmt: skip
     counters: ClassVar[tuple[str, ...]] = ("steps", "agent_steps")
 
     def __post_init__(self) -> None:

@@ -465,17 +465,12 @@ class Run(RunInMemory):
         """Play the finalists of one team against those of the other, on episodes of their own."""
         finalists = self.settings.schedule.finalists(self)
         (pursuers, g), (evaders, h) = (finalists[team] for team in TEAMS)
+        known = self.files.payoff() if (self.files.path / storage.PAYOFF).exists() else None
         return tournament(
-            self.settings.evaluation_game,
-            pursuers,
-            evaders,
-            seed=self.settings.seed,
-            episodes=self.settings.evaluation_episodes,
-            threads=self.threads,
-            generations=(g, h),
-            known=self.files.payoff() if (self.files.path / storage.PAYOFF).exists() else None,
-            report=lambda now: self.report(now.what, now.done),
-        )
+            self.settings.evaluation_game, pursuers, evaders, seed=self.settings.seed,
+            episodes=self.settings.evaluation_episodes, threads=self.threads, generations=(g, h),
+            known=known, report=lambda now: self.report(now.what, now.done),
+        )  # fmt: skip
 
     def summary(self, payoff: types.Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
@@ -498,12 +493,10 @@ class Run(RunInMemory):
         super().end_stage()
         counters = {**self.counts, "score": self.stage_scores[-1]}
         self.files.save(self.stage, self.archive, self.rows, counters, self.states)
-        LOG.info(
-            "%s: saved stage %d of %d",
-            self.files.path, self.stage, self.settings.schedule.n_stages,
-        )  # fmt: skip
+        path, schedule = self.files.path, self.settings.schedule
+        LOG.info("%s: saved stage %d of %d", path, self.stage, schedule.n_stages)
         self.rows = []
-        generation, left = divmod(self.stage, self.settings.schedule.stages_per_generation)
+        generation, left = divmod(self.stage, schedule.stages_per_generation)
         for stretch in self.disengagements() if not left else ():
             # Equal, not at least: a longer stretch has been reported before.
             if stretch.last == generation and len(stretch) == PATIENCE:

@@ -56,12 +56,9 @@ def setting(
     One `by_race` is None until `RaceSettings` knows the kind of race and the learner.
     """
     metadata = {
-        "help": text,
-        "default": default,
-        "by_race": by_race,
-        "choices": choices,
+        "help": text, "default": default, "by_race": by_race, "choices": choices,
         "limits": (least, most, positive),
-    }
+    }  # fmt: skip
     if isinstance(default, dict):  # which has no hash: equal sections have equal ones nevertheless
         return field(default_factory=dict, hash=False, metadata=metadata)
     return field(default=None if by_race else default, metadata=metadata)
@@ -76,7 +73,7 @@ def by_race(default: Any, text: str, **limits: Any) -> Any:
 def section(cls: type[AnySection]) -> type[AnySection]:
     """Make a class a frozen dataclass whose docstring has the help texts of its fields."""
     cls = dataclass(frozen=True)(cls)
-    lines = [cleandoc(cls.__doc__ or ""), "", "Parameters", "----------"]
+    lines = [cleandoc(cls.__doc__ or ""), *["", "Parameters", "----------"] * bool(fields(cls))]
     for item in fields(cls):
         lines += [f"{item.name} : {item.type}, optional", f"    {item.metadata['help']}"]
     cls.__doc__ = "\n".join(lines)
@@ -207,7 +204,7 @@ def check_own_settings(name: str, given: Any) -> dict[str, Any]:
         fits = isinstance(value, bool | int | str)
         fits = fits or (isinstance(value, float) and math.isfinite(value))
         expected = f"a finite number, text, True or False as {key}"
-        checks.expect(fits, name, expected, repr(value), TypeError)
+        checks.expect(fits, name, expected, checks.shown(value), TypeError)
     return dict(sorted(values.items()))
 
 
@@ -423,12 +420,9 @@ def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
             for name, each in value.to_json().items():
                 yield f"{here}.{name}", each, PLAIN[type(value)].help[name]
         else:
-            yield here, [*map(_plain, value)] if isinstance(value, tuple) else value, text
-
-
-def _plain(value: Any) -> Any:
-    """Return a part of a value as JSON holds it."""
-    return value.to_json() if type(value) in PLAIN else value
+            if isinstance(value, tuple):
+                value = [each.to_json() if type(each) in PLAIN else each for each in value]
+            yield here, value, text
 
 
 def values_of(section: Section) -> dict[str, Any]:

@@ -184,13 +184,13 @@ class RaceSettings(Section):
             if part is None or (path in ignored and section == "policy" and part.kind != "cells"):
                 continue
             for item in fields(part):
-                value = getattr(part, item.name)
-                usual = self._defaults().get(f"{section}.{item.name}", item.metadata["default"])
+                here, value = f"{section}.{item.name}", getattr(part, item.name)
+                usual = self._defaults().get(here, item.metadata["default"])
                 # Settings that were made from others may have the default of these.
-                unset = name not in ("", item.name) or value in (usual, item.metadata["default"])
+                chosen = value not in (usual, item.metadata["default"], DEFAULT_RACE.get(here))
                 expected = "no value" if usual is None else f"{usual!r}, the default"
                 got = f"{value!r}; it has no effect {why}"
-                checks.expect(unset, f"{section}.{item.name}", expected, got)
+                checks.expect(not chosen or name not in ("", item.name), here, expected, got)
         rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
         if self.game is None and not rewarded:
             expected = "the default without the fitness rewards or the learner actor-critic"
@@ -292,14 +292,11 @@ class RaceSettings(Section):
     def task(self, team: Team, begin: Genome | None = None) -> Task:
         """Return what the learner of a team starts from: untrained genomes, or `begin`."""
         game = self.evaluation_game
+        untrained = partial(self.learner_of(team).untrained, game, team)
         return Task(
-            seed=self.seed,
-            team=TEAMS.index(team),
-            epochs=self.schedule.total_epochs(team),
-            untrained=partial(self.learner_of(team).untrained, game, team),
-            begin=begin,
-            game=game,
-        )
+            seed=self.seed, team=TEAMS.index(team), epochs=self.schedule.total_epochs(team),
+            untrained=untrained, begin=begin, game=game,
+        )  # fmt: skip
 
     def beginning(self, begin: Genome | None = None) -> tuple[dict[Team, Any], dict[str, Any]]:
         """Return generation 0 of all that learn, and the states of learners and samplers."""
@@ -370,7 +367,7 @@ def default_race(schedule: str) -> dict[str, Any]:
     Parameters
     ----------
     schedule : str
-        A name in `SCHEDULES`, or ``"against"``.
+        A schedule, such as ``"hall-of-fame"`` or ``"against"``.
 
     Returns
     -------
@@ -383,8 +380,9 @@ def default_race(schedule: str) -> dict[str, Any]:
     >>> RaceSettings.of(default_race("hall-of-fame"), seed=1).policy.kind
     'rating'
     """
-    cls = sections.sections_in(sections.hints_of(RaceSettings)["schedule"]).get(schedule)
-    paths = {f"schedule.{item.name}" for item in fields(cls)} if cls else set()
+    known = sections.sections_in(sections.hints_of(RaceSettings)["schedule"])
+    checks.check_choice("schedule", schedule, known)
+    paths = {f"schedule.{item.name}" for item in fields(known[schedule])}
     usual = {p: v for p, v in DEFAULT_RACE.items() if p in paths or not p.startswith("schedule.")}
     return {"schedule": schedule, **usual}
 

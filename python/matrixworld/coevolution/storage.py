@@ -60,15 +60,9 @@ MOST_NAMED = 5  # most names that a message lists
 SEED = re.compile(r"seed-(\d+)")  # names of the directories of a job's runs
 
 COLUMNS: dict[str, type] = {
-    "stage": int,
-    "generation": int,
-    "team": str,
-    "epoch": int,
-    "opponent": int,
-    "fitness_mean": float,
-    "fitness_std": float,
-    "fitness_best": float,
-}
+    "stage": int, "generation": int, "team": str, "epoch": int, "opponent": int,
+    "fitness_mean": float, "fitness_std": float, "fitness_best": float,
+}  # fmt: skip
 """Columns of the log, one row per epoch, and their types, before those of the game
 (`Game.columns`).
 
@@ -80,7 +74,6 @@ epoch of a generation, which choose its champion, count in the row of that epoch
 """
 Row = dict[str, Any]
 Archive = dict[str, Genomes]
-
 
 OTHER_NAMES = {
     **dict.fromkeys(("payoff_matrix", "payoffs", "matrix"), "run.payoff()"),
@@ -383,12 +376,28 @@ class SavedRun:
     def extend(
         self, generations: int, *, threads: int | None = None, report: Report = silent
     ) -> SavedRun:
-        """Return the run of a race that goes on until it has so many `generations`.
+        """Return the run of a race that goes on until it has so many generations.
 
         It is the same, bit for bit, as if the race had had them from the beginning. A run that is
-        stopped goes on by the same call, or as any other. ValueError if it cannot go on: fewer
-        generations than it has, one team alone, a learner that anneals over the whole run, no
-        checkpoint, or a game that has changed.
+        stopped goes on by the same call, or as any other.
+
+        Parameters
+        ----------
+        generations : int
+            Generations of the whole race.
+        threads, report
+            As in `evolve`.
+
+        Returns
+        -------
+        SavedRun
+            The finished run.
+
+        Raises
+        ------
+        ValueError
+            If it cannot go on: fewer generations than it has, one team alone, a learner that
+            anneals over the whole run, no checkpoint, or a game that has changed.
         """
         from matrixworld.coevolution import run
 
@@ -396,10 +405,20 @@ class SavedRun:
         return run.finish(self.path, threads=threads, report=report)
 
     def best(self, team: str, *, sampled: bool | None = None, seed: int | None = None) -> Any:
-        """Return the `policy` of a team that is best against held-out opponents.
+        """Return the policy of a team that is best against held-out opponents.
 
-        It is chosen by episodes of its own, which no score is from. They are played once. In a game
-        of your own, which has no held-out opponents, it is the last one, as `last` returns it.
+        It is chosen by episodes of its own, which no score is from. They are played once.
+
+        Parameters
+        ----------
+        team, sampled, seed
+            As in `policy`.
+
+        Returns
+        -------
+        NetworkPolicy or RatingPolicy
+            What plays. In a game of your own, which has no held-out opponents, it is the last
+            generation, as `last` returns it.
         """
         if self.settings.game:
             return self.last(team)
@@ -414,16 +433,30 @@ class SavedRun:
         return scores.best_generations(self)
 
     def explain(self, team: Team, generation: int = -1, **options: Any) -> Any:
-        """Return what a generation of a team does, in words and numbers: an `Explanation`.
+        """Return what a generation of a team does, in words and numbers.
 
         Of a policy that rates moves it tells what its inputs do and cost; of a network over cells
-        it has a decision tree that imitates it (extra ``explain``). `options` are ``episodes``
-        against each held-out opponent, at least 2, by default 40; a ``seed``, by default 0, whose
-        matches no other call plays; the ``depth`` of a tree, 3 to 6, by default 4; and ``threads``
-        and ``report`` as for `Run`.
+        it has a decision tree that imitates it (extra ``explain``).
 
-        IndexError, ValueError or MissingExtraError if there is no such generation or team, a script
-        plays for it, it has memory, or a tree needs scikit-learn.
+        Parameters
+        ----------
+        team, generation
+            As in `policy`.
+        **options
+            ``episodes`` against each held-out opponent, at least 2, by default 40; a ``seed``, by
+            default 0, whose matches no other call plays; the ``depth`` of a tree, 3 to 6, by
+            default 4; and ``threads`` and ``report`` as in `evolve`.
+
+        Returns
+        -------
+        Explanation
+            What the team does; it prints as sentences and a table.
+
+        Raises
+        ------
+        IndexError, ValueError, MissingExtraError
+            If there is no such generation or team, a script plays for it, it has memory, or a tree
+            needs scikit-learn.
         """
         from matrixworld.coevolution.evaluation import explanation, scores
 
@@ -435,7 +468,10 @@ class SavedRun:
     def generation(self, team: str, index: int, name: str = "") -> int:
         """Return a generation from 0 on, of an index that may count from the end; 0 of a script.
 
-        IndexError, which begins with `name` or the team, if there is no such generation.
+        Raises
+        ------
+        IndexError
+            If there is no such generation; the message begins with `name` or the team.
         """
         count = len(self.archive()[self.key_of(team)]) or 1  # a script has one
         expected = f"a generation from 0 to {count - 1}"

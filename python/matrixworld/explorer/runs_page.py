@@ -289,7 +289,11 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
 
 def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
     """Return path, value and meaning of each setting that differs from what `start_of` says."""
-    usual = values_of(start_of(settings)[1])
+    start, found = values_of(start_of(settings)[1]), values_of(settings)
+    others = [f"{name}." for name in ("learner", "policy") if found.get(name) != start.get(name)]
+    # Those of another kind begin from its defaults, and so do those for which it states some.
+    own = (*others, *getattr(settings.learner, "defaults", ()))
+    usual = {path: value for path, value in start.items() if not path.startswith(own)}
     variant = variant_name(settings.world.rules) if settings.world else ""
     different = []
     for path, value, text in leaves(settings):

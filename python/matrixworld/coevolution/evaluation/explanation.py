@@ -21,12 +21,7 @@ from matrixworld import analysis, version
 from matrixworld._util import checks, readable
 from matrixworld.analysis import Estimate, intervals
 from matrixworld.coevolution import seeding, storage
-from matrixworld.coevolution.evaluation.scores import (
-    SCORE,
-    opponents_in,
-    opponents_of,
-    score_policy,
-)
+from matrixworld.coevolution.evaluation import scores
 from matrixworld.coevolution.progress import Report, part_of, silent
 from matrixworld.coevolution.types import FloatArray, Genome, Team
 from matrixworld.episodes.record import record
@@ -116,7 +111,7 @@ class Explanation(readable.Readable):
     tree: Tree | None = None
 
     def _parts(self) -> readable.Parts:
-        kind = SCORE[self.team]
+        kind = scores.SCORE[self.team]
         told = [self.sentence, f"{kind.capitalize()} against held-out opponents: {self.score}"]
         if self.tree:
             depth, leaves, agreement, score, cost = self.tree
@@ -201,8 +196,8 @@ class _Matches:
     ) -> FloatArray:
         """Return scores (genomes, opponents, episodes): a part of the whole work."""
         how = {"seed": self.seed_of(number), "report": part_of(self.report, part, of)}
-        play = {**self.play, **how, **play}
-        return score_policy(policy, self.team, self.world, opponents=self.opponents, **play).rates
+        play = {**self.play, "opponents": self.opponents, **how, **play}
+        return scores.score_policy(policy, self.team, self.world, **play).rates
 
 
 def _score(rates: FloatArray) -> Estimate:
@@ -307,8 +302,8 @@ def sentence_of(run: storage.SavedRun, team: Team) -> str:
     if run.settings.game or run.settings.policy.kind == "cells":
         return ""
     policy, world = run.policy(team, seed=0), run.pursuit.world
-    matches = _Matches(policy, team, world, opponents_in(run, team, world)[0], 0, 0, {}, silent)
-    _, told = _terms(matches)
+    opponents, _ = scores.opponents_in(run, team, world)
+    _, told = _terms(_Matches(policy, team, world, opponents, 0, 0, {}, silent))
     shape: Any = policy.policy
     code = f" rating = {shape.expression(policy.genome)}" if shape.kind == "program" else ""
     return told + code
@@ -354,9 +349,8 @@ def features(views: NDArray[Any], team: Team) -> dict[str, NDArray[np.float32]]:
         "south": column[:, half + 1 :], "west": row[:, :half][:, ::-1],
     }  # fmt: skip
     for direction, ray in rays.items():
-        found[f"free cells {direction}"] = np.pad(
-            ray, ((0, 0), (0, 1)), constant_values=True
-        ).argmax(axis=1)
+        ends = np.pad(ray, ((0, 0), (0, 1)), constant_values=True)  # where the view does
+        found[f"free cells {direction}"] = ends.argmax(axis=1)
     return {name: each.astype(np.float32) for name, each in found.items()}
 
 
@@ -461,7 +455,7 @@ def explain(
     """Explain what a policy does for a team; arguments as those of `SavedRun.explain`."""
     checks.check_integer("seed", seed, 0, checks.SEED_MAX)
     checks.check_integer("depth", depth, DEPTHS[0], DEPTHS[-1])
-    against = opponents_of(team, config)[0] if opponents is None else opponents
+    against = scores.opponents_of(team, config)[0] if opponents is None else opponents
     play = {"episodes": checks.check_integer("episodes", episodes, 2), "threads": threads}
     matches = _Matches(policy, team, config, against, seed, depth, play, report)
     return Explanation(team, generation, **KINDS[policy.policy.kind](matches))

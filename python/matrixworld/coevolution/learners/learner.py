@@ -104,7 +104,7 @@ class Learner(Section):
     it gets; random numbers come only from the generator of `ask`. A learner of your own is a frozen
     dataclass with this base, in the settings itself or by its name ``module:object``, with fields
     of numbers, text, true or false: see `check_learner`. With a field ``anneal`` that is true, a
-    race cannot become longer. The `population` is the number of candidates per epoch.
+    race cannot become longer.
     """
 
     ignores: ClassVar[tuple[str, ...]] = ("policy.mask",)
