@@ -74,10 +74,8 @@ def test_the_default_job_is_the_one_that_was_judged():
     for options, world in (({}, "courtyard"), ({"world": "park"}, "park"), ({"paper": True}, "O")):
         assert settings_of(options) == [kept[f"{world}; {name}"] for name in MAIN_JOB]
     assert settings_of({"config": {}}) == settings_of({"paper": True})
-    [changed] = settings_of({"schedule": ("hall-of-fame",), "learner": "ga", "rows": 9})
-    assert changed == RaceSettings.of(
-        default_race("hall-of-fame"), {"learner": "ga", "world.rows": 9}
-    )
+    changed = RaceSettings.of(default_race("hall-of-fame"), {"learner": "ga", "world.rows": 9})
+    assert settings_of({"schedule": ("hall-of-fame",), "learner": "ga", "rows": 9}) == [changed]
     # With a genome to start from, an initial weight that nobody has given is not refused.
     started = {"schedule.team": "evader", "schedule.start": "run"}
     assert RaceSettings.of(default_race("against"), started).schedule.start == "run"

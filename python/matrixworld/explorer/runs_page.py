@@ -307,10 +307,7 @@ def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
 
 
 def start_of(settings: RaceSettings) -> tuple[list[str], RaceSettings]:
-    """Return the options that say what the command starts from, and the settings that it has then.
-
-    These are nearest to the given ones, of the same seed and schedule or opponent.
-    """
+    """Return options of the command and the settings that they mean, the nearest to the given."""
     schedule = settings.schedule
     same: dict[str, Any] = {"schedule": schedule.name, "seed": settings.seed}
     sets: list[str] = []
