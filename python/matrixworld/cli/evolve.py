@@ -219,14 +219,14 @@ def evolve_command(
         # Some settings can be checked only when opponents and start genomes have been read.
         with setting_options.usage_errors():
             jobs.check_job(job, root, threads, elsewhere=where is not None)
-        jobs.create_job(job, root)
-        console.note(f"{root / PAGE} shows the runs while they go on.")
-        console.note(_plan(job, root))
-        if resumed is None and not given:
-            console.note(PAGE_HINT)
         began = time.monotonic()
         with _resumable(root):
             with cluster.on_cluster(where, threads) as executor:
+                jobs.create_job(job, root)
+                console.note(f"{root / PAGE} shows the runs while they go on.")
+                console.note(_plan(job, root))
+                if resumed is None and not given:
+                    console.note(PAGE_HINT)
                 results, failed = play(job, root, threads, executor)
             report(job, root, results, failed, began, threads)
         if failed:
