@@ -279,18 +279,19 @@ def read_genome(
     """
     path = Path(path)
     arrays = load_arrays(path, content)
-    genome, team, _ = (arrays[name] for name in ("genome", "team", "kind"))  # all must be there
+    genome = arrays["genome"]
     if genome.dtype.kind != "f" or genome.ndim != 1:
         expected = "expected an array 'genome' of floats with 1 dimension"
         got = f"got dtype {genome.dtype} and shape {genome.shape}"
         raise DamagedFileError(path, f"{expected}, {got}")
+    team, _ = arrays["team"].tolist(), arrays["kind"]  # both must be there
     plain = {name: each.tolist() for name, each in arrays.items() if name not in ("genome", "team")}
     try:
-        checks.check_choice("team", team.tolist(), TEAMS)
+        checks.check_choice("team", team, TEAMS)
         policy = policy_of(plain)
         missing = policy.to_json().keys() - plain
         if missing:
             raise ValueError(f"expected an array {min(missing)!r}, got {', '.join(arrays)}")
-        return cast(Team, team.tolist()), Population(genome, policy)
+        return cast(Team, team), Population(genome, policy)
     except (OverflowError, TypeError, ValueError) as error:
         raise DamagedFileError(path, str(error)) from error
