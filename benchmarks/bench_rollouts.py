@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from timing import Clock, Rate, bind, n_cores, print_table
+from timing import CORES, Clock, Rate, bind, print_table
 
 HIDDEN: tuple[tuple[int, ...], ...] = ((32,), (64, 64), (400, 300))
 SHORT = 20  # rounds of a short episode
@@ -113,7 +113,7 @@ def print_long(rounds: int, clock: Clock) -> None:
     bind(1)
     alone = {hidden: long_episodes(hidden, rounds, 1, clock) for hidden in HIDDEN}
     both = {}
-    if n_cores() > 1:
+    if len(CORES) > 1:
         bind(2)
         # Twice the matches on twice the threads: the work of each thread stays the same.
         both = {hidden: long_episodes(hidden, rounds, 2, clock) for hidden in HIDDEN}

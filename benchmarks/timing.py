@@ -14,18 +14,16 @@ from numpy.typing import NDArray
 
 SPARE, PLACES = 2**20, 4093
 """Random actions beside those of one step, and windows of them that are played in turn."""
+CORES = range(os.cpu_count() or 1)
+if hasattr(os, "sched_getaffinity"):
+    CORES = sorted(os.sched_getaffinity(0))  # that this process could use when it started
 
 
 def bind(cores: int) -> None:
     """Bind this process to a number of cores, if the system supports it."""
     # The last cores: the first ones tend to serve interrupts.
     if hasattr(os, "sched_setaffinity"):
-        os.sched_setaffinity(0, _CORES[-cores:])
-
-
-def n_cores() -> int:
-    """Return the number of cores that this process could use when it started."""
-    return len(_CORES)
+        os.sched_setaffinity(0, CORES[-cores:])
 
 
 @dataclass(frozen=True)
@@ -91,12 +89,3 @@ def print_table(header: Sequence[str], rows: Sequence[Sequence[object]]) -> None
     lines = ["| " + " | ".join(str(cell) for cell in row) + " |" for row in (header, *rows)]
     lines.insert(1, "|" + "---|" * len(header))
     print(*lines, "", sep="\n", flush=True)
-
-
-def _cores() -> list[int]:
-    if hasattr(os, "sched_getaffinity"):
-        return sorted(os.sched_getaffinity(0))
-    return list(range(os.cpu_count() or 1))
-
-
-_CORES = _cores()
