@@ -56,7 +56,7 @@ EXPLORE = [
 ]
 ALONE = ["--schedule", "against"]
 EVOLVE = [
-    (["--cluster", "scheduler.json"], 1, "scheduler.json: expected a scheduler file of Dask, got no"),
+    (["--cluster", "scheduler.json"], 1, "scheduler.json: expected a scheduler file of Dask"),
     (["--paper", "--n-pursuers", 30, "--rows", 6, "--cols", 6], 2, "--rows: expected at least "),
     (["--variant", "Q"], 2, "--variant: expected one of D, R, B, O, S, SB"),
     (["--config", "q.toml"], 2, "--variant: expected one of D, R, B, O, S, SB"),
