@@ -10,6 +10,7 @@ import shutil
 import unicodedata
 from contextlib import suppress
 from pathlib import Path
+from xml.etree import ElementTree
 
 import click
 import numpy as np
@@ -113,6 +114,7 @@ READERS = [
     lambda path: [*np.load(path).values()],
     np.load,
     lambda path: Image.open(path).verify(),
+    ElementTree.parse,  # SVG
     lambda path: path.read_text("utf-8").index("</html>"),
     lambda path: np.loadtxt(path, str, delimiter=",", ndmin=2)[1],
 ]

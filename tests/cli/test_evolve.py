@@ -17,19 +17,12 @@ from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, w
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.setting_options import settings_of
-from matrixworld.coevolution import (
-    SCHEDULES,
-    RaceSettings,
-    Run,
-    create,
-    default_race,
-    evolve,
-    open_run,
-)  # fmt: skip
+from matrixworld.coevolution import SCHEDULES, RaceSettings, Run, create, evolve, open_run
 from matrixworld.coevolution import jobs as jobs_module
 from matrixworld.coevolution import run as run_module
 from matrixworld.coevolution.jobs import found_job
 from matrixworld.coevolution.sections import values_of
+from matrixworld.coevolution.settings import default_race
 from matrixworld.coevolution.storage import find_runs
 from scripts import group_lives, wait_until
 from slow import quickly
