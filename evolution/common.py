@@ -123,7 +123,7 @@ def experiment(
     first_seed: int = 0,
     play: Play = play,
     then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
-    draw: Callable[[Numbers], Figure] | None = None,
+    draw: Callable[[Numbers], Figure | None] | None = None,
 ) -> None:
     """Play runs of several kinds and seeds, measure them, and write what the numbers say.
 
@@ -148,7 +148,7 @@ def experiment(
     then : callable, optional
         Runs of `kinds` -> settings by seed of further kinds, which build on them.
     draw : callable, optional
-        Numbers -> the one figure of what they say, which goes to ``figure.png``.
+        Numbers -> the one figure of what they say, which goes to ``figure.png``, or None.
     """
     name = Path(sys.argv[0]).stem
     quick_help = "a small world and two seeds, some seconds"
@@ -188,8 +188,8 @@ def experiment(
     if then is not None:
         runs |= finished(then(runs, args.quick))
     write(results, measure(runs, args.quick), table)
-    if draw is not None:
-        save_figure(draw(dict(np.load(results / "numbers.npz"))), results / "figure.png")
+    if draw and (figure := draw(dict(np.load(results / "numbers.npz")))):
+        save_figure(figure, results / "figure.png")
 
 
 def by_seed(runs: Runs, measure: Measure) -> dict[str, Any]:

@@ -387,7 +387,7 @@ def table_of_rises(numbers: Numbers) -> str:
         for t in range(len(TEAMS)):
             each, up, flat = said[..., t], rises[..., t], stays[..., t]
             found = partial(_area_of, each, up, flat)
-            equal = np.quantile(each[up], 1 - EQUAL_HITS)
+            equal = np.quantile(each[up], 1 - EQUAL_HITS) if up.any() else np.inf
             cells += [share(each >= RISES, up), share(each >= RISES, flat)]
             cells += [share(each >= equal, flat), jackknife(found, len(each))]
         rows.append(cells)
@@ -481,9 +481,11 @@ def table_of_worlds(numbers: Numbers) -> list[str]:
     ]
 
 
-def figure(numbers: Numbers) -> Figure:
-    """Draw false alarms and hits on evaders of two measures, by world."""
+def figure(numbers: Numbers) -> Figure | None:
+    """Draw false alarms and hits on evaders of two measures, by world; None without any."""
     worlds = worlds_of(numbers, "evader", both=False)
+    if not worlds:
+        return None
     wrong = in_worlds(numbers, "evader", worlds, alarms)
     order = np.argsort(wrong["all"])
     names = [list(worlds)[k] for k in order]
