@@ -25,10 +25,12 @@ import matrixworld as mw
 from matrixworld.coevolution import (
     TEAMS,
     Against,
+    Cells,
     CmaEs,
     EvolutionStrategy,
     GeneticAlgorithm,
     Learner,
+    Pursuit,
     RaceSettings,
     Results,
     Task,
@@ -78,8 +80,7 @@ def drive(game: Game, learner: Learner, groups: ArrayLike | None = None, matches
             epochs=max(1, game.matches // learner.population),
             untrained=lambda rng: next(untrained),
             begin=None,
-            world=game.world,
-            network=game.network,
+            game=Pursuit(world=game.world, settings=Cells(hidden=game.network.hidden)),
         )
     )
     while game.goes_on(learner.genome(state)):
