@@ -19,7 +19,14 @@ const TOURNAMENT = "../tutorials/class_tournament";
 /** A folder of src with a main.ts is a page; the list has no other place. */
 const PAGES = readdirSync(join(HERE, "src")).filter((name) => existsSync(join(HERE, "src", name, "main.ts")));
 /** What the pages are built from. The engine is built by itself, see build_engine.py. */
-const SOURCES = ["src", `${TOURNAMENT}/page`, "build.mjs", "package.json", "package-lock.json", "tsconfig.json"];
+const SOURCES = [
+  "src",
+  `${TOURNAMENT}/page`,
+  "build.mjs",
+  "package.json",
+  "package-lock.json",
+  "tsconfig.json",
+];
 
 /** Return all files below a path. */
 function files(path) {
@@ -33,7 +40,9 @@ function digest() {
   const paths = SOURCES.flatMap((source) => files(join(HERE, source)));
   const names = paths.map((path) => relative(HERE, path).split(sep).join("/"));
   for (const name of names.sort()) {
-    const content = createHash("sha256").update(readFileSync(join(HERE, name))).digest("hex");
+    const content = createHash("sha256")
+      .update(readFileSync(join(HERE, name)))
+      .digest("hex");
     hash.update(`${name} ${content}\n`);
   }
   return hash.digest("hex");
@@ -41,22 +50,23 @@ function digest() {
 
 const first_line = `/* built from web/ by "npm run build"; sources ${digest()} */`;
 
-const bundle = (entryPoints, outdir) => build({
-  absWorkingDir: HERE,
-  entryPoints,
-  outdir,
-  nodePaths: [join(HERE, "node_modules")], // for sources outside of web/
-  bundle: true,
-  format: "iife",
-  target: ["es2022", "chrome105", "firefox110", "safari16"],
-  minify: true,
-  lineLimit: 160, // long lines are unreadable in differences
-  charset: "utf8",
-  legalComments: "none",
-  loader: { ".wasm": "binary" },
-  banner: { js: first_line, css: first_line },
-  logLevel: "info",
-});
+const bundle = (entryPoints, outdir) =>
+  build({
+    absWorkingDir: HERE,
+    entryPoints,
+    outdir,
+    nodePaths: [join(HERE, "node_modules")], // for sources outside of web/
+    bundle: true,
+    format: "iife",
+    target: ["es2022", "chrome105", "firefox110", "safari16"],
+    minify: true,
+    lineLimit: 160, // long lines are unreadable in differences
+    charset: "utf8",
+    legalComments: "none",
+    loader: { ".wasm": "binary" },
+    banner: { js: first_line, css: first_line },
+    logLevel: "info",
+  });
 
 await bundle(Object.fromEntries(PAGES.map((page) => [page, `src/${page}/main.ts`])), BUILT);
 await bundle({ class: `${TOURNAMENT}/page/main.ts` }, `${TOURNAMENT}/built`);

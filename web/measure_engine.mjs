@@ -36,5 +36,7 @@ for (const hidden of [[], [32], [64, 64], [400, 300]]) {
   const match = engine.match(config, policy, policy, 2n, 0);
   const took = seconds() - begin;
   const rounds = Math.round(match.length / took).toLocaleString("en");
-  console.log(`[${hidden}]: ${rounds} rounds a second, a match of ${match.length} in ${(1000 * took).toFixed(0)} ms`);
+  console.log(
+    `[${hidden}]: ${rounds} rounds a second, a match of ${match.length} in ${(1000 * took).toFixed(0)} ms`,
+  );
 }

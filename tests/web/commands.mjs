@@ -67,7 +67,11 @@ const COMMANDS = {
     const player = policyOf(policy);
     for (const row of actions) world.replay(row, { pursuer: player, evader: player });
     const chosen = world.decide(player, team, new Uint8Array(world.n_agents).fill(9));
-    return { chosen, answers: agents.map((agent) => world.answer(player, agent)), view: world.view(agents[0] ?? 0) };
+    return {
+      chosen,
+      answers: agents.map((agent) => world.answer(player, agent)),
+      view: world.view(agents[0] ?? 0),
+    };
   },
   // How a policy rates the moves of agents.
   rate({ config, start, actions, policy, agents }) {
@@ -90,7 +94,9 @@ const COMMANDS = {
     return actions.map((row) => {
       const game = solution.game(world);
       const told = game && {
-        value: game.value, play: game.teams.map((team) => team.play), lost: game.lost(row),
+        value: game.value,
+        play: game.teams.map((team) => team.play),
+        lost: game.lost(row),
         marginals: row.map((_, agent) => game.marginal(agent)),
       };
       world.playTurn(row);

@@ -24,9 +24,11 @@ export function policyOf(given) {
 export function rollout(config, pursuers, evaders, seed, episodes) {
   const match = { pursuer: Int32Array.of(0), evader: Int32Array.of(0), seed: BigUint64Array.of(seed) };
   const all = Object.entries(engine.rollouts(config, pursuers, evaders, match, episodes));
-  const of = (values, episode) => values.slice((episode * values.length) / episodes, ((episode + 1) * values.length) / episodes);
+  const of = (values, episode) =>
+    values.slice((episode * values.length) / episodes, ((episode + 1) * values.length) / episodes);
   return Array.from({ length: episodes }, (_, episode) =>
-    episodeOf(Object.fromEntries(all.map(([name, values]) => [name, of(values, episode)]))));
+    episodeOf(Object.fromEntries(all.map(([name, values]) => [name, of(values, episode)]))),
+  );
 }
 
 /** Return a value as JSON can hold it: arrays as lists, large integers as text. */

@@ -62,7 +62,11 @@ function score(statistics, name) {
 
 function rollouts({ config, team, matches }) {
   const player = policyOf(team);
-  for (const [pursuers, evaders] of [[player, "fleer"], ["chaser", player], ["random", "still"]]) {
+  for (const [pursuers, evaders] of [
+    [player, "fleer"],
+    ["chaser", player],
+    ["random", "still"],
+  ]) {
     const played = matches.flatMap(([seed, episodes]) =>
       rollout(config, pursuers, evaders, BigInt(seed), episodes),
     );

@@ -6,6 +6,10 @@ const { outcomeOf } = await import(new URL("../../web/src/evolve/outcome.ts", im
 const { sentence } = await import(new URL("../../web/src/evolve/words.ts", import.meta.url));
 
 const { races, told, data } = input();
-const outcomes = races.map((scores) => outcomeOf(
-  new Map(scores.flatMap((row, g) => row.map((capture_rates, h) => [`${g} ${h}`, { capture_rates }]))), scores.length));
+const outcomes = races.map((scores) =>
+  outcomeOf(
+    new Map(scores.flatMap((row, g) => row.map((capture_rates, h) => [`${g} ${h}`, { capture_rates }]))),
+    scores.length,
+  ),
+);
 output({ outcomes, sentences: told.map(([team, effects]) => sentence(data, team, effects)) });

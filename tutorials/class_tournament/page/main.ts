@@ -19,8 +19,10 @@ const store = new Store({ pursuer: best!.number, evader: data.standings.evader[0
 const match = new MatchPanel(data, store);
 
 function about({ world, episodes, seed, matrixworld }: Data): string {
-  return `${world.n_pursuers} pursuers and ${world.n_evaders} evaders on ${world.rows} x ${world.cols} cells, at most `
-    + `${world.max_steps} steps · ${episodes} episodes a pair · seed ${seed} · matrixworld ${matrixworld}`;
+  return (
+    `${world.n_pursuers} pursuers and ${world.n_evaders} evaders on ${world.rows} x ${world.cols} cells, at most ` +
+    `${world.max_steps} steps · ${episodes} episodes a pair · seed ${seed} · matrixworld ${matrixworld}`
+  );
 }
 
 const READING = [
@@ -29,17 +31,31 @@ const READING = [
   "Keys: Space plays, ← and → step, D changes light and dark; in the matrix arrow keys choose a match and Enter plays it.",
 ];
 
-document.getElementById("page")!.replaceWith(
-  top(data.title, about(data)),
-  html("main", { class: "stages" },
-    html("div", { class: "tables" }, standingsTable(data, "pursuer", store), standingsTable(data, "evader", store)),
-    new MatrixPanel(data, store).element,
-    match.element),
-  ...votesTable(data),
-  ...refusedList(data.refusals),
-  html("section", { class: "card reading", "aria-label": "How to read this page" },
-    html("h2", {}, "How to read this page"), ...READING.map((text) => html("p", {}, text))),
-);
+document
+  .getElementById("page")!
+  .replaceWith(
+    top(data.title, about(data)),
+    html(
+      "main",
+      { class: "stages" },
+      html(
+        "div",
+        { class: "tables" },
+        standingsTable(data, "pursuer", store),
+        standingsTable(data, "evader", store),
+      ),
+      new MatrixPanel(data, store).element,
+      match.element,
+    ),
+    ...votesTable(data),
+    ...refusedList(data.refusals),
+    html(
+      "section",
+      { class: "card reading", "aria-label": "How to read this page" },
+      html("h2", {}, "How to read this page"),
+      ...READING.map((text) => html("p", {}, text)),
+    ),
+  );
 
 document.addEventListener("keydown", (event) => {
   const field = event.target instanceof HTMLSelectElement || event.target instanceof HTMLInputElement;
@@ -51,15 +67,31 @@ document.addEventListener("keydown", (event) => {
 });
 
 // For the browser's console, and for tests.
-Object.assign(window, { matrixworldClass: { get replay() { return match.replay; }, get step() { return match.player.step; } } });
+Object.assign(window, {
+  matrixworldClass: {
+    get replay() {
+      return match.replay;
+    },
+    get step() {
+      return match.player.step;
+    },
+  },
+});
 
 // The page is drawn before the engine is compiled.
-requestAnimationFrame(() => setTimeout(() => {
-  loadEngine().then((engine) => {
-    match.start(engine);
-    document.body.dataset["ready"] = "true";
-  }, (error: unknown) => {
-    match.element.prepend(html("p", { class: "problem", role: "alert" }, `The engine does not start here: ${String(error)}`));
-    document.body.dataset["ready"] = "true";
-  });
-}));
+requestAnimationFrame(() =>
+  setTimeout(() => {
+    loadEngine().then(
+      (engine) => {
+        match.start(engine);
+        document.body.dataset["ready"] = "true";
+      },
+      (error: unknown) => {
+        match.element.prepend(
+          html("p", { class: "problem", role: "alert" }, `The engine does not start here: ${String(error)}`),
+        );
+        document.body.dataset["ready"] = "true";
+      },
+    );
+  }),
+);

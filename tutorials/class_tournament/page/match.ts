@@ -25,7 +25,11 @@ export class MatchPanel {
   readonly #board: Board;
   readonly #title = html("h2", { class: "match-title" });
   readonly #tally = html("p", { class: "tally numbers" });
-  readonly #words = html("ol", { class: "words", "aria-live": "off", "aria-label": "What happened in this step" });
+  readonly #words = html("ol", {
+    class: "words",
+    "aria-live": "off",
+    "aria-label": "What happened in this step",
+  });
   readonly #note = html("p", { class: "check small", "aria-live": "polite" });
   #engine: Engine | null = null;
 
@@ -34,12 +38,19 @@ export class MatchPanel {
     const canvas = html("canvas", { "aria-label": "The match" });
     this.#board = new Board(canvas, { numbers: false });
     this.element = html(
-      "section", { class: "card match-card", "aria-label": "Match", id: "match" },
+      "section",
+      { class: "card match-card", "aria-label": "Match", id: "match" },
       html("header", { class: "match-head" }, this.#title, this.#tally),
       html("div", { class: "stage" }, canvas),
-      playerBar(this.player), this.#note, legend(), this.#words,
+      playerBar(this.player),
+      this.#note,
+      legend(),
+      this.#words,
     );
-    this.player.addEventListener("frame", () => this.replay && this.#board.show(this.replay.recording, this.player.time));
+    this.player.addEventListener(
+      "frame",
+      () => this.replay && this.#board.show(this.replay.recording, this.player.time),
+    );
     this.player.addEventListener("step", () => this.#tell());
     store.on("pair", () => this.#load());
     store.on("play", () => this.#play());
@@ -92,8 +103,10 @@ export class MatchPanel {
   #entitle(): void {
     const { pursuer, evader } = this.#store.pair;
     this.#title.replaceChildren(
-      html("span", { class: "pursuer" }, this.#data.names.pursuer[pursuer]!), " against ",
-      html("span", { class: "evader" }, this.#data.names.evader[evader]!));
+      html("span", { class: "pursuer" }, this.#data.names.pursuer[pursuer]!),
+      " against ",
+      html("span", { class: "evader" }, this.#data.names.evader[evader]!),
+    );
   }
 
   #tell(): void {
@@ -106,7 +119,12 @@ export class MatchPanel {
     const step = this.player.step;
     const captured = Array.from(recording.moments[step]!.everCaptured).filter(Boolean).length;
     this.#tally.replaceChildren(
-      html("strong", {}, captured), ` of ${this.#data.world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
-    this.#words.replaceChildren(...wordsOf(this.replay, recording, step).map((word) => html("li", { class: word.kind }, word.text)));
+      html("strong", {}, captured),
+      ` of ${this.#data.world.n_evaders} captured`,
+      html("span", { class: "muted" }, ` · step ${step}`),
+    );
+    this.#words.replaceChildren(
+      ...wordsOf(this.replay, recording, step).map((word) => html("li", { class: word.kind }, word.text)),
+    );
   }
 }

@@ -36,10 +36,18 @@ export class MatrixPanel {
     this.#columns = data.standings.evader.map(({ number }) => number);
     this.#drawing = this.#draw();
     this.element = html(
-      "section", { class: "card matrix-card", "aria-label": "All matches" },
-      html("header", {},
+      "section",
+      { class: "card matrix-card", "aria-label": "All matches" },
+      html(
+        "header",
+        {},
         html("h2", {}, "All matches"),
-        html("p", { class: "small muted" }, "Capture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),
+        html(
+          "p",
+          { class: "small muted" },
+          "Capture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.",
+        ),
+      ),
       html("div", { class: "drawing" }, this.#drawing),
       scaleOfRates("0", "1"),
       this.#readout,
@@ -53,10 +61,14 @@ export class MatrixPanel {
     const [rows, columns] = [this.#rows.length, this.#columns.length];
     const size = SIDE / Math.max(rows, columns);
     const font = Math.min(26, Math.max(11, 0.78 * size));
-    const margin = widest([...this.#data.names.pursuer, ...this.#data.names.evader].map(shortened), font) + 12;
+    const margin =
+      widest([...this.#data.names.pursuer, ...this.#data.names.evader].map(shortened), font) + 12;
     const width = columns * size + margin;
     const drawing = svg("svg", {
-      class: "matrix", tabindex: "0", role: "img", "aria-label": "Matrix of capture rates; arrow keys choose a match, Enter plays it",
+      class: "matrix",
+      tabindex: "0",
+      role: "img",
+      "aria-label": "Matrix of capture rates; arrow keys choose a match, Enter plays it",
       preserveAspectRatio: "xMidYMin meet",
       viewBox: `${-margin} ${-margin} ${width} ${rows * size + margin}`,
       onpointermove: (event: PointerEvent) => this.#store.point(this.#pairAt(event, size)),
@@ -67,13 +79,26 @@ export class MatrixPanel {
       },
       onkeydown: (event: KeyboardEvent) => this.#key(event),
     });
-    const cells = this.#rows.flatMap((g, row) => this.#columns.map((h, column) => {
-      const value = this.#data.capture_rate[g]![h]!;
-      return svg("rect", {
-        x: column * size, y: row * size, width: size, height: size, fill: viridisText(value), "data-pair": `${g} ${h}`,
-      });
-    }));
-    drawing.append(...cells, ...this.#numbers(size), ...this.#names("pursuer", size, font), ...this.#names("evader", size, font), this.#marks);
+    const cells = this.#rows.flatMap((g, row) =>
+      this.#columns.map((h, column) => {
+        const value = this.#data.capture_rate[g]![h]!;
+        return svg("rect", {
+          x: column * size,
+          y: row * size,
+          width: size,
+          height: size,
+          fill: viridisText(value),
+          "data-pair": `${g} ${h}`,
+        });
+      }),
+    );
+    drawing.append(
+      ...cells,
+      ...this.#numbers(size),
+      ...this.#names("pursuer", size, font),
+      ...this.#names("evader", size, font),
+      this.#marks,
+    );
     this.#marks.dataset["size"] = String(size);
     drawing.style.minWidth = `${(SMALLEST_LETTER / font) * width}px`;
     return drawing;
@@ -82,24 +107,42 @@ export class MatrixPanel {
   /** The rates in the cells, where there are few. */
   #numbers(size: number): SVGTextElement[] {
     if (Math.max(this.#rows.length, this.#columns.length) > READABLE) return [];
-    return this.#rows.flatMap((g, row) => this.#columns.map((h, column) => {
-      const value = this.#data.capture_rate[g]![h]!;
-      return svg("text", {
-        x: (column + 0.5) * size, y: (row + 0.5) * size, fill: inkOn(value), "font-size": Math.min(30, 0.38 * size), class: "in-cell",
-      }, rate(value));
-    }));
+    return this.#rows.flatMap((g, row) =>
+      this.#columns.map((h, column) => {
+        const value = this.#data.capture_rate[g]![h]!;
+        return svg(
+          "text",
+          {
+            x: (column + 0.5) * size,
+            y: (row + 0.5) * size,
+            fill: inkOn(value),
+            "font-size": Math.min(30, 0.38 * size),
+            class: "in-cell",
+          },
+          rate(value),
+        );
+      }),
+    );
   }
 
   #names(team: Team, size: number, font: number): SVGTextElement[] {
     const order = team === "pursuer" ? this.#rows : this.#columns;
     return order.map((number, place) => {
       const middle = (place + 0.5) * size;
-      const where = team === "pursuer"
-        ? { x: -6, y: middle, "text-anchor": "end" }
-        : { transform: `translate(${middle} -6) rotate(-90)`, "text-anchor": "start" };
-      return svg("text", {
-        ...where, class: `name ${this.#standing(team, number).kind}`, "font-size": font, "data-name": `${team} ${number}`,
-      }, shortened(this.#data.names[team][number]!));
+      const where =
+        team === "pursuer"
+          ? { x: -6, y: middle, "text-anchor": "end" }
+          : { transform: `translate(${middle} -6) rotate(-90)`, "text-anchor": "start" };
+      return svg(
+        "text",
+        {
+          ...where,
+          class: `name ${this.#standing(team, number).kind}`,
+          "font-size": font,
+          "data-name": `${team} ${number}`,
+        },
+        shortened(this.#data.names[team][number]!),
+      );
     });
   }
 
@@ -109,14 +152,24 @@ export class MatrixPanel {
 
   /** Return the pair at a pointer; null outside of the cells. */
   #pairAt(event: MouseEvent, size: number): Pair | null {
-    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.#drawing.getScreenCTM()!.inverse());
-    const [pursuer, evader] = [this.#rows[Math.floor(place.y / size)], this.#columns[Math.floor(place.x / size)]];
-    return pursuer === undefined || evader === undefined || place.x < 0 || place.y < 0 ? null : { pursuer, evader };
+    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(
+      this.#drawing.getScreenCTM()!.inverse(),
+    );
+    const [pursuer, evader] = [
+      this.#rows[Math.floor(place.y / size)],
+      this.#columns[Math.floor(place.x / size)],
+    ];
+    return pursuer === undefined || evader === undefined || place.x < 0 || place.y < 0
+      ? null
+      : { pursuer, evader };
   }
 
   #key(event: KeyboardEvent): void {
     const moves: Record<string, readonly [number, number]> = {
-      ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1],
+      ArrowUp: [-1, 0],
+      ArrowDown: [1, 0],
+      ArrowLeft: [0, -1],
+      ArrowRight: [0, 1],
     };
     const move = moves[event.key];
     if (event.key === "Enter") this.#store.play(this.#store.pair);
@@ -136,10 +189,19 @@ export class MatrixPanel {
   #mark(): void {
     const { pair, hover } = this.#store;
     const size = Number(this.#marks.dataset["size"]);
-    const outline = ({ pursuer, evader }: Pair, kind: string): SVGRectElement => svg("rect", {
-      class: kind, x: this.#columns.indexOf(evader) * size, y: this.#rows.indexOf(pursuer) * size, width: size, height: size,
-    });
-    this.#marks.replaceChildren(outline(pair, "selected-halo"), outline(pair, "selected"), ...(hover ? [outline(hover, "hovered")] : []));
+    const outline = ({ pursuer, evader }: Pair, kind: string): SVGRectElement =>
+      svg("rect", {
+        class: kind,
+        x: this.#columns.indexOf(evader) * size,
+        y: this.#rows.indexOf(pursuer) * size,
+        width: size,
+        height: size,
+      });
+    this.#marks.replaceChildren(
+      outline(pair, "selected-halo"),
+      outline(pair, "selected"),
+      ...(hover ? [outline(hover, "hovered")] : []),
+    );
     const shown = hover ?? pair;
     for (const name of this.#drawing.querySelectorAll<SVGElement>("[data-name]")) {
       const about = [`pursuer ${shown.pursuer}`, `evader ${shown.evader}`].includes(name.dataset["name"]!);
@@ -153,9 +215,23 @@ export class MatrixPanel {
     const mean = rate(capture_rate[pursuer]![evader]);
     const [low, high] = [rate(lowest[pursuer]![evader]), rate(highest[pursuer]![evader])];
     return [
-      html("span", {}, html("span", { class: "pursuer" }, names.pursuer[pursuer]!), " against ", html("span", { class: "evader" }, names.evader[evader]!)),
-      html("span", {}, html("strong", {}, mean), html("span", { class: "small muted" },
-        ` captured; ${low} to ${high} in ${episodes} episodes, ${length[pursuer]![evader]!.toFixed(0)} steps on average`)),
+      html(
+        "span",
+        {},
+        html("span", { class: "pursuer" }, names.pursuer[pursuer]!),
+        " against ",
+        html("span", { class: "evader" }, names.evader[evader]!),
+      ),
+      html(
+        "span",
+        {},
+        html("strong", {}, mean),
+        html(
+          "span",
+          { class: "small muted" },
+          ` captured; ${low} to ${high} in ${episodes} episodes, ${length[pursuer]![evader]!.toFixed(0)} steps on average`,
+        ),
+      ),
     ];
   }
 }

@@ -19,11 +19,13 @@ export class Recordings {
     this.#data = data;
     this.#agents = data.world.n_pursuers + data.world.n_evaders;
     let start = 0;
-    data.steps.forEach((row, g) => row.forEach((steps, h) => {
-      if (steps < 0) return;
-      this.#starts.set(g * row.length + h, start);
-      start += steps * this.#agents;
-    }));
+    data.steps.forEach((row, g) =>
+      row.forEach((steps, h) => {
+        if (steps < 0) return;
+        this.#starts.set(g * row.length + h, start);
+        start += steps * this.#agents;
+      }),
+    );
   }
 
   /** Whether the page has a recording of a pair. */
@@ -36,7 +38,8 @@ export class Recordings {
     this.#actions ??= unzlibSync(bytesOf("recordings"));
     const start = this.#starts.get(pursuer * this.#data.names.evader.length + evader)!;
     return Array.from({ length: this.#data.steps[pursuer]![evader]! }, (_, step) =>
-      this.#actions!.slice(start + step * this.#agents, start + (step + 1) * this.#agents));
+      this.#actions!.slice(start + step * this.#agents, start + (step + 1) * this.#agents),
+    );
   }
 
   /** Play the first episode of a pair again: same start, same actions. */

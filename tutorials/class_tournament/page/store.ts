@@ -2,7 +2,8 @@
 
 import type { Pair } from "./data.ts";
 
-const same = (a: Pair | null, b: Pair | null): boolean => a?.pursuer === b?.pursuer && a?.evader === b?.evader;
+const same = (a: Pair | null, b: Pair | null): boolean =>
+  a?.pursuer === b?.pursuer && a?.evader === b?.evader;
 
 /** It dispatches `pair`, `hover` and `play`: the selected pair is to be shown from its start. */
 export class Store extends EventTarget {

@@ -19,7 +19,12 @@ const PLACES = 9;
 
 /** Draw all agents where they are; `moment` says which evaders are captured. */
 export function drawAgents(
-  sheet: Sheet, recording: Recording, moment: Moment, poses: readonly Pose[], numbers: boolean, ratio: number,
+  sheet: Sheet,
+  recording: Recording,
+  moment: Moment,
+  poses: readonly Pose[],
+  numbers: boolean,
+  ratio: number,
 ): void {
   poses.forEach((pose, agent) => {
     if (pose.alpha > 0) drawAgent(sheet, recording, moment, agent, pose, numbers, ratio);
@@ -31,7 +36,13 @@ export function drawAgents(
 }
 
 function drawAgent(
-  sheet: Sheet, recording: Recording, moment: Moment, agent: number, pose: Pose, numbers: boolean, ratio: number,
+  sheet: Sheet,
+  recording: Recording,
+  moment: Moment,
+  agent: number,
+  pose: Pose,
+  numbers: boolean,
+  ratio: number,
 ): void {
   const { ctx, grid, colors } = sheet;
   const pursuer = isPursuer(recording, agent);
@@ -62,5 +73,13 @@ function drawAgent(
 
 function drawCount(sheet: Sheet, pose: Pose, count: number): void {
   const { cell } = sheet.grid;
-  write(sheet, `+${count}`, pixelX(sheet.grid, pose.x), pixelY(sheet.grid, pose.y), cell * 0.3, sheet.colors.ink, cell * 0.1);
+  write(
+    sheet,
+    `+${count}`,
+    pixelX(sheet.grid, pose.x),
+    pixelY(sheet.grid, pose.y),
+    cell * 0.3,
+    sheet.colors.ink,
+    cell * 0.1,
+  );
 }

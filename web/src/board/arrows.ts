@@ -51,7 +51,14 @@ function drawHeld({ ctx, grid }: Sheet, recording: Recording, from: Cell, to: Ce
 }
 
 /** The move that an agent, drawn at a pose, is about to make from its cell. */
-export function drawPlan(sheet: Sheet, recording: Recording, agent: number, cell: Cell, pose: Pose, action: number): void {
+export function drawPlan(
+  sheet: Sheet,
+  recording: Recording,
+  agent: number,
+  cell: Cell,
+  pose: Pose,
+  action: number,
+): void {
   const move = MOVES[action];
   if (!action || !move) return;
   const { ctx, grid, colors } = sheet;
@@ -59,13 +66,18 @@ export function drawPlan(sheet: Sheet, recording: Recording, agent: number, cell
   const start = START * pose.size;
   // Agents that share a cell have arrows beside each other.
   const points = [
-    pixelX(grid, pose.x + move[1] * start), pixelY(grid, pose.y + move[0] * start),
-    pixelX(grid, pose.x + move[1] * end), pixelY(grid, pose.y + move[0] * end),
+    pixelX(grid, pose.x + move[1] * start),
+    pixelY(grid, pose.y + move[0] * start),
+    pixelX(grid, pose.x + move[1] * end),
+    pixelY(grid, pose.y + move[0] * end),
   ] as const;
   const width = Math.max(1.5, grid.cell * 0.085);
   ctx.lineCap = ctx.lineJoin = "round";
   // A wide line of paper below keeps arrows apart from what they cross.
-  for (const [color, wide] of [[colors.paper, width * 2.1], [teamColor(sheet, recording, agent), width]] as const) {
+  for (const [color, wide] of [
+    [colors.paper, width * 2.1],
+    [teamColor(sheet, recording, agent), width],
+  ] as const) {
     ctx.strokeStyle = color;
     ctx.lineWidth = wide;
     arrow(ctx, ...points, grid.cell * 0.2);

@@ -3,7 +3,16 @@
 import { drawAgents } from "./agents.ts";
 import { drawBounces, drawPlan } from "./arrows.ts";
 import {
-  drawAxes, drawContested, drawFog, drawMarks, drawObstacles, drawPaper, drawRing, drawTrails, drawView, drawYou,
+  drawAxes,
+  drawContested,
+  drawFog,
+  drawMarks,
+  drawObstacles,
+  drawPaper,
+  drawRing,
+  drawTrails,
+  drawView,
+  drawYou,
 } from "./layers.ts";
 import type { Sheet } from "./layers.ts";
 import { centreBetween, posesBetween } from "./poses.ts";
@@ -31,7 +40,15 @@ export interface Look {
 }
 
 export const PLAIN: Look = {
-  numbers: true, axes: false, trail: 6, viewers: [], plan: null, selected: null, cursor: null, you: null, fog: false,
+  numbers: true,
+  axes: false,
+  trail: 6,
+  viewers: [],
+  plan: null,
+  selected: null,
+  cursor: null,
+  you: null,
+  fog: false,
 };
 
 /** Draw a recording at a time: moment 3 at 3, half of step 4 at 3.5. */
@@ -86,6 +103,12 @@ export function draw(sheet: Sheet, recording: Recording, time: number, look: Loo
 function markPlace({ ctx, grid }: Sheet, x: number, y: number, size: number): void {
   const side = size * grid.cell;
   ctx.beginPath();
-  ctx.roundRect(grid.left + x * grid.cell - side / 2, grid.top + y * grid.cell - side / 2, side, side, side * 0.1);
+  ctx.roundRect(
+    grid.left + x * grid.cell - side / 2,
+    grid.top + y * grid.cell - side / 2,
+    side,
+    side,
+    side * 0.1,
+  );
   ctx.stroke();
 }

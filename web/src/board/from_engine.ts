@@ -6,7 +6,13 @@ import type { Moment, Recording } from "./recording.ts";
 
 /** Return a recording of a world of these settings. */
 export function recording(config: WorldConfig, obstacles: Uint8Array, moments: readonly Moment[]): Recording {
-  const { rows, cols, n_pursuers: nPursuers, fov, rules: { interaction } } = config;
+  const {
+    rows,
+    cols,
+    n_pursuers: nPursuers,
+    fov,
+    rules: { interaction },
+  } = config;
   return { rows, cols, nPursuers, fov, interaction, obstacles, moments };
 }
 

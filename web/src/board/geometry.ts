@@ -15,14 +15,21 @@ export const aspect = (rows: number, cols: number): number => (cols + 2 * MARGIN
 
 /** Return the largest grid that fits a canvas of this size, in the middle of it. */
 export function fit(
-  rows: number, cols: number, axes: boolean, width: number, height: number, ratio: number,
+  rows: number,
+  cols: number,
+  axes: boolean,
+  width: number,
+  height: number,
+  ratio: number,
 ): Geometry {
   const axis = axes ? AXIS * ratio : 0;
   const room = (side: number, cells: number): number => (side - axis) / (cells + 2 * MARGIN);
   // Whole pixels, so that lines between cells are sharp.
   const cell = Math.max(1, Math.floor(Math.min(room(width, cols), room(height, rows))));
   return {
-    rows, cols, cell,
+    rows,
+    cols,
+    cell,
     left: Math.round((width - cols * cell + axis) / 2),
     top: Math.round((height - rows * cell + axis) / 2),
   };

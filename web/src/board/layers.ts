@@ -35,7 +35,15 @@ export function teamColor(sheet: Sheet, recording: Recording, agent: number): st
 }
 
 /** Write a bold text around a point, with a border of paper of a width. */
-export function write({ ctx, colors }: Sheet, text: string, x: number, y: number, size: number, color: string, border = 0): void {
+export function write(
+  { ctx, colors }: Sheet,
+  text: string,
+  x: number,
+  y: number,
+  size: number,
+  color: string,
+  border = 0,
+): void {
   ctx.font = `700 ${Math.round(size)}px system-ui, sans-serif`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
@@ -99,7 +107,12 @@ export function drawAxes({ ctx, grid, colors }: Sheet, ratio: number): void {
 }
 
 /** The square around a place that an agent there sees, cut to the grid: left, top, width and height. */
-function seenBox({ grid }: Sheet, recording: Recording, x: number, y: number): [number, number, number, number] {
+function seenBox(
+  { grid }: Sheet,
+  recording: Recording,
+  x: number,
+  y: number,
+): [number, number, number, number] {
   const reach = Math.floor(recording.fov / 2) + 0.5;
   const [x0, x1] = [Math.max(0, x - reach), Math.min(grid.cols, x + reach)];
   const [y0, y1] = [Math.max(0, y - reach), Math.min(grid.rows, y + reach)];
@@ -122,7 +135,11 @@ export function drawFog(sheet: Sheet, recording: Recording, x: number, y: number
 }
 
 /** A square around the agent that a person plays, and the word "You". */
-export function drawYou(sheet: Sheet, { x, y, alpha }: { x: number; y: number; alpha: number }, ratio: number): void {
+export function drawYou(
+  sheet: Sheet,
+  { x, y, alpha }: { x: number; y: number; alpha: number },
+  ratio: number,
+): void {
   const { ctx, grid, colors } = sheet;
   const side = Math.max(grid.cell, 16 * ratio) * 1.06;
   const [left, top] = [pixelX(grid, x), pixelY(grid, y)];
@@ -157,7 +174,11 @@ export function drawView(sheet: Sheet, recording: Recording, agent: number, x: n
 
 /** Where agents came from: lines that fade with age. `now` is where they are drawn at the time. */
 export function drawTrails(
-  sheet: Sheet, recording: Recording, time: number, steps: number, now: readonly { x: number; y: number }[],
+  sheet: Sheet,
+  recording: Recording,
+  time: number,
+  steps: number,
+  now: readonly { x: number; y: number }[],
 ): void {
   const { ctx, grid } = sheet;
   const end = Math.min(Math.ceil(time), recording.moments.length - 1);
@@ -233,7 +254,12 @@ export function drawContested({ ctx, grid, colors }: Sheet, cells: readonly Cell
   for (const [row, col] of cells) {
     // A move into the border is contested outside the grid, where there is no cell to mark.
     if (row < 0 || col < 0 || row >= grid.rows || col >= grid.cols) continue;
-    const box = [pixelX(grid, col) + inset, pixelY(grid, row) + inset, grid.cell - 2 * inset, grid.cell - 2 * inset] as const;
+    const box = [
+      pixelX(grid, col) + inset,
+      pixelY(grid, row) + inset,
+      grid.cell - 2 * inset,
+      grid.cell - 2 * inset,
+    ] as const;
     ctx.globalAlpha = 0.2 * strength;
     ctx.fillRect(...box);
     ctx.globalAlpha = strength;
@@ -244,7 +270,13 @@ export function drawContested({ ctx, grid, colors }: Sheet, cells: readonly Cell
 }
 
 /** A ring around an agent in a collision: strong if it is at fault, faint if not. */
-export function drawRing({ ctx, grid, colors }: Sheet, x: number, y: number, size: number, strength: number): void {
+export function drawRing(
+  { ctx, grid, colors }: Sheet,
+  x: number,
+  y: number,
+  size: number,
+  strength: number,
+): void {
   ctx.globalAlpha = strength;
   disc(ctx, pixelX(grid, x), pixelY(grid, y), Math.max(8, grid.cell * size * 1.02));
   ctx.strokeStyle = colors.collision;

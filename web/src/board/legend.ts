@@ -16,6 +16,11 @@ export function legend(): HTMLElement {
     ["captured evader", svg("circle", { cx: 12, cy: 12, r: 7.5, class: "ring-evader" })],
     ["conflict", svg("rect", { x: 3, y: 3, width: 18, height: 18, class: "dashed-conflict" })],
   ];
-  return html("ul", { class: "shapes small", "aria-label": "Shapes on the board" }, ...shapes.map(([meaning, shape]) =>
-    html("li", {}, svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, shape), meaning)));
+  return html(
+    "ul",
+    { class: "shapes small", "aria-label": "Shapes on the board" },
+    ...shapes.map(([meaning, shape]) =>
+      html("li", {}, svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, shape), meaning),
+    ),
+  );
 }

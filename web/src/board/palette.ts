@@ -9,6 +9,12 @@ export type Palette = Readonly<Record<(typeof OF_BOARD | typeof OF_PAGE)[number]
 /** Return the colours that apply to an element. */
 export function paletteOf(element: Element): Palette {
   const style = getComputedStyle(element);
-  const entry = (name: string, prefix: string): [string, string] => [name, style.getPropertyValue(prefix + name).trim()];
-  return Object.fromEntries([...OF_BOARD.map((name) => entry(name, "--board-")), ...OF_PAGE.map((name) => entry(name, "--"))]) as Palette;
+  const entry = (name: string, prefix: string): [string, string] => [
+    name,
+    style.getPropertyValue(prefix + name).trim(),
+  ];
+  return Object.fromEntries([
+    ...OF_BOARD.map((name) => entry(name, "--board-")),
+    ...OF_PAGE.map((name) => entry(name, "--")),
+  ]) as Palette;
 }

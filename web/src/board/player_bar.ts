@@ -16,13 +16,25 @@ export type Icon = keyof typeof ICONS;
 
 /** Return an icon that has the colour of the text around it. */
 export function icon(name: Icon): SVGSVGElement {
-  return svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true", class: "icon" }, svg("path", { d: ICONS[name] }));
+  return svg(
+    "svg",
+    { viewBox: "0 0 24 24", "aria-hidden": "true", class: "icon" },
+    svg("path", { d: ICONS[name] }),
+  );
 }
 
 function button(name: Icon, label: string, keys: string, act: () => void): HTMLButtonElement {
-  return html("button", {
-    type: "button", class: "player-button", "aria-label": label, title: `${label} (${keys})`, onclick: act,
-  }, icon(name));
+  return html(
+    "button",
+    {
+      type: "button",
+      class: "player-button",
+      "aria-label": label,
+      title: `${label} (${keys})`,
+      onclick: act,
+    },
+    icon(name),
+  );
 }
 
 /**
@@ -33,23 +45,42 @@ function button(name: Icon, label: string, keys: string, act: () => void): HTMLB
  */
 export function playerBar(player: Player): HTMLElement {
   const play = button("play", "Play", "Space", () => player.toggle());
-  const scrub = html("input", { type: "range", class: "player-scrub", min: 0, step: 1, "aria-label": "Step", oninput: () => {
-    player.pause();
-    player.jump(Number(scrub.value));
-  } });
+  const scrub = html("input", {
+    type: "range",
+    class: "player-scrub",
+    min: 0,
+    step: 1,
+    "aria-label": "Step",
+    oninput: () => {
+      player.pause();
+      player.jump(Number(scrub.value));
+    },
+  });
   const marks = html("div", { class: "captures", "aria-hidden": "true", title: "Captures" });
   const ticks = html("div", { class: "losses", "aria-hidden": "true" });
-  const speed = html("select",
-    { class: "player-speed", "aria-label": "Speed", title: `Steps a second, or the whole in ${WHOLE} s (+ and -)`, onchange: () => (player.speed = Number(speed.value)) },
-    html("option", { value: FITTING }, `in ${WHOLE} s`), ...SPEEDS.map((each) => html("option", { value: each }, `${each} / s`)));
+  const speed = html(
+    "select",
+    {
+      class: "player-speed",
+      "aria-label": "Speed",
+      title: `Steps a second, or the whole in ${WHOLE} s (+ and -)`,
+      onchange: () => (player.speed = Number(speed.value)),
+    },
+    html("option", { value: FITTING }, `in ${WHOLE} s`),
+    ...SPEEDS.map((each) => html("option", { value: each }, `${each} / s`)),
+  );
   const count = html("output", { class: "player-count" });
-  const bar = html("div", { class: "player", role: "group", "aria-label": "Player" },
+  const bar = html(
+    "div",
+    { class: "player", role: "group", "aria-label": "Player" },
     button("first", "First step", "Home", () => player.move(-player.length)),
     button("back", "Step back", "←", () => player.move(-1)),
     play,
     button("forward", "Step forward", "→", () => player.move(1)),
     button("last", "Last step", "End", () => player.move(player.length)),
-    html("div", { class: "scrub" }, marks, ticks, scrub), count, speed,
+    html("div", { class: "scrub" }, marks, ticks, scrub),
+    count,
+    speed,
   );
   const at = (step: number, attributes = {}): HTMLElement => {
     const tick = html("i", attributes);
@@ -58,11 +89,13 @@ export function playerBar(player: Player): HTMLElement {
   };
   const mark = (): void => {
     marks.replaceChildren(...player.marks.map((step) => at(step)));
-    ticks.replaceChildren(...player.ticks.map(({ step, kind, size, text }) => {
-      const tick = at(step, { class: kind, title: `Step ${step}: ${text}` });
-      tick.style.height = `${100 * size}%`;
-      return tick;
-    }));
+    ticks.replaceChildren(
+      ...player.ticks.map(({ step, kind, size, text }) => {
+        const tick = at(step, { class: kind, title: `Step ${step}: ${text}` });
+        tick.style.height = `${100 * size}%`;
+        return tick;
+      }),
+    );
   };
   const update = (): void => {
     play.replaceChildren(icon(player.playing ? "pause" : "play"));

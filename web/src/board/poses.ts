@@ -10,9 +10,30 @@ export type Pose = Record<"x" | "y" | "size" | "alpha", number>;
 const GRID = [-0.31, 0, 0.31];
 const SLOTS: readonly { size: number; at: readonly (readonly [number, number])[] }[] = [
   { size: 1, at: [[0, 0]] },
-  { size: 0.62, at: [[-0.2, 0.2], [0.2, -0.2]] },
-  { size: 0.54, at: [[-0.23, 0.22], [0.23, 0.22], [0, -0.22]] },
-  { size: 0.54, at: [[-0.23, 0.23], [0.23, 0.23], [-0.23, -0.23], [0.23, -0.23]] },
+  {
+    size: 0.62,
+    at: [
+      [-0.2, 0.2],
+      [0.2, -0.2],
+    ],
+  },
+  {
+    size: 0.54,
+    at: [
+      [-0.23, 0.22],
+      [0.23, 0.22],
+      [0, -0.22],
+    ],
+  },
+  {
+    size: 0.54,
+    at: [
+      [-0.23, 0.23],
+      [0.23, 0.23],
+      [-0.23, -0.23],
+      [0.23, -0.23],
+    ],
+  },
   { size: 0.36, at: GRID.flatMap((y) => GRID.map((x) => [x, y] as const)) },
 ];
 /** How far an agent that bounces leaves its cell, in cells. */
@@ -94,9 +115,7 @@ export function centreBetween(recording: Recording, agent: number, time: number)
   return [mix(col, toCol, share) + 0.5, mix(row, toRow, share) + 0.5];
 }
 
-function blend(
-  before: Moment, after: Moment, agent: number, a: Pose, b: Pose, share: number,
-): Pose {
+function blend(before: Moment, after: Moment, agent: number, a: Pose, b: Pose, share: number): Pose {
   // An agent that disappears moves in its full size, and then fades.
   const leaving = a.alpha > b.alpha;
   const pose = {

@@ -42,7 +42,15 @@ export interface Recording {
 
 /** Change of row and column by each action: stay, N, E, S, W, NE, SE, SW, NW. */
 export const MOVES: readonly Cell[] = [
-  [0, 0], [-1, 0], [0, 1], [1, 0], [0, -1], [-1, 1], [1, 1], [1, -1], [-1, -1],
+  [0, 0],
+  [-1, 0],
+  [0, 1],
+  [1, 0],
+  [0, -1],
+  [-1, 1],
+  [1, 1],
+  [1, -1],
+  [-1, -1],
 ];
 
 /** Return the action that leads from a cell towards another one. */
@@ -56,7 +64,8 @@ export function towards(from: Cell, to: Cell, diagonal: boolean): number {
 export const isPursuer = (recording: Recording, agent: number): boolean => agent < recording.nPursuers;
 
 export const cellOf = (moment: Moment, agent: number): Cell => [
-  moment.positions[2 * agent]!, moment.positions[2 * agent + 1]!,
+  moment.positions[2 * agent]!,
+  moment.positions[2 * agent + 1]!,
 ];
 
 export const isCell = ({ rows, cols }: { rows: number; cols: number }, [row, col]: Cell): boolean =>
@@ -99,7 +108,8 @@ export function newlyCaptured(recording: Recording, before: Moment, after: Momen
 /** Return the steps of a recording in which evaders are captured. */
 export const captureSteps = (recording: Recording): number[] =>
   recording.moments.flatMap((after, step) =>
-    step && newlyCaptured(recording, recording.moments[step - 1]!, after).length ? [step] : []);
+    step && newlyCaptured(recording, recording.moments[step - 1]!, after).length ? [step] : [],
+  );
 
 /** Return the agents that disappeared in the step `before` -> `after`. */
 export function disappeared(before: Moment, after: Moment): number[] {

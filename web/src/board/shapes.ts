@@ -12,7 +12,11 @@ export function disc(ctx: Context, x: number, y: number, size: number): void {
 /** A triangle that points up, with round corners and its centre of mass near the point. */
 export function triangle(ctx: Context, x: number, y: number, size: number): void {
   const half = size / 2;
-  const corners = [[0, -0.97], [0.97, 0.83], [-0.97, 0.83]].map(([right, down]) => [x + right! * half, y + down! * half]);
+  const corners = [
+    [0, -0.97],
+    [0.97, 0.83],
+    [-0.97, 0.83],
+  ].map(([right, down]) => [x + right! * half, y + down! * half]);
   ctx.beginPath();
   // The path starts in the middle of a side, so that all three corners become round.
   ctx.moveTo((corners[2]![0]! + corners[0]![0]!) / 2, (corners[2]![1]! + corners[0]![1]!) / 2);

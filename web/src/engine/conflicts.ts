@@ -43,8 +43,21 @@ export function conflictOf(numbers: ArrayLike<number>, n_pursuers: number): Conf
     second: names[names.length - 1]!,
     cell: `(${row}, ${col})`,
   });
-  const text = fill(CONFLICT_SENTENCE, { event, outcome: outcomeOf(agents.length, held, doomed, n_pursuers) });
-  return { kind: KINDS[kind]!, form: FORMS[form]!, agents, cell: [row, col], at_fault, held, doomed, turn, text };
+  const text = fill(CONFLICT_SENTENCE, {
+    event,
+    outcome: outcomeOf(agents.length, held, doomed, n_pursuers),
+  });
+  return {
+    kind: KINDS[kind]!,
+    form: FORMS[form]!,
+    agents,
+    cell: [row, col],
+    at_fault,
+    held,
+    doomed,
+    turn,
+    text,
+  };
 }
 
 function outcomeOf(sides: number, held: number[], doomed: number[], n_pursuers: number): string {

@@ -64,7 +64,13 @@ export class Engine {
   }
 
   /** Play episodes 0 to n - 1 of matches, as `matrixworld.rollout` does; a policy's `genome` holds those of a population, one after the other. */
-  rollouts(config: WorldConfig, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches, n_episodes: number): Statistics {
+  rollouts(
+    config: WorldConfig,
+    pursuers: TeamPolicy,
+    evaders: TeamPolicy,
+    matches: Matches,
+    n_episodes: number,
+  ): Statistics {
     return playMatches(this.compiled, { config, pursuers, evaders }, matches, n_episodes);
   }
 }

@@ -5,6 +5,7 @@ export class EngineError extends Error {
 
 /** Return the error for a value that is not as expected. */
 export function expected(name: string, what: string, got: unknown): EngineError {
-  const text = typeof got === "string" ? `'${got}'` : typeof got === "object" ? JSON.stringify(got) : String(got);
+  const text =
+    typeof got === "string" ? `'${got}'` : typeof got === "object" ? JSON.stringify(got) : String(got);
   return new EngineError(`${name}: expected ${what}, got ${text}`);
 }

@@ -35,7 +35,8 @@ export interface Compiled {
 }
 
 /** Arrays that cross. */
-export type NumberArray = Uint8Array | Int32Array | BigInt64Array | BigUint64Array | Float32Array | Float64Array;
+export type NumberArray =
+  Uint8Array | Int32Array | BigInt64Array | BigUint64Array | Float32Array | Float64Array;
 
 /** Flags, bytes of 0 and 1: a type of its own in C++. */
 export class Flags {
@@ -50,7 +51,15 @@ export type Outputs = Record<string, NumberArray>;
 
 // The numbers of the engine's DType.
 const BOOL = 0;
-const NUMBERS = [Uint8Array, Uint8Array, Int32Array, BigInt64Array, BigUint64Array, Float32Array, Float64Array];
+const NUMBERS = [
+  Uint8Array,
+  Uint8Array,
+  Int32Array,
+  BigInt64Array,
+  BigUint64Array,
+  Float32Array,
+  Float64Array,
+];
 const WORD = 4; // bytes
 const RECORD = 4; // words: name, dtype, n, data
 

@@ -4,7 +4,17 @@ import { expected } from "./errors.ts";
 import { Flags } from "./heap.ts";
 import type { Inputs } from "./heap.ts";
 import { BLAMES, CAPTURES, INPUTS, INTERACTIONS, MAP_CHARACTERS, OUTCOMES, SCRIPTS } from "./tables.ts";
-import type { Cell, Memory, Penalty, Rewards, Rules, Snapshot, Start, TeamPolicy, WorldConfig } from "./types.ts";
+import type {
+  Cell,
+  Memory,
+  Penalty,
+  Rewards,
+  Rules,
+  Snapshot,
+  Start,
+  TeamPolicy,
+  WorldConfig,
+} from "./types.ts";
 
 const INT_MAX = 2 ** 31 - 1;
 const MEMORIES: readonly Memory[] = ["none", "gru"];
@@ -32,7 +42,8 @@ function choice(name: string, value: unknown, numbers: Readonly<Record<string, n
 }
 
 function finite(name: string, value: unknown): number {
-  if (typeof value !== "number" || !(Math.abs(value) <= FLOAT_MAX)) throw expected(name, "a finite number", value);
+  if (typeof value !== "number" || !(Math.abs(value) <= FLOAT_MAX))
+    throw expected(name, "a finite number", value);
   return value;
 }
 
@@ -163,7 +174,10 @@ export function policyInputs(policy: TeamPolicy): Inputs {
   if (policy.kind !== "cells") {
     return {
       inputs: Int32Array.from(policy.inputs, (name) => inputNumber(name)),
-      hidden: Int32Array.from(policy.kind === "rating" ? policy.hidden : [], (size) => integer("hidden", size)[0]!),
+      hidden: Int32Array.from(
+        policy.kind === "rating" ? policy.hidden : [],
+        (size) => integer("hidden", size)[0]!,
+      ),
       length: integer("length", policy.kind === "program" ? policy.length : 0),
       mask: new TextEncoder().encode(policy.mask),
       genome: policy.genome,
@@ -172,7 +186,8 @@ export function policyInputs(policy: TeamPolicy): Inputs {
   if (policy.activation !== "relu" && policy.activation !== "tanh") {
     throw expected("activation", "'relu' or 'tanh'", policy.activation);
   }
-  if (!MEMORIES.includes(policy.memory)) throw expected("memory", `one of ${MEMORIES.join(", ")}`, policy.memory);
+  if (!MEMORIES.includes(policy.memory))
+    throw expected("memory", `one of ${MEMORIES.join(", ")}`, policy.memory);
   return {
     hidden: Int32Array.from(policy.hidden, (size) => integer("hidden", size)[0]!),
     activation: new TextEncoder().encode(policy.activation),

@@ -27,7 +27,7 @@ export class Match {
   readonly episode: number;
   readonly n_agents: number;
   readonly statistics: EpisodeStatistics;
-  private declare readonly conflict_table: Int32Array;
+  declare private readonly conflict_table: Int32Array;
   private readonly first_conflict: Int32Array; // by step: its first row of the table
 
   constructor(config: WorldConfig, seed: bigint, episode: number, outputs: Outputs) {
@@ -57,7 +57,8 @@ export class Match {
   seek(world: World, step: number, policies?: Pick<Pair, "pursuers" | "evaders">): void {
     this.check(step);
     const here = world.seed === this.seed && world.episode === BigInt(this.episode);
-    if (!here || world.turn !== 0 || world.steps > step) world.reset({ seed: this.seed, episode: this.episode });
+    if (!here || world.turn !== 0 || world.steps > step)
+      world.reset({ seed: this.seed, episode: this.episode });
     for (let t = world.steps; t < step; ++t) {
       const actions = this.actions.subarray(t * this.n_agents, (t + 1) * this.n_agents);
       if (policies) world.replay(actions, { pursuer: policies.pursuers, evader: policies.evaders });
@@ -82,19 +83,31 @@ function firstOfSteps(table: Int32Array, length: number): Int32Array {
 /** Return the statistics of one episode: single numbers as such. */
 export function episodeOf(statistics: Statistics): EpisodeStatistics {
   const single = ["capture_rate", "ever_capture_rate", "captured_fraction", "length"];
-  return Object.fromEntries(Object.entries(statistics).map(([name, values]) =>
-    [name, single.includes(name) ? Number(values[0]) : values])) as unknown as EpisodeStatistics;
+  return Object.fromEntries(
+    Object.entries(statistics).map(([name, values]) => [
+      name,
+      single.includes(name) ? Number(values[0]) : values,
+    ]),
+  ) as unknown as EpisodeStatistics;
 }
 
 /** Return statistics by their own names. */
 const statisticsIn = (outputs: Outputs): Statistics =>
-  Object.fromEntries(Object.entries(outputs).flatMap(([name, array]) =>
-    name.startsWith(STATISTICS) ? [[name.slice(STATISTICS.length), array]] : [])) as unknown as Statistics;
+  Object.fromEntries(
+    Object.entries(outputs).flatMap(([name, array]) =>
+      name.startsWith(STATISTICS) ? [[name.slice(STATISTICS.length), array]] : [],
+    ),
+  ) as unknown as Statistics;
 
 type Play = "_play_match" | "_play_rollout";
 
 function play(engine: Compiled, name: Play, pair: Pair, last: Inputs): Outputs {
-  const inputs = [configInputs(pair.config), policyInputs(pair.pursuers), policyInputs(pair.evaders), last] as const;
+  const inputs = [
+    configInputs(pair.config),
+    policyInputs(pair.pursuers),
+    policyInputs(pair.evaders),
+    last,
+  ] as const;
   call(engine, (block) => {
     const [config, pursuers, evaders, rest] = inputs.map((each) => block.arrays(each)) as [
       ...[number, number, number, number],

@@ -15,11 +15,24 @@ import type { World } from "./world.ts";
 /** The most successors that the states of a world may have together, for a page to solve it. */
 export const MOST_SUCCESSORS = 7_000_000;
 
-const released = new FinalizationRegistry<readonly [Compiled, number]>(([engine, states]) => engine._states_free(states));
+const released = new FinalizationRegistry<readonly [Compiled, number]>(([engine, states]) =>
+  engine._states_free(states),
+);
 
 /** Return at most how many successors the states have, as `matrixworld.solve.states.size_of` counts them. */
-function successorsOf({ rules, rows, cols, obstacles, diagonal, n_pursuers, n_evaders }: WorldConfig): number {
-  const walls = typeof obstacles === "number" || rules.obstacle === "REACH" ? 0 : obstacles.join("").split("#").length - 1;
+function successorsOf({
+  rules,
+  rows,
+  cols,
+  obstacles,
+  diagonal,
+  n_pursuers,
+  n_evaders,
+}: WorldConfig): number {
+  const walls =
+    typeof obstacles === "number" || rules.obstacle === "REACH"
+      ? 0
+      : obstacles.join("").split("#").length - 1;
   const free = rows * cols - walls;
   const dies = [rules.obstacle, rules.teammate, rules.pursuer].includes("DISAPPEAR");
   const lives_on = rules.capture === "SURROUND" || rules.evader === "REACH";
@@ -27,13 +40,18 @@ function successorsOf({ rules, rows, cols, obstacles, diagonal, n_pursuers, n_ev
   const ways = (n: number, k: number): number =>
     Array.from({ length: k }, (_, i) => (one_by_one ? n : (n + i) / (i + 1))).reduce((a, b) => a * b, 1);
   const count = ways(free + Number(dies), n_pursuers) * ways(free * (1 + Number(lives_on)) + 2, n_evaders);
-  const acting = { SIMULTANEOUS: [n_pursuers + n_evaders], SWARM_TURNS: [n_pursuers, n_evaders], AGENT_TURNS: Array<number>(n_pursuers + n_evaders).fill(1) };
+  const acting = {
+    SIMULTANEOUS: [n_pursuers + n_evaders],
+    SWARM_TURNS: [n_pursuers, n_evaders],
+    AGENT_TURNS: Array<number>(n_pursuers + n_evaders).fill(1),
+  };
   return acting[rules.interaction].reduce((sum, agents) => sum + count * (diagonal ? 9 : 5) ** agents, 0);
 }
 
 /** Return why a page does not solve a world; empty if it does. */
 export function whyNotSolved(config: WorldConfig): string {
-  if (typeof config.obstacles === "number" && config.obstacles > 0) return "obstacles are drawn anew in each episode";
+  if (typeof config.obstacles === "number" && config.obstacles > 0)
+    return "obstacles are drawn anew in each episode";
   return successorsOf(config) > MOST_SUCCESSORS ? "the world is too large to be solved on the page" : "";
 }
 
@@ -52,7 +70,10 @@ export class TurnGame {
     const acting = Array.from(agents!).filter((agent) => first <= agent && agent < last);
     const pursues = (agent: number): boolean => agent < world.config.n_pursuers;
     [this.value, this.matrix, this.n_actions] = [value![0]!, matrix!, world.n_actions];
-    this.teams = [{ agents: acting.filter(pursues), play: rows! }, { agents: acting.filter((agent) => !pursues(agent)), play: cols! }];
+    this.teams = [
+      { agents: acting.filter(pursues), play: rows! },
+      { agents: acting.filter((agent) => !pursues(agent)), play: cols! },
+    ];
   }
 
   /** Return with which probabilities an agent takes each action when its team plays perfectly; null if it does not act. */
@@ -67,7 +88,9 @@ export class TurnGame {
 
   /** Return what the pursuers and the evaders lose by actions (A,) against a perfect opponent. */
   lost(actions: ArrayLike<number>): [pursuers: number, evaders: number] {
-    const [row, col] = this.teams.map(({ agents }) => agents.reduce((joint, agent) => joint * this.n_actions + actions[agent]!, 0)) as [number, number];
+    const [row, col] = this.teams.map(({ agents }) =>
+      agents.reduce((joint, agent) => joint * this.n_actions + actions[agent]!, 0),
+    ) as [number, number];
     const [rows, cols] = this.teams.map(({ play }) => play) as [Float64Array, Float64Array];
     const against = cols.reduce((sum, share, at) => sum + share * this.matrix[row * cols.length + at]!, 0);
     const conceded = rows.reduce((sum, share, at) => sum + share * this.matrix[at * cols.length + col]!, 0);
@@ -110,23 +133,32 @@ export class Solution {
       const next = row[turn + 1] ?? before;
       row[turn] = this.backup(turn, { next });
     }
-    if (this.payoff === "capture-time") row[0] = row[0]!.map((value, state) => (state === this.config.n_evaders ? 0 : value - 1));
+    if (this.payoff === "capture-time")
+      row[0] = row[0]!.map((value, state) => (state === this.config.n_evaders ? 0 : value - 1));
     this.values.push(row);
-    const rounds = this.payoff === "capture-rate" ? this.config.max_steps : Math.min(this.config.max_steps, HORIZON);
+    const rounds =
+      this.payoff === "capture-rate" ? this.config.max_steps : Math.min(this.config.max_steps, HORIZON);
     return this.values.length <= rounds && row[0]!.some((value, state) => value !== before[state]);
   }
 
   private backup(turn: number, given: Inputs): Float64Array {
-    return this.call((block) => this.engine._states_backup(this.states, turn, block.arrays(given)))["values"] as Float64Array;
+    return this.call((block) => this.engine._states_backup(this.states, turn, block.arrays(given)))[
+      "values"
+    ] as Float64Array;
   }
 
   /** Return the game of a world's next turn; null at an end, and where no start on distinct free cells leads. */
   game(world: World): TurnGame | null {
     const [left, { turn }] = [this.config.max_steps - world.steps, world];
     const last = turn + 1 === this.n_turns;
-    const next = left > 0 ? this.values[Math.min(left - Number(last), this.values.length - 1)]?.[last ? 0 : turn + 1] : undefined;
+    const next =
+      left > 0
+        ? this.values[Math.min(left - Number(last), this.values.length - 1)]?.[last ? 0 : turn + 1]
+        : undefined;
     if (!next) return null;
-    const found = this.call((block) => this.engine._states_game(this.states, world.address, block.arrays({ next })));
+    const found = this.call((block) =>
+      this.engine._states_game(this.states, world.address, block.arrays({ next })),
+    );
     return found["agents"]!.length ? new TurnGame(world, found) : null;
   }
 

@@ -4,11 +4,31 @@ import { conflictsOf } from "./conflicts.ts";
 import { expected } from "./errors.ts";
 import { call, lastOutputs } from "./heap.ts";
 import type { Compiled } from "./heap.ts";
-import { actionsInputs, configInputs, inputNumber, policyInputs, snapshotInputs, startInputs } from "./inputs.ts";
-import type { Answer, Conflict, GenomePolicy, NetworkPolicy, RatedMoves, Snapshot, Start, TeamPolicy, WorldArrays, WorldConfig } from "./types.ts";
+import {
+  actionsInputs,
+  configInputs,
+  inputNumber,
+  policyInputs,
+  snapshotInputs,
+  startInputs,
+} from "./inputs.ts";
+import type {
+  Answer,
+  Conflict,
+  GenomePolicy,
+  NetworkPolicy,
+  RatedMoves,
+  Snapshot,
+  Start,
+  TeamPolicy,
+  WorldArrays,
+  WorldConfig,
+} from "./types.ts";
 
 // Worlds that nothing refers to any more give their memory back.
-const released = new FinalizationRegistry<readonly [Compiled, number]>(([engine, world]) => engine._world_free(world));
+const released = new FinalizationRegistry<readonly [Compiled, number]>(([engine, world]) =>
+  engine._world_free(world),
+);
 
 /** One world. Arrays that it returns are copies. `Engine.world` makes one. */
 export class World {
@@ -68,7 +88,11 @@ export class World {
    * [first, last) of one team; other entries are those of `actions`. It uses the random numbers of a
    * match for the same seed, episode and step.
    */
-  decide(policy: TeamPolicy, agents: "pursuer" | "evader" | readonly [first: number, last: number], given: ArrayLike<number>): Uint8Array {
+  decide(
+    policy: TeamPolicy,
+    agents: "pursuer" | "evader" | readonly [first: number, last: number],
+    given: ArrayLike<number>,
+  ): Uint8Array {
     const { n_pursuers } = this.config;
     const teams = { pursuer: [0, n_pursuers], evader: [n_pursuers, this.n_agents] } as const;
     const [first, last] = typeof agents === "string" ? teams[agents] : agents;
@@ -82,7 +106,8 @@ export class World {
 
   /** Play a round of known actions. Agents whose policies have memory remember it, as when they chose them. */
   replay(actions: ArrayLike<number>, policies: Readonly<Record<"pursuer" | "evader", TeamPolicy>>): void {
-    const remembers = (policy: TeamPolicy): boolean => typeof policy !== "string" && policy.kind === "cells" && policy.memory !== "none";
+    const remembers = (policy: TeamPolicy): boolean =>
+      typeof policy !== "string" && policy.kind === "cells" && policy.memory !== "none";
     if (!remembers(policies.pursuer) && !remembers(policies.evader)) return this.step(actions);
     const { n_pursuers } = this.config;
     for (let turn = this.n_turns; turn > 0; --turn) {
@@ -135,7 +160,9 @@ export class World {
 
   /** Return one array. */
   read<Name extends keyof WorldArrays>(name: Name): WorldArrays[Name] {
-    return this.call((block) => this.engine._world_read(this.address, block.text(name)))[name] as WorldArrays[Name];
+    return this.call((block) => this.engine._world_read(this.address, block.text(name)))[
+      name
+    ] as WorldArrays[Name];
   }
 
   /** Return the view of one agent, (3, fov, fov): evaders, pursuers, obstacles. */
@@ -162,7 +189,9 @@ export class World {
   /** Return what a network answers to the view of a living agent. */
   answer(policy: NetworkPolicy, agent: number): Answer {
     const inputs = policyInputs(policy);
-    const { logits, memory } = this.call((block) => this.engine._world_logits(this.address, block.arrays(inputs), agent));
+    const { logits, memory } = this.call((block) =>
+      this.engine._world_logits(this.address, block.arrays(inputs), agent),
+    );
     const outputs = logits as Float32Array;
     const action = this.decide(policy, [agent, agent + 1], new Uint8Array(this.n_agents))[agent]!;
     return { logits: outputs, probabilities: softmax(outputs), action, memory: memory as Float32Array };
@@ -171,12 +200,21 @@ export class World {
   /** Return how a policy rates the moves of a living agent. */
   rate(policy: Exclude<GenomePolicy, NetworkPolicy>, agent: number): RatedMoves {
     const given = policyInputs(policy);
-    const { ratings, refused } = this.call((block) => this.engine._world_rate(this.address, block.arrays(given), agent));
+    const { ratings, refused } = this.call((block) =>
+      this.engine._world_rate(this.address, block.arrays(given), agent),
+    );
     const all = this.read("inputs");
     const n_inputs = all.length / this.n_agents / this.n_actions;
     const of = (input: number): Float32Array =>
-      Float32Array.from({ length: this.n_actions }, (_, move) => all[(agent * this.n_actions + move) * n_inputs + input]!);
-    return { inputs: policy.inputs.map((name) => of(inputNumber(name))), ratings: ratings as Float32Array, refused: refused as Uint8Array };
+      Float32Array.from(
+        { length: this.n_actions },
+        (_, move) => all[(agent * this.n_actions + move) * n_inputs + input]!,
+      );
+    return {
+      inputs: policy.inputs.map((name) => of(inputNumber(name))),
+      ratings: ratings as Float32Array,
+      refused: refused as Uint8Array,
+    };
   }
 
   // ---- Moments ----------------------------------------------------------------------------------

@@ -23,7 +23,9 @@ export class Chase extends EventTarget {
   /** The agent that a person has pointed at. */
   agent: number | null = null;
   readonly #title = html("figcaption");
-  readonly #canvas = html("canvas", { onclick: ({ clientX, clientY }: MouseEvent) => this.#choose(clientX, clientY) });
+  readonly #canvas = html("canvas", {
+    onclick: ({ clientX, clientY }: MouseEvent) => this.#choose(clientX, clientY),
+  });
   readonly #board: Board;
   readonly #told = html("p", { class: "small muted numbers" });
   /** Why a wall was not drawn: below the board, which stays where it is. */
@@ -80,7 +82,8 @@ export class Chase extends EventTarget {
 
   #tell(): void {
     const evaders = this.#recording?.moments[this.player.step]?.everCaptured;
-    if (evaders) this.#told.textContent = `${Array.from(evaders).filter(Boolean).length} of ${evaders.length} caught in ${this.player.step} steps`;
+    if (evaders)
+      this.#told.textContent = `${Array.from(evaders).filter(Boolean).length} of ${evaders.length} caught in ${this.player.step} steps`;
     this.dispatchEvent(new Event("step"));
   }
 
@@ -91,7 +94,8 @@ export class Chase extends EventTarget {
     let active = false;
     let wall = true;
     let cursor: Cell = [0, 0];
-    const isWall = ([row, col]: Cell): boolean => Boolean(this.#recording?.obstacles[row * this.#recording.cols + col]);
+    const isWall = ([row, col]: Cell): boolean =>
+      Boolean(this.#recording?.obstacles[row * this.#recording.cols + col]);
     const put = (cell: Cell, wall: boolean): void => void (this.#refused.textContent = set(cell, wall));
     const draw = (event: PointerEvent): void => {
       const cell = this.#board.cellAt(event.clientX, event.clientY);
@@ -143,7 +147,11 @@ export class Chases {
   /** `next` shows the matches that come next. */
   constructor(next: () => void, ...boards: Chase[]) {
     [this.#next, this.boards] = [next, boards];
-    for (const each of boards) each.addEventListener("over", () => this.#runs && boards.every(({ over }) => over) && this.#soon(PAUSE));
+    for (const each of boards)
+      each.addEventListener(
+        "over",
+        () => this.#runs && boards.every(({ over }) => over) && this.#soon(PAUSE),
+      );
   }
 
   /** Whether matches are played; otherwise the last ones rest. */

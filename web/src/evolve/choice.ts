@@ -6,7 +6,9 @@ import type { EvolveData, LearnerName, PolicyName } from "./data.ts";
 import { SCHEDULES } from "./data.ts";
 import type { RaceSettings } from "./settings.ts";
 
-export interface Choice extends Readonly<Record<"seed" | "generations" | "pursuers" | "evaders" | "view" | "steps", number>> {
+export interface Choice extends Readonly<
+  Record<"seed" | "generations" | "pursuers" | "evaders" | "view" | "steps", number>
+> {
   readonly world: string;
   readonly schedule: string;
   /** The schedule of a second race beside it; empty for none. */
@@ -37,8 +39,20 @@ export function usualChoice(data: EvolveData, name = ""): Choice {
   const world = Object.hasOwn(data.worlds, name) ? name : Object.keys(data.worlds)[0]!;
   const { n_pursuers, n_evaders, fov, max_steps } = data.worlds[world]!;
   return {
-    world, schedule: "generalist-generalist", beside: "", learner: "es", policy: "rating", seed: 0, generations: GENERATIONS,
-    way: false, population: 0, pursuers: n_pursuers, evaders: n_evaders, view: fov, steps: max_steps, walls: null,
+    world,
+    schedule: "generalist-generalist",
+    beside: "",
+    learner: "es",
+    policy: "rating",
+    seed: 0,
+    generations: GENERATIONS,
+    way: false,
+    population: 0,
+    pursuers: n_pursuers,
+    evaders: n_evaders,
+    view: fov,
+    steps: max_steps,
+    walls: null,
   };
 }
 
@@ -47,12 +61,19 @@ export function settingsOf(data: EvolveData, choice: Choice, schedule = choice.s
   const base = data.races[choice.policy][choice.learner][schedule]!;
   const usual = data.worlds[choice.world]!;
   const world = {
-    ...usual, n_pursuers: choice.pursuers, n_evaders: choice.evaders, fov: choice.view, max_steps: choice.steps,
+    ...usual,
+    n_pursuers: choice.pursuers,
+    n_evaders: choice.evaders,
+    fov: choice.view,
+    max_steps: choice.steps,
     obstacles: choice.walls ? mapOf(choice.walls, usual.rows, usual.cols) : usual.obstacles,
   };
   const mask = choice.way ? "right-of-way" : choice.policy === "rating" ? "obstacles" : "none";
   return {
-    ...base, world, train_steps: choice.steps, seed: choice.seed,
+    ...base,
+    world,
+    train_steps: choice.steps,
+    seed: choice.seed,
     policy: { ...base.policy, mask } as RaceSettings["policy"],
     learner: { ...base.learner, population: choice.population || base.learner.population },
     schedule: { ...base.schedule, generations: choice.generations },
@@ -62,13 +83,21 @@ export function settingsOf(data: EvolveData, choice: Choice, schedule = choice.s
 /** Return why a map cannot be played on; empty if it can. */
 export function whyNotPlayed({ walls, pursuers, evaders }: Choice, { rows, cols }: WorldConfig): string {
   if (!walls) return "";
-  const free = new Set(Array.from({ length: rows * cols }, (_, cell) => cell).filter((cell) => !walls.includes(cell)));
-  if (free.size < pursuers + evaders) return `There is no room: ${pursuers + evaders} agents need a free cell each.`;
+  const free = new Set(
+    Array.from({ length: rows * cols }, (_, cell) => cell).filter((cell) => !walls.includes(cell)),
+  );
+  if (free.size < pursuers + evaders)
+    return `There is no room: ${pursuers + evaders} agents need a free cell each.`;
   const found = [Math.min(...free)]; // the cells that can be reached from the first one
   free.delete(found[0]!);
   for (const cell of found) {
     const col = cell % cols;
-    const beside = [cell - cols, cell + cols, ...(col > 0 ? [cell - 1] : []), ...(col < cols - 1 ? [cell + 1] : [])];
+    const beside = [
+      cell - cols,
+      cell + cols,
+      ...(col > 0 ? [cell - 1] : []),
+      ...(col < cols - 1 ? [cell + 1] : []),
+    ];
     found.push(...beside.filter((each) => free.delete(each)));
   }
   return free.size ? "Nobody may be walled in: all free cells have to be connected, side by side." : "";
@@ -80,14 +109,22 @@ export function whyNotPlayed({ walls, pursuers, evaders }: Choice, { rows, cols 
 export type Parts = Readonly<Record<string, string>>;
 
 const textOf = (value: Choice[keyof Choice]): string =>
-  Array.isArray(value) ? (value as readonly number[]).join(".") || "none" : value === null ? "usual" : typeof value === "boolean" ? String(Number(value)) : String(value);
+  Array.isArray(value)
+    ? (value as readonly number[]).join(".") || "none"
+    : value === null
+      ? "usual"
+      : typeof value === "boolean"
+        ? String(Number(value))
+        : String(value);
 
 /** Return the parts of a choice that are not as usual in its world. */
 export function partsOf(data: EvolveData, choice: Choice): Parts {
   const [usual, first] = [usualChoice(data, choice.world), usualChoice(data)];
-  return Object.fromEntries((Object.keys(choice) as (keyof Choice)[])
-    .filter((name) => textOf(choice[name]) !== textOf((name === "world" ? first : usual)[name]))
-    .map((name) => [name, textOf(choice[name])]));
+  return Object.fromEntries(
+    (Object.keys(choice) as (keyof Choice)[])
+      .filter((name) => textOf(choice[name]) !== textOf((name === "world" ? first : usual)[name]))
+      .map((name) => [name, textOf(choice[name])]),
+  );
 }
 
 /** Return a choice as text, with all of its parts: a change of a race on its way. */
@@ -95,22 +132,44 @@ export const changeOf = (change: Partial<Choice>): Parts =>
   Object.fromEntries(Object.entries(change).map(([name, value]) => [name, textOf(value)]));
 
 /** Return a choice changed by parts of an address. A text from elsewhere may hold anything: `wrong` gets what is not valid. */
-export function choiceOf(data: EvolveData, parts: Parts, wrong: (text: string) => void, before?: Choice): Choice {
+export function choiceOf(
+  data: EvolveData,
+  parts: Parts,
+  wrong: (text: string) => void,
+  before?: Choice,
+): Choice {
   const usual = before ?? usualChoice(data, parts["world"]);
   const { rows, cols } = data.worlds[usual.world]!;
-  const within = (least: number, most: number) => (text: string): number | undefined =>
-    /^\d{1,6}$/.test(text) && Number(text) >= least && Number(text) <= most ? Number(text) : undefined;
-  const among = (...names: (string | number)[]) => (text: string): string | number | undefined => names.find((name) => String(name) === text);
+  const within =
+    (least: number, most: number) =>
+    (text: string): number | undefined =>
+      /^\d{1,6}$/.test(text) && Number(text) >= least && Number(text) <= most ? Number(text) : undefined;
+  const among =
+    (...names: (string | number)[]) =>
+    (text: string): string | number | undefined =>
+      names.find((name) => String(name) === text);
   const walls = (text: string): readonly number[] | null | undefined => {
     if (text === "usual" || text === "none") return text === "usual" ? null : [];
     const cells = text.split(".").map((each) => within(0, rows * cols - 1)(each));
-    return cells.includes(undefined) ? undefined : (cells as number[]).reduce<readonly number[]>((all, cell) => withCell(all, cell, true), []);
+    return cells.includes(undefined)
+      ? undefined
+      : (cells as number[]).reduce<readonly number[]>((all, cell) => withCell(all, cell, true), []);
   };
   const valid: Readonly<Record<keyof Choice, (text: string) => unknown>> = {
-    world: among(...Object.keys(data.worlds)), schedule: among(...Object.keys(SCHEDULES)), beside: among("", ...Object.keys(SCHEDULES)),
-    learner: among("es", "ga"), policy: among("rating", "cells"), way: (text) => (/^[01]$/.test(text) ? text === "1" : undefined),
-    seed: within(0, MOST_SEED), generations: within(GENERATIONS, MOST_GENERATIONS), pursuers: within(1, MOST_AGENTS), evaders: within(1, MOST_AGENTS),
-    view: among(...VIEWS), steps: among(...STEPS), population: among(0, ...POPULATIONS), walls,
+    world: among(...Object.keys(data.worlds)),
+    schedule: among(...Object.keys(SCHEDULES)),
+    beside: among("", ...Object.keys(SCHEDULES)),
+    learner: among("es", "ga"),
+    policy: among("rating", "cells"),
+    way: (text) => (/^[01]$/.test(text) ? text === "1" : undefined),
+    seed: within(0, MOST_SEED),
+    generations: within(GENERATIONS, MOST_GENERATIONS),
+    pursuers: within(1, MOST_AGENTS),
+    evaders: within(1, MOST_AGENTS),
+    view: among(...VIEWS),
+    steps: among(...STEPS),
+    population: among(0, ...POPULATIONS),
+    walls,
   };
   const read = Object.entries(parts).map(([name, text]) => {
     const value = Object.hasOwn(valid, name) ? valid[name as keyof Choice](text) : undefined;

@@ -17,7 +17,9 @@ export interface EvolveData {
   /** By name; the page begins with the first one. */
   readonly worlds: Readonly<Record<string, WorldConfig>>;
   /** The settings of races, by policy, learner and schedule; their worlds are those of a choice. */
-  readonly races: Readonly<Record<PolicyName, Readonly<Record<LearnerName, Readonly<Record<string, RaceSettings>>>>>>;
+  readonly races: Readonly<
+    Record<PolicyName, Readonly<Record<LearnerName, Readonly<Record<string, RaceSettings>>>>>
+  >;
   readonly masks: OfTeams<Mask>;
   /** What an agent does by an input: whose rating falls with it, rises with it; and what it minds. */
   readonly phrases: Readonly<Record<string, readonly [falls: string, rises: string, minds: string]>>;
@@ -43,4 +45,5 @@ export function scheduleOf({ schedule }: RaceSettings): string {
 }
 
 /** Return the schedule in plain words. */
-export const scheduleName = (settings: RaceSettings): string => SCHEDULES[scheduleOf(settings)] ?? scheduleOf(settings);
+export const scheduleName = (settings: RaceSettings): string =>
+  SCHEDULES[scheduleOf(settings)] ?? scheduleOf(settings);

@@ -11,7 +11,10 @@ export type Draws = Pick<Generator, "normals" | "integers" | "permutation" | "ch
 export type Source = (purpose: Purpose, ...key: readonly number[]) => Draws;
 
 /** Return the page's generators of a seed. */
-export const drawsOf = (seed: number): Source => (purpose, ...key) => new Generator(seedWords([seed], [PURPOSE[purpose], ...key], 3));
+export const drawsOf =
+  (seed: number): Source =>
+  (purpose, ...key) =>
+    new Generator(seedWords([seed], [PURPOSE[purpose], ...key], 3));
 
 /** The small fast counting generator of Chris Doty-Humphrey's PractRand, with words of 32 bits. */
 class Generator {

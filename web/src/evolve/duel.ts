@@ -29,7 +29,9 @@ const QUESTIONS: OfTeams<string> = { evader: "Can you escape them?", pursuer: "C
 
 export class Duel {
   readonly dialog = html("dialog", {
-    class: "take-over", "aria-label": "Play against the champions", onclose: () => this.view?.stop(),
+    class: "take-over",
+    "aria-label": "Play against the champions",
+    onclose: () => this.view?.stop(),
     onkeydown: (event: KeyboardEvent) => this.view?.key(event) && event.preventDefault(),
   });
   view: PlayView | null = null;
@@ -42,27 +44,51 @@ export class Duel {
   }
 
   /** Let a person play for a team. */
-  play(team: Team, { world, policies, players, seed, rate, friend }: DuelOf, start: Pick<Dare, "seed" | "episode">): void {
+  play(
+    team: Team,
+    { world, policies, players, seed, rate, friend }: DuelOf,
+    start: Pick<Dare, "seed" | "episode">,
+  ): void {
     if (!this.view) {
       this.view = new PlayView(this.#engine);
-      this.dialog.append(html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"), this.view.element);
+      this.dialog.append(
+        html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"),
+        this.view.element,
+      );
     }
     if (!this.dialog.open) this.dialog.showModal();
     const config = { ...world, max_steps: Math.min(STEPS, world.max_steps) };
     const seat = team === "evader" ? config.n_pursuers : 0;
     const score = ({ lasted, captured }: Result): number => (team === "evader" ? lasted : captured);
     const most = team === "evader" ? config.max_steps : config.n_evaders;
-    const did = (count: number): string => (team === "evader" ? `survived ${count} of ${most} steps` : `caught ${count} of ${most} with the team`);
+    const did = (count: number): string =>
+      team === "evader" ? `survived ${count} of ${most} steps` : `caught ${count} of ${most} with the team`;
     const dare = (now: Played): Dare => ({
-      pursuer: policies.pursuer.genome, evader: policies.evader.genome, seed: String(now.seed), episode: now.episode, seat, rate,
+      pursuer: policies.pursuer.genome,
+      evader: policies.evader.genome,
+      seed: String(now.seed),
+      episode: now.episode,
+      seat,
+      rate,
       score: score(resultOf(liveOf(this.#engine, now), seat)),
     });
-    playOn(this.#engine, this.view, { config, seed: BigInt(start.seed), episode: start.episode, policies, seat, from: 0, moves: [] }, {
-      title: QUESTIONS[team], players, linkName: "Challenge a friend",
-      about: `Seed ${seed}: these pursuers catch ${rate} %. ${friend ? `Your friend ${did(friend.score)}` : "You have the seat with the ring"}`,
-      told: (result) => !friend ? "" : score(result) > friend.score ? `You beat your friend, who ${did(friend.score)}.`
-        : `Your friend ${did(friend.score)}: ${score(result) === friend.score ? "a draw" : "not beaten yet"}.`,
-      link: (now) => this.#link(dare(now)),
-    });
+    playOn(
+      this.#engine,
+      this.view,
+      { config, seed: BigInt(start.seed), episode: start.episode, policies, seat, from: 0, moves: [] },
+      {
+        title: QUESTIONS[team],
+        players,
+        linkName: "Challenge a friend",
+        about: `Seed ${seed}: these pursuers catch ${rate} %. ${friend ? `Your friend ${did(friend.score)}` : "You have the seat with the ring"}`,
+        told: (result) =>
+          !friend
+            ? ""
+            : score(result) > friend.score
+              ? `You beat your friend, who ${did(friend.score)}.`
+              : `Your friend ${did(friend.score)}: ${score(result) === friend.score ? "a draw" : "not beaten yet"}.`,
+        link: (now) => this.#link(dare(now)),
+      },
+    );
   }
 }

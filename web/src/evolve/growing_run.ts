@@ -51,12 +51,21 @@ export class GrowingRun implements Run {
   }
 
   #empty(): GrowingRun["payoff"] {
-    const { seed, schedule: { generations } } = this.#settings;
+    const {
+      seed,
+      schedule: { generations },
+    } = this.#settings;
     const size = generations + 1;
-    this.seeds = Array.from({ length: size }, (_, g) => Array.from({ length: size }, (_none, h) => String(evaluationSeed(seed, g, h))));
+    this.seeds = Array.from({ length: size }, (_, g) =>
+      Array.from({ length: size }, (_none, h) => String(evaluationSeed(seed, g, h))),
+    );
     return {
-      first: [0, 0], shape: [size, size], episodes: this.#settings.evaluation_episodes,
-      capture_rate: rowsOf(size), capture_rates: rowsOf(size), lengths: rowsOf(size),
+      first: [0, 0],
+      shape: [size, size],
+      episodes: this.#settings.evaluation_episodes,
+      capture_rate: rowsOf(size),
+      capture_rates: rowsOf(size),
+      lengths: rowsOf(size),
     };
   }
 
@@ -64,8 +73,16 @@ export class GrowingRun implements Run {
     const of = (team: Team): TeamData => {
       const genomes = `${this.#key} ${team}`;
       keepGenomes(genomes, joined(this.genomes[team]));
-      const { genome, ...policy } = policyOf(shapeOf(this.#settings, this.#masks, team), this.genomes[team][0] ?? new Float32Array(0));
-      return { script: null, policy: { ...policy, genome_size: genome.length }, kept: [...this.genomes[team].keys()], genomes };
+      const { genome, ...policy } = policyOf(
+        shapeOf(this.#settings, this.#masks, team),
+        this.genomes[team][0] ?? new Float32Array(0),
+      );
+      return {
+        script: null,
+        policy: { ...policy, genome_size: genome.length },
+        kept: [...this.genomes[team].keys()],
+        genomes,
+      };
     };
     return { pursuer: of("pursuer"), evader: of("evader") };
   }
@@ -87,7 +104,12 @@ export class GrowingRun implements Run {
 
   /** The race goes on to more generations. */
   extend(settings: RaceSettings): void {
-    const { capture_rate, capture_rates, lengths, shape: [size] } = this.payoff;
+    const {
+      capture_rate,
+      capture_rates,
+      lengths,
+      shape: [size],
+    } = this.payoff;
     this.#settings = { ...this.#settings, schedule: settings.schedule };
     if (size > settings.schedule.generations) return;
     this.payoff = this.#empty();
@@ -130,7 +152,9 @@ export class GrowingRun implements Run {
     const generations = [...this.genomes.pursuer.keys()];
     return {
       pursuers: band(generations.map((g) => ofKnown(rates[g]!))),
-      evaders: band(generations.map((h) => ofKnown(rates.map((row) => row[h] === undefined ? undefined : 1 - row[h]!)))),
+      evaders: band(
+        generations.map((h) => ofKnown(rates.map((row) => (row[h] === undefined ? undefined : 1 - row[h]!)))),
+      ),
     };
   }
 }

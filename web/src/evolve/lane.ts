@@ -60,7 +60,13 @@ export class Lane extends EventTarget {
   readonly #facts = html("p", { class: "facts numbers" });
   readonly #room = html("div", { class: "lane-room" });
   readonly #measures = html("section", { class: "card measures" });
-  readonly #more = html("details", { class: "lane-more", hidden: true }, html("summary", {}, "More: every generation against every other, scores and collisions"), this.#room, this.#measures);
+  readonly #more = html(
+    "details",
+    { class: "lane-more", hidden: true },
+    html("summary", {}, "More: every generation against every other, scores and collisions"),
+    this.#room,
+    this.#measures,
+  );
   readonly #dialogs = html("div");
   readonly #inspector: Inspector;
   readonly #weights: Weights;
@@ -85,13 +91,28 @@ export class Lane extends EventTarget {
     this.boards = html("div", { class: "pair" }, this.before.element, this.after.element);
     this.#weights = new Weights(engine, data, () => this.#renew(true));
     this.#inspector = new Inspector(() => {});
-    const asked = html("section", { class: "card asked", "aria-label": "An agent", hidden: true }, html("button", { type: "button", class: "leave", onclick: () => this.#ask(null, null) }, "Close"), this.#inspector.element);
+    const asked = html(
+      "section",
+      { class: "card asked", "aria-label": "An agent", hidden: true },
+      html("button", { type: "button", class: "leave", onclick: () => this.#ask(null, null) }, "Close"),
+      this.#inspector.element,
+    );
     for (const chase of [this.before, this.after]) {
       chase.addEventListener("agent", () => chase.agent !== null && this.#ask(chase, chase.agent));
       chase.addEventListener("step", () => !asked.hidden && chase.agent !== null && this.#look(chase));
     }
-    this.element = html("section", { class: "lane" }, this.#title, this.#facts, this.boards,
-      html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and why it moves."), asked, this.#weights.element, this.#more, this.#dialogs);
+    this.element = html(
+      "section",
+      { class: "lane" },
+      this.#title,
+      this.#facts,
+      this.boards,
+      html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and why it moves."),
+      asked,
+      this.#weights.element,
+      this.#more,
+      this.#dialogs,
+    );
     this.reset(settings);
   }
 
@@ -121,13 +142,20 @@ export class Lane extends EventTarget {
   restore(settings: RaceSettings, kept: Kept, epochs: number, changed: readonly number[]): void {
     this.settings = kept.settings;
     this.#begin();
-    for (const number of Array(kept.finished).keys()) this.#run.add({ pursuer: kept.archive.pursuer[number]!, evader: kept.archive.evader[number]! });
+    for (const number of Array(kept.finished).keys())
+      this.#run.add({ pursuer: kept.archive.pursuer[number]!, evader: kept.archive.evader[number]! });
     for (const [name, cell] of kept.cells) {
       this.#run.addCell(cell);
       this.#cells.set(name, cell);
     }
     this.#scores = { pursuer: [...kept.scores.pursuer], evader: [...kept.scores.evader] };
-    [this.settings, this.kept, this.seconds, this.epochs, this.done] = [settings, kept, kept.seconds, epochs, 1];
+    [this.settings, this.kept, this.seconds, this.epochs, this.done] = [
+      settings,
+      kept,
+      kept.seconds,
+      epochs,
+      1,
+    ];
     this.changed.splice(0, Infinity, ...changed);
     this.#end("ended");
     this.#show();
@@ -200,7 +228,8 @@ export class Lane extends EventTarget {
     } else if (told.type === "cell") {
       const { pursuer, evader } = told.cell;
       this.#run.addCell(told.cell);
-      if (this.#follows && pursuer === evader && pursuer === this.#run.newest) this.#store.select({ pursuer, evader });
+      if (this.#follows && pursuer === evader && pursuer === this.#run.newest)
+        this.#store.select({ pursuer, evader });
       this.#cells.set(`${pursuer} ${evader}`, told.cell);
       if (this.state === "stopped" || this.state === "ended") this.#end(this.state);
     } else if (told.type === "scores") {
@@ -271,11 +300,18 @@ export class Lane extends EventTarget {
     this.#ask(null, null);
     [this.#follows, this.#heard] = [true, false];
     this.#store = new Store({ run: 0, pursuer: 0, evader: 0, episode: 0, seed: null });
-    const [matrix, match] = [new MatrixPanel([this.#run], this.#store), new MatchPanel([this.#run], this.#store, null)];
+    const [matrix, match] = [
+      new MatrixPanel([this.#run], this.#store),
+      new MatchPanel([this.#run], this.#store, null),
+    ];
     matrix.element.ariaLabel = `Payoff matrix. ${name}`; // of two races, each has its own name
     match.actions.remove();
-    const dialog = html("dialog", { class: "of-cell-match", "aria-label": "Match", onclose: () => match.player.pause() },
-      html("button", { type: "button", class: "leave", onclick: () => dialog.close() }, "Close"), match.element);
+    const dialog = html(
+      "dialog",
+      { class: "of-cell-match", "aria-label": "Match", onclose: () => match.player.pause() },
+      html("button", { type: "button", class: "leave", onclick: () => dialog.close() }, "Close"),
+      match.element,
+    );
     let started = false;
     matrix.element.addEventListener("play", () => {
       const { pursuer, evader } = this.#store.selected;
@@ -286,24 +322,44 @@ export class Lane extends EventTarget {
       started = true;
       match.playSoon();
     });
-    const made = chart(`Scores against scripts, by generation: ${FIXED.pursuer.join(", ")} and ${FIXED.evader.join(", ")}`,
+    const made = chart(
+      `Scores against scripts, by generation: ${FIXED.pursuer.join(", ")} and ${FIXED.evader.join(", ")}`,
       (width, height) => {
         const last = this.settings.schedule.generations;
-        const into = frame(width, height, { low: 0, high: last, label: "generation", whole: true }, { low: 0, high: 1, label: "score" });
+        const into = frame(
+          width,
+          height,
+          { low: 0, high: last, label: "generation", whole: true },
+          { low: 0, high: 1, label: "score" },
+        );
         for (const team of TEAMS) {
           const known = Array.from(this.#scores[team], (score) => score ?? null);
           line(into, [...known.keys()], known, `of-${team}s`);
         }
         return into;
-      }, () => {}, (generation) => {
+      },
+      () => {},
+      (generation) => {
         const chosen = Math.min(this.#run.newest, Math.max(0, Math.round(generation)));
         this.#store.select({ pursuer: chosen, evader: chosen });
-      });
+      },
+    );
     this.#drawChart = made.redraw;
-    this.#room.replaceChildren(matrix.element,
-      html("section", { class: "card scores" }, html("h3", {}, "Against opponents that never change"),
-        html("p", { class: "small muted" }, "Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),
-        legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]), made.element));
+    this.#room.replaceChildren(
+      matrix.element,
+      html(
+        "section",
+        { class: "card scores" },
+        html("h3", {}, "Against opponents that never change"),
+        html(
+          "p",
+          { class: "small muted" },
+          "Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers.",
+        ),
+        legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]),
+        made.element,
+      ),
+    );
     this.#dialogs.replaceChildren(dialog);
   }
 
@@ -313,11 +369,22 @@ export class Lane extends EventTarget {
     if (newest < 0) return;
     const [zero, episode] = [{ pursuer: 0, evader: 0 }, this.#episode++ % this.#run.payoff.episodes];
     const match = (genomes: OfTeams<Float32Array>): Match =>
-      this.#engine.match(this.#run.world, ...this.#policies(genomes), BigInt(this.#run.seeds[0]![0]!), episode);
+      this.#engine.match(
+        this.#run.world,
+        ...this.#policies(genomes),
+        BigInt(this.#run.seeds[0]![0]!),
+        episode,
+      );
     const { pursuer, evader } = best ?? { pursuer: newest, evader: newest };
-    const both = pursuer === evader ? `generation ${pursuer}` : `pursuers of generation ${pursuer}, evaders of generation ${evader}`;
+    const both =
+      pursuer === evader
+        ? `generation ${pursuer}`
+        : `pursuers of generation ${pursuer}, evaders of generation ${evader}`;
     this.before.show(match(this.#run.genomesOf(zero)), "Before: generation 0");
-    this.after.show(match(this.champions), !newest ? "Generation 0: nobody has learned anything yet" : best ? `After: ${both}` : `Now: ${both}`);
+    this.after.show(
+      match(this.champions),
+      !newest ? "Generation 0: nobody has learned anything yet" : best ? `After: ${both}` : `Now: ${both}`,
+    );
     for (const chase of [this.before, this.after]) if (chase.agent !== null) this.#look(chase, true);
   }
 
@@ -332,7 +399,8 @@ export class Lane extends EventTarget {
 
   /** Tell what an agent on a board sees, and why it moves; null for none. */
   #ask(chase: Chase | null, agent: number | null): void {
-    for (const each of [this.before, this.after]) if (each !== chase && each.agent !== null) each.choose(null);
+    for (const each of [this.before, this.after])
+      if (each !== chase && each.agent !== null) each.choose(null);
     (this.#inspector.element.parentElement ?? { hidden: true }).hidden = !chase;
     if (!chase) return;
     this.#look(chase, true);
@@ -341,8 +409,15 @@ export class Lane extends EventTarget {
 
   /** Ask the next agent on the board of now. */
   askNext(): void {
-    const { match, player: { step }, agent } = this.after;
-    const order = Array.from({ length: match?.n_agents ?? 0 }, (_, place) => ((agent ?? -1) + 1 + place) % match!.n_agents);
+    const {
+      match,
+      player: { step },
+      agent,
+    } = this.after;
+    const order = Array.from(
+      { length: match?.n_agents ?? 0 },
+      (_, place) => ((agent ?? -1) + 1 + place) % match!.n_agents,
+    );
     const next = order.find((each) => match!.alive[step * match!.n_agents + each]);
     if (next !== undefined) this.after.choose(next);
   }
@@ -350,9 +425,17 @@ export class Lane extends EventTarget {
   #look(chase: Chase, anew = false): void {
     if (anew) {
       const before = chase === this.before;
-      const [pursuers, evaders] = this.#policies(before ? this.#run.genomesOf({ pursuer: 0, evader: 0 }) : this.champions);
+      const [pursuers, evaders] = this.#policies(
+        before ? this.#run.genomesOf({ pursuer: 0, evader: 0 }) : this.champions,
+      );
       const at = before ? 0 : this.#run.newest;
-      this.#inspector.show(this.#engine, this.#run, chase.match!, { run: 0, pursuer: at, evader: at, episode: 0, seed: null }, { pursuers, evaders });
+      this.#inspector.show(
+        this.#engine,
+        this.#run,
+        chase.match!,
+        { run: 0, pursuer: at, evader: at, episode: 0, seed: null },
+        { pursuers, evaders },
+      );
     }
     this.#inspector.at(chase.player.step);
   }
@@ -377,11 +460,23 @@ export class Lane extends EventTarget {
       return cell ? mean(cell.capture_rates) : null;
     };
     if (this.state === "waiting" || newest < 1) {
-      const caught = rate(0) ?? this.#weights.rate(this.#run.genomesOf({ pursuer: 0, evader: 0 }), { pursuer: 0, evader: 0 });
-      return [`${percent(caught)} of the evaders are caught.`, ...(caught > MANY ? ["By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt."] : [])];
+      const caught =
+        rate(0) ??
+        this.#weights.rate(this.#run.genomesOf({ pursuer: 0, evader: 0 }), { pursuer: 0, evader: 0 });
+      return [
+        `${percent(caught)} of the evaders are caught.`,
+        ...(caught > MANY
+          ? [
+              "By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt.",
+            ]
+          : []),
+      ];
     }
     const [now, first] = [rate(newest) ?? rate(newest - 1), rate(0)];
-    const caught = now === null || first === null ? "" : `: the pursuers catch ${percent(now)} of the evaders; those of generation 0 caught ${percent(first)}`;
+    const caught =
+      now === null || first === null
+        ? ""
+        : `: the pursuers catch ${percent(now)} of the evaders; those of generation 0 caught ${percent(first)}`;
     return [`Generation ${newest} of ${this.settings.schedule.generations}${caught}.`];
   }
 
@@ -394,21 +489,56 @@ export class Lane extends EventTarget {
     const rows: readonly (readonly [string, (team: Team, place: number) => string])[] = [
       ["Score against scripts: generation 0", (team) => percent(this.#scores[team][0] ?? 0)],
       ["Score against scripts: newest generation", (team) => percent(this.#scores[team].at(-1) ?? 0)],
-      ["Collisions at fault in 1000 moves of the newest generation", (_, place) => collisions(newest, place).toFixed(1)],
+      [
+        "Collisions at fault in 1000 moves of the newest generation",
+        (_, place) => collisions(newest, place).toFixed(1),
+      ],
     ];
     this.#measures.replaceChildren(
       html("h3", {}, "In numbers"),
       ...TEAMS.map((team) => html("p", {}, evidenceOf(team, outcome.teams[team]))),
-      html("table", { class: "numbers" },
-        html("thead", {}, html("tr", {}, html("td"), ...TEAMS.map((team) => html("th", { scope: "col", class: team }, `${team}s`)))),
-        html("tbody", {}, ...rows.map(([name, value]) =>
-          html("tr", {}, html("th", { scope: "row" }, name), ...TEAMS.map((team, place) => html("td", {}, value(team, place))))))),
-      html("p", { class: "small muted" }, "One race proves little: save it, and ", html("code", {}, "matrixworld judge"), " says what happened on its way, and how surely."));
+      html(
+        "table",
+        { class: "numbers" },
+        html(
+          "thead",
+          {},
+          html(
+            "tr",
+            {},
+            html("td"),
+            ...TEAMS.map((team) => html("th", { scope: "col", class: team }, `${team}s`)),
+          ),
+        ),
+        html(
+          "tbody",
+          {},
+          ...rows.map(([name, value]) =>
+            html(
+              "tr",
+              {},
+              html("th", { scope: "row" }, name),
+              ...TEAMS.map((team, place) => html("td", {}, value(team, place))),
+            ),
+          ),
+        ),
+      ),
+      html(
+        "p",
+        { class: "small muted" },
+        "One race proves little: save it, and ",
+        html("code", {}, "matrixworld judge"),
+        " says what happened on its way, and how surely.",
+      ),
+    );
   }
 }
 
 /** Collisions at fault of a team, in 1000 moves. */
 function collisions({ means: { faults, agent_steps } }: Cell, team: number): number {
   const each = faults.length / TEAMS.length;
-  return (1000 * faults.slice(team * each, (team + 1) * each).reduce((a, b) => a + b, 0)) / Math.max(1, agent_steps[team]!);
+  return (
+    (1000 * faults.slice(team * each, (team + 1) * each).reduce((a, b) => a + b, 0)) /
+    Math.max(1, agent_steps[team]!)
+  );
 }

@@ -16,7 +16,9 @@ export interface Learner {
   tell(fitness: Float64Array): void;
 }
 
-interface EvolutionStrategySettings extends Readonly<Record<"population" | "sigma" | "learning_rate" | "relative_sigma", number>> {
+interface EvolutionStrategySettings extends Readonly<
+  Record<"population" | "sigma" | "learning_rate" | "relative_sigma", number>
+> {
   readonly kind: "es";
 }
 
@@ -83,7 +85,9 @@ class Adam {
 /** Return the ranks of fitness values, scaled to [-0.5, 0.5]; equal ones share the middle of theirs. */
 export function centredRanks(fitness: Float64Array): Float64Array {
   const order = Array.from(fitness).sort((a, b) => a - b);
-  return fitness.map((value) => (order.indexOf(value) + order.lastIndexOf(value)) / (2 * (fitness.length - 1)) - 0.5);
+  return fitness.map(
+    (value) => (order.indexOf(value) + order.lastIndexOf(value)) / (2 * (fitness.length - 1)) - 0.5,
+  );
 }
 
 /** The evolution strategy of Salimans et al. (2017): mirrored samples, ranks, Adam. */
@@ -96,7 +100,12 @@ export class EvolutionStrategy implements Learner {
   #noise: readonly Float32Array[] = [];
 
   constructor(genome: Float32Array, table: NoiseTable, settings: EvolutionStrategySettings) {
-    [this.genome, this.#table, this.#settings, this.#adam] = [genome, table, settings, new Adam(genome.length)];
+    [this.genome, this.#table, this.#settings, this.#adam] = [
+      genome,
+      table,
+      settings,
+      new Adam(genome.length),
+    ];
     this.groups = Int32Array.from({ length: settings.population }, (_, i) => i % (settings.population / 2));
   }
 
@@ -167,7 +176,10 @@ export class GeneticAlgorithm implements Learner {
     const size = this.#settings.tournament ?? TOURNAMENT;
     const entrants = draws.integers(this.#fitness.length, count * size);
     return Array.from({ length: count }, (_, child) =>
-      entrants.subarray(child * size, (child + 1) * size).reduce((best, each) => (this.#fitness[each]! > this.#fitness[best]! ? each : best)));
+      entrants
+        .subarray(child * size, (child + 1) * size)
+        .reduce((best, each) => (this.#fitness[each]! > this.#fitness[best]! ? each : best)),
+    );
   }
 
   ask(draws: Draws): Float32Array {
@@ -177,7 +189,9 @@ export class GeneticAlgorithm implements Learner {
     const children = population - elites;
     const fathers = this.#select(children, draws);
     this.#select(children, draws); // mothers, who matter with crossover only: Python draws them, too
-    const elite = Array.from(this.#fitness.keys()).sort((a, b) => this.#fitness[b]! - this.#fitness[a]!).slice(0, elites);
+    const elite = Array.from(this.#fitness.keys())
+      .sort((a, b) => this.#fitness[b]! - this.#fitness[a]!)
+      .slice(0, elites);
     const offspring = new Float32Array(this.population.length);
     [...elite, ...fathers].forEach((parent, at) => offspring.set(this.#individual(parent), at * size));
     this.#table.draw(children, draws).forEach((noise, child) => {

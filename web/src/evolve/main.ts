@@ -44,11 +44,21 @@ class Page {
   readonly #evolve = button("Evolve", "", () => this.#press(), "evolve");
   readonly #progress = html("progress", { max: 1, value: 0, "aria-label": "Progress of the race" });
   readonly #status = html("p", { class: "small muted numbers", role: "status" });
-  readonly #walls = button("Draw walls", "Drag over the board to draw walls, and over walls to remove them", () => this.#toggleWalls());
-  readonly #noWalls = button("Usual walls", "Each match draws its walls anew", () => this.#ask({ walls: null }));
+  readonly #walls = button(
+    "Draw walls",
+    "Drag over the board to draw walls, and over walls to remove them",
+    () => this.#toggleWalls(),
+  );
+  readonly #noWalls = button("Usual walls", "Each match draws its walls anew", () =>
+    this.#ask({ walls: null }),
+  );
   readonly #rest = button("Pause", "", () => this.#toggleBoards());
-  readonly #again = button("Again", "Another race, with other luck", () => this.#ask({ seed: this.#choice.seed + 1 }, true));
-  readonly #more = button(`${GENERATIONS} more generations`, "", () => this.#ask({ generations: this.#choice.generations + GENERATIONS }));
+  readonly #again = button("Again", "Another race, with other luck", () =>
+    this.#ask({ seed: this.#choice.seed + 1 }, true),
+  );
+  readonly #more = button(`${GENERATIONS} more generations`, "", () =>
+    this.#ask({ generations: this.#choice.generations + GENERATIONS }),
+  );
   readonly #field = readOnly("Link to this race");
   readonly #told = html("span", { class: "told small", role: "status" });
   readonly #shelf = html("nav", { class: "shelf small", "aria-label": "Races of this visit", hidden: true });
@@ -67,26 +77,91 @@ class Page {
   constructor(data: EvolveData, engine: Engine) {
     [this.#data, this.#engine] = [data, engine];
     const { story, dare, problem } = storyOf(data, hasAddress() ? location.hash : "");
-    [this.#first, this.#changes, this.#choice] = [story.choice, story.changes.map(({ change }) => change), lastChoice(story)];
+    [this.#first, this.#changes, this.#choice] = [
+      story.choice,
+      story.changes.map(({ change }) => change),
+      lastChoice(story),
+    ];
     this.#controls = controls(data, (change, anew) => this.#ask(change, anew));
-    this.#duel = new Duel(engine, (of) => hasAddress() ? this.#link(of) : null);
-    this.#doings.append(html("div", { class: "ending", role: "group", "aria-label": "What to do now" },
-      button("Can you escape them?", "Be an evader, against the best pursuers", () => this.#play("evader"), "primary largest"),
-      button("Can you catch them?", "Be a pursuer, against the best evaders", () => this.#play("pursuer")), this.#more, this.#again), html("div", { class: "doings", role: "group", "aria-label": "What can be done" },
-      this.#rest, this.#walls, this.#noWalls,
-      hasAddress() && button("Link", "An address at which this race evolves again, on any computer", () => this.#copy()),
-      button("GIF", "Both boards as a film", () => this.#saveFilm()), button("Picture", "Both boards and what came out", () => void this.#saveCard()),
-      button("Save", "An archive that matrixworld judge, explore and replay read", () => void this.#saveRaces()), this.#field, this.#told));
-    document.getElementById("page")!.replaceWith(
-      top("Evolve a chase", "Triangles chase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other."),
-      html("main", {},
-        html("div", { class: "start" }, this.#evolve, html("div", { class: "progress" }, this.#progress, this.#status)),
-        this.#room, this.#shelf, this.#controls.main, this.#controls.more,
-        html("div", { class: "card below" }, legend(),
-          html("p", { class: "small muted" }, "The page plays and learns with the engine of matrixworld, in this browser; nothing is sent."),
-          html("p", { class: "small muted of-saving" }, "A saved race is an archive: ", html("code", {}, "matrixworld judge"), ", ", html("code", {}, "explore"),
-            " and ", html("code", {}, "replay"), " read it. Python plays its matches again, and does not continue it."))),
-      html("footer", { class: "muted small" }, `matrixworld ${data.version}`), this.#duel.dialog);
+    this.#duel = new Duel(engine, (of) => (hasAddress() ? this.#link(of) : null));
+    this.#doings.append(
+      html(
+        "div",
+        { class: "ending", role: "group", "aria-label": "What to do now" },
+        button(
+          "Can you escape them?",
+          "Be an evader, against the best pursuers",
+          () => this.#play("evader"),
+          "primary largest",
+        ),
+        button("Can you catch them?", "Be a pursuer, against the best evaders", () => this.#play("pursuer")),
+        this.#more,
+        this.#again,
+      ),
+      html(
+        "div",
+        { class: "doings", role: "group", "aria-label": "What can be done" },
+        this.#rest,
+        this.#walls,
+        this.#noWalls,
+        hasAddress() &&
+          button("Link", "An address at which this race evolves again, on any computer", () => this.#copy()),
+        button("GIF", "Both boards as a film", () => this.#saveFilm()),
+        button("Picture", "Both boards and what came out", () => void this.#saveCard()),
+        button(
+          "Save",
+          "An archive that matrixworld judge, explore and replay read",
+          () => void this.#saveRaces(),
+        ),
+        this.#field,
+        this.#told,
+      ),
+    );
+    document
+      .getElementById("page")!
+      .replaceWith(
+        top(
+          "Evolve a chase",
+          "Triangles chase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other.",
+        ),
+        html(
+          "main",
+          {},
+          html(
+            "div",
+            { class: "start" },
+            this.#evolve,
+            html("div", { class: "progress" }, this.#progress, this.#status),
+          ),
+          this.#room,
+          this.#shelf,
+          this.#controls.main,
+          this.#controls.more,
+          html(
+            "div",
+            { class: "card below" },
+            legend(),
+            html(
+              "p",
+              { class: "small muted" },
+              "The page plays and learns with the engine of matrixworld, in this browser; nothing is sent.",
+            ),
+            html(
+              "p",
+              { class: "small muted of-saving" },
+              "A saved race is an archive: ",
+              html("code", {}, "matrixworld judge"),
+              ", ",
+              html("code", {}, "explore"),
+              " and ",
+              html("code", {}, "replay"),
+              " read it. Python plays its matches again, and does not continue it.",
+            ),
+          ),
+        ),
+        html("footer", { class: "muted small" }, `matrixworld ${data.version}`),
+        this.#duel.dialog,
+      );
     this.#makeLanes();
     this.#told.textContent = problem;
     this.#open(story, dare);
@@ -98,16 +173,28 @@ class Page {
     if (races?.length === this.lanes.length) {
       this.#kept = addressOf(this.#data, story);
       for (const [number, lane] of this.lanes.entries()) {
-        lane.restore(this.#settings(number), races[number]!, story.watched[number]!, story.changes.map(({ at }) => at[number]!));
+        lane.restore(
+          this.#settings(number),
+          races[number]!,
+          story.watched[number]!,
+          story.changes.map(({ at }) => at[number]!),
+        );
       }
     }
     const replay = (): void => void (story.watched.length && !races && this.#replay(story));
     if (!dare) return replay();
     const settings = this.#settings(0);
-    const policies = { pursuer: this.lanes[0]!.run.playing("pursuer", dare.pursuer), evader: this.lanes[0]!.run.playing("evader", dare.evader) };
+    const policies = {
+      pursuer: this.lanes[0]!.run.playing("pursuer", dare.pursuer),
+      evader: this.lanes[0]!.run.playing("evader", dare.evader),
+    };
     const team = dare.seat < settings.world.n_pursuers ? "pursuer" : "evader";
     const players = [{ name: `the best ${team}s`, text: "", policy: () => policies[team] }];
-    this.#duel.play(team, { world: settings.world, policies, players, seed: settings.seed, rate: dare.rate, friend: dare }, dare);
+    this.#duel.play(
+      team,
+      { world: settings.world, policies, players, seed: settings.seed, rate: dare.rate, friend: dare },
+      dare,
+    );
     this.#duel.dialog.addEventListener("close", replay, { once: true });
   }
 
@@ -126,11 +213,15 @@ class Page {
       lane.addEventListener("state", () => this.#tell());
       this.lanes.push(lane);
     }
-    this.#pens = this.lanes.map((lane) => lane.after.drawWalls(([row, col], wall) => this.#draw(row, col, wall)));
+    this.#pens = this.lanes.map((lane) =>
+      lane.after.drawWalls(([row, col], wall) => this.#draw(row, col, wall)),
+    );
     this.#walls.ariaPressed = "false";
     this.#room.dataset["count"] = String(this.lanes.length);
     this.#room.replaceChildren(...this.lanes.map(({ element }) => element));
-    (this.lanes.length > 1 ? this.#room : this.lanes[0]!.boards)[this.lanes.length > 1 ? "before" : "after"](this.#doings);
+    (this.lanes.length > 1 ? this.#room : this.lanes[0]!.boards)[this.lanes.length > 1 ? "before" : "after"](
+      this.#doings,
+    );
     this.#controls.show(this.#choice);
     this.#tell();
   }
@@ -155,7 +246,10 @@ class Page {
     let now = choice;
     const choices = changes.map(({ change }) => (now = { ...now, ...change }));
     for (const [number, lane] of this.lanes.entries()) {
-      const plan = changes.map(({ at }, place) => ({ at: at[number]!, settings: this.#settings(number, choices[place]) }));
+      const plan = changes.map(({ at }, place) => ({
+        at: at[number]!,
+        settings: this.#settings(number, choices[place]),
+      }));
       lane.start(this.#settings(number, choice), plan, watched[number]);
     }
   }
@@ -164,8 +258,13 @@ class Page {
     const waiting = this.lanes.some(({ state }) => state === "waiting");
     return {
       choice: this.#first,
-      changes: this.#changes.map((change, place) => ({ change, at: this.lanes.map(({ changed, epochs }) => changed[place] ?? epochs) })),
-      watched: waiting ? [] : this.lanes.map(({ state, epochs }) => (state === "evolving" ? Infinity : epochs)),
+      changes: this.#changes.map((change, place) => ({
+        change,
+        at: this.lanes.map(({ changed, epochs }) => changed[place] ?? epochs),
+      })),
+      watched: waiting
+        ? []
+        : this.lanes.map(({ state, epochs }) => (state === "evolving" ? Infinity : epochs)),
     };
   }
 
@@ -173,13 +272,17 @@ class Page {
   readonly #ask: Ask = (change, anew = false) => {
     const lanes = this.#schedules().length;
     const waiting = this.lanes.every(({ state }) => state === "waiting");
-    if (this.#replays && !anew) { // from here on it is another race than the one of the link
+    if (this.#replays && !anew) {
+      // from here on it is another race than the one of the link
       this.#changes = this.#changes.slice(0, Math.min(...this.lanes.map(({ changed }) => changed.length)));
       this.#choice = this.#changes.reduce<Choice>((last, each) => ({ ...last, ...each }), this.#first);
     }
     this.#replays = false;
     const asked = { ...this.#choice, ...change };
-    const why = asked.generations > MOST_GENERATIONS ? `A race has at most ${MOST_GENERATIONS} generations here.` : whyNotPlayed(asked, this.#data.worlds[asked.world]!);
+    const why =
+      asked.generations > MOST_GENERATIONS
+        ? `A race has at most ${MOST_GENERATIONS} generations here.`
+        : whyNotPlayed(asked, this.#data.worlds[asked.world]!);
     this.#controls.show(why ? this.#choice : asked);
     this.#told.textContent = why;
     if (why) return;
@@ -194,18 +297,29 @@ class Page {
     } else this.#changes.push(change);
     if (this.lanes.some((lane) => lane.kept)) {
       this.#kept = "";
-      this.#replay({ ...story, changes: [...story.changes, { change, at: story.watched }], watched: this.lanes.map(() => Infinity) });
+      this.#replay({
+        ...story,
+        changes: [...story.changes, { change, at: story.watched }],
+        watched: this.lanes.map(() => Infinity),
+      });
     } else for (const [number, lane] of this.lanes.entries()) lane.change(this.#settings(number));
   };
 
   /** Draw a wall or remove it; returns why not. */
   #draw(row: number, col: number, wall: boolean): string {
-    const { settings: { world: { rows, cols } }, after } = this.lanes[0]!;
-    const shown = Array.from({ length: rows * cols }, (_, cell) => cell).filter((cell) => after.recording!.obstacles[cell]);
+    const {
+      settings: {
+        world: { rows, cols },
+      },
+      after,
+    } = this.lanes[0]!;
+    const shown = Array.from({ length: rows * cols }, (_, cell) => cell).filter(
+      (cell) => after.recording!.obstacles[cell],
+    );
     const drawn = { ...this.#choice, walls: withCell(this.#choice.walls ?? shown, row * cols + col, wall) };
     const why = whyNotPlayed(drawn, this.#data.worlds[drawn.world]!);
     if (why) return why;
-    const { walls } = this.#choice = drawn;
+    const { walls } = (this.#choice = drawn);
     const flags = Uint8Array.from({ length: rows * cols }, (_, cell) => Number(walls.includes(cell)));
     for (const lane of this.lanes) lane.after.showWalls(flags);
     clearTimeout(this.#due);
@@ -224,10 +338,30 @@ class Page {
   /** Let a person play against the champions that have just evolved. */
   #play(team: Team): void {
     const { run, champions, outcome } = this.lanes[0]!;
-    const policies = { pursuer: run.playing("pursuer", champions.pursuer), evader: run.playing("evader", champions.evader) };
-    const players = Array.from({ length: (run.best?.[team] ?? run.newest) + 1 }, (_, generation) => ({ name: `generation ${generation}`, text: "", policy: () => run.policy(team, generation) }));
-    this.#duel.play(team, { world: run.world, policies, players, seed: this.#choice.seed, rate: Math.round(100 * (outcome?.rate ?? 0)), friend: null },
-      { seed: String(fairSeed(this.#engine, run.world, team === "evader" ? run.world.n_pursuers : 0)), episode: 0 });
+    const policies = {
+      pursuer: run.playing("pursuer", champions.pursuer),
+      evader: run.playing("evader", champions.evader),
+    };
+    const players = Array.from({ length: (run.best?.[team] ?? run.newest) + 1 }, (_, generation) => ({
+      name: `generation ${generation}`,
+      text: "",
+      policy: () => run.policy(team, generation),
+    }));
+    this.#duel.play(
+      team,
+      {
+        world: run.world,
+        policies,
+        players,
+        seed: this.#choice.seed,
+        rate: Math.round(100 * (outcome?.rate ?? 0)),
+        friend: null,
+      },
+      {
+        seed: String(fairSeed(this.#engine, run.world, team === "evader" ? run.world.n_pursuers : 0)),
+        episode: 0,
+      },
+    );
   }
 
   // ---- What is shown ----------------------------------------------------------------------------
@@ -241,7 +375,13 @@ class Page {
   #tell(): void {
     if (!this.lanes.length) return;
     const states = this.lanes.map(({ state }) => state);
-    const state = states.every((each) => each === "waiting") ? "waiting" : states.includes("evolving") ? "evolving" : states.includes("stopped") ? "stopped" : "ended";
+    const state = states.every((each) => each === "waiting")
+      ? "waiting"
+      : states.includes("evolving")
+        ? "evolving"
+        : states.includes("stopped")
+          ? "stopped"
+          : "ended";
     document.body.dataset["state"] = state;
     this.#evolve.textContent = { waiting: "Evolve", evolving: "Stop", stopped: "Go on", ended: "" }[state];
     this.#evolve.hidden = state === "ended";
@@ -253,13 +393,16 @@ class Page {
     const { seed } = this.#choice;
     const generations = this.lanes.map((lane) => lane.newestGeneration).join(" and ");
     this.#status.textContent = {
-      waiting: "", evolving: `Seed ${seed}: generation ${generations}`, stopped: `Seed ${seed}: stopped at generation ${generations}.`,
+      waiting: "",
+      evolving: `Seed ${seed}: generation ${generations}`,
+      stopped: `Seed ${seed}: stopped at generation ${generations}.`,
       ended: `Seed ${seed}: ${generations} generations in ${seconds.toFixed(1)} seconds.`,
     }[state];
     const address = addressOf(this.#data, this.#story);
     this.#field.hidden = this.#field.value !== this.#link();
     // Browsers allow few changes of the address in a second.
-    if (hasAddress() && address.length <= LONGEST && location.hash.slice(1) !== address) history.replaceState(null, "", `#${address}`);
+    if (hasAddress() && address.length <= LONGEST && location.hash.slice(1) !== address)
+      history.replaceState(null, "", `#${address}`);
     if (state === "ended" || state === "stopped") this.#replays = false;
     if (state === "ended" && this.lanes.every(({ outcome }) => outcome)) void this.#keep(address);
     this.#showShelf();
@@ -282,7 +425,10 @@ class Page {
     if (this.#shelf.dataset["shown"] === shown) return; // a link that has the focus keeps it
     this.#shelf.dataset["shown"] = shown;
     this.#shelf.hidden = !others.length;
-    this.#shelf.replaceChildren("Races before: ", ...others.map(({ address, title }) => html("a", { href: `#${address}` }, title)));
+    this.#shelf.replaceChildren(
+      "Races before: ",
+      ...others.map(({ address, title }) => html("a", { href: `#${address}` }, title)),
+    );
   }
 
   // ---- To take away -----------------------------------------------------------------------------
@@ -307,7 +453,9 @@ class Page {
 
   get #shown(): Shown[] {
     const { before, after } = this.lanes[0]!;
-    return [before, after].filter(({ recording }) => recording).map((each) => ({ title: each.title.split(":")[0]!, recording: each.recording! }));
+    return [before, after]
+      .filter(({ recording }) => recording)
+      .map((each) => ({ title: each.title.split(":")[0]!, recording: each.recording! }));
   }
 
   #saveFilm(): void {
@@ -316,12 +464,18 @@ class Page {
 
   async #saveCard(): Promise<void> {
     const { outcome, settings } = this.lanes[0]!;
-    const lines = [...(outcome?.sentence.split(/(?<=\.) /) ?? [`Generation ${this.lanes[0]!.newestGeneration}`]), `${this.#choice.world}, seed ${settings.seed}, ${settings.schedule.generations} generations of pursuers and evaders that learn against each other`, this.#public];
+    const lines = [
+      ...(outcome?.sentence.split(/(?<=\.) /) ?? [`Generation ${this.lanes[0]!.newestGeneration}`]),
+      `${this.#choice.world}, seed ${settings.seed}, ${settings.schedule.generations} generations of pursuers and evaders that learn against each other`,
+      this.#public,
+    ];
     saveFile(`chase-seed-${this.#choice.seed}.png`, await cardOf(this.#shown, lines));
   }
 
   async #saveRaces(): Promise<void> {
-    const races = await Promise.all(this.lanes.map(async (lane) => ({ name: scheduleOf(lane.settings), race: await lane.saved() })));
+    const races = await Promise.all(
+      this.lanes.map(async (lane) => ({ name: scheduleOf(lane.settings), race: await lane.saved() })),
+    );
     if (!races.every(({ race }) => canSave(race))) {
       this.#told.textContent = "Wait for the next generation, and save then.";
       return;
@@ -335,7 +489,10 @@ class Page {
 async function show(): Promise<void> {
   const page = new Page(readData(), await loadEngine());
   document.addEventListener("keydown", ({ key, target, ctrlKey, metaKey, altKey }) => {
-    const busy = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || document.querySelector("dialog[open]");
+    const busy =
+      target instanceof HTMLInputElement ||
+      target instanceof HTMLSelectElement ||
+      document.querySelector("dialog[open]");
     if (busy || ctrlKey || metaKey || altKey) return;
     if (key.toLowerCase() === "d") changeTheme();
     else if (key.toLowerCase() === "a") page.lanes[0]!.askNext();

@@ -5,7 +5,8 @@ import type { Team } from "./settings.ts";
 /** Capture rates of pursuers (rows) against evaders (columns). */
 export type Rates = readonly (readonly number[])[];
 
-export const mean = (values: ArrayLike<number>): number => Array.from(values).reduce((sum, each) => sum + each, 0) / values.length;
+export const mean = (values: ArrayLike<number>): number =>
+  Array.from(values).reduce((sum, each) => sum + each, 0) / values.length;
 
 /** Return the payoffs of a team's generations (rows) against those of the other team. */
 export const fromSide = (rates: Rates, team: Team): Rates =>

@@ -48,13 +48,23 @@ export function genesOf(shape: Shape): number {
 }
 
 /** Return genomes, one after the other, as what plays for a team. */
-export const policyOf = (shape: Shape, genome: Float32Array): GenomePolicy => shape.kind === "rating" ? { ...shape, genome }
-  : ({ kind: "cells", hidden: hiddenOf(shape), activation: "relu" satisfies Activation, sampled: true, memory: "none", genome });
+export const policyOf = (shape: Shape, genome: Float32Array): GenomePolicy =>
+  shape.kind === "rating"
+    ? { ...shape, genome }
+    : {
+        kind: "cells",
+        hidden: hiddenOf(shape),
+        activation: "relu" satisfies Activation,
+        sampled: true,
+        memory: "none",
+        genome,
+      };
 
 /** Return a random genome: normal numbers, whose standard deviations the settings have. */
 export function untrained(shape: Shape, draws: Draws, policy: RaceSettings["policy"]): Float32Array {
   const weight = policy.initial_weight;
-  if (shape.kind === "rating" || policy.kind === "rating") return draws.normals(genesOf(shape)).map((normal) => Math.fround(weight) * normal);
+  if (shape.kind === "rating" || policy.kind === "rating")
+    return draws.normals(genesOf(shape)).map((normal) => Math.fround(weight) * normal);
   const head = policy.initial_head;
   const genome = new Float32Array(genesOf(shape));
   const layers = layersOf(shape);
@@ -85,13 +95,15 @@ export function fixedOf(shape: Shape): FixedGenes | null {
     // A unit of the mask hears of nothing else, and nothing else hears of it.
     for (let unit = 0; unit < MOVES; unit++) {
       if (number > 0) fixed.fill(1, place(inputs - MOVES + unit, 0), place(inputs - MOVES + unit + 1, 0));
-      if (number < last) for (let input = 0; input <= inputs; input++) fixed[place(input, outputs - MOVES + unit)] = 1;
+      if (number < last)
+        for (let input = 0; input <= inputs; input++) fixed[place(input, outputs - MOVES + unit)] = 1;
     }
     mask.forEach((cells, move) => {
       const target = number === last ? 1 + move : outputs - MOVES + move;
-      const sources = number === 0
-        ? cells.map(([channel, down, right]) => (channel * fov + middle + down) * fov + middle + right)
-        : [inputs - MOVES + move];
+      const sources =
+        number === 0
+          ? cells.map(([channel, down, right]) => (channel * fov + middle + down) * fov + middle + right)
+          : [inputs - MOVES + move];
       for (const source of sources) {
         fixed[place(source, target)] = 1;
         values[place(source, target)] = number === last ? FORBIDDEN : 1;
@@ -118,7 +130,11 @@ export function reshaped(genome: Float32Array, from: Shape, to: Shape): Float32A
   const inView = (cell: number): boolean => cell >= 0 && cell < to.fov;
   /** Where an input of the first layer is in the other view; -1 outside of it. */
   const seen = (input: number): number => {
-    const [channel, row, col] = [Math.floor(input / from.fov ** 2), Math.floor(input / from.fov) % from.fov + moved, (input % from.fov) + moved];
+    const [channel, row, col] = [
+      Math.floor(input / from.fov ** 2),
+      (Math.floor(input / from.fov) % from.fov) + moved,
+      (input % from.fov) + moved,
+    ];
     return inView(row) && inView(col) ? (channel * to.fov + row) * to.fov + col : -1;
   };
   before.forEach((old, number) => {
@@ -127,12 +143,16 @@ export function reshaped(genome: Float32Array, from: Shape, to: Shape): Float32A
     for (let input = 0; input < (number ? from.hidden[number - 1]! : old.inputs); input++) {
       const place = number ? input : seen(input);
       if (place < 0) continue;
-      for (let out = 0; out < outputs; out++) made[layer.at + place * layer.outputs + out] = genome[old.at + input * old.outputs + out]!;
+      for (let out = 0; out < outputs; out++)
+        made[layer.at + place * layer.outputs + out] = genome[old.at + input * old.outputs + out]!;
     }
     for (let out = 0; out < outputs; out++) {
       made[layer.at + layer.inputs * layer.outputs + out] = genome[old.at + old.inputs * old.outputs + out]!;
     }
   });
   // Without hidden layers, weights of a mask lie among the others: they are forgotten, not learned.
-  return masked(made.map((gene) => (gene <= FORBIDDEN / 2 ? 0 : gene)), fixedOf(to));
+  return masked(
+    made.map((gene) => (gene <= FORBIDDEN / 2 ? 0 : gene)),
+    fixedOf(to),
+  );
 }

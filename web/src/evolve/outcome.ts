@@ -32,19 +32,35 @@ interface Estimate {
 }
 
 /** Return the outcome of a race of so many generations; null without a second one or with cells that are missing. */
-export function outcomeOf(cells: ReadonlyMap<string, Pick<Cell, "capture_rates">>, generations: number): Outcome | null {
-  const all = Array.from({ length: generations }, (_, g) => Array.from({ length: generations }, (_none, h) => cells.get(`${g} ${h}`)?.capture_rates));
+export function outcomeOf(
+  cells: ReadonlyMap<string, Pick<Cell, "capture_rates">>,
+  generations: number,
+): Outcome | null {
+  const all = Array.from({ length: generations }, (_, g) =>
+    Array.from({ length: generations }, (_none, h) => cells.get(`${g} ${h}`)?.capture_rates),
+  );
   if (generations < 2 || all.some((row) => row.includes(undefined))) return null;
-  const [rates, noise] = [all.map((row) => row.map((each) => mean(each!))), all.map((row) => row.map((each) => varianceOfMean(each!)))];
+  const [rates, noise] = [
+    all.map((row) => row.map((each) => mean(each!))),
+    all.map((row) => row.map((each) => varianceOfMean(each!))),
+  ];
   const last = Math.max(1, Math.round(generations * LAST));
   const teamOf = (team: Team): Outcome["teams"][Team] => {
     const [own, errors] = [fromSide(rates, team), team === "pursuer" ? noise : transposed(noise)];
     const [before, after] = [[own[0]!.slice(-last)], own.slice(-last).map((row) => row.slice(-last))];
-    const errorOf = (rows: Rates): number => mean(rows.map((row) => mean(row.slice(-last)) / last)) / rows.length;
-    const difference = { value: mean(after.map(mean)) - mean(before.map(mean)), reach: REACH * Math.sqrt(errorOf(errors.slice(-last)) + errorOf([errors[0]!])) };
+    const errorOf = (rows: Rates): number =>
+      mean(rows.map((row) => mean(row.slice(-last)) / last)) / rows.length;
+    const difference = {
+      value: mean(after.map(mean)) - mean(before.map(mean)),
+      reach: REACH * Math.sqrt(errorOf(errors.slice(-last)) + errorOf([errors[0]!])),
+    };
     const change = changeOf(own, errors);
     const told = verdictOf(difference, change);
-    return { verdict: told === "better" && !isSustained(own.map(mean), change.value) ? "better by a jump" : told, before: mean(before[0]!), after: mean(after.map(mean)) };
+    return {
+      verdict: told === "better" && !isSustained(own.map(mean), change.value) ? "better by a jump" : told,
+      before: mean(before[0]!),
+      after: mean(after.map(mean)),
+    };
   };
   const teams = { pursuer: teamOf("pursuer"), evader: teamOf("evader") };
   const bestOf = (team: Team): number => {
@@ -58,7 +74,9 @@ export function outcomeOf(cells: ReadonlyMap<string, Pick<Cell, "capture_rates">
 
 const transposed = (rows: Rates): Rates => rows[0]!.map((_, at) => rows.map((row) => row[at]!));
 const varianceOfMean = (values: readonly number[]): number =>
-  values.reduce((sum, each) => sum + (each - mean(values)) ** 2, 0) / Math.max(1, values.length - 1) / values.length;
+  values.reduce((sum, each) => sum + (each - mean(values)) ** 2, 0) /
+  Math.max(1, values.length - 1) /
+  values.length;
 
 /** The linear change of a team's mean payoff against all opponents: `analysis.strength.strength_change`. */
 function changeOf(own: Rates, errors: Rates): Estimate {
@@ -77,7 +95,9 @@ function changeOf(own: Rates, errors: Rates): Estimate {
 function isSustained(course: readonly number[], change: number): boolean {
   const forward = course.map((each) => each * Math.sign(change));
   const [size, more] = [Math.floor(course.length / PARTS), course.length % PARTS];
-  const parts = Array.from({ length: PARTS }, (_, part) => mean(forward.slice(part * size + Math.min(part, more), (part + 1) * size + Math.min(part + 1, more))));
+  const parts = Array.from({ length: PARTS }, (_, part) =>
+    mean(forward.slice(part * size + Math.min(part, more), (part + 1) * size + Math.min(part + 1, more))),
+  );
   const tenth = Math.max(2, Math.floor(course.length / 10));
   const jump = Math.max(...forward.slice(tenth).map((each, at) => each - forward[at]!));
   const setback = Math.max(...parts.slice(1).map((each, part) => parts[part]! - each));
@@ -92,21 +112,29 @@ function verdictOf(...estimates: readonly Estimate[]): Verdict {
 export const percent = (rate: number): string => `${Math.round(100 * rate)} %`;
 
 const WORDS: Readonly<Record<Verdict, string>> = {
-  better: "better than in generation 0", "better by a jump": "better than in generation 0, most of it in one jump",
-  weaker: "weaker than in generation 0", "cannot tell": "",
+  better: "better than in generation 0",
+  "better by a jump": "better than in generation 0, most of it in one jump",
+  weaker: "weaker than in generation 0",
+  "cannot tell": "",
 };
 
 function sentenceOf(rate: number, teams: Outcome["teams"]): string {
   const now = `The best pursuers now catch ${percent(rate)} of the best evaders.`;
   const words = TEAMS.map((team) => WORDS[teams[team].verdict]);
-  if (words[0] === words[1]) return words[0] ? `${now} Both teams are ${words[0]}.` : `${now} Whether a team has become better since generation 0, this race cannot tell.`;
-  const parts = TEAMS.map((team, place) => (words[place] ? `the ${team}s are ${words[place]}` : `of the ${team}s this race cannot tell`));
+  if (words[0] === words[1])
+    return words[0]
+      ? `${now} Both teams are ${words[0]}.`
+      : `${now} Whether a team has become better since generation 0, this race cannot tell.`;
+  const parts = TEAMS.map((team, place) =>
+    words[place] ? `the ${team}s are ${words[place]}` : `of the ${team}s this race cannot tell`,
+  );
   return `${now} ${parts[0]![0]!.toUpperCase()}${parts[0]!.slice(1)}; ${parts[1]}.`;
 }
 
 /** Return what a team's verdict rests on, in a sentence. */
 export function evidenceOf(team: Team, { before, after }: Outcome["teams"][Team]): string {
   const [one, other] = team === "pursuer" ? [before, after] : [1 - before, 1 - after];
-  return team === "pursuer" ? `Of the last ${otherOf(team)}s, pursuers of generation 0 catch ${percent(one)}, the last pursuers ${percent(other)}.`
+  return team === "pursuer"
+    ? `Of the last ${otherOf(team)}s, pursuers of generation 0 catch ${percent(one)}, the last pursuers ${percent(other)}.`
     : `The last pursuers catch ${percent(one)} of the evaders of generation 0, and ${percent(other)} of the last evaders.`;
 }

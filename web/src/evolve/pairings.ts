@@ -10,7 +10,12 @@ import type { Team } from "./settings.ts";
 type Pairings = Readonly<Record<Team | "group", Int32Array>>;
 
 /** Return matches of each individual against some living opponents, and each member of the other team's hall. */
-export function pairings(seedGroups: Int32Array, contemporaries: number, hall: readonly [number, number], draws: Draws): Pairings {
+export function pairings(
+  seedGroups: Int32Array,
+  contemporaries: number,
+  hall: readonly [number, number],
+  draws: Draws,
+): Pairings {
   const [n, groups] = [seedGroups.length, Math.max(...seedGroups) + 1];
   const size = groups > 1 ? n / groups : 1;
   const individuals = Array.from(seedGroups.keys()).sort((a, b) => seedGroups[a]! - seedGroups[b]!);
@@ -18,8 +23,14 @@ export function pairings(seedGroups: Int32Array, contemporaries: number, hall: r
   let opponents: number[] = [];
   for (let meeting = 0; meeting < contemporaries; meeting++) {
     const turn = meeting % size;
-    if (turn === 0) opponents = Array.from(draws.permutation(n / size)).flatMap((block) => individuals.slice(block * size, (block + 1) * size));
-    rounds.push([individuals, opponents.map((_, i) => opponents[i - (i % size) + (((i % size) - turn + size) % size)]!)]);
+    if (turn === 0)
+      opponents = Array.from(draws.permutation(n / size)).flatMap((block) =>
+        individuals.slice(block * size, (block + 1) * size),
+      );
+    rounds.push([
+      individuals,
+      opponents.map((_, i) => opponents[i - (i % size) + (((i % size) - turn + size) % size)]!),
+    ]);
   }
   const member = (number: number): number[] => individuals.map(() => n + number);
   for (let each = 0; each < hall[1]; each++) rounds.push([individuals, member(each)]);
@@ -27,12 +38,19 @@ export function pairings(seedGroups: Int32Array, contemporaries: number, hall: r
   return {
     pursuer: Int32Array.from(rounds.flatMap(([pursuers]) => pursuers)),
     evader: Int32Array.from(rounds.flatMap(([, evaders]) => evaders)),
-    group: Int32Array.from(rounds.flatMap((_, round) => individuals.map((each) => round * groups + seedGroups[each]!))),
+    group: Int32Array.from(
+      rounds.flatMap((_, round) => individuals.map((each) => round * groups + seedGroups[each]!)),
+    ),
   };
 }
 
 /** Return the mean over opponents of the values of each of n individuals; equal pairs count once. */
-export function tableMeans(own: Int32Array, opponents: Int32Array, n: number, values: Float64Array): Float64Array {
+export function tableMeans(
+  own: Int32Array,
+  opponents: Int32Array,
+  n: number,
+  values: Float64Array,
+): Float64Array {
   const width = Math.max(...opponents) + 1;
   const [sums, counts] = [new Float64Array(n * width), new Float64Array(n * width)];
   values.forEach((value, match) => {
@@ -63,6 +81,15 @@ function pairwiseSum(values: Float64Array): number {
   const lanes = values.slice(0, LANES);
   const whole = length - (length % LANES);
   for (let i = LANES; i < whole; i++) lanes[i % LANES]! += values[i]!;
-  const [a, b, c, d, e, f, g, h] = lanes as unknown as [number, number, number, number, number, number, number, number];
+  const [a, b, c, d, e, f, g, h] = lanes as unknown as [
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
   return values.subarray(whole).reduce((sum, each) => sum + each, a + b + (c + d) + (e + f + (g + h)));
 }

@@ -18,28 +18,49 @@ type Format = Pick<EvolveData, "format" | "version">;
 export type Finished = Pick<Race, "settings" | "archive" | "rows" | "cells" | "counters" | "finished">;
 
 const json = (values: object): Uint8Array => strToU8(JSON.stringify(values, null, 2));
-const doubles = (data: readonly number[], ...shape: number[]): NpyArray => ({ dtype: "<f8", shape, data: Float64Array.from(data) });
-const spread = (values: readonly number[]): number => Math.sqrt(mean(values.map((each) => (each - mean(values)) ** 2)));
+const doubles = (data: readonly number[], ...shape: number[]): NpyArray => ({
+  dtype: "<f8",
+  shape,
+  data: Float64Array.from(data),
+});
+const spread = (values: readonly number[]): number =>
+  Math.sqrt(mean(values.map((each) => (each - mean(values)) ** 2)));
 
 /** What the stages of a race are: a generation of one team, or of both if they learn at once. */
 type Stage = readonly [generation: number, teams: readonly Team[]];
 
 function stagesOf({ settings, finished }: Finished): Stage[] {
-  const phases: (readonly Team[])[] = settings.schedule.kind === "alternating" ? TEAMS.map((team) => [team]) : [TEAMS];
+  const phases: (readonly Team[])[] =
+    settings.schedule.kind === "alternating" ? TEAMS.map((team) => [team]) : [TEAMS];
   return Array.from({ length: finished }, (_, generation) =>
-    (generation ? phases : [TEAMS]).map((teams): Stage => [generation, teams])).flat();
+    (generation ? phases : [TEAMS]).map((teams): Stage => [generation, teams]),
+  ).flat();
 }
 
 /** Return what a stage has added. */
-function stage({ archive, rows, counters }: Finished, number: number, [generation, teams]: Stage): Record<string, NpyArray> {
+function stage(
+  { archive, rows, counters }: Finished,
+  number: number,
+  [generation, teams]: Stage,
+): Record<string, NpyArray> {
   const own = rows.filter((row) => row.generation === generation && teams.includes(row.team));
-  const log = strToU8(own.map((row) => `${[number, ...COLUMNS.map((name) => row[name])].join(",")}\n`).join(""));
-  const genome = (team: Team): NpyArray => ({ dtype: "<f4", shape: [1, archive[team][generation]!.length], data: archive[team][generation]! });
+  const log = strToU8(
+    own.map((row) => `${[number, ...COLUMNS.map((name) => row[name])].join(",")}\n`).join(""),
+  );
+  const genome = (team: Team): NpyArray => ({
+    dtype: "<f4",
+    shape: [1, archive[team][generation]!.length],
+    data: archive[team][generation]!,
+  });
   return {
     ...Object.fromEntries(teams.map((team) => [`${team}s`, genome(team)])),
     log: { dtype: `|S${Math.max(1, log.length)}`, shape: [], data: log.length ? log : new Uint8Array(1) },
-    ...Object.fromEntries(Object.entries(counters[teams.at(-1)!][generation]!).map(([name, count]) => [name, doubles([count])])),
-    ...(number ? { score: doubles([mean(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) } : {}),
+    ...Object.fromEntries(
+      Object.entries(counters[teams.at(-1)!][generation]!).map(([name, count]) => [name, doubles([count])]),
+    ),
+    ...(number
+      ? { score: doubles([mean(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) }
+      : {}),
   };
 }
 
@@ -48,12 +69,21 @@ function payoff(race: Finished): Record<string, NpyArray> {
   const n = race.finished;
   const cells = Array.from({ length: n * n }, (_, at) => race.cells.get(`${Math.floor(at / n)} ${at % n}`)!);
   const episodes = cells[0]!.lengths.length;
-  const each = (value: (cell: Cell) => number | readonly number[], ...shape: number[]): NpyArray => doubles(cells.flatMap(value), n, n, ...shape);
+  const each = (value: (cell: Cell) => number | readonly number[], ...shape: number[]): NpyArray =>
+    doubles(cells.flatMap(value), n, n, ...shape);
   return {
-    scores: { dtype: "<f4", shape: [n, n, episodes], data: Float32Array.from(cells.flatMap(({ capture_rates }) => capture_rates)) },
+    scores: {
+      dtype: "<f4",
+      shape: [n, n, episodes],
+      data: Float32Array.from(cells.flatMap(({ capture_rates }) => capture_rates)),
+    },
     mean: each(({ capture_rates }) => mean(capture_rates)),
     std: each(({ capture_rates }) => spread(capture_rates)),
-    lengths: { dtype: "<i4", shape: [n, n, episodes], data: Int32Array.from(cells.flatMap(({ lengths }) => lengths)) },
+    lengths: {
+      dtype: "<i4",
+      shape: [n, n, episodes],
+      data: Int32Array.from(cells.flatMap(({ lengths }) => lengths)),
+    },
     collisions: each(({ means }) => means.collisions, 2, 3),
     faults: each(({ means }) => means.faults, 2, 3),
     agent_steps: each(({ means }) => means.agent_steps, 2),
@@ -71,24 +101,39 @@ function filesOf(race: Finished, { format, version }: Format): Record<string, Ui
   const { matches, steps, agent_steps } = race.counters.evader[generations]!;
   const counted = { training_matches: matches, training_steps: steps, training_agent_steps: agent_steps };
   const summary = {
-    stages: stages.length - 1, ...counted, disengagement: [],
+    stages: stages.length - 1,
+    ...counted,
+    disengagement: [],
     evaluation_matches: race.finished ** 2 * race.settings.evaluation_episodes,
   };
   return {
     "config.json": json(config),
-    ...Object.fromEntries(stages.map((each, number) =>
-      [`stage-${String(number).padStart(4, "0")}.npz`, writeNpz(stage(race, number, each))])),
+    ...Object.fromEntries(
+      stages.map((each, number) => [
+        `stage-${String(number).padStart(4, "0")}.npz`,
+        writeNpz(stage(race, number, each)),
+      ]),
+    ),
     "payoff.npz": writeNpz(payoff(race)),
     "summary.json": json(summary),
   };
 }
 
 /** Return an archive of races: one run, or a run in a directory for each schedule. */
-export function archiveOf(races: readonly { readonly name: string; readonly race: Finished }[], format: Format): Uint8Array {
+export function archiveOf(
+  races: readonly { readonly name: string; readonly race: Finished }[],
+  format: Format,
+): Uint8Array {
   const files = races.flatMap(({ name, race }) =>
-    Object.entries(filesOf(race, format)).map(([file, bytes]) => [races.length > 1 ? `${name}/${file}` : file, bytes] as const));
+    Object.entries(filesOf(race, format)).map(
+      ([file, bytes]) => [races.length > 1 ? `${name}/${file}` : file, bytes] as const,
+    ),
+  );
   return zipSync(Object.fromEntries(files));
 }
 
 /** Return whether a race can be saved: it has a generation, and all cells between its generations. */
-export const canSave = (race: Finished): boolean => race.finished > 1 && race.cells.size >= race.finished ** 2 && TEAMS.every((team) => race.archive[team].length);
+export const canSave = (race: Finished): boolean =>
+  race.finished > 1 &&
+  race.cells.size >= race.finished ** 2 &&
+  TEAMS.every((team) => race.archive[team].length);

@@ -38,7 +38,11 @@ function mix(a: number, b: number): number {
 }
 
 /** Return the first words of 32 bits of `SeedSequence(entropy, spawn_key=spawn)`. */
-export function seedWords(entropy: readonly (number | bigint)[], spawn: readonly number[], count: number): Uint32Array {
+export function seedWords(
+  entropy: readonly (number | bigint)[],
+  spawn: readonly number[],
+  count: number,
+): Uint32Array {
   const words = entropy.flatMap(wordsOf);
   if (spawn.length) {
     while (words.length < POOL) words.push(0);
@@ -59,8 +63,12 @@ export function seedWords(entropy: readonly (number | bigint)[], spawn: readonly
 /** Return seeds of 64 bits: the first words of `SeedSequence(key)`. */
 export function seedsOf(key: readonly (number | bigint)[], count: number): BigUint64Array {
   const words = seedWords(key, [], 2 * count);
-  return BigUint64Array.from({ length: count }, (_, i) => BigInt(words[2 * i]!) + WORD * BigInt(words[2 * i + 1]!));
+  return BigUint64Array.from(
+    { length: count },
+    (_, i) => BigInt(words[2 * i]!) + WORD * BigInt(words[2 * i + 1]!),
+  );
 }
 
 /** Return the seed of a cell of the payoff matrix, that of `evaluation_seed`. */
-export const evaluationSeed = (seed: number, pursuer: number, evader: number): bigint => seedsOf([seed, pursuer, evader], 1)[0]!;
+export const evaluationSeed = (seed: number, pursuer: number, evader: number): bigint =>
+  seedsOf([seed, pursuer, evader], 1)[0]!;

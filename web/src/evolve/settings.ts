@@ -21,7 +21,8 @@ interface Alternating extends AnySchedule, Readonly<Record<"pursuer_epochs" | "e
 }
 
 /** Both teams learn at once, from living opponents and halls of fame. */
-interface Simultaneous extends AnySchedule, Readonly<Record<"joint_epochs" | "contemporaries" | "hall_sample", number>> {
+interface Simultaneous
+  extends AnySchedule, Readonly<Record<"joint_epochs" | "contemporaries" | "hall_sample", number>> {
   readonly kind: "hall-of-fame";
 }
 
@@ -52,4 +53,5 @@ export interface RaceSettings {
 /** Penalty of evaders that share a cell, where teammates may. */
 const OVERLAP_PENALTY = 0.2;
 
-export const overlapPenalty = ({ world }: RaceSettings): number => (world.rules.teammate === "REACH" ? OVERLAP_PENALTY : 0);
+export const overlapPenalty = ({ world }: RaceSettings): number =>
+  world.rules.teammate === "REACH" ? OVERLAP_PENALTY : 0;

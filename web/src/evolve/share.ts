@@ -27,7 +27,13 @@ function canvasOf(width: number, height: number): [HTMLCanvasElement, CanvasRend
 function boardOf({ recording }: Shown, time: number, side: number): HTMLCanvasElement {
   const [canvas, ctx] = canvasOf(side, side);
   const grid = fit(recording.rows, recording.cols, false, side, side, 1);
-  draw({ ctx, grid, colors: paletteOf(document.querySelector("canvas.board")!) }, recording, Math.min(time, recording.moments.length - 1), LOOK, 1);
+  draw(
+    { ctx, grid, colors: paletteOf(document.querySelector("canvas.board")!) },
+    recording,
+    Math.min(time, recording.moments.length - 1),
+    LOOK,
+    1,
+  );
   return canvas;
 }
 
@@ -44,15 +50,17 @@ export function filmOf(shown: readonly Shown[]): Uint8Array<ArrayBuffer> {
   const { side, gap, head } = FILM;
   const steps = Math.min(MOST_STEPS, Math.max(...shown.map(({ recording }) => recording.moments.length - 1)));
   const [canvas, ctx] = canvasOf(shown.length * side + (shown.length + 1) * gap, head + side + gap);
-  return gifOf(Array.from({ length: steps + 1 }, (_, step) => {
-    paper(ctx, "600 15px");
-    shown.forEach((each, place) => {
-      const left = gap + place * (side + gap);
-      ctx.fillText(each.title, left, 21, side);
-      ctx.drawImage(boardOf(each, step, side), left, head);
-    });
-    return ctx.getImageData(0, 0, canvas.width, canvas.height);
-  }));
+  return gifOf(
+    Array.from({ length: steps + 1 }, (_, step) => {
+      paper(ctx, "600 15px");
+      shown.forEach((each, place) => {
+        const left = gap + place * (side + gap);
+        ctx.fillText(each.title, left, 21, side);
+        ctx.drawImage(boardOf(each, step, side), left, head);
+      });
+      return ctx.getImageData(0, 0, canvas.width, canvas.height);
+    }),
+  );
 }
 
 /** Return a picture of a race: the last moments of both boards, what came out, and how to see it. */

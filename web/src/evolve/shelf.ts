@@ -33,12 +33,19 @@ const rootOf = ({ address }: Place): string => address.split(/&?race=/)[0]!;
 export function keep(place: Place, lanes: readonly Kept[]): void {
   const store = storage();
   const text = JSON.stringify(lanes, (_, value: unknown) =>
-    value instanceof Float32Array ? { floats: Array.from(value) } : value instanceof Map ? { entries: [...value as Map<string, unknown>] } : value);
+    value instanceof Float32Array
+      ? { floats: Array.from(value) }
+      : value instanceof Map
+        ? { entries: [...(value as Map<string, unknown>)] }
+        : value,
+  );
   const others = places().filter((each) => rootOf(each) !== rootOf(place));
-  for (const { address } of places().filter((each) => rootOf(each) === rootOf(place))) store?.removeItem(`${KEY} ${address}`);
+  for (const { address } of places().filter((each) => rootOf(each) === rootOf(place)))
+    store?.removeItem(`${KEY} ${address}`);
   let all = [...others, place];
   for (let tried = 0; store && tried <= MOST; tried++) {
-    for (const gone of all.splice(0, Math.max(0, all.length - MOST))) store.removeItem(`${KEY} ${gone.address}`);
+    for (const gone of all.splice(0, Math.max(0, all.length - MOST)))
+      store.removeItem(`${KEY} ${gone.address}`);
     try {
       store.setItem(`${KEY} ${place.address}`, text);
       store.setItem(KEY, JSON.stringify(all));
@@ -54,6 +61,13 @@ export function keep(place: Place, lanes: readonly Kept[]): void {
 /** Return the lanes of a race that is kept; null if it is not. */
 export function found(address: string): Kept[] | null {
   const text = storage()?.getItem(`${KEY} ${address}`);
-  return text ? JSON.parse(text, (_, value: { floats?: number[]; entries?: [string, unknown][] } | null) =>
-    Array.isArray(value?.floats) ? Float32Array.from(value.floats) : Array.isArray(value?.entries) ? new Map(value.entries) : value) as Kept[] : null;
+  return text
+    ? (JSON.parse(text, (_, value: { floats?: number[]; entries?: [string, unknown][] } | null) =>
+        Array.isArray(value?.floats)
+          ? Float32Array.from(value.floats)
+          : Array.isArray(value?.entries)
+            ? new Map(value.entries)
+            : value,
+      ) as Kept[])
+    : null;
 }

@@ -41,7 +41,8 @@ export const LONGEST = 8000;
 /** What tells versions of the page apart whose races differ: a digest of its engine and its settings (FNV-1a). */
 export function markOf(data: EvolveData): string {
   let hash = 0x811c9dc5;
-  for (const character of text("script-engine") + JSON.stringify(data)) hash = Math.imul(hash ^ character.charCodeAt(0), 0x01000193);
+  for (const character of text("script-engine") + JSON.stringify(data))
+    hash = Math.imul(hash ^ character.charCodeAt(0), 0x01000193);
   return (hash >>> 0).toString(36);
 }
 
@@ -50,65 +51,136 @@ const BETWEEN = { changes: "~~", parts: "~", value: ":", races: "_" } as const;
 const END = "end";
 
 /** Return the choice at the end of a story. */
-export const lastChoice = ({ choice, changes }: Story): Choice => changes.reduce((last, { change }) => ({ ...last, ...change }), choice);
+export const lastChoice = ({ choice, changes }: Story): Choice =>
+  changes.reduce((last, { change }) => ({ ...last, ...change }), choice);
 
 /** Return the part of an address that holds a story, and a dare. */
 export function addressOf(data: EvolveData, { choice, changes, watched }: Story, dare?: Dare): string {
-  const races = (each: readonly number[]): string => each.map((epochs) => (epochs === Infinity ? END : epochs)).join(BETWEEN.races);
-  const then = changes.map(({ change, at }) =>
-    [races(at), ...Object.entries(changeOf(change)).map((entry) => entry.join(BETWEEN.value))].join(BETWEEN.parts)).join(BETWEEN.changes);
+  const races = (each: readonly number[]): string =>
+    each.map((epochs) => (epochs === Infinity ? END : epochs)).join(BETWEEN.races);
+  const then = changes
+    .map(({ change, at }) =>
+      [races(at), ...Object.entries(changeOf(change)).map((entry) => entry.join(BETWEEN.value))].join(
+        BETWEEN.parts,
+      ),
+    )
+    .join(BETWEEN.changes);
   const parts = {
     ...partsOf(data, choice),
     ...(watched.length ? { race: markOf(data), to: races(watched), ...(then ? { then } : {}) } : {}),
-    ...(dare ? { play: [dare.seed, dare.episode, dare.seat, dare.score, dare.rate].join("."), pursuer: packed(dare.pursuer), evader: packed(dare.evader) } : {}),
+    ...(dare
+      ? {
+          play: [dare.seed, dare.episode, dare.seat, dare.score, dare.rate].join("."),
+          pursuer: packed(dare.pursuer),
+          evader: packed(dare.evader),
+        }
+      : {}),
   };
-  return Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&");
+  return Object.entries(parts)
+    .map(([name, value]) => `${name}=${value}`)
+    .join("&");
 }
 
 /** Return the story and the dare of an address, and what is wrong with it in words. */
-export function storyOf(data: EvolveData, address: string): { story: Story; dare: Dare | null; problem: string } {
+export function storyOf(
+  data: EvolveData,
+  address: string,
+): { story: Story; dare: Dare | null; problem: string } {
   const found = [...new URLSearchParams(address.length > 2 * LONGEST ? "" : address.replace(/^#/, ""))];
-  const { race = "", to = "", then = "", play = "", pursuer = "", evader = "", ...rest } = Object.fromEntries(found) as Parts;
+  const {
+    race = "",
+    to = "",
+    then = "",
+    play = "",
+    pursuer = "",
+    evader = "",
+    ...rest
+  } = Object.fromEntries(found) as Parts;
   const wrong: string[] = [];
   const choice = choiceOf(data, rest, (part) => wrong.push(part));
-  const epochs = (part: string): number[] => part.split(BETWEEN.races).map((each) => (each === END ? Infinity : /^\d{1,6}$/.test(each) ? Number(each) : NaN));
-  const changes = then.split(BETWEEN.changes).filter(Boolean).reduce<Change[]>((before, one) => {
-    const [at = "", ...parts] = one.split(BETWEEN.parts);
-    const last = lastChoice({ choice, changes: before, watched: [] });
-    const named = Object.fromEntries(parts.map((part) => part.split(BETWEEN.value) as [string, string]));
-    const changed = choiceOf(data, named, (part) => wrong.push(part), last);
-    const change = Object.fromEntries(Object.entries(changed).filter(([name]) => name in named));
-    return [...before, { change, at: epochs(at) }];
-  }, []);
+  const epochs = (part: string): number[] =>
+    part
+      .split(BETWEEN.races)
+      .map((each) => (each === END ? Infinity : /^\d{1,6}$/.test(each) ? Number(each) : NaN));
+  const changes = then
+    .split(BETWEEN.changes)
+    .filter(Boolean)
+    .reduce<Change[]>((before, one) => {
+      const [at = "", ...parts] = one.split(BETWEEN.parts);
+      const last = lastChoice({ choice, changes: before, watched: [] });
+      const named = Object.fromEntries(parts.map((part) => part.split(BETWEEN.value) as [string, string]));
+      const changed = choiceOf(data, named, (part) => wrong.push(part), last);
+      const change = Object.fromEntries(Object.entries(changed).filter(([name]) => name in named));
+      return [...before, { change, at: epochs(at) }];
+    }, []);
   const watched = race || to ? epochs(to) : [];
   const races = choice.beside ? 2 : 1;
-  const whole = [...changes.map(({ at }) => at), ...(watched.length ? [watched] : [])].every((at) => at.length === races && !at.some(Number.isNaN));
+  const whole = [...changes.map(({ at }) => at), ...(watched.length ? [watched] : [])].every(
+    (at) => at.length === races && !at.some(Number.isNaN),
+  );
   const dare = play ? dareOf(data, choice, play, pursuer, evader) : null;
   if (!whole) wrong.push(`to=${to}`);
   if (play && !dare) wrong.push(`play=${play}`);
-  const problem = address.length > 2 * LONGEST ? "The link is too long, and shows nothing. "
-    : wrong.length ? `Something in the link is wrong, and left out: ${wrong.slice(0, 3).map((part) => part.slice(0, 60)).join("; ")}. `
-      : watched.length && race !== markOf(data) ? "The link is of another version of this page: the race may be another one. " : "";
+  const problem =
+    address.length > 2 * LONGEST
+      ? "The link is too long, and shows nothing. "
+      : wrong.length
+        ? `Something in the link is wrong, and left out: ${wrong
+            .slice(0, 3)
+            .map((part) => part.slice(0, 60))
+            .join("; ")}. `
+        : watched.length && race !== markOf(data)
+          ? "The link is of another version of this page: the race may be another one. "
+          : "";
   return { story: { choice, changes: whole ? changes : [], watched: whole ? watched : [] }, dare, problem };
 }
 
-function dareOf(data: EvolveData, choice: Choice, play: string, pursuer: string, evader: string): Dare | null {
-  const [found, genomes] = [/^(\d{1,20})\.(\d{1,4})\.(\d{1,3})\.(\d{1,4})\.(\d{1,3})$/.exec(play), [unpacked(pursuer), unpacked(evader)]];
-  if (!found || !genomes[0]?.length || !genomes[1]?.length || Number(found[3]) >= choice.pursuers + choice.evaders) return null;
+function dareOf(
+  data: EvolveData,
+  choice: Choice,
+  play: string,
+  pursuer: string,
+  evader: string,
+): Dare | null {
+  const [found, genomes] = [
+    /^(\d{1,20})\.(\d{1,4})\.(\d{1,3})\.(\d{1,4})\.(\d{1,3})$/.exec(play),
+    [unpacked(pursuer), unpacked(evader)],
+  ];
+  if (
+    !found ||
+    !genomes[0]?.length ||
+    !genomes[1]?.length ||
+    Number(found[3]) >= choice.pursuers + choice.evaders
+  )
+    return null;
   const settings = settingsOf(data, choice);
-  if (TEAMS.some((team, place) => genomes[place]!.length !== genesOf(shapeOf(settings, data.masks, team)))) return null;
+  if (TEAMS.some((team, place) => genomes[place]!.length !== genesOf(shapeOf(settings, data.masks, team))))
+    return null;
   const [episode, seat, score, rate] = found.slice(2).map(Number) as [number, number, number, number];
-  return { pursuer: genomes[0], evader: genomes[1]!, seed: String(BigInt.asUintN(64, BigInt(found[1]!))), episode, seat, score, rate };
+  return {
+    pursuer: genomes[0],
+    evader: genomes[1]!,
+    seed: String(BigInt.asUintN(64, BigInt(found[1]!))),
+    episode,
+    seat,
+    score,
+    rate,
+  };
 }
 
 /** Return numbers as letters that an address may hold. */
 const packed = (numbers: Float32Array): string =>
-  btoa(String.fromCharCode(...new Uint8Array(numbers.slice().buffer))).replaceAll("+", "-").replaceAll("/", ".").replaceAll("=", "");
+  btoa(String.fromCharCode(...new Uint8Array(numbers.slice().buffer)))
+    .replaceAll("+", "-")
+    .replaceAll("/", ".")
+    .replaceAll("=", "");
 
 function unpacked(letters: string): Float32Array | null {
   if (!/^[\w.-]*$/.test(letters)) return null;
   try {
-    const bytes = Uint8Array.from(atob(letters.replaceAll("-", "+").replaceAll(".", "/")), (each) => each.charCodeAt(0));
+    const bytes = Uint8Array.from(atob(letters.replaceAll("-", "+").replaceAll(".", "/")), (each) =>
+      each.charCodeAt(0),
+    );
     const numbers = bytes.length % 4 ? null : new Float32Array(bytes.buffer);
     return numbers?.every(Number.isFinite) ? numbers : null;
   } catch {

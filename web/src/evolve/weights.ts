@@ -19,7 +19,11 @@ const LEAST = 2;
 const MORE = 1.5;
 
 export class Weights {
-  readonly element = html("section", { class: "card weights-card", "aria-label": "Weights of named inputs", hidden: true });
+  readonly element = html("section", {
+    class: "card weights-card",
+    "aria-label": "Weights of named inputs",
+    hidden: true,
+  });
   readonly #engine: Engine;
   readonly #data: EvolveData;
   readonly #changed: () => void;
@@ -35,9 +39,16 @@ export class Weights {
   /** `changed` is called when other weights play. */
   constructor(engine: Engine, data: EvolveData, changed: () => void) {
     [this.#engine, this.#data, this.#changed] = [engine, data, changed];
-    this.element.append(html("h3", {}, "What they have learned"),
-      html("p", { class: "small muted" }, "An agent takes the move with the largest sum of weight x input. Drag a weight, and see at once what becomes of the team."),
-      html("div", { class: "doings" }, this.#back, this.#told), this.#teams);
+    this.element.append(
+      html("h3", {}, "What they have learned"),
+      html(
+        "p",
+        { class: "small muted" },
+        "An agent takes the move with the largest sum of weight x input. Drag a weight, and see at once what becomes of the team.",
+      ),
+      html("div", { class: "doings" }, this.#back, this.#told),
+      this.#teams,
+    );
   }
 
   /** What plays for a team. */
@@ -69,15 +80,30 @@ export class Weights {
   #team(team: Team, inputs: readonly InputName[]): HTMLElement {
     const genome = this.genome(team);
     const most = Math.max(LEAST, MORE * Math.max(...genome.map(Math.abs)));
-    return html("div", { class: "weights" }, html("h4", { class: team }, `${team}s`), this.#words[team], ...inputs.flatMap((input, place) => {
-      const shown = html("span", { class: "numbers" }, signed(genome[place]!));
-      const bar = html("input", { type: "range", class: team, min: -most, max: most, step: "any", value: genome[place]!, title: INPUTS[input], "aria-label": `${team}s: ${input}` });
-      bar.addEventListener("input", () => {
-        shown.textContent = signed(Number(bar.value));
-        this.#set(team, place, Number(bar.value));
-      });
-      return [html("span", { title: INPUTS[input] }, input.replaceAll("_", " ")), bar, shown];
-    }));
+    return html(
+      "div",
+      { class: "weights" },
+      html("h4", { class: team }, `${team}s`),
+      this.#words[team],
+      ...inputs.flatMap((input, place) => {
+        const shown = html("span", { class: "numbers" }, signed(genome[place]!));
+        const bar = html("input", {
+          type: "range",
+          class: team,
+          min: -most,
+          max: most,
+          step: "any",
+          value: genome[place]!,
+          title: INPUTS[input],
+          "aria-label": `${team}s: ${input}`,
+        });
+        bar.addEventListener("input", () => {
+          shown.textContent = signed(Number(bar.value));
+          this.#set(team, place, Number(bar.value));
+        });
+        return [html("span", { title: INPUTS[input] }, input.replaceAll("_", " ")), bar, shown];
+      }),
+    );
   }
 
   #set(team: Team, place: number, weight: number): void {
@@ -96,17 +122,39 @@ export class Weights {
   #tell(): void {
     this.#back.disabled = !this.#own;
     const evolved = percent(this.rate(this.#evolved));
-    this.#told.textContent = this.#own ? `Yours: ${percent(this.rate(this.#own))} are caught; as evolved: ${evolved}` : `${evolved} are caught`;
+    this.#told.textContent = this.#own
+      ? `Yours: ${percent(this.rate(this.#own))} are caught; as evolved: ${evolved}`
+      : `${evolved} are caught`;
     const run = this.#run!;
-    const policies = { pursuer: run.playing("pursuer", this.genome("pursuer")), evader: run.playing("evader", this.genome("evader")) };
+    const policies = {
+      pursuer: run.playing("pursuer", this.genome("pursuer")),
+      evader: run.playing("evader", this.genome("evader")),
+    };
     const match = this.#engine.match(run.world, policies.pursuer, policies.evader, BigInt(run.seed));
-    for (const team of TEAMS) this.#words[team].textContent = sentence(this.#data, team, effectsOf(this.#engine, match, team, policies));
+    for (const team of TEAMS)
+      this.#words[team].textContent = sentence(
+        this.#data,
+        team,
+        effectsOf(this.#engine, match, team, policies),
+      );
   }
 
   /** The mean capture rate of the matches that generations have in the evaluation, with other genomes: those of the cell, if they are its own. */
   rate({ pursuer, evader }: OfTeams<Float32Array>, at = this.#shown, run = this.#run!): number {
     const one = new Int32Array(1);
-    const matches = { pursuer: one, evader: one, seed: BigUint64Array.of(BigInt(run.seeds[at.pursuer]![at.evader]!)) };
-    return mean(this.#engine.rollouts(run.world, run.playing("pursuer", pursuer), run.playing("evader", evader), matches, run.payoff.episodes).capture_rate as Float32Array);
+    const matches = {
+      pursuer: one,
+      evader: one,
+      seed: BigUint64Array.of(BigInt(run.seeds[at.pursuer]![at.evader]!)),
+    };
+    return mean(
+      this.#engine.rollouts(
+        run.world,
+        run.playing("pursuer", pursuer),
+        run.playing("evader", evader),
+        matches,
+        run.payoff.episodes,
+      ).capture_rate as Float32Array,
+    );
   }
 }

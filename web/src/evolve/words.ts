@@ -13,24 +13,50 @@ const [MOST_CLEAR, MOST_SLIGHT] = [4, 2];
 /** Moments of a match that are looked at. */
 const MOMENTS = 12;
 
-const listed = (parts: readonly string[]): string => (parts.length > 1 ? `${parts.slice(0, -1).join(", ")} and ${parts.at(-1)}` : parts[0] ?? "");
+const listed = (parts: readonly string[]): string =>
+  parts.length > 1 ? `${parts.slice(0, -1).join(", ")} and ${parts.at(-1)}` : (parts[0] ?? "");
 
 /** Return in a sentence what an agent does by the effects of its inputs: `explanation.sentence`. */
-export function sentence({ phrases, words }: Pick<EvolveData, "phrases" | "words">, team: Team, effects: Readonly<Record<string, number>>): string {
-  const sizes = Object.entries(effects).map(([name, effect]) => [name, Math.abs(effect)] as const).sort(([, a], [, b]) => b - a);
+export function sentence(
+  { phrases, words }: Pick<EvolveData, "phrases" | "words">,
+  team: Team,
+  effects: Readonly<Record<string, number>>,
+): string {
+  const sizes = Object.entries(effects)
+    .map(([name, effect]) => [name, Math.abs(effect)] as const)
+    .sort(([, a], [, b]) => b - a);
   const largest = sizes[0]?.[1] || Infinity;
-  const clear = sizes.filter(([, size]) => size / largest >= CLEAR).slice(0, MOST_CLEAR).map(([name]) => phrases[name]![effects[name]! > 0 ? 1 : 0]);
-  const little = sizes.filter(([, size]) => size / largest >= SLIGHT && size / largest < CLEAR).slice(0, MOST_SLIGHT).map(([name]) => phrases[name]![2]);
-  const does = listed([...clear, ...(little.length ? [`minds ${listed(little)} little`] : [])]) || "takes any move that is allowed";
-  return `${team === "pursuer" ? "A" : "An"} ${team} ${does}.`.replaceAll(/\{(\w+)\}/g, (_, name: string) => words[team][name]!);
+  const clear = sizes
+    .filter(([, size]) => size / largest >= CLEAR)
+    .slice(0, MOST_CLEAR)
+    .map(([name]) => phrases[name]![effects[name]! > 0 ? 1 : 0]);
+  const little = sizes
+    .filter(([, size]) => size / largest >= SLIGHT && size / largest < CLEAR)
+    .slice(0, MOST_SLIGHT)
+    .map(([name]) => phrases[name]![2]);
+  const does =
+    listed([...clear, ...(little.length ? [`minds ${listed(little)} little`] : [])]) ||
+    "takes any move that is allowed";
+  return `${team === "pursuer" ? "A" : "An"} ${team} ${does}.`.replaceAll(
+    /\{(\w+)\}/g,
+    (_, name: string) => words[team][name]!,
+  );
 }
 
 /** Return the effect of each input of a team's weights: how far it moves the ratings of the moves in a match. */
-export function effectsOf(engine: Engine, match: Match, team: Team, policies: OfTeams<GenomePolicy>): Record<string, number> {
+export function effectsOf(
+  engine: Engine,
+  match: Match,
+  team: Team,
+  policies: OfTeams<GenomePolicy>,
+): Record<string, number> {
   const policy = policies[team];
   if (policy.kind !== "rating") return {};
   const { n_pursuers, n_evaders } = match.config;
-  const agents = Array.from({ length: team === "pursuer" ? n_pursuers : n_evaders }, (_, place) => place + (team === "pursuer" ? 0 : n_pursuers));
+  const agents = Array.from(
+    { length: team === "pursuer" ? n_pursuers : n_evaders },
+    (_, place) => place + (team === "pursuer" ? 0 : n_pursuers),
+  );
   const world = engine.world(match.config);
   const variances = policy.inputs.map((): number[] => []);
   for (let step = 0; step < match.length; step += Math.max(1, Math.floor(match.length / MOMENTS))) {
@@ -44,5 +70,10 @@ export function effectsOf(engine: Engine, match: Match, team: Team, policies: Of
     }
   }
   world.free();
-  return Object.fromEntries(policy.inputs.map((name, input) => [name, policy.genome[input]! * Math.sqrt(variances[input]!.length ? mean(variances[input]!) : 0)]));
+  return Object.fromEntries(
+    policy.inputs.map((name, input) => [
+      name,
+      policy.genome[input]! * Math.sqrt(variances[input]!.length ? mean(variances[input]!) : 0),
+    ]),
+  );
 }

@@ -16,7 +16,13 @@ export interface Planned {
 
 /** What the page asks for. A start ends a race that goes on, and plays again what is planned until so many epochs. */
 export type Order =
-  | { readonly type: "start"; readonly settings: RaceSettings; readonly masks: OfTeams<Mask>; readonly plan: readonly Planned[]; readonly until: number }
+  | {
+      readonly type: "start";
+      readonly settings: RaceSettings;
+      readonly masks: OfTeams<Mask>;
+      readonly plan: readonly Planned[];
+      readonly until: number;
+    }
   | { readonly type: "change"; readonly settings: RaceSettings }
   | { readonly type: "stop" | "go" | "save" };
 
@@ -49,7 +55,9 @@ export class Mate {
   constructor(page: string, hear: (told: Told) => void) {
     this.#hear = hear;
     try {
-      const script = new Blob([text("script-engine"), "\n", text(`script-${page}`)], { type: "text/javascript" });
+      const script = new Blob([text("script-engine"), "\n", text(`script-${page}`)], {
+        type: "text/javascript",
+      });
       this.#worker = new Worker(URL.createObjectURL(script));
       this.#worker.onerror = () => this.#end || this.#here(); // a policy of the page's place forbids it
       this.#worker.onmessage = () => this.#begin(this.#worker!);
@@ -140,7 +148,14 @@ export function work(end: End<Told, Order>): void {
   const obey = async (order: Order): Promise<void> => {
     if (order.type === "start") {
       race = new Race(await engine, order.settings, order.masks);
-      [steps, missing, plan, going, milliseconds, race.until] = [race.run(), null, [...order.plan], true, 0, order.until];
+      [steps, missing, plan, going, milliseconds, race.until] = [
+        race.run(),
+        null,
+        [...order.plan],
+        true,
+        0,
+        order.until,
+      ];
       tell({ type: "began" });
     } else if (!race) return;
     else if (order.type === "change") {
@@ -157,10 +172,12 @@ export function work(end: End<Told, Order>): void {
   };
 
   const guarded = (act: () => unknown): void => {
-    Promise.resolve().then(act).catch((error: unknown) => {
-      steps = missing = null;
-      tell({ type: "failed", message: String(error) });
-    });
+    Promise.resolve()
+      .then(act)
+      .catch((error: unknown) => {
+        steps = missing = null;
+        tell({ type: "failed", message: String(error) });
+      });
   };
   turns.port1.onmessage = () => {
     due = false;

@@ -38,11 +38,20 @@ export function followAddress(runs: readonly Run[], store: Store, match: MatchPa
   let [own, shown, since] = ["", JSON.stringify(store.selected), -ONE_VIEW];
   const write = (): void => {
     const { run, pursuer, evader, episode, seed } = store.selected;
-    const parts = { run, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }), step: match.player.step };
+    const parts = {
+      run,
+      pursuers: pursuer,
+      evaders: evader,
+      episode,
+      ...(seed === null ? {} : { seed }),
+      step: match.player.step,
+    };
     const view = JSON.stringify(store.selected);
     const another = view !== shown && performance.now() - since > ONE_VIEW;
     if (view !== shown) [shown, since] = [view, performance.now()];
-    own = `#${Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&")}`;
+    own = `#${Object.entries(parts)
+      .map(([name, value]) => `${name}=${value}`)
+      .join("&")}`;
     try {
       if (another) history.pushState(null, "", own);
       else history.replaceState(null, "", own);

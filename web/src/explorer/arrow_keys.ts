@@ -4,14 +4,20 @@ import type { Team } from "./data.ts";
 import type { Store } from "./store.ts";
 
 const MOVES: Readonly<Record<string, readonly [up: number, right: number]>> = {
-  ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowRight: [0, 1], ArrowLeft: [0, -1],
+  ArrowUp: [1, 0],
+  ArrowDown: [-1, 0],
+  ArrowRight: [0, 1],
+  ArrowLeft: [0, -1],
 };
 /** Generations of a step with Shift. */
 const MANY = 5;
 
 /** Give an element the focus of the keyboard; up and down change a team's generation, left and right the other's. */
 export function listenToArrows(
-  element: HTMLElement, store: Store, shape: () => readonly [number, number], upright: Team = "pursuer",
+  element: HTMLElement,
+  store: Store,
+  shape: () => readonly [number, number],
+  upright: Team = "pursuer",
 ): void {
   element.tabIndex = 0;
   element.setAttribute("role", "application");
@@ -22,7 +28,10 @@ export function listenToArrows(
     const [rows, columns] = shape();
     const by = event.shiftKey ? MANY : 1;
     const { pursuer, evader } = store.selected;
-    store.select({ pursuer: clamp(pursuer + by * pursuers, rows), evader: clamp(evader + by * evaders, columns) });
+    store.select({
+      pursuer: clamp(pursuer + by * pursuers, rows),
+      evader: clamp(evader + by * evaders, columns),
+    });
     event.preventDefault();
     event.stopPropagation();
   });

@@ -34,8 +34,10 @@ export function frame(width: number, height: number, horizontal: Axis, vertical:
   const rows = ticks(vertical.low, vertical.high, (bottom - top) / TICK_ROOM.y, vertical.whole);
   const left = TICK_ROOM.label + TICK_ROOM.letter * Math.max(2, ...rows.map((value) => shown(value).length));
   const right = Math.max(left + 40, width - MARGIN.right);
-  const scale = (axis: Axis, from: number, to: number) => (value: number): number =>
-    from + ((value - axis.low) / (axis.high - axis.low || 1)) * (to - from);
+  const scale =
+    (axis: Axis, from: number, to: number) =>
+    (value: number): number =>
+      from + ((value - axis.low) / (axis.high - axis.low || 1)) * (to - from);
   const [x, y] = [scale(horizontal, left, right), scale(vertical, bottom, top)];
   const marks = svg("g");
   const root = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, class: "plot" });
@@ -43,16 +45,37 @@ export function frame(width: number, height: number, horizontal: Axis, vertical:
   for (const value of rows) {
     axes.append(
       svg("line", { x1: left, x2: right, y1: y(value), y2: y(value), class: "grid" }),
-      svg("text", { x: left - 8, y: y(value), "text-anchor": "end", "dominant-baseline": "middle" }, shown(value)),
+      svg(
+        "text",
+        { x: left - 8, y: y(value), "text-anchor": "end", "dominant-baseline": "middle" },
+        shown(value),
+      ),
     );
   }
-  for (const value of ticks(horizontal.low, horizontal.high, (right - left) / TICK_ROOM.x, horizontal.whole)) {
+  for (const value of ticks(
+    horizontal.low,
+    horizontal.high,
+    (right - left) / TICK_ROOM.x,
+    horizontal.whole,
+  )) {
     axes.append(svg("text", { x: x(value), y: bottom + 16, "text-anchor": "middle" }, shown(value)));
   }
   axes.append(
     svg("line", { x1: left, x2: right, y1: bottom, y2: bottom, class: "axis" }),
-    svg("text", { x: (left + right) / 2, y: height - 6, "text-anchor": "middle", class: "label" }, horizontal.label),
-    svg("text", { transform: `translate(12 ${(top + bottom) / 2}) rotate(-90)`, "text-anchor": "middle", class: "label" }, vertical.label),
+    svg(
+      "text",
+      { x: (left + right) / 2, y: height - 6, "text-anchor": "middle", class: "label" },
+      horizontal.label,
+    ),
+    svg(
+      "text",
+      {
+        transform: `translate(12 ${(top + bottom) / 2}) rotate(-90)`,
+        "text-anchor": "middle",
+        class: "label",
+      },
+      vertical.label,
+    ),
   );
   root.append(axes, marks);
   const at = (clientX: number): number => {
@@ -81,21 +104,29 @@ export function line(into: Frame, xs: readonly number[], ys: Curve, style: strin
 /** Add the band between two curves. */
 export function band(into: Frame, { low, high }: Band, style: string): void {
   if (!low || !high) return;
-  const points = (ends: Curve): string[] => ends.map((value, i) => `${into.x(i).toFixed(1)} ${into.y(value ?? 0).toFixed(1)}`);
-  into.root.insertBefore(svg("path", { d: `M${[...points(high), ...points(low).reverse()].join("L")}Z`, class: `band ${style}` }), into.marks);
+  const points = (ends: Curve): string[] =>
+    ends.map((value, i) => `${into.x(i).toFixed(1)} ${into.y(value ?? 0).toFixed(1)}`);
+  into.root.insertBefore(
+    svg("path", { d: `M${[...points(high), ...points(low).reverse()].join("L")}Z`, class: `band ${style}` }),
+    into.marks,
+  );
 }
 
 /** Add a mark on a value of the horizontal axis: a line, and a dot where a curve is. */
 export function mark(into: Frame, value: number, style: string, dot: number | null = null): void {
   const place = into.x(value);
-  into.marks.append(svg("line", { x1: place, x2: place, y1: into.top, y2: into.bottom, class: `mark ${style}` }));
-  if (dot !== null) into.marks.append(svg("circle", { cx: place, cy: into.y(dot), r: 5, class: `dot ${style}` }));
+  into.marks.append(
+    svg("line", { x1: place, x2: place, y1: into.top, y2: into.bottom, class: `mark ${style}` }),
+  );
+  if (dot !== null)
+    into.marks.append(svg("circle", { cx: place, cy: into.y(dot), r: 5, class: `dot ${style}` }));
 }
 
 /** Add an entry for each named curve, above the chart. */
 export function legend(...entries: readonly (readonly [text: string, style: string])[]): HTMLElement {
   return html(
-    "p", { class: "legend small" },
+    "p",
+    { class: "legend small" },
     ...entries.map(([text, style]) => html("span", { class: `key ${style}` }, text)),
   );
 }
@@ -118,7 +149,10 @@ export function chart(
     shownFrame?.marks.replaceChildren();
     if (shownFrame) mark(shownFrame);
   };
-  element.addEventListener("click", (event) => shownFrame && choose(shownFrame.at(event.clientX), shownFrame, event));
+  element.addEventListener(
+    "click",
+    (event) => shownFrame && choose(shownFrame.at(event.clientX), shownFrame, event),
+  );
   const redraw = (): void => {
     const { clientWidth, clientHeight } = element;
     if (clientWidth < 50 || clientHeight < 50) return;

@@ -13,27 +13,49 @@ export function checkerboardPanel(run: Run, store: Store, play: () => void): Pan
   const { findings } = run;
   const { teams, click } = gameWords(run);
   if (!findings?.table.length) return null; // they are shown beside the judgement
-  const boards = findings.checkerboards.map((board) => miniature(run, board, (pursuer, evader) => {
-    store.select({ pursuer, evader });
-    play();
-  }));
+  const boards = findings.checkerboards.map((board) =>
+    miniature(run, board, (pursuer, evader) => {
+      store.select({ pursuer, evader });
+      play();
+    }),
+  );
   return {
-    element: card("Checkerboards",
+    element: card(
+      "Checkerboards",
       `Two generations of each team: each generation of the ${teams.pursuer} is better against another one of the ${teams.evader}. Click a cell to ${click}.`,
       boards.length
         ? html("div", { class: "boards" }, ...boards)
         : html("p", {}, `No four cells differ by more than ${findings.margin} in this way.`),
-      boards.length && !run.game?.exact ? html("p", { class: "small muted" }, "The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes.") : null),
+      boards.length && !run.game?.exact
+        ? html(
+            "p",
+            { class: "small muted" },
+            "The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes.",
+          )
+        : null,
+    ),
   };
 }
 
-function miniature(run: Run, { pursuers, evaders }: Checkerboard, choose: (pursuer: number, evader: number) => void): HTMLElement {
+function miniature(
+  run: Run,
+  { pursuers, evaders }: Checkerboard,
+  choose: (pursuer: number, evader: number) => void,
+): HTMLElement {
   const cell = (g: number, h: number): HTMLElement => {
     const made = html("button", { type: "button", class: "cell", onclick: () => choose(g, h) });
-    showRate(made, run.payoff.capture_rate[g]![h]!, `${generationName(run, "pursuer", g)} against ${generationName(run, "evader", h)}`);
+    showRate(
+      made,
+      run.payoff.capture_rate[g]![h]!,
+      `${generationName(run, "pursuer", g)} against ${generationName(run, "evader", h)}`,
+    );
     return made;
   };
-  return html("div", { class: "miniature numbers" },
-    html("span"), ...evaders.map((h) => html("span", { class: "evader" }, h)),
-    ...pursuers.flatMap((g) => [html("span", { class: "pursuer" }, g), ...evaders.map((h) => cell(g, h))]));
+  return html(
+    "div",
+    { class: "miniature numbers" },
+    html("span"),
+    ...evaders.map((h) => html("span", { class: "evader" }, h)),
+    ...pursuers.flatMap((g) => [html("span", { class: "pursuer" }, g), ...evaders.map((h) => cell(g, h))]),
+  );
 }

@@ -2,8 +2,22 @@
 
 // Sixteen colours of Matplotlib's table at equal distances (van der Walt and Smith 2015).
 const ANCHORS: readonly (readonly [number, number, number])[] = [
-  [68, 1, 84], [72, 26, 108], [71, 47, 125], [65, 68, 135], [57, 86, 140], [49, 104, 142], [42, 120, 142], [35, 136, 142],
-  [31, 152, 139], [34, 168, 132], [53, 183, 121], [84, 197, 104], [122, 209, 81], [165, 219, 54], [210, 226, 27], [253, 231, 37],
+  [68, 1, 84],
+  [72, 26, 108],
+  [71, 47, 125],
+  [65, 68, 135],
+  [57, 86, 140],
+  [49, 104, 142],
+  [42, 120, 142],
+  [35, 136, 142],
+  [31, 152, 139],
+  [34, 168, 132],
+  [53, 183, 121],
+  [84, 197, 104],
+  [122, 209, 81],
+  [165, 219, 54],
+  [210, 226, 27],
+  [253, 231, 37],
 ];
 
 /** Return red, green and blue, 0 to 255, of a rate from 0 to 1. */
@@ -24,4 +38,5 @@ export function inkOn(rate: number): "#000" | "#fff" {
 export const viridisText = (rate: number): string => `rgb(${viridis(rate).join(" ")})`;
 
 /** Return stops of a CSS gradient that shows the scale. */
-export const viridisGradient = (): string => `linear-gradient(to right, ${ANCHORS.map((color) => `rgb(${color.join(" ")})`).join(", ")})`;
+export const viridisGradient = (): string =>
+  `linear-gradient(to right, ${ANCHORS.map((color) => `rgb(${color.join(" ")})`).join(", ")})`;

@@ -25,34 +25,57 @@ export function trainingPanel(run: Run, store: Store): Panel {
   const last = epoch.at(-1) ?? 1;
   const dense = epoch.length > MANY ? "dense" : "";
   const spanOf = (chosen: number, team: number): [number, number] | null => {
-    const inside = generation.flatMap((each, i) => (each === chosen && (learner[i] === team || learner[i] === 2) ? [i] : []));
+    const inside = generation.flatMap((each, i) =>
+      each === chosen && (learner[i] === team || learner[i] === 2) ? [i] : [],
+    );
     return inside.length ? [epoch[inside[0]!]!, epoch[inside.at(-1)!]!] : null;
   };
-  const made = chart(`${capital(score)} in ${last} epochs of training. ${KEYS}`, (width, height) => {
-    const into = frame(width, height, { low: 0, high: last, label: "epoch", whole: true }, { low: 0, high: 1, label: score });
-    for (const [style, values] of [["raw", capture_rate], [dense, smooth]] as const) {
-      for (const [team, name] of LEARNERS.entries()) {
-        // A piece of the curve has the colour of the team that learned on the way to its end.
-        const own = values.map((value, i) => (learner[i] === team || learner[i + 1] === team ? value : null));
-        if (own.some((value) => value !== null)) line(into, epoch, own, `${name} ${style}`);
+  const made = chart(
+    `${capital(score)} in ${last} epochs of training. ${KEYS}`,
+    (width, height) => {
+      const into = frame(
+        width,
+        height,
+        { low: 0, high: last, label: "epoch", whole: true },
+        { low: 0, high: 1, label: score },
+      );
+      for (const [style, values] of [
+        ["raw", capture_rate],
+        [dense, smooth],
+      ] as const) {
+        for (const [team, name] of LEARNERS.entries()) {
+          // A piece of the curve has the colour of the team that learned on the way to its end.
+          const own = values.map((value, i) =>
+            learner[i] === team || learner[i + 1] === team ? value : null,
+          );
+          if (own.some((value) => value !== null)) line(into, epoch, own, `${name} ${style}`);
+        }
       }
-    }
-    return into;
-  }, (into) => TEAMS.forEach((team, learns) => {
-    const span = spanOf(store.hover[team] ?? store.selected[team], learns);
-    if (span) mark(into, (span[0] + span[1]) / 2, LEARNERS[learns]!);
-  }), (value) => {
-    const at = Math.min(epoch.length - 1, Math.max(0, Math.round(value / epochs) - 1));
-    const chosen = generation[at]!;
-    if (learner[at] !== 1) store.select({ pursuer: Math.min(chosen, run.payoff.shape[0] - 1) });
-    if (learner[at] !== 0) store.select({ evader: Math.min(chosen, run.payoff.shape[1] - 1) });
-  });
+      return into;
+    },
+    (into) =>
+      TEAMS.forEach((team, learns) => {
+        const span = spanOf(store.hover[team] ?? store.selected[team], learns);
+        if (span) mark(into, (span[0] + span[1]) / 2, LEARNERS[learns]!);
+      }),
+    (value) => {
+      const at = Math.min(epoch.length - 1, Math.max(0, Math.round(value / epochs) - 1));
+      const chosen = generation[at]!;
+      if (learner[at] !== 1) store.select({ pursuer: Math.min(chosen, run.payoff.shape[0] - 1) });
+      if (learner[at] !== 0) store.select({ evader: Math.min(chosen, run.payoff.shape[1] - 1) });
+    },
+  );
   listenToArrows(made.element, store, () => run.payoff.shape);
-  const learning = [...new Set(learner)].sort().map((team) =>
-    [`${[teams.pursuer, teams.evader, "both teams"][team]!} learn`, LEARNERS[team]!] as const);
+  const learning = [...new Set(learner)]
+    .sort()
+    .map((team) => [`${[teams.pursuer, teams.evader, "both teams"][team]!} learn`, LEARNERS[team]!] as const);
   return {
-    element: card("Training", `${thousands(training.matches)} training matches. Lines: the generations that are selected.`,
-      legend(...learning), made.element),
+    element: card(
+      "Training",
+      `${thousands(training.matches)} training matches. Lines: the generations that are selected.`,
+      legend(...learning),
+      made.element,
+    ),
     update: made.update,
   };
 }
@@ -63,34 +86,55 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
   if (!ratings) return null;
   const bands = { pursuer: ratings.pursuers, evader: ratings.evaders };
   const curves = { pursuer: bands.pursuer.mean, evader: bands.evader.mean };
-  const values = TEAMS.flatMap((team) => [bands[team].mean, bands[team].low ?? [], bands[team].high ?? []]).flat().map((value) => value ?? 0);
+  const values = TEAMS.flatMap((team) => [bands[team].mean, bands[team].low ?? [], bands[team].high ?? []])
+    .flat()
+    .map((value) => value ?? 0);
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const room = 0.06 * (high - low || 1);
   const last = Math.max(...run.payoff.shape) - 1;
   const { teams } = gameWords(run);
-  const made = chart(`Elo ratings by generation. ${KEYS}`, (width, height) => {
-    const into = frame(width, height, { low: 0, high: last, label: "generation", whole: true }, { low: low - room, high: high + room, label: "Elo points" });
-    for (const team of TEAMS) {
-      band(into, bands[team], `of-${team}s`);
-      line(into, curves[team].map((_, g) => g), curves[team], `of-${team}s`);
-    }
-    return into;
-  }, (into) => {
-    for (const team of TEAMS) {
-      const chosen = store.hover[team] ?? store.selected[team];
-      mark(into, chosen, `of-${team}s`, curves[team][chosen] ?? null);
-    }
-  }, (value, into, event) => {
-    const generation = Math.round(value);
-    const height = event.clientY - into.root.getBoundingClientRect().top;
-    const away = (team: Team): number => Math.abs(into.y(curves[team][generation] ?? Infinity) - height);
-    const team = away("pursuer") <= away("evader") ? "pursuer" : "evader";
-    if (generation >= 0 && generation < curves[team].length) store.select({ [team]: generation });
-  });
+  const made = chart(
+    `Elo ratings by generation. ${KEYS}`,
+    (width, height) => {
+      const into = frame(
+        width,
+        height,
+        { low: 0, high: last, label: "generation", whole: true },
+        { low: low - room, high: high + room, label: "Elo points" },
+      );
+      for (const team of TEAMS) {
+        band(into, bands[team], `of-${team}s`);
+        line(
+          into,
+          curves[team].map((_, g) => g),
+          curves[team],
+          `of-${team}s`,
+        );
+      }
+      return into;
+    },
+    (into) => {
+      for (const team of TEAMS) {
+        const chosen = store.hover[team] ?? store.selected[team];
+        mark(into, chosen, `of-${team}s`, curves[team][chosen] ?? null);
+      }
+    },
+    (value, into, event) => {
+      const generation = Math.round(value);
+      const height = event.clientY - into.root.getBoundingClientRect().top;
+      const away = (team: Team): number => Math.abs(into.y(curves[team][generation] ?? Infinity) - height);
+      const team = away("pursuer") <= away("evader") ? "pursuer" : "evader";
+      if (generation >= 0 && generation < curves[team].length) store.select({ [team]: generation });
+    },
+  );
   listenToArrows(made.element, store, () => run.payoff.shape);
   return {
-    element: card("Ratings", `One number for each generation, which cycles do not fit${bands.pursuer.low ? ", with 95 % intervals over episodes" : ""}. The game itself: ${rate(ratings.offset, 0)} points for the ${teams.pursuer}.`,
-      legend([teams.pursuer, "of-pursuers"], [teams.evader, "of-evaders"]), made.element),
+    element: card(
+      "Ratings",
+      `One number for each generation, which cycles do not fit${bands.pursuer.low ? ", with 95 % intervals over episodes" : ""}. The game itself: ${rate(ratings.offset, 0)} points for the ${teams.pursuer}.`,
+      legend([teams.pursuer, "of-pursuers"], [teams.evader, "of-evaders"]),
+      made.element,
+    ),
     update: made.update,
   };
 }
@@ -100,7 +144,10 @@ function movingMean(values: readonly number[], window: number): number[] {
   const sums = [0];
   for (const value of values) sums.push(sums.at(-1)! + value);
   return values.map((_, i) => {
-    const [from, to] = [Math.max(0, i - Math.floor((window - 1) / 2)), Math.min(values.length, i + Math.floor(window / 2) + 1)];
+    const [from, to] = [
+      Math.max(0, i - Math.floor((window - 1) / 2)),
+      Math.min(values.length, i + Math.floor(window / 2) + 1),
+    ];
     return (sums[to]! - sums[from]!) / (to - from);
   });
 }

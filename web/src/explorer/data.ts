@@ -15,7 +15,9 @@ export type Matrix = readonly (readonly number[])[];
 export type Curve = readonly (number | null)[];
 
 /** A policy without its genome, of each kind. */
-type Without<Policy> = Policy extends unknown ? Omit<Policy, "genome"> & { readonly genome_size: number } : never;
+type Without<Policy> = Policy extends unknown
+  ? Omit<Policy, "genome"> & { readonly genome_size: number }
+  : never;
 export type PolicyShape = Without<GenomePolicy>;
 
 export interface TeamData {
@@ -66,7 +68,9 @@ export interface Findings {
   readonly reasons: readonly string[];
   readonly generalization: OfTeams<Band>;
   readonly ciao: OfTeams<{
-    readonly fading: number | null; readonly stripes: number; readonly period: number | null;
+    readonly fading: number | null;
+    readonly stripes: number;
+    readonly period: number | null;
   }>;
   readonly ratings: OfTeams<Band> & { readonly offset: number };
   readonly checkerboards: readonly Checkerboard[];
@@ -112,11 +116,19 @@ export interface Data {
 export const readData = (): Data => JSON.parse(text("data")) as Data;
 
 /** Return what was measured of a cell; null where no episodes were played for it. */
-export function cellOf(run: Run, g: number, h: number): { rate: number; rates: readonly number[]; lengths: readonly number[] } | null {
+export function cellOf(
+  run: Run,
+  g: number,
+  h: number,
+): { rate: number; rates: readonly number[]; lengths: readonly number[] } | null {
   const [row, column] = [g - run.payoff.first[0], h - run.payoff.first[1]];
   const rate = run.payoff.capture_rate[row]?.[column];
   if (rate === undefined) return null;
-  return { rate, rates: run.payoff.capture_rates[row]![column]!, lengths: run.payoff.lengths[row]?.[column] ?? [] };
+  return {
+    rate,
+    rates: run.payoff.capture_rates[row]![column]!,
+    lengths: run.payoff.lengths[row]?.[column] ?? [],
+  };
 }
 
 /** Return why the page cannot play a generation of a team; empty if it can. */
@@ -136,14 +148,16 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
   const { script, policy, kept, genomes } = run.teams[team];
   if (script !== null || policy === null) return script ?? "random";
   const place = kept.indexOf(generation);
-  if (place < 0) throw new RangeError(`${team}: expected a generation whose genome the page holds, got ${generation}`);
+  if (place < 0)
+    throw new RangeError(`${team}: expected a generation whose genome the page holds, got ${generation}`);
   const size = policy.genome_size;
   const genome = genomesOf(genomes, size).subarray(place * size, (place + 1) * size);
   return { ...policy, genome };
 }
 
 /** Return whether a team's policy rates moves by named inputs. */
-export const ratesMoves = ({ teams }: Run, team: Team): boolean => (teams[team].policy ?? { kind: "cells" }).kind !== "cells";
+export const ratesMoves = ({ teams }: Run, team: Team): boolean =>
+  (teams[team].policy ?? { kind: "cells" }).kind !== "cells";
 
 /** Return the program of a generation as an expression; empty for other policies. */
 export const expressionOf = ({ teams }: Run, team: Team, generation: number): string =>
@@ -153,7 +167,11 @@ export const expressionOf = ({ teams }: Run, team: Team, generation: number): st
 export function playedMatch(engine: Engine, run: Run, { pursuer, evader, episode, seed }: Selection): Match {
   const own = run.seeds[pursuer]![evader]!;
   return engine.match(
-    run.world!, policyOf(run, "pursuer", pursuer), policyOf(run, "evader", evader), BigInt(seed ?? own), episode,
+    run.world!,
+    policyOf(run, "pursuer", pursuer),
+    policyOf(run, "evader", evader),
+    BigInt(seed ?? own),
+    episode,
   );
 }
 
@@ -162,7 +180,8 @@ const BYTES = 4;
 const decoded = new Map<string, Float32Array>();
 
 /** Keep genomes that the page has made itself, one after the other, under an identifier. */
-export const keepGenomes = (identifier: string, genomes: Float32Array): void => void decoded.set(identifier, genomes);
+export const keepGenomes = (identifier: string, genomes: Float32Array): void =>
+  void decoded.set(identifier, genomes);
 
 /** Return the genomes of an archive, decoded when a match first needs them; none if damaged. */
 export function genomesOf(identifier: string, size: number): Float32Array {
@@ -187,7 +206,8 @@ function unpacked(packed: Uint8Array, size: number): Float32Array<ArrayBuffer> {
   const planes = unzlibSync(packed);
   const count = planes.length / BYTES;
   const bytes = new Uint8Array(planes.length);
-  for (let at = 0; at < bytes.length; at++) bytes[at] = planes[(at % BYTES) * count + Math.floor(at / BYTES)]!;
+  for (let at = 0; at < bytes.length; at++)
+    bytes[at] = planes[(at % BYTES) * count + Math.floor(at / BYTES)]!;
   const bits = new Uint32Array(bytes.buffer);
   for (let at = size; at < bits.length; at++) bits[at]! ^= bits[at - size]!;
   return new Float32Array(bytes.buffer);

@@ -13,7 +13,11 @@ const MOST = 40;
 export class EpisodeStrip {
   readonly element: HTMLElement;
   readonly #store: Store;
-  readonly #buttons = html("div", { class: "episodes", role: "group", "aria-label": "Episodes of this cell" });
+  readonly #buttons = html("div", {
+    class: "episodes",
+    role: "group",
+    "aria-label": "Episodes of this cell",
+  });
   readonly #check = html("p", { class: "check small numbers", "aria-live": "polite" });
 
   constructor(store: Store) {
@@ -25,13 +29,22 @@ export class EpisodeStrip {
   show(run: Run, match: Match): void {
     const { pursuer, evader, episode, seed } = this.#store.selected;
     const cell = cellOf(run, pursuer, evader);
-    this.#buttons.replaceChildren(...(cell?.rates ?? []).slice(0, MOST).map((value, place) => this.#button(value, place)));
+    this.#buttons.replaceChildren(
+      ...(cell?.rates ?? []).slice(0, MOST).map((value, place) => this.#button(value, place)),
+    );
     const measured = seed === null ? cell?.rates[episode] : undefined;
     const here = match.statistics.capture_rate;
-    const equal = measured !== undefined && Math.abs(here - measured) < 1e-6 && match.length === cell?.lengths[episode];
-    const other = cell ? "Not an episode of the evaluation" : "The evaluation played no episodes of this pair.";
+    const equal =
+      measured !== undefined && Math.abs(here - measured) < 1e-6 && match.length === cell?.lengths[episode];
+    const other = cell
+      ? "Not an episode of the evaluation"
+      : "The evaluation played no episodes of this pair.";
     this.#check.dataset["equal"] = String(equal);
-    this.#check.textContent = equal ? "As in the evaluation" : measured === undefined ? other : `Episode ${episode + 1} differs from the evaluation.`;
+    this.#check.textContent = equal
+      ? "As in the evaluation"
+      : measured === undefined
+        ? other
+        : `Episode ${episode + 1} differs from the evaluation.`;
     this.#check.title = `Played here: capture rate ${rate(here, 3)} in ${match.length} steps.${cell ? ` The cell says ${rate(cell.rate, 3)}.` : ""}`;
   }
 
@@ -42,12 +55,15 @@ export class EpisodeStrip {
     return html(
       "button",
       {
-        type: "button", class: "episode", title: `Episode ${episode + 1}: capture rate ${rate(value)}`,
+        type: "button",
+        class: "episode",
+        title: `Episode ${episode + 1}: capture rate ${rate(value)}`,
         "aria-label": `Episode ${episode + 1}, capture rate ${rate(value)}`,
         "aria-pressed": String(episode === selected.episode && selected.seed === null),
         onclick: () => this.#store.select({ episode, seed: null }),
       },
-      bar, html("span", { class: "count" }, episode + 1),
+      bar,
+      html("span", { class: "count" }, episode + 1),
     );
   }
 }

@@ -16,7 +16,11 @@ export function evolvedPanel(run: Run, store: Store): Panel | null {
   if (TEAMS.every((team) => !run.teams[team].words && !ratesMoves(run, team))) return null;
   const place = html("div", { class: "evolved" });
   return {
-    element: card("What evolved", "Each move is rated by named inputs of the cell that it leads to, and the best one is taken.", place),
+    element: card(
+      "What evolved",
+      "Each move is rated by named inputs of the cell that it leads to, and the best one is taken.",
+      place,
+    ),
     update: () => place.replaceChildren(...TEAMS.map((team) => ofTeam(run, team, store.selected[team]))),
   };
 }
@@ -25,20 +29,39 @@ function ofTeam(run: Run, team: Team, generation: number): HTMLElement {
   const { words, kept } = run.teams[team];
   const problem = whyNot(run, team, generation);
   const name = run.teams[team].script ?? generationName(run, team, generation);
-  return html("section", { "aria-label": gameWords(run).teams[team] }, html("h3", { class: team }, capital(name)),
+  return html(
+    "section",
+    { "aria-label": gameWords(run).teams[team] },
+    html("h3", { class: team }, capital(name)),
     words && generation === kept.at(-1) ? html("p", {}, words) : null,
-    problem ? html("p", { class: "small muted" }, problem) : shownPolicy(team, policyOf(run, team, generation), expressionOf(run, team, generation)));
+    problem
+      ? html("p", { class: "small muted" }, problem)
+      : shownPolicy(team, policyOf(run, team, generation), expressionOf(run, team, generation)),
+  );
 }
 
 function shownPolicy(team: Team, policy: TeamPolicy, expression: string): HTMLElement | null {
   if (typeof policy === "string" || policy.kind === "cells") return null;
   if (policy.kind === "program") return html("p", {}, html("code", {}, expression));
-  if (policy.hidden.length) return html("p", { class: "small muted" }, `A network with ${policy.hidden.join(" and ")} hidden units rates each move by ${policy.inputs.length} inputs.`);
+  if (policy.hidden.length)
+    return html(
+      "p",
+      { class: "small muted" },
+      `A network with ${policy.hidden.join(" and ")} hidden units rates each move by ${policy.inputs.length} inputs.`,
+    );
   const most = Math.max(...policy.genome.map(Math.abs)) || 1;
-  return html("div", { class: "weights" }, ...policy.inputs.flatMap((input, place) => {
-    const weight = policy.genome[place]!;
-    const bar = html("span", { class: `bar ${team}${weight < 0 ? " below" : ""}` });
-    bar.style.width = `${(50 * Math.abs(weight)) / most}%`;
-    return [html("span", { title: INPUTS[input] }, input.replaceAll("_", " ")), html("span", { class: "axis" }, bar), html("span", { class: "numbers" }, signed(weight))];
-  }));
+  return html(
+    "div",
+    { class: "weights" },
+    ...policy.inputs.flatMap((input, place) => {
+      const weight = policy.genome[place]!;
+      const bar = html("span", { class: `bar ${team}${weight < 0 ? " below" : ""}` });
+      bar.style.width = `${(50 * Math.abs(weight)) / most}%`;
+      return [
+        html("span", { title: INPUTS[input] }, input.replaceAll("_", " ")),
+        html("span", { class: "axis" }, bar),
+        html("span", { class: "numbers" }, signed(weight)),
+      ];
+    }),
+  );
 }

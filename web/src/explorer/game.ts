@@ -68,17 +68,30 @@ export const generationName = (run: Pick<Run, "game">, team: Team, number: numbe
 const FEW = 200;
 
 /** Return what a game of one's own shows of a pair, or why it shows nothing, and the scores of the episodes. */
-export function shownPair(run: Run, game: OwnGame, { pursuer, evader }: Selection, store: Store): HTMLElement[] {
+export function shownPair(
+  run: Run,
+  game: OwnGame,
+  { pursuer, evader }: Selection,
+  store: Store,
+): HTMLElement[] {
   const { text, image } = game.shows[`${pursuer} ${evader}`] ?? {};
   const rates = cellOf(run, pursuer, evader)?.rates ?? [];
   const scores = `Scores of the ${game.teams[0]} in ${rates.length} episodes: ${rates.map((each) => rate(each)).join(", ")}`;
   return [
-    text === undefined ? null : html("pre", { tabindex: 0, "aria-label": "What the game shows of this pair" }, text),
-    image === undefined ? null : html("img", {
-      src: image, alt: "What the game shows of this pair",
-      onload: ({ target }: { target: HTMLImageElement }) => target.classList.toggle("pixels", target.naturalWidth < FEW),
-    }),
-    ...(text ?? image) === undefined ? [html("p", { class: "muted" }, game.missing), nearest(run, game, pursuer, evader, store)] : [],
+    text === undefined
+      ? null
+      : html("pre", { tabindex: 0, "aria-label": "What the game shows of this pair" }, text),
+    image === undefined
+      ? null
+      : html("img", {
+          src: image,
+          alt: "What the game shows of this pair",
+          onload: ({ target }: { target: HTMLImageElement }) =>
+            target.classList.toggle("pixels", target.naturalWidth < FEW),
+        }),
+    ...((text ?? image) === undefined
+      ? [html("p", { class: "muted" }, game.missing), nearest(run, game, pursuer, evader, store)]
+      : []),
     rates.length > 1 ? html("p", { class: "small numbers" }, scores) : null,
   ].filter((each) => each !== null);
 }
@@ -90,5 +103,9 @@ function nearest(run: Run, game: OwnGame, g: number, h: number, store: Store): H
   const [pursuer, evader] = pairs.sort((a, b) => away(a) - away(b))[0] ?? [];
   if (pursuer === undefined || evader === undefined) return null;
   const name = `${generationName(run, "pursuer", pursuer)} against ${generationName(run, "evader", evader)}`;
-  return html("p", {}, html("button", { type: "button", onclick: () => store.select({ pursuer, evader }) }, `Nearest: ${name}`));
+  return html(
+    "p",
+    {},
+    html("button", { type: "button", onclick: () => store.select({ pursuer, evader }) }, `Nearest: ${name}`),
+  );
 }

@@ -30,19 +30,27 @@ export function cellsOf(payoff: Cells): HTMLCanvasElement | null {
   const ctx = picture.getContext("2d");
   if (!ctx) return null;
   const image = ctx.createImageData(columns, rows);
-  payoff.capture_rate.forEach((row, g) => row.forEach((rate, h) => {
-    const at = 4 * ((rows - 1 - g - payoff.first[0]) * columns + h + payoff.first[1]);
-    image.data.set([...viridis(rate), 255], at);
-  }));
+  payoff.capture_rate.forEach((row, g) =>
+    row.forEach((rate, h) => {
+      const at = 4 * ((rows - 1 - g - payoff.first[0]) * columns + h + payoff.first[1]);
+      image.data.set([...viridis(rate), 255], at);
+    }),
+  );
   ctx.putImageData(image, 0, 0);
   return picture;
 }
 
 /** Show the rate of a cell on a button, in its colour; readers who hear it are told whose it is. */
-export function showRate(button: HTMLButtonElement, value: number | undefined, whose: string, digits = 2): void {
+export function showRate(
+  button: HTMLButtonElement,
+  value: number | undefined,
+  whose: string,
+  digits = 2,
+): void {
   button.textContent = rate(value, digits);
   button.ariaLabel = `${whose}: ${button.textContent}`;
-  if (value !== undefined) [button.style.backgroundColor, button.style.color] = [viridisText(value), inkOn(value)];
+  if (value !== undefined)
+    [button.style.backgroundColor, button.style.color] = [viridisText(value), inkOn(value)];
 }
 
 /** Return the colours of rates from 0 to 1, and what both ends mean. */

@@ -13,7 +13,10 @@ import { whyTable } from "./why.ts";
 /** What plays for both teams. */
 type Policies = Readonly<Record<"pursuers" | "evaders", TeamPolicy>>;
 
-const policiesOf = (run: Run, { pursuer, evader }: Selection): Policies => ({ pursuers: policyOf(run, "pursuer", pursuer), evaders: policyOf(run, "evader", evader) });
+const policiesOf = (run: Run, { pursuer, evader }: Selection): Policies => ({
+  pursuers: policyOf(run, "pursuer", pursuer),
+  evaders: policyOf(run, "evader", evader),
+});
 
 const MEMORY = "What it remembers: a number for each unit, from -1 to 1";
 
@@ -37,9 +40,20 @@ export class Inspector {
   constructor(onChoose: (agent: number | null) => void) {
     this.#onChoose = onChoose;
     this.element = html(
-      "div", { class: "inspector", "data-open": "false" },
-      html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and why it takes its move."),
-      html("div", { class: "inspected" }, this.#canvas, html("div", { class: "answer" }, this.#name, this.#note, this.#memory), this.#bars),
+      "div",
+      { class: "inspector", "data-open": "false" },
+      html(
+        "p",
+        { class: "hint small muted" },
+        "Click an agent, or press A: what it sees, and why it takes its move.",
+      ),
+      html(
+        "div",
+        { class: "inspected" },
+        this.#canvas,
+        html("div", { class: "answer" }, this.#name, this.#note, this.#memory),
+        this.#bars,
+      ),
     );
   }
 
@@ -48,7 +62,13 @@ export class Inspector {
   }
 
   /** Look at a match; the agent stays chosen. */
-  show(engine: Engine, run: Run, match: Match, selection: Selection, policies = policiesOf(run, selection)): void {
+  show(
+    engine: Engine,
+    run: Run,
+    match: Match,
+    selection: Selection,
+    policies = policiesOf(run, selection),
+  ): void {
     // A new world: one of the same seed may have played other networks.
     this.#world?.free();
     this.#world = engine.world(match.config);
@@ -87,7 +107,14 @@ export class Inspector {
   /** Show a moment: what the agent sees there, and the action that it takes next. */
   at(step: number): void {
     this.#step = step;
-    const [match, world, run, selection, policies, agent] = [this.#match, this.#world, this.#run, this.#selection, this.#policies, this.#agent];
+    const [match, world, run, selection, policies, agent] = [
+      this.#match,
+      this.#world,
+      this.#run,
+      this.#selection,
+      this.#policies,
+      this.#agent,
+    ];
     if (!match || !world || !run || !selection || !policies || agent === null) return;
     const team = agent < match.config.n_pursuers ? "pursuer" : "evader";
     this.#memory.replaceChildren();
@@ -95,7 +122,8 @@ export class Inspector {
     match.seek(world, step, policies);
     // As it decides, in its own turn.
     const actions = match.actions.subarray(step * match.n_agents, (step + 1) * match.n_agents);
-    while (actions.length && !world.over && (agent < world.actors[0] || agent >= world.actors[1])) world.playTurn(actions);
+    while (actions.length && !world.over && (agent < world.actors[0] || agent >= world.actors[1]))
+      world.playTurn(actions);
     const alive = Boolean(match.alive[step * match.n_agents + agent] && world.read("alive")[agent]);
     drawView(this.#canvas, match.config, alive ? world.view(agent) : null, agent);
     this.#canvas.ariaLabel = `Field of view of ${agentName(agent, match.config.n_pursuers)}: evaders, pursuers and obstacles around it`;
@@ -104,20 +132,37 @@ export class Inspector {
     const policy = policies[`${team}s`];
     const answer = typeof policy !== "string" && policy.kind === "cells" ? world.answer(policy, agent) : null;
     const own = answer?.probabilities ?? null;
-    if (answer?.memory.length) this.#memory.replaceChildren(html("p", { class: "small muted" }, "It remembers:"), units(answer.memory));
-    const rated = typeof policy !== "string" && policy.kind !== "cells" ? whyTable(policy, world.rate(policy, agent), taken, expressionOf(run, team, selection[team])) : [];
+    if (answer?.memory.length)
+      this.#memory.replaceChildren(
+        html("p", { class: "small muted" }, "It remembers:"),
+        units(answer.memory),
+      );
+    const rated =
+      typeof policy !== "string" && policy.kind !== "cells"
+        ? whyTable(policy, world.rate(policy, agent), taken, expressionOf(run, team, selection[team]))
+        : [];
     const game = this.#solution?.game(world) ?? null;
-    const told = typeof policy === "string"
-      ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
-      : policy.kind !== "cells" ? "It takes the best move that its mask allows; of equal ones any."
-      : policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
-    const columns = [["network", own], ["perfect", game?.marginal(agent) ?? null]] as const;
+    const told =
+      typeof policy === "string"
+        ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
+        : policy.kind !== "cells"
+          ? "It takes the best move that its mask allows; of equal ones any."
+          : policy.sampled
+            ? "Its action is drawn from these probabilities."
+            : "It takes the most probable action.";
+    const columns = [
+      ["network", own],
+      ["perfect", game?.marginal(agent) ?? null],
+    ] as const;
     const line = (text: string): HTMLElement => html("p", { class: "small muted" }, text);
-    this.#say([
-      ...(game ? [line(`Value ${game.value.toFixed(2)} under perfect play.`)] : []),
-      ...table(columns, taken),
-      ...rated,
-    ], taken === null ? "The episode is over." : told);
+    this.#say(
+      [
+        ...(game ? [line(`Value ${game.value.toFixed(2)} under perfect play.`)] : []),
+        ...table(columns, taken),
+        ...rated,
+      ],
+      taken === null ? "The episode is over." : told,
+    );
   }
 
   #say(bars: readonly HTMLElement[], note: string): void {
@@ -132,16 +177,30 @@ type Column = readonly [name: string, probabilities: ArrayLike<number> | null];
 function table(all: readonly Column[], taken: number | null): HTMLElement[] {
   const columns = all.filter(([, probabilities]) => probabilities) as [string, ArrayLike<number>][];
   if (!columns.length) return [];
-  const head = html("div", { class: "action muted" }, html("span"), ...columns.map(([name]) => html("span", { class: "head" }, name)));
-  const rows = Array.from(columns[0]![1], (_, action) => html("div", { class: action === taken ? "action taken" : "action" },
-    html("span", {}, ACTIONS[action]), ...columns.flatMap(([, probabilities]) => bar(probabilities[action]!))));
+  const head = html(
+    "div",
+    { class: "action muted" },
+    html("span"),
+    ...columns.map(([name]) => html("span", { class: "head" }, name)),
+  );
+  const rows = Array.from(columns[0]![1], (_, action) =>
+    html(
+      "div",
+      { class: action === taken ? "action taken" : "action" },
+      html("span", {}, ACTIONS[action]),
+      ...columns.flatMap(([, probabilities]) => bar(probabilities[action]!)),
+    ),
+  );
   return columns.length > 1 || columns[0]![0] !== all[0]![0] ? [head, ...rows] : rows;
 }
 
 function bar(probability: number): HTMLElement[] {
   const filled = html("span", { class: "filled" });
   filled.style.width = `${100 * probability}%`;
-  return [html("span", { class: "track" }, filled), html("span", { class: "numbers" }, probability.toFixed(2))];
+  return [
+    html("span", { class: "track" }, filled),
+    html("span", { class: "numbers" }, probability.toFixed(2)),
+  ];
 }
 
 /** Return a bar for each number that an agent remembers: up from the middle, or down. */

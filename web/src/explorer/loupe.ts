@@ -12,31 +12,57 @@ const SMALLEST = 24;
 const ACROSS = 7;
 
 /** Return whether a tap on cells of a size would miss the one that is meant. */
-export const needsLoupe = (cell: number): boolean => cell < SMALLEST && matchMedia("(pointer: coarse)").matches;
+export const needsLoupe = (cell: number): boolean =>
+  cell < SMALLEST && matchMedia("(pointer: coarse)").matches;
 
 /** Return the loupe over a cell of a run; `choose` gets the cell that is pressed, or nothing for none. */
-export function loupe(run: Run, g: number, h: number, choose: (cell: { pursuer: number; evader: number } | null) => void): HTMLElement {
+export function loupe(
+  run: Run,
+  g: number,
+  h: number,
+  choose: (cell: { pursuer: number; evader: number } | null) => void,
+): HTMLElement {
   const [rows, columns] = run.payoff.shape;
   const [bottom, left] = [firstOf(g, rows), firstOf(h, columns)];
   const [high, wide] = [Math.min(ACROSS, rows), Math.min(ACROSS, columns)];
   const cells: HTMLElement[] = [];
   for (let pursuer = bottom + high - 1; pursuer >= bottom; pursuer--) {
     cells.push(html("span", { class: "pursuer" }, pursuer));
-    for (let evader = left; evader < left + wide; evader++) cells.push(cellButton(run, pursuer, evader, choose));
+    for (let evader = left; evader < left + wide; evader++)
+      cells.push(cellButton(run, pursuer, evader, choose));
   }
-  const numbers = Array.from({ length: wide }, (_, column) => html("span", { class: "evader" }, left + column));
-  const close = html("button", { type: "button", "aria-label": "Close: all cells", onclick: () => choose(null) }, "✕");
+  const numbers = Array.from({ length: wide }, (_, column) =>
+    html("span", { class: "evader" }, left + column),
+  );
+  const close = html(
+    "button",
+    { type: "button", "aria-label": "Close: all cells", onclick: () => choose(null) },
+    "✕",
+  );
   const keep = (event: Event): void => event.stopPropagation(); // not a tap on the matrix below
-  const made = html("div", { class: "loupe numbers", role: "group", "aria-label": "Cells around the tap", onclick: keep }, ...cells, close, ...numbers);
+  const made = html(
+    "div",
+    { class: "loupe numbers", role: "group", "aria-label": "Cells around the tap", onclick: keep },
+    ...cells,
+    close,
+    ...numbers,
+  );
   made.style.gridTemplateColumns = `2.4rem repeat(${wide}, minmax(0, 1fr))`;
   return made;
 }
 
 function cellButton(
-  run: Run, pursuer: number, evader: number, choose: (cell: { pursuer: number; evader: number }) => void,
+  run: Run,
+  pursuer: number,
+  evader: number,
+  choose: (cell: { pursuer: number; evader: number }) => void,
 ): HTMLElement {
   const button = html("button", { type: "button", onclick: () => choose({ pursuer, evader }) });
-  showRate(button, cellOf(run, pursuer, evader)?.rate, `${generationName(run, "pursuer", pursuer)} against ${generationName(run, "evader", evader)}`);
+  showRate(
+    button,
+    cellOf(run, pursuer, evader)?.rate,
+    `${generationName(run, "pursuer", pursuer)} against ${generationName(run, "evader", evader)}`,
+  );
   return button;
 }
 

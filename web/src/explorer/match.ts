@@ -42,7 +42,12 @@ export class MatchPanel {
   readonly #strip: EpisodeStrip;
   readonly #title = html("h2", { class: "match-title" });
   readonly #tally = html("p", { class: "tally numbers" });
-  readonly #words = html("ol", { class: "words", tabindex: 0, "aria-live": "off", "aria-label": "What happened in this step" });
+  readonly #words = html("ol", {
+    class: "words",
+    tabindex: 0,
+    "aria-live": "off",
+    "aria-label": "What happened in this step",
+  });
   readonly #problem = html("p", { class: "problem", role: "alert" });
   /** What a game of one's own shows. */
   readonly #shown = html("div", { class: "shown", "aria-live": "polite" });
@@ -57,25 +62,47 @@ export class MatchPanel {
   constructor(runs: readonly Run[], store: Store, playground: PageData | null) {
     [this.#runs, this.#store] = [runs, store];
     const canvas = html("canvas", {
-      "aria-label": "The match", onclick: ({ clientX, clientY }: MouseEvent) => this.inspector.choose(this.#board.agentAt(clientX, clientY)),
+      "aria-label": "The match",
+      onclick: ({ clientX, clientY }: MouseEvent) =>
+        this.inspector.choose(this.#board.agentAt(clientX, clientY)),
     });
     this.#board = new Board(canvas, { numbers: false });
     this.#strip = new EpisodeStrip(store);
     this.inspector = new Inspector((agent) => this.#look(agent));
-    this.actions = html("div", { class: "match-actions" },
-      html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over"),
-      playground && playgroundButton(() => this.shown, playground));
+    this.actions = html(
+      "div",
+      { class: "match-actions" },
+      html(
+        "button",
+        {
+          type: "button",
+          class: "to-play",
+          title: "Move the chosen agent, or an evader, yourself from this step on (T)",
+          onclick: () => this.element.dispatchEvent(new Event("takeover")),
+        },
+        "Take over",
+      ),
+      playground && playgroundButton(() => this.shown, playground),
+    );
     this.element = html(
-      "section", { class: "card match-card", "aria-label": "Match", id: "match" },
-      html("div", { class: "match" },
+      "section",
+      { class: "card match-card", "aria-label": "Match", id: "match" },
+      html(
+        "div",
+        { class: "match" },
         html("header", { class: "match-head" }, this.#title, this.#tally),
-        this.#problem, this.#shown,
+        this.#problem,
+        this.#shown,
         html("div", { class: "stage" }, canvas),
         html("div", { class: "aside" }, this.#words, legend(), this.actions, this.inspector.element),
         playerBar(this.player),
-        this.#strip.element),
+        this.#strip.element,
+      ),
     );
-    this.player.addEventListener("frame", () => this.recording && this.#board.show(this.recording, this.player.time));
+    this.player.addEventListener(
+      "frame",
+      () => this.recording && this.#board.show(this.recording, this.player.time),
+    );
     this.player.addEventListener("step", () => this.#tell());
     store.on("match", () => this.#rest());
     this.#entitle();
@@ -93,7 +120,10 @@ export class MatchPanel {
 
   /** The match and its step that is shown. */
   get shown(): Shown | null {
-    return this.match && this.#champions && { match: this.match, step: this.player.step, champions: this.#champions };
+    return (
+      this.match &&
+      this.#champions && { match: this.match, step: this.player.step, champions: this.#champions }
+    );
   }
 
   /** Begin to play matches; there is no engine in a page of other games. */
@@ -187,21 +217,32 @@ export class MatchPanel {
   names({ run, pursuer, evader }: Selection): [pursuers: string, evaders: string] {
     const shown = this.#runs[run]!;
     const { teams } = shown;
-    return [teams.pursuer.script ?? generationName(shown, "pursuer", pursuer), teams.evader.script ?? generationName(shown, "evader", evader)];
+    return [
+      teams.pursuer.script ?? generationName(shown, "pursuer", pursuer),
+      teams.evader.script ?? generationName(shown, "evader", evader),
+    ];
   }
 
   #entitle(): void {
     const { episode, seed } = this.#store.selected;
     const { game, payoff } = this.#run;
     this.element.classList.toggle("of-own-game", Boolean(game));
-    this.element.classList.toggle("of-ratings", TEAMS.some((team) => ratesMoves(this.#run, team)));
+    this.element.classList.toggle(
+      "of-ratings",
+      TEAMS.some((team) => ratesMoves(this.#run, team)),
+    );
     const [pursuers, evaders] = this.names(this.#store.selected);
-    const place = seed === null
-      ? episode < payoff.episodes ? `episode ${episode + 1} of ${payoff.episodes}` : `episode ${episode + 1}, not part of the cell`
-      : `seed ${seed}`;
+    const place =
+      seed === null
+        ? episode < payoff.episodes
+          ? `episode ${episode + 1} of ${payoff.episodes}`
+          : `episode ${episode + 1}, not part of the cell`
+        : `seed ${seed}`;
     this.#title.replaceChildren(
-      html("span", { class: "pursuer" }, capital(pursuers)), " against ",
-      html("span", { class: "evader" }, evaders), game ? "" : html("span", { class: "muted small" }, place),
+      html("span", { class: "pursuer" }, capital(pursuers)),
+      " against ",
+      html("span", { class: "evader" }, evaders),
+      game ? "" : html("span", { class: "muted small" }, place),
     );
   }
 
@@ -212,15 +253,25 @@ export class MatchPanel {
     const moment = this.recording.moments[step]!;
     this.#count(Array.from(moment.everCaptured).filter(Boolean).length, step);
     this.#words.replaceChildren(
-      ...this.#losses.filter((loss) => loss.step === step).map((loss) => html("li", { class: `loss-${loss.team}` }, lossText(loss))),
-      ...wordsOf(match, this.recording, step).map((word) => html("li", { class: word.kind, "data-agents": word.agents.join(" ") }, word.text)));
+      ...this.#losses
+        .filter((loss) => loss.step === step)
+        .map((loss) => html("li", { class: `loss-${loss.team}` }, lossText(loss))),
+      ...wordsOf(match, this.recording, step).map((word) =>
+        html("li", { class: word.kind, "data-agents": word.agents.join(" ") }, word.text),
+      ),
+    );
     this.inspector.at(step);
     this.#mark();
   }
 
   #count(captured: number, step: number): void {
     const { world } = this.#run;
-    if (world) this.#tally.replaceChildren(html("strong", {}, captured), ` of ${world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
+    if (world)
+      this.#tally.replaceChildren(
+        html("strong", {}, captured),
+        ` of ${world.n_evaders} captured`,
+        html("span", { class: "muted" }, ` · step ${step}`),
+      );
   }
 
   #look(agent: number | null): void {

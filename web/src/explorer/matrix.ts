@@ -42,18 +42,34 @@ export class MatrixPanel {
 
   constructor(runs: readonly Run[], store: Store) {
     [this.#runs, this.#store] = [runs, store];
-    this.#room = html("div", {
-      class: "matrix", id: "matrix", "aria-label": "Payoff matrix. Arrow keys choose a match, Enter plays it.",
-      onpointermove: (event: PointerEvent) => this.#point(event),
-      onpointerleave: () => store.point({}),
-      onclick: (event: MouseEvent) => this.#choose(event),
-      onkeydown: ({ key }: KeyboardEvent) => key === "Enter" && this.#play(),
-    }, this.#canvas, this.#overlay);
-    const readout = html("header", { class: "readout", "aria-live": "polite" },
+    this.#room = html(
+      "div",
+      {
+        class: "matrix",
+        id: "matrix",
+        "aria-label": "Payoff matrix. Arrow keys choose a match, Enter plays it.",
+        onpointermove: (event: PointerEvent) => this.#point(event),
+        onpointerleave: () => store.point({}),
+        onclick: (event: MouseEvent) => this.#choose(event),
+        onkeydown: ({ key }: KeyboardEvent) => key === "Enter" && this.#play(),
+      },
+      this.#canvas,
+      this.#overlay,
+    );
+    const readout = html(
+      "header",
+      { class: "readout", "aria-live": "polite" },
       html("div", {}, this.#pair, this.#all),
-      html("div", { class: "of-cell" }, this.#rate, this.#more));
+      html("div", { class: "of-cell" }, this.#rate, this.#more),
+    );
     this.#scale = scaleOfRates(...gameWords(this.#run).ends);
-    this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, readout, this.#room, this.#scale);
+    this.element = html(
+      "section",
+      { class: "card matrix-card", "aria-label": "Payoff matrix" },
+      readout,
+      this.#room,
+      this.#scale,
+    );
     this.#say();
     new ResizeObserver(() => this.#draw()).observe(this.#room);
     // A click gives the keys to the player, also those of a button that was pressed before; Tab and M
@@ -80,7 +96,10 @@ export class MatrixPanel {
     const [rows, columns] = this.#run.payoff.shape;
     const { clientWidth: width, clientHeight: height } = this.#room;
     if (width < 50) return;
-    const side = Math.max(LEAST_SIDE, Math.min(width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom));
+    const side = Math.max(
+      LEAST_SIDE,
+      Math.min(width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom),
+    );
     const cell = side / Math.max(rows, columns);
     const left = Math.max(MARGIN.left, (width - columns * cell - MARGIN.right + MARGIN.left) / 2);
     const top = MARGIN.top + Math.max(0, (height - MARGIN.top - MARGIN.bottom - rows * cell) / 2);
@@ -88,12 +107,22 @@ export class MatrixPanel {
     this.#places = places;
     drawCells(this.#canvas, this.#run.payoff, { left, top, width: columns * cell, height: rows * cell });
     // In parts of the room, which has another size on paper.
-    for (const [name, pixels, whole] of [["left", left, width], ["top", top, height], ["width", columns * cell, width], ["height", rows * cell, height]] as const) {
+    for (const [name, pixels, whole] of [
+      ["left", left, width],
+      ["top", top, height],
+      ["width", columns * cell, width],
+      ["height", rows * cell, height],
+    ] as const) {
       this.#canvas.style.setProperty(name, `${(100 * pixels) / whole}%`);
     }
     this.#room.style.setProperty("--shape", `${width} / ${height}`);
     this.#overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.#overlay.replaceChildren(axes(places, gameWords(this.#run).generation), ...diagonal(places), ...this.#curves(places), this.#marks);
+    this.#overlay.replaceChildren(
+      axes(places, gameWords(this.#run).generation),
+      ...diagonal(places),
+      ...this.#curves(places),
+      this.#marks,
+    );
     this.#mark();
   }
 
@@ -127,8 +156,21 @@ export class MatrixPanel {
       svg("text", { class: "tick", x: right + WIDE, y: top + rows * cell + 16, "text-anchor": "end" }, "1"),
       svg("text", { class: "tick", x: left - 6, y: above - 4, "text-anchor": "end" }, "0"),
       svg("text", { class: "tick", x: left - 6, y: above - HIGH + 8, "text-anchor": "end" }, "1"),
-      svg("text", { class: "label of-pursuers", x: right + WIDE, y: top + rows * cell + 34, "text-anchor": "end" }, curves.pursuer),
-      svg("text", { class: "label of-evaders", x: left + columns * cell + GAP, y: above - HIGH + 10, "text-anchor": "start" }, curves.evader),
+      svg(
+        "text",
+        { class: "label of-pursuers", x: right + WIDE, y: top + rows * cell + 34, "text-anchor": "end" },
+        curves.pursuer,
+      ),
+      svg(
+        "text",
+        {
+          class: "label of-evaders",
+          x: left + columns * cell + GAP,
+          y: above - HIGH + 10,
+          "text-anchor": "start",
+        },
+        curves.evader,
+      ),
     ];
   }
 
@@ -140,8 +182,16 @@ export class MatrixPanel {
     const { left, top, cell, rows, columns } = places;
     const y = (g: number): number => top + (rows - 1 - g) * cell;
     const marks: SVGElement[] = [];
-    const across = (g: number, style: string) => svg("rect", { class: style, x: left, y: y(g), width: columns * cell + GAP + WIDE, height: cell });
-    const down = (h: number, style: string) => svg("rect", { class: style, x: left + h * cell, y: top - GAP - HIGH, width: cell, height: GAP + HIGH + rows * cell });
+    const across = (g: number, style: string) =>
+      svg("rect", { class: style, x: left, y: y(g), width: columns * cell + GAP + WIDE, height: cell });
+    const down = (h: number, style: string) =>
+      svg("rect", {
+        class: style,
+        x: left + h * cell,
+        y: top - GAP - HIGH,
+        width: cell,
+        height: GAP + HIGH + rows * cell,
+      });
     marks.push(across(selected.pursuer, "strip pursuer"), down(selected.evader, "strip evader"));
     if (hover.pursuer !== null && hover.pursuer < rows) marks.push(across(hover.pursuer, "strip hover"));
     if (hover.evader !== null && hover.evader < columns) marks.push(down(hover.evader, "strip hover"));
@@ -158,7 +208,10 @@ export class MatrixPanel {
     const h = hover.evader ?? selected.evader;
     const cell = cellOf(this.#run, g, h);
     this.#pair.replaceChildren(
-      html("span", { class: "pursuer" }, capital(generationName(this.#run, "pursuer", g))), " against ", html("span", { class: "evader" }, generationName(this.#run, "evader", h)));
+      html("span", { class: "pursuer" }, capital(generationName(this.#run, "pursuer", g))),
+      " against ",
+      html("span", { class: "evader" }, generationName(this.#run, "evader", h)),
+    );
     this.#rate.textContent = cell ? rate(cell.rate, 3) : "-";
     const mean = cell && cell.rates.length > 1 ? `, mean of ${cell.rates.length} episodes` : "";
     this.#more.textContent = cell ? gameWords(this.#run).score + mean : "no episodes were played";
@@ -168,7 +221,8 @@ export class MatrixPanel {
   #scores(g: number, h: number): string {
     const scores = this.#run.findings?.generalization;
     if (!scores) return "";
-    const one = (band: Band, at: number): string => interval(band.mean[at] ?? null, band.low?.[at] ?? null, band.high?.[at] ?? null);
+    const one = (band: Band, at: number): string =>
+      interval(band.mean[at] ?? null, band.low?.[at] ?? null, band.high?.[at] ?? null);
     const { means } = gameWords(this.#run);
     return `Against all: ${means.pursuer} ${one(scores.pursuers, g)}, ${means.evader} ${one(scores.evaders, h)}`;
   }
@@ -211,19 +265,48 @@ export class MatrixPanel {
   }
 }
 
-function axes({ left, top, cell, rows, columns }: Places, generation: Readonly<Record<Team, string>>): SVGElement {
+function axes(
+  { left, top, cell, rows, columns }: Places,
+  generation: Readonly<Record<Team, string>>,
+): SVGElement {
   const made = svg("g", { class: "axes" });
   const bottom = top + rows * cell;
   const every = (count: number): number[] => ticks(0, count - 1, Math.min(count, (count * cell) / 44), true);
   for (const h of every(columns)) {
-    made.append(svg("text", { class: "tick", x: left + (h + 0.5) * cell, y: bottom + 16, "text-anchor": "middle" }, h));
+    made.append(
+      svg("text", { class: "tick", x: left + (h + 0.5) * cell, y: bottom + 16, "text-anchor": "middle" }, h),
+    );
   }
   for (const g of every(rows)) {
-    made.append(svg("text", { class: "tick", x: left - 7, y: bottom - (g + 0.5) * cell, "text-anchor": "end", "dominant-baseline": "middle" }, g));
+    made.append(
+      svg(
+        "text",
+        {
+          class: "tick",
+          x: left - 7,
+          y: bottom - (g + 0.5) * cell,
+          "text-anchor": "end",
+          "dominant-baseline": "middle",
+        },
+        g,
+      ),
+    );
   }
   made.append(
-    svg("text", { class: "label of-evaders", x: left + (columns * cell) / 2, y: bottom + 36, "text-anchor": "middle" }, generation.evader),
-    svg("text", { class: "label of-pursuers", transform: `translate(${left - 36} ${top + (rows * cell) / 2}) rotate(-90)`, "text-anchor": "middle" }, generation.pursuer),
+    svg(
+      "text",
+      { class: "label of-evaders", x: left + (columns * cell) / 2, y: bottom + 36, "text-anchor": "middle" },
+      generation.evader,
+    ),
+    svg(
+      "text",
+      {
+        class: "label of-pursuers",
+        transform: `translate(${left - 36} ${top + (rows * cell) / 2}) rotate(-90)`,
+        "text-anchor": "middle",
+      },
+      generation.pursuer,
+    ),
   );
   return made;
 }
@@ -244,21 +327,45 @@ function diagonal({ left, top, cell, rows, columns }: Places): SVGElement[] {
   }
   // Beside the stair, parallel to it.
   const [x, y] = [left + (cells / 2) * cell - 0.7 * cell - 4, bottom - (cells / 2) * cell - 0.7 * cell - 4];
-  return [made, svg("text", { class: "on-cells", transform: `translate(${x} ${y}) rotate(-45)`, "text-anchor": "middle" }, "same generation")];
+  return [
+    made,
+    svg(
+      "text",
+      { class: "on-cells", transform: `translate(${x} ${y}) rotate(-45)`, "text-anchor": "middle" },
+      "same generation",
+    ),
+  ];
 }
 
 /** The place of a score on the curve on the right, and on the curve above. */
-const ofPursuers = ({ left, top, cell, rows, columns }: Places, score: number, g: number): Point =>
-  [left + columns * cell + GAP + score * WIDE, top + (rows - g - 0.5) * cell];
-const ofEvaders = ({ left, top, cell }: Places, score: number, h: number): Point =>
-  [left + (h + 0.5) * cell, top - GAP - score * HIGH];
+const ofPursuers = ({ left, top, cell, rows, columns }: Places, score: number, g: number): Point => [
+  left + columns * cell + GAP + score * WIDE,
+  top + (rows - g - 0.5) * cell,
+];
+const ofEvaders = ({ left, top, cell }: Places, score: number, h: number): Point => [
+  left + (h + 0.5) * cell,
+  top - GAP - score * HIGH,
+];
 
-function curve(scores: Band, place: (score: number, generation: number) => Point, style: string): SVGElement[] {
+function curve(
+  scores: Band,
+  place: (score: number, generation: number) => Point,
+  style: string,
+): SVGElement[] {
   const points = (values: Band["mean"]): string[] =>
-    values.map((score, generation) => place(score ?? 0, generation).map((value) => value.toFixed(1)).join(" "));
+    values.map((score, generation) =>
+      place(score ?? 0, generation)
+        .map((value) => value.toFixed(1))
+        .join(" "),
+    );
   const made: SVGElement[] = [];
   if (scores.low && scores.high) {
-    made.push(svg("path", { class: `band ${style}`, d: `M${[...points(scores.high), ...points(scores.low).reverse()].join("L")}Z` }));
+    made.push(
+      svg("path", {
+        class: `band ${style}`,
+        d: `M${[...points(scores.high), ...points(scores.low).reverse()].join("L")}Z`,
+      }),
+    );
   }
   made.push(svg("path", { class: `line ${style}`, d: `M${points(scores.mean).join("L")}` }));
   return made;

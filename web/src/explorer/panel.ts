@@ -12,8 +12,12 @@ export interface Panel {
 
 /** Return a card with a title and a line that says how to read it. */
 export function card(title: string, hint: string, ...content: (Node | null)[]): HTMLElement {
-  return html("section", { class: "card panel", "aria-label": title },
-    html("header", {}, html("h2", {}, title), html("p", { class: "small muted" }, hint)), ...content);
+  return html(
+    "section",
+    { class: "card panel", "aria-label": title },
+    html("header", {}, html("h2", {}, title), html("p", { class: "small muted" }, hint)),
+    ...content,
+  );
 }
 
 // ---- What happened in the race, with the numbers that decide
@@ -26,15 +30,28 @@ export function diagnosisPanel(run: Run): Panel | null {
   const [, ...rows] = findings.table;
   const items = rows.map(([condition, verdict, numbers, window], row) => {
     const reason = reasonOf(findings.reasons[row] ?? "");
-    return html("li", { class: `finding ${verdict.replace(" ", "-")}` },
+    return html(
+      "li",
+      { class: `finding ${verdict.replace(" ", "-")}` },
       html("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict] ?? ""),
-      html("div", {},
-        html("p", {}, html("strong", {}, condition), ` ${verdict}`, html("span", { class: "muted" }, ` · ${window}`)),
+      html(
+        "div",
+        {},
+        html(
+          "p",
+          {},
+          html("strong", {}, condition),
+          ` ${verdict}`,
+          html("span", { class: "muted" }, ` · ${window}`),
+        ),
         reason ? html("p", { class: "small" }, `${reason}.`) : null,
-        html("p", { class: "small muted numbers" }, numbers)));
+        html("p", { class: "small muted numbers" }, numbers),
+      ),
+    );
   });
   const element = card(
-    "What happened", "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",
+    "What happened",
+    "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",
     html("p", { class: "headline" }, findings.sentence),
     html("ul", { class: "findings" }, ...items),
     run.limits ? html("p", { class: "small" }, run.limits) : null,
@@ -51,11 +68,26 @@ function reasonOf(text: string): string {
 
 /** The settings of the run that differ from the defaults, as the command takes them. */
 export function settingsPanel({ settings, command }: Run): Panel {
-  const rows = settings.map(({ name, value, help }) => html("tr", {},
-    html("th", { scope: "row" }, html("code", {}, `--set ${name}=${value}`)), html("td", { class: "muted" }, help)));
-  const table = html("table", { class: "small" }, html("caption", { class: "heard" }, "Settings other than the default"), ...rows);
-  const element = card("Settings", "All others are the defaults. This command plays the race again:", html("pre", { class: "command" }, command),
-    rows.length ? html("div", { class: "wide-table" }, table) : null);
+  const rows = settings.map(({ name, value, help }) =>
+    html(
+      "tr",
+      {},
+      html("th", { scope: "row" }, html("code", {}, `--set ${name}=${value}`)),
+      html("td", { class: "muted" }, help),
+    ),
+  );
+  const table = html(
+    "table",
+    { class: "small" },
+    html("caption", { class: "heard" }, "Settings other than the default"),
+    ...rows,
+  );
+  const element = card(
+    "Settings",
+    "All others are the defaults. This command plays the race again:",
+    html("pre", { class: "command" }, command),
+    rows.length ? html("div", { class: "wide-table" }, table) : null,
+  );
   element.classList.add("settings");
   return { element };
 }

@@ -19,7 +19,11 @@ export function raceTabs(runs: readonly Run[], store: Store): HTMLElement {
   return list;
 }
 
-function tab(run: Run, number: number, store: Store): { button: HTMLButtonElement; update(selected: boolean): void } {
+function tab(
+  run: Run,
+  number: number,
+  store: Store,
+): { button: HTMLButtonElement; update(selected: boolean): void } {
   const [rows, columns] = run.payoff.shape;
   // Directories of a job are named after what the tab says anyway.
   const named = !run.name.startsWith(run.schedule);
@@ -29,12 +33,26 @@ function tab(run: Run, number: number, store: Store): { button: HTMLButtonElemen
   const mark = html("span", { class: "place" });
   const button = html(
     "button",
-    { type: "button", class: "race", title: `${run.name} (key ${number + 1})`, onclick: () => choose(run, number, store) },
+    {
+      type: "button",
+      class: "race",
+      title: `${run.name} (key ${number + 1})`,
+      onclick: () => choose(run, number, store),
+    },
     html("span", { class: "small-matrix" }, canvas, mark),
-    html("span", { class: "race-text" },
+    html(
+      "span",
+      { class: "race-text" },
       html("strong", {}, named ? run.name : run.schedule),
-      html("span", { class: "small" }, run.findings ? run.findings.sentence : `${run.learning.map((team) => gameWords(run).teams[team]).join(" and ")} against ${scriptOf(run)}`),
-      html("span", { class: "small muted" }, `${named ? `${run.schedule}, ` : ""}seed ${run.seed}`)),
+      html(
+        "span",
+        { class: "small" },
+        run.findings
+          ? run.findings.sentence
+          : `${run.learning.map((team) => gameWords(run).teams[team]).join(" and ")} against ${scriptOf(run)}`,
+      ),
+      html("span", { class: "small muted" }, `${named ? `${run.schedule}, ` : ""}seed ${run.seed}`),
+    ),
   );
   const update = (selected: boolean): void => {
     button.setAttribute("aria-current", String(selected));

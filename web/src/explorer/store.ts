@@ -33,7 +33,9 @@ export class Store extends EventTarget {
   /** Change a part of the selection. Another cell begins with its episode 0 and its own seed. */
   select(change: Partial<Selection>): void {
     const before = this.#selected;
-    const moved = (["run", "pursuer", "evader"] as const).some((name) => name in change && change[name] !== before[name]);
+    const moved = (["run", "pursuer", "evader"] as const).some(
+      (name) => name in change && change[name] !== before[name],
+    );
     this.#selected = { ...before, ...(moved ? { episode: 0, seed: null } : {}), ...change };
     if (this.#selected.run !== before.run) this.dispatchEvent(new Event("run"));
     this.dispatchEvent(new Event("match"));

@@ -15,7 +15,9 @@ import type { Selection, Store } from "./store.ts";
 
 export class TakeOver {
   readonly dialog = html("dialog", {
-    class: "take-over", "aria-label": "Play an agent", onclose: () => this.view?.stop(),
+    class: "take-over",
+    "aria-label": "Play an agent",
+    onclose: () => this.view?.stop(),
     onkeydown: (event: KeyboardEvent) => this.view?.key(event) && event.preventDefault(),
   });
   /** The match that a person plays. */
@@ -47,8 +49,12 @@ export class TakeOver {
     this.#match.player.pause();
     const chosen = this.#match.inspector.agent;
     const here = step < match.length ? step : 0;
-    const alive = (agent: number, moment: number): boolean => Boolean(match.alive[moment * match.n_agents + agent]);
-    const order = Array.from({ length: match.n_agents }, (_, agent) => (agent + match.config.n_pursuers) % match.n_agents);
+    const alive = (agent: number, moment: number): boolean =>
+      Boolean(match.alive[moment * match.n_agents + agent]);
+    const order = Array.from(
+      { length: match.n_agents },
+      (_, agent) => (agent + match.config.n_pursuers) % match.n_agents,
+    );
     const seat = chosen ?? order.find((agent) => alive(agent, here))!;
     const from = alive(seat, here) ? here : 0;
     const moves = Array.from({ length: from }, (_, at) => match.actions[at * match.n_agents + seat]!);
@@ -63,17 +69,34 @@ export class TakeOver {
     const { run: number, pursuer, evader, episode, seed } = place;
     const team = teamOf(world, moves.seat);
     const players = run.teams[team].kept.map((generation) => ({
-      name: run.teams[team].script ?? `generation ${generation}`, text: "", policy: () => policyOf(run, team, generation),
+      name: run.teams[team].script ?? `generation ${generation}`,
+      text: "",
+      policy: () => policyOf(run, team, generation),
     }));
     if (!this.view) {
       this.view = new PlayView(engine);
-      this.dialog.append(html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"), this.view.element);
+      this.dialog.append(
+        html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"),
+        this.view.element,
+      );
     }
     if (!this.dialog.open) this.dialog.showModal();
     const title = `You are ${agentName(moves.seat, world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`;
     const policies = { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) };
-    const played = { config: world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
-    const address = { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) };
+    const played = {
+      config: world,
+      seed: BigInt(seed ?? run.seeds[pursuer]![evader]!),
+      episode,
+      policies,
+      ...moves,
+    };
+    const address = {
+      run: number,
+      pursuers: pursuer,
+      evaders: evader,
+      episode,
+      ...(seed === null ? {} : { seed }),
+    };
     playOn(engine, this.view, played, { title, players, link: (now) => linkTo(address, now) });
   }
 }

@@ -10,7 +10,12 @@ const OBSTACLES = 2;
 const SIDE = 176;
 
 /** Draw a view (3, fov, fov); an agent that is gone sees nothing. */
-export function drawView(canvas: HTMLCanvasElement, config: WorldConfig, view: Uint8Array | null, agent: number): void {
+export function drawView(
+  canvas: HTMLCanvasElement,
+  config: WorldConfig,
+  view: Uint8Array | null,
+  agent: number,
+): void {
   const ratio = devicePixelRatio || 1;
   const colors = paletteOf(canvas);
   canvas.width = canvas.height = SIDE * ratio;
@@ -40,7 +45,14 @@ export function drawView(canvas: HTMLCanvasElement, config: WorldConfig, view: U
 
 type Shape = (ctx: CanvasRenderingContext2D, x: number, y: number, size: number) => void;
 
-function mark(ctx: CanvasRenderingContext2D, shape: Shape, x: number, y: number, size: number, color: string): void {
+function mark(
+  ctx: CanvasRenderingContext2D,
+  shape: Shape,
+  x: number,
+  y: number,
+  size: number,
+  color: string,
+): void {
   shape(ctx, x, y, size);
   ctx.fillStyle = color;
   ctx.fill();

@@ -28,9 +28,14 @@ export function wordsOf(match: Told, recording: Recording, step: number): Word[]
   const captured = newlyCaptured(recording, before, after);
   const conflicts = match.conflicts(step);
   const explained = new Set(conflicts.flatMap((conflict) => conflict.doomed));
-  const words: Word[] = captured.map((agent) => ({ kind: "capture", text: `${name(agent)} is captured`, agents: [agent] }));
+  const words: Word[] = captured.map((agent) => ({
+    kind: "capture",
+    text: `${name(agent)} is captured`,
+    agents: [agent],
+  }));
   for (const agent of disappeared(before, after)) {
-    if (!captured.includes(agent) && !explained.has(agent)) words.push({ kind: "end", text: `${name(agent)} disappears`, agents: [agent] });
+    if (!captured.includes(agent) && !explained.has(agent))
+      words.push({ kind: "end", text: `${name(agent)} disappears`, agents: [agent] });
   }
   words.push(...conflicts.map(({ kind, text, agents }): Word => ({ kind, text, agents })));
   if (step === match.length) words.unshift({ kind: "end", text: endOf(match), agents: [] });

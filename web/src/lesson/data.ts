@@ -81,7 +81,8 @@ export interface Lesson {
   readonly evolve: EvolveData;
 }
 
-export const isPrediction = (part: Part | undefined): part is Prediction => part !== undefined && "predict" in part;
+export const isPrediction = (part: Part | undefined): part is Prediction =>
+  part !== undefined && "predict" in part;
 
 /** Return the predictions of a lesson by name, in its order. */
 export const predictionsOf = ({ sections }: Pick<Lesson, "sections">): ReadonlyMap<string, Prediction> =>

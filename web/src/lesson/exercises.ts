@@ -12,10 +12,17 @@ interface Checked {
   readonly set: (answer: string) => void;
 }
 
-export const checkOf = (part: Exercise): Checked => (part.answer === undefined ? raceOfCells() : ofNumber(part, part.answer));
+export const checkOf = (part: Exercise): Checked =>
+  part.answer === undefined ? raceOfCells() : ofNumber(part, part.answer);
 
 function ofNumber(part: Exercise, right: number): Checked {
-  const input = html("input", { type: "text", inputmode: "decimal", size: 8, "aria-label": "Your answer, a number", autocomplete: "off" });
+  const input = html("input", {
+    type: "text",
+    inputmode: "decimal",
+    size: 8,
+    "aria-label": "Your answer, a number",
+    autocomplete: "off",
+  });
   const check = (): string | null => {
     const given = input.value.trim().replace(",", ".");
     const number = Number(given);
@@ -34,28 +41,54 @@ const RATES = [0.5, 0.8, 0.2] as const;
 function raceOfCells(): Checked {
   const rates: number[] = new Array(SIZE * SIZE).fill(0.5);
   const show = (button: HTMLButtonElement, at: number): void =>
-    showRate(button, rates[at]!, `generation ${Math.floor(at / SIZE)} of the pursuers against generation ${at % SIZE} of the evaders`, 1);
+    showRate(
+      button,
+      rates[at]!,
+      `generation ${Math.floor(at / SIZE)} of the pursuers against generation ${at % SIZE} of the evaders`,
+      1,
+    );
   const buttons = rates.map((_, at) => {
-    const made = html("button", { type: "button", disabled: at % (SIZE + 1) === 0, onclick: () => {
-      rates[at] = RATES[(RATES.indexOf(rates[at] as 0.5) + 1) % RATES.length]!;
-      show(made, at);
-    } });
+    const made = html("button", {
+      type: "button",
+      disabled: at % (SIZE + 1) === 0,
+      onclick: () => {
+        rates[at] = RATES[(RATES.indexOf(rates[at] as 0.5) + 1) % RATES.length]!;
+        show(made, at);
+      },
+    });
     show(made, at);
     return made;
   });
   const generations = Array.from({ length: SIZE }, (_, generation) => generation);
-  const input = html("div", { class: "cells numbers", role: "group", "aria-label": "Capture rates: rows are pursuers, columns evaders" },
-    html("span"), html("span", { class: "evader all" }, "generation of the evaders"),
-    html("span", { class: "pursuer" }, "generation of the pursuers"), ...generations.map((h) => html("span", { class: "evader" }, h)),
-    ...generations.flatMap((g) => [html("span", { class: "pursuer" }, g), ...buttons.slice(g * SIZE, (g + 1) * SIZE)]));
+  const input = html(
+    "div",
+    {
+      class: "cells numbers",
+      role: "group",
+      "aria-label": "Capture rates: rows are pursuers, columns evaders",
+    },
+    html("span"),
+    html("span", { class: "evader all" }, "generation of the evaders"),
+    html("span", { class: "pursuer" }, "generation of the pursuers"),
+    ...generations.map((h) => html("span", { class: "evader" }, h)),
+    ...generations.flatMap((g) => [
+      html("span", { class: "pursuer" }, g),
+      ...buttons.slice(g * SIZE, (g + 1) * SIZE),
+    ]),
+  );
   const means = (of: (generation: number, other: number) => number): number[] =>
-    generations.map((generation) => generations.reduce((sum, other) => sum + rates[of(generation, other)]!, 0) / SIZE);
+    generations.map(
+      (generation) => generations.reduce((sum, other) => sum + rates[of(generation, other)]!, 0) / SIZE,
+    );
   const check = (): string | null => {
     const rows = means((g, h) => g * SIZE + h);
     const columns = means((h, g) => g * SIZE + h);
-    const rising = (values: readonly number[], sign: number): boolean => values.every((value, at) => !at || sign * (value - values[at - 1]!) > 1e-9);
-    if (!rising(rows, 1)) return `The means of the rows are ${told(rows)}. They are the strengths of the pursuers, and should grow from row to row.`;
-    if (!rising(columns, -1)) return `The means of the columns are ${told(columns)}. They say how often the evaders are captured, and should fall from column to column.`;
+    const rising = (values: readonly number[], sign: number): boolean =>
+      values.every((value, at) => !at || sign * (value - values[at - 1]!) > 1e-9);
+    if (!rising(rows, 1))
+      return `The means of the rows are ${told(rows)}. They are the strengths of the pursuers, and should grow from row to row.`;
+    if (!rising(columns, -1))
+      return `The means of the columns are ${told(columns)}. They say how often the evaders are captured, and should fall from column to column.`;
     return null;
   };
   const set = (answer: string): void => {

@@ -42,7 +42,9 @@ function blocksOf(parts: readonly Part[]): Part[][] {
 /** Return the style of a block: a widget beside the other parts, alone, or below them. */
 function styleOf(block: readonly Part[]): string {
   const widget = block.find(isWidget);
-  return widget && block.length > 1 && !WIDE.includes(widget.widget) && !widget.grows ? "block beside" : "block";
+  return widget && block.length > 1 && !WIDE.includes(widget.widget) && !widget.grows
+    ? "block beside"
+    : "block";
 }
 
 class Page {
@@ -71,26 +73,59 @@ class Page {
     const store = this.#store;
     const asked = predictionsOf(lesson).size;
     const counted = html("span", { class: "small muted", role: "status" });
-    const count = (): void => void (counted.textContent = `${store.count} of ${asked} predictions made. `
-      + (store.keeps ? "They stay in this browser." : "This browser keeps nothing: save before you close the page."));
+    const count = (): void =>
+      void (counted.textContent =
+        `${store.count} of ${asked} predictions made. ` +
+        (store.keeps
+          ? "They stay in this browser."
+          : "This browser keeps nothing: save before you close the page."));
     store.addEventListener("choice", count);
     const anew = (): void => {
-      if (!confirm("Delete all predictions and answers in this browser, for another student? Save them first.")) return;
+      if (
+        !confirm("Delete all predictions and answers in this browser, for another student? Save them first.")
+      )
+        return;
       store.forget();
       location.reload();
     };
     document.getElementById("page")!.replaceWith(
       top(lesson.title, lesson.lead),
-      html("nav", { class: "sections", "aria-label": "Sections" },
-        ...lesson.sections.map((section, at) => html("a", { href: `#${section.id}` }, `${at + 1}. ${section.title}`))),
+      html(
+        "nav",
+        { class: "sections", "aria-label": "Sections" },
+        ...lesson.sections.map((section, at) =>
+          html("a", { href: `#${section.id}` }, `${at + 1}. ${section.title}`),
+        ),
+      ),
       html("main", {}, ...lesson.sections.map((section, at) => this.#sectionOf(section, at))),
-      html("footer", { class: "card" },
-        html("div", { class: "buttons" },
-          html("button", { type: "button", class: "primary save", onclick: () => saveFile("predictions.jsonl", store.file) }, "Save my predictions"),
+      html(
+        "footer",
+        { class: "card" },
+        html(
+          "div",
+          { class: "buttons" },
+          html(
+            "button",
+            {
+              type: "button",
+              class: "primary save",
+              onclick: () => saveFile("predictions.jsonl", store.file),
+            },
+            "Save my predictions",
+          ),
           html("button", { type: "button", onclick: () => print() }, "Print"),
-          html("button", { type: "button", onclick: anew }, "Start anew"), counted),
-        html("p", { class: "small muted" }, `The page sends nothing anywhere. matrixworld ${lesson.version}, edition ${lesson.edition} of the course. Teachers: `,
-          html("a", { href: VOTES }, "count the votes of a class"), ".")));
+          html("button", { type: "button", onclick: anew }, "Start anew"),
+          counted,
+        ),
+        html(
+          "p",
+          { class: "small muted" },
+          `The page sends nothing anywhere. matrixworld ${lesson.version}, edition ${lesson.edition} of the course. Teachers: `,
+          html("a", { href: VOTES }, "count the votes of a class"),
+          ".",
+        ),
+      ),
+    );
     count();
   }
 
@@ -110,8 +145,17 @@ class Page {
   #sectionOf(section: Section, number: number): HTMLElement {
     const { sections } = this.#lesson;
     const waiting = html("p", { class: "waiting muted", role: "status" });
-    const made = html("section", { class: "card", id: section.id, "aria-labelledby": `title-${section.id}` },
-      html("h2", { id: `title-${section.id}` }, `${number + 1}. ${section.title}`, html("span", { class: "muted small" }, `${section.minutes} minutes`)), waiting);
+    const made = html(
+      "section",
+      { class: "card", id: section.id, "aria-labelledby": `title-${section.id}` },
+      html(
+        "h2",
+        { id: `title-${section.id}` },
+        `${number + 1}. ${section.title}`,
+        html("span", { class: "muted small" }, `${section.minutes} minutes`),
+      ),
+      waiting,
+    );
     const blocks = blocksOf(section.parts);
     const rooms = blocks.map((block) => html("div", { class: styleOf(block) }));
     const places = blocks.flatMap((block, at) => block.map(() => rooms[at]!));
@@ -120,9 +164,13 @@ class Page {
       waiting.textContent = "";
       for (; shown < section.parts.length; shown++) {
         const [before, part] = [section.parts[shown - 1], section.parts[shown]!];
-        const open = [isPrediction(before) ? before.predict : undefined, waitsFor(part)].find((name) => name && this.#store.choice(name) === undefined);
+        const open = [isPrediction(before) ? before.predict : undefined, waitsFor(part)].find(
+          (name) => name && this.#store.choice(name) === undefined,
+        );
         if (open) {
-          const place = sections.findIndex(({ parts }) => parts.some((each) => isPrediction(each) && each.predict === open));
+          const place = sections.findIndex(({ parts }) =>
+            parts.some((each) => isPrediction(each) && each.predict === open),
+          );
           waiting.textContent = `This section goes on with your prediction${place === number ? "" : ` in section ${place + 1}`}.`;
           return;
         }

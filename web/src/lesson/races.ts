@@ -24,13 +24,27 @@ const WORLD = "meadow";
 /** The last generations of a race, one match after the other. */
 export function chase({ runs }: Lesson, engine: Promise<Engine>): HTMLElement {
   const run = runs[CHASE]!;
-  const { shape: [rows, columns], episodes } = run.payoff;
+  const {
+    shape: [rows, columns],
+    episodes,
+  } = run.payoff;
   const board = new Chase();
   let episode = 0;
   void engine.then((loaded) => {
-    const chases = new Chases(() => board.show(
-      playedMatch(loaded, run, { run: CHASE, pursuer: rows - 1, evader: columns - 1, episode: episode++ % episodes, seed: null }),
-      `Generation ${rows - 1} of both teams`), board);
+    const chases = new Chases(
+      () =>
+        board.show(
+          playedMatch(loaded, run, {
+            run: CHASE,
+            pursuer: rows - 1,
+            evader: columns - 1,
+            episode: episode++ % episodes,
+            seed: null,
+          }),
+          `Generation ${rows - 1} of both teams`,
+        ),
+      board,
+    );
     chases.renew();
     whileSeen(chases, board.element);
   });
@@ -38,16 +52,22 @@ export function chase({ runs }: Lesson, engine: Promise<Engine>): HTMLElement {
 }
 
 /** A race that evolves when it is asked for: its boards alone, or its matrix and curve as well. */
-export function evolving({ evolve }: Lesson, engine: Promise<Engine>, { grows = false }: WidgetPart): HTMLElement {
+export function evolving(
+  { evolve }: Lesson,
+  engine: Promise<Engine>,
+  { grows = false }: WidgetPart,
+): HTMLElement {
   const button = html("button", { type: "button", class: "evolve", disabled: true }, "Evolve");
   const progress = html("progress", { max: 1, value: 0, "aria-label": "Progress of the race" });
   const room = html("div", { class: "lanes", "data-count": 1 });
   void engine.then((loaded) => {
     let seed = -1;
-    const settings = (): RaceSettings => settingsOf(evolve, { ...usualChoice(evolve, WORLD), policy: "cells", seed: Math.max(0, seed) });
+    const settings = (): RaceSettings =>
+      settingsOf(evolve, { ...usualChoice(evolve, WORLD), policy: "cells", seed: Math.max(0, seed) });
     const lane = new Lane(evolve, loaded, "lesson", settings());
     const tell = (): void => {
-      button.textContent = lane.state === "waiting" ? "Evolve" : lane.state === "evolving" ? "Stop" : "Again, with other luck";
+      button.textContent =
+        lane.state === "waiting" ? "Evolve" : lane.state === "evolving" ? "Stop" : "Again, with other luck";
       progress.value = lane.done;
     };
     button.addEventListener("click", () => {
@@ -61,7 +81,12 @@ export function evolving({ evolve }: Lesson, engine: Promise<Engine>, { grows = 
     whileSeen(lane.chases, lane.boards);
     button.disabled = false;
   });
-  return html("div", { class: `widget evolving ${grows ? "grows" : "boards"}` }, html("div", { class: "buttons" }, button, progress), room);
+  return html(
+    "div",
+    { class: `widget evolving ${grows ? "grows" : "boards"}` },
+    html("div", { class: "buttons" }, button, progress),
+    room,
+  );
 }
 
 /** The explorer's matrix and match, for all three races. */
@@ -76,9 +101,19 @@ export function explorer({ runs, playground }: Lesson, engine: Promise<Engine>):
   });
   void engine.then((loaded) => match.start(loaded));
   const [{ seed }, world] = [runs[0]!, runs[0]!.world!];
-  return html("div", { class: "widget wide" }, raceTabs(runs, store), html("div", { class: "stages" }, matrix.element, match.element),
-    html("p", { class: "small muted" }, "Three races of ", html("code", {}, `matrixworld evolve --seed ${seed}`),
-      `: ${world.n_pursuers} pursuers and ${world.n_evaders} evaders on ${world.rows} x ${world.cols} cells.`));
+  return html(
+    "div",
+    { class: "widget wide" },
+    raceTabs(runs, store),
+    html("div", { class: "stages" }, matrix.element, match.element),
+    html(
+      "p",
+      { class: "small muted" },
+      "Three races of ",
+      html("code", {}, `matrixworld evolve --seed ${seed}`),
+      `: ${world.n_pursuers} pursuers and ${world.n_evaders} evaders on ${world.rows} x ${world.cols} cells.`,
+    ),
+  );
 }
 
 /** What the program says of an arms race in race A: one row of its judgement. */
@@ -87,5 +122,9 @@ export function judgement({ runs }: Lesson): HTMLElement {
   const [head, ...rows] = findings.table;
   const row = rows.findIndex(([condition]) => condition === "arms race");
   const asked = { sentence: run.name, table: [head!, rows[row]!], reasons: [findings.reasons[row]!] };
-  return html("div", { class: "widget text" }, diagnosisPanel({ ...run, findings: { ...findings, ...asked } })!.element);
+  return html(
+    "div",
+    { class: "widget text" },
+    diagnosisPanel({ ...run, findings: { ...findings, ...asked } })!.element,
+  );
 }

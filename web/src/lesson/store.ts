@@ -39,7 +39,8 @@ export class Store extends EventTarget {
   }
 
   /** Return the choice of a prediction; undefined if there is none yet. */
-  choice = (name: string): string | undefined => this.#kept.choices.find(({ prediction }) => prediction === name)?.choice;
+  choice = (name: string): string | undefined =>
+    this.#kept.choices.find(({ prediction }) => prediction === name)?.choice;
 
   choose(prediction: string, choice: string): void {
     const time = new Date().toISOString().replace(/\.\d+Z$/, "+00:00");
@@ -48,7 +49,8 @@ export class Store extends EventTarget {
   }
 
   solved = (name: string): string | undefined => this.#kept.solved[name];
-  solve = (name: string, answer: string): void => this.#write({ solved: { ...this.#kept.solved, [name]: answer } });
+  solve = (name: string, answer: string): void =>
+    this.#write({ solved: { ...this.#kept.solved, [name]: answer } });
 
   get exit(): Pick<Kept, "exit" | "done"> {
     return this.#kept;

@@ -18,12 +18,17 @@ export function generator(seed: number): Draw {
 
 export const HANDS = ["rock", "paper", "scissors"] as const;
 /** What the hand of a row wins against that of a column; a draw is one half. */
-export const PAYOFF: readonly (readonly number[])[] = [[0.5, 0, 1], [1, 0.5, 0], [0, 1, 0.5]];
+export const PAYOFF: readonly (readonly number[])[] = [
+  [0.5, 0, 1],
+  [1, 0.5, 0],
+  [0, 1, 0.5],
+];
 /** Sums of payoffs that differ by less are equal. */
 const ROUNDING = 1e-9;
 
 /** Return what each hand wins on average against shares of hands. */
-const wins = (shares: readonly number[]): number[] => PAYOFF.map((row) => row.reduce((sum, each, hand) => sum + each * shares[hand]!, 0));
+const wins = (shares: readonly number[]): number[] =>
+  PAYOFF.map((row) => row.reduce((sum, each, hand) => sum + each * shares[hand]!, 0));
 
 /** Return the share of each hand among the last `memory` ones. */
 export function sharesOf(hands: readonly number[], memory: number): number[] {
@@ -77,14 +82,16 @@ export function score(game: GameName, a: Ones, b: Ones): number {
   let decides = a[0]! - b[0]!;
   for (let dimension = 1; dimension < a.length; dimension++) {
     const difference = a[dimension]! - b[dimension]!;
-    if (greatest ? Math.abs(difference) > Math.abs(decides) : Math.abs(difference) < Math.abs(decides)) decides = difference;
+    if (greatest ? Math.abs(difference) > Math.abs(decides) : Math.abs(difference) < Math.abs(decides))
+      decides = difference;
   }
   return (1 + Math.sign(decides)) / 2;
 }
 
 /** Return the mean score of all individuals of a population against all of another one. */
 export const meanScore = (game: GameName, a: readonly Ones[], b: readonly Ones[]): number =>
-  a.reduce((sum, one) => sum + b.reduce((own, other) => own + score(game, one, other), 0), 0) / (a.length * b.length);
+  a.reduce((sum, one) => sum + b.reduce((own, other) => own + score(game, one, other), 0), 0) /
+  (a.length * b.length);
 
 export interface Settings {
   readonly population: number;
@@ -120,7 +127,9 @@ export class NumbersGame {
   ones(side: 0 | 1): Ones[] {
     const { dimensions } = GAMES[this.game];
     const size = BITS / dimensions;
-    return this.#bits[side].map((bits) => Array.from({ length: dimensions }, (_, at) => sum(bits.subarray(at * size, (at + 1) * size))));
+    return this.#bits[side].map((bits) =>
+      Array.from({ length: dimensions }, (_, at) => sum(bits.subarray(at * size, (at + 1) * size))),
+    );
   }
 
   /** Return the mean number of ones of a side. */
@@ -151,7 +160,9 @@ export class NumbersGame {
     for (const side of [0, 1] as const) {
       const past = this.#champions[1 - side]!;
       for (const champion of shuffled(past.length, this.#draw, hall)) {
-        ones[side].forEach((own, at) => (won[side][at]! += Number(score(this.game, own, past[champion]!) === 1)));
+        ones[side].forEach(
+          (own, at) => (won[side][at]! += Number(score(this.game, own, past[champion]!) === 1)),
+        );
       }
     }
     return won;

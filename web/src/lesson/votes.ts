@@ -42,15 +42,24 @@ export function countVotes(files: readonly SavedFile[], asked: Asked): Votes {
       left.push({ file: file.name, reason: (error as Error).message });
     }
   }
-  const counts = new Map([...asked.predictions].map(([name, { options }]) => [name, new Map(Object.keys(options).map((option) => [option, 0]))]));
+  const counts = new Map(
+    [...asked.predictions].map(([name, { options }]) => [
+      name,
+      new Map(Object.keys(options).map((option) => [option, 0])),
+    ]),
+  );
   const counted = new Map<string, string>(); // pupil and prediction -> the file
   const texts = new Map<string | null, string>();
   // A pupil who saves again saves more: the longest file first.
   for (const { name: file, text, pupil, choices } of read.sort((a, b) => b.choices.size - a.choices.size)) {
     const fresh = [...choices].filter(([name]) => !counted.has(`${pupil} ${name}`));
-    const other = texts.get(text) ?? (fresh.length ? undefined : counted.get(`${pupil} ${[...choices.keys()][0]}`));
+    const other =
+      texts.get(text) ?? (fresh.length ? undefined : counted.get(`${pupil} ${[...choices.keys()][0]}`));
     if (other !== undefined) {
-      left.push({ file, reason: texts.has(text) ? `double: the same content as ${other}` : `double: the pupil of ${other}` });
+      left.push({
+        file,
+        reason: texts.has(text) ? `double: the same content as ${other}` : `double: the pupil of ${other}`,
+      });
       continue;
     }
     texts.set(text, file);
@@ -72,13 +81,21 @@ function choicesOf(text: string | null, { edition, predictions }: Asked): Choice
   lines.forEach((line, at) => {
     const entry = parsed(line);
     const { prediction: name, choice } = entry;
-    if (typeof name !== "string" || typeof choice !== "string") throw new Error(`line ${at + 1}: expected a prediction and its choice`);
-    if (entry["edition"] !== edition) throw new Error(`line ${at + 1}: expected edition ${edition} of the course, got ${told(entry["edition"])}`);
+    if (typeof name !== "string" || typeof choice !== "string")
+      throw new Error(`line ${at + 1}: expected a prediction and its choice`);
+    if (entry["edition"] !== edition)
+      throw new Error(
+        `line ${at + 1}: expected edition ${edition} of the course, got ${told(entry["edition"])}`,
+      );
     const options = predictions.get(name)?.options;
     if (!options) throw new Error(`line ${at + 1}: expected a prediction of the lesson, got ${told(name)}`);
-    if (!Object.hasOwn(options, choice)) throw new Error(`line ${at + 1}: expected one of ${Object.keys(options).join(", ")} for ${name}, got ${told(choice)}`);
+    if (!Object.hasOwn(options, choice))
+      throw new Error(
+        `line ${at + 1}: expected one of ${Object.keys(options).join(", ")} for ${name}, got ${told(choice)}`,
+      );
     pupil ||= String(entry["pupil"] ?? "");
-    if (!/^[0-9a-f]{8}$/.test(pupil) || entry["pupil"] !== pupil) throw new Error(`line ${at + 1}: expected lines of one pupil`);
+    if (!/^[0-9a-f]{8}$/.test(pupil) || entry["pupil"] !== pupil)
+      throw new Error(`line ${at + 1}: expected lines of one pupil`);
     if (!choices.has(name)) choices.set(name, choice);
   });
   return { pupil, choices };

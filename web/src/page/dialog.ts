@@ -5,9 +5,25 @@ import type { Child } from "./dom.ts";
 
 /** Return a dialog with a title and a button that closes it; so does a press on the ground around it. */
 export function dialog(title: string, style: string, ...children: Child[]): HTMLDialogElement {
-  const made = html("dialog", { class: style, "aria-label": title, onclick: ({ target }: MouseEvent) => target === made && made.close() },
-    html("div", { class: "dialog-head" }, html("h2", {}, title),
-      html("button", { type: "button", class: "close", "aria-label": "Close", onclick: () => made.close() }, "✕")), ...children);
+  const made = html(
+    "dialog",
+    {
+      class: style,
+      "aria-label": title,
+      onclick: ({ target }: MouseEvent) => target === made && made.close(),
+    },
+    html(
+      "div",
+      { class: "dialog-head" },
+      html("h2", {}, title),
+      html(
+        "button",
+        { type: "button", class: "close", "aria-label": "Close", onclick: () => made.close() },
+        "✕",
+      ),
+    ),
+    ...children,
+  );
   return made;
 }
 
@@ -15,9 +31,17 @@ export function dialog(title: string, style: string, ...children: Child[]): HTML
 export type Keys = readonly (readonly [keys: readonly string[], text: string])[];
 
 export const keyList = (keys: Keys): HTMLElement =>
-  html("dl", { class: "keys" }, ...keys.flatMap(([names, text]) => [html("dt", {}, ...names.map((name) => html("kbd", {}, name))), html("dd", {}, text)]));
+  html(
+    "dl",
+    { class: "keys" },
+    ...keys.flatMap(([names, text]) => [
+      html("dt", {}, ...names.map((name) => html("kbd", {}, name))),
+      html("dd", {}, text),
+    ]),
+  );
 
-export const readOnly = (label: string): HTMLInputElement => html("input", { type: "text", readonly: true, "aria-label": label });
+export const readOnly = (label: string): HTMLInputElement =>
+  html("input", { type: "text", readonly: true, "aria-label": label });
 
 /** Show a link in a field, and copy it where the browser allows it. */
 export function copyLink(field: HTMLInputElement, link: string): void {

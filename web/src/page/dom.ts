@@ -8,19 +8,27 @@ const SVG = "http://www.w3.org/2000/svg";
 
 /** Return an HTML element; attributes that begin with "on" are listeners. */
 export function html<Tag extends keyof HTMLElementTagNameMap>(
-  tag: Tag, attributes: Attributes = {}, ...children: Child[]
+  tag: Tag,
+  attributes: Attributes = {},
+  ...children: Child[]
 ): HTMLElementTagNameMap[Tag] {
   return filled(document.createElement(tag), attributes, children);
 }
 
 /** Return an SVG element. */
 export function svg<Tag extends keyof SVGElementTagNameMap>(
-  tag: Tag, attributes: Attributes = {}, ...children: Child[]
+  tag: Tag,
+  attributes: Attributes = {},
+  ...children: Child[]
 ): SVGElementTagNameMap[Tag] {
   return filled(document.createElementNS(SVG, tag) as SVGElementTagNameMap[Tag], attributes, children);
 }
 
-function filled<Made extends Element>(element: Made, attributes: Attributes, children: readonly Child[]): Made {
+function filled<Made extends Element>(
+  element: Made,
+  attributes: Attributes,
+  children: readonly Child[],
+): Made {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;
     if (typeof value === "function") element.addEventListener(name.slice(2), value as EventListener);
@@ -32,8 +40,15 @@ function filled<Made extends Element>(element: Made, attributes: Attributes, chi
 }
 
 /** Return a list of choices; `change` gets the value of the one that is chosen. */
-export function select(options: readonly (readonly [value: string | number, text: string])[], change: (value: string) => void): HTMLSelectElement {
-  const made = html("select", { onchange: () => change(made.value) }, ...options.map(([value, text]) => html("option", { value }, text)));
+export function select(
+  options: readonly (readonly [value: string | number, text: string])[],
+  change: (value: string) => void,
+): HTMLSelectElement {
+  const made = html(
+    "select",
+    { onchange: () => change(made.value) },
+    ...options.map(([value, text]) => html("option", { value }, text)),
+  );
   return made;
 }
 
@@ -44,9 +59,15 @@ export async function started(start: Promise<unknown>): Promise<void> {
   } catch (error) {
     const place = document.querySelector("#page, main") ?? document.body;
     place.querySelector(".absent")?.remove();
-    place.prepend(html("p", { class: "card problem", role: "alert" }, error instanceof WebAssembly.CompileError || /WebAssembly/.test(String(error))
-      ? "This page plays by WebAssembly, which is forbidden where it lies ('wasm-unsafe-eval' is missing in the content policy): save the file, and open it from your disk."
-      : `The page could not start: ${String(error)}`));
+    place.prepend(
+      html(
+        "p",
+        { class: "card problem", role: "alert" },
+        error instanceof WebAssembly.CompileError || /WebAssembly/.test(String(error))
+          ? "This page plays by WebAssembly, which is forbidden where it lies ('wasm-unsafe-eval' is missing in the content policy): save the file, and open it from your disk."
+          : `The page could not start: ${String(error)}`,
+      ),
+    );
     throw error;
   } finally {
     document.body.dataset["ready"] = "true";

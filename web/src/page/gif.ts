@@ -34,7 +34,10 @@ function keysOf({ data }: ImageData): Uint16Array {
   const keys = new Uint16Array(data.length / 4);
   const cut = 8 - BITS;
   for (let at = 0; at < keys.length; at++) {
-    keys[at] = ((data[4 * at]! >> cut) << (2 * BITS)) | ((data[4 * at + 1]! >> cut) << BITS) | (data[4 * at + 2]! >> cut);
+    keys[at] =
+      ((data[4 * at]! >> cut) << (2 * BITS)) |
+      ((data[4 * at + 1]! >> cut) << BITS) |
+      (data[4 * at + 2]! >> cut);
   }
   return keys;
 }
@@ -43,13 +46,20 @@ function keysOf({ data }: ImageData): Uint16Array {
 function coloursOf(frames: readonly ImageData[]): { table: number[]; place: Uint8Array } {
   const counts = new Map<number, number>();
   for (const frame of frames) for (const key of keysOf(frame)) counts.set(key, (counts.get(key) ?? 0) + 1);
-  const kept = [...counts].sort(([, a], [, b]) => b - a).slice(0, MOST_COLOURS).map(([key]) => key);
+  const kept = [...counts]
+    .sort(([, a], [, b]) => b - a)
+    .slice(0, MOST_COLOURS)
+    .map(([key]) => key);
   const channels = (key: number): number[] => [key >> (2 * BITS), (key >> BITS) & 31, key & 31];
-  const distance = (a: number, b: number): number => channels(a).reduce((sum, each, channel) => sum + (each - channels(b)[channel]!) ** 2, 0);
+  const distance = (a: number, b: number): number =>
+    channels(a).reduce((sum, each, channel) => sum + (each - channels(b)[channel]!) ** 2, 0);
   const place = new Uint8Array(2 ** (3 * BITS));
   for (const key of counts.keys()) {
     const own = kept.indexOf(key);
-    place[key] = own >= 0 ? own : kept.reduce((best, each, at) => (distance(key, each) < distance(key, kept[best]!) ? at : best), 0);
+    place[key] =
+      own >= 0
+        ? own
+        : kept.reduce((best, each, at) => (distance(key, each) < distance(key, kept[best]!) ? at : best), 0);
   }
   const table = kept.flatMap((key) => channels(key).map((each) => Math.round((each * 255) / 31)));
   return { table: [...table, ...Array<number>(3 * MOST_COLOURS - table.length).fill(0)], place };

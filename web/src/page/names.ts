@@ -2,4 +2,14 @@
 
 export { agentName } from "../engine/conflicts.ts";
 
-export const ACTIONS = ["stay", "north", "east", "south", "west", "northeast", "southeast", "southwest", "northwest"] as const;
+export const ACTIONS = [
+  "stay",
+  "north",
+  "east",
+  "south",
+  "west",
+  "northeast",
+  "southeast",
+  "southwest",
+  "northwest",
+] as const;

@@ -25,7 +25,9 @@ const ALIGNED = 64; // bytes of a header are a multiple
 
 /** Return the bytes of an npz file. */
 export function writeNpz(arrays: Readonly<Record<string, NpyArray>>): Uint8Array {
-  return zipSync(Object.fromEntries(Object.entries(arrays).map(([name, array]) => [`${name}.npy`, npy(array)])));
+  return zipSync(
+    Object.fromEntries(Object.entries(arrays).map(([name, array]) => [`${name}.npy`, npy(array)])),
+  );
 }
 
 function npy({ dtype, shape, data }: NpyArray): Uint8Array {
@@ -44,17 +46,26 @@ function npy({ dtype, shape, data }: NpyArray): Uint8Array {
 
 /** Return the arrays of an npz file. Throws an error if the bytes are none. */
 export function readNpz(bytes: Uint8Array): Record<string, NpyArray> {
-  return Object.fromEntries(Object.entries(unzipSync(bytes)).map(([name, file]) => [name.replace(/\.npy$/, ""), arrayOf(file)]));
+  return Object.fromEntries(
+    Object.entries(unzipSync(bytes)).map(([name, file]) => [name.replace(/\.npy$/, ""), arrayOf(file)]),
+  );
 }
 
 function arrayOf(bytes: Uint8Array): NpyArray {
   const end = START + bytes[START - 2]! + 256 * bytes[START - 1]!;
   const header = strFromU8(bytes.subarray(START, end), true);
   const found = /'descr': '([^']+)', 'fortran_order': False, 'shape': \(([\d, ]*)\)/.exec(header);
-  const [dtype, shape] = [found?.[1] ?? "", (found?.[2] ?? "").split(",").filter((each) => each.trim()).map(Number)];
+  const [dtype, shape] = [
+    found?.[1] ?? "",
+    (found?.[2] ?? "")
+      .split(",")
+      .filter((each) => each.trim())
+      .map(Number),
+  ];
   const content = bytes.slice(end).buffer as ArrayBuffer;
   const text = dtype.startsWith("<U") && String.fromCodePoint(...new Int32Array(content));
   const data = text === false ? TYPES[dtype]?.(content) : text.replace(/\0+$/, "");
-  if (data === undefined) throw new TypeError(`expected an array of numbers or a text, got ${header.slice(0, 80)}`);
+  if (data === undefined)
+    throw new TypeError(`expected an array of numbers or a text, got ${header.slice(0, 80)}`);
   return { dtype, shape, data };
 }

@@ -17,9 +17,14 @@ const MOST_KEPT = 4;
 const known = new Map<string, Promise<Solution | null>>();
 
 /** Return the solution of a world, which other work of the page can interrupt; null where it is not solved. */
-export function solved(engine: Engine, config: WorldConfig, payoff: Payoff = "capture-rate"): Promise<Solution | null> {
+export function solved(
+  engine: Engine,
+  config: WorldConfig,
+  payoff: Payoff = "capture-rate",
+): Promise<Solution | null> {
   const key = JSON.stringify([{ ...config, rewards: null }, payoff]);
-  const found = known.get(key) ?? (whyNotSolved(config) ? Promise.resolve(null) : solve(engine, config, payoff));
+  const found =
+    known.get(key) ?? (whyNotSolved(config) ? Promise.resolve(null) : solve(engine, config, payoff));
   known.delete(key); // it becomes the newest
   known.set(key, found);
   if (known.size > MOST_KEPT) known.delete([...known.keys()][0]!);
@@ -27,7 +32,8 @@ export function solved(engine: Engine, config: WorldConfig, payoff: Payoff = "ca
 }
 
 /** What perfect play is for where a person plays: with one evader the steps that it lasts, which are the score. */
-export const scoreOf = ({ n_evaders }: WorldConfig): Payoff => (n_evaders === 1 ? "capture-time" : "capture-rate");
+export const scoreOf = ({ n_evaders }: WorldConfig): Payoff =>
+  n_evaders === 1 ? "capture-time" : "capture-rate";
 
 const rest = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
@@ -52,20 +58,32 @@ export function lossesOf(solution: Solution, world: World, steps: readonly Array
   return steps.flatMap((actions, at) => {
     const lost = [0, 0];
     for (let turn = world.n_turns; turn > 0 && !world.over; turn--) {
-      solution.game(world)?.lost(actions).forEach((part, team) => (lost[team]! += part));
+      solution
+        .game(world)
+        ?.lost(actions)
+        .forEach((part, team) => (lost[team]! += part));
       world.playTurn(actions);
     }
     const least = payoff === "capture-rate" ? LEAST : LEAST_STEPS;
-    return TEAMS.map((team, place) => ({ step: at + 1, team, lost: lost[place]!, payoff })).filter((each) => each.lost >= least);
+    return TEAMS.map((team, place) => ({ step: at + 1, team, lost: lost[place]!, payoff })).filter(
+      (each) => each.lost >= least,
+    );
   });
 }
 
 export const ticksOf = (losses: readonly Loss[]): Tick[] =>
-  losses.map((loss) => ({ step: loss.step, kind: loss.team, size: loss.lost / Math.max(1, ...losses.map(({ lost }) => lost)), text: lossText(loss) }));
+  losses.map((loss) => ({
+    step: loss.step,
+    kind: loss.team,
+    size: loss.lost / Math.max(1, ...losses.map(({ lost }) => lost)),
+    text: lossText(loss),
+  }));
 
-const amount = ({ lost, payoff }: Loss): string => (payoff === "capture-rate" ? `${lost.toFixed(2)} of the capture rate` : `${lost.toFixed(1)} steps`);
+const amount = ({ lost, payoff }: Loss): string =>
+  payoff === "capture-rate" ? `${lost.toFixed(2)} of the capture rate` : `${lost.toFixed(1)} steps`;
 
-export const lossText = (loss: Loss): string => `The ${loss.team}s lose ${amount(loss)} against a perfect opponent`;
+export const lossText = (loss: Loss): string =>
+  `The ${loss.team}s lose ${amount(loss)} against a perfect opponent`;
 
 /** Return a team's worst step in words. Losses do not add up: an imperfect opponent gives some of them back. */
 export function worstText(losses: readonly Loss[]): string {
@@ -82,7 +100,13 @@ export function worthText({ config, payoff }: Solution, { value }: TurnGame, ste
 
 /** Return how an agent plays perfectly, in words, such as "north 0.67, stay 0.33". */
 export function perfectText(game: TurnGame, agent: number): string {
-  const shares = (game.marginal(agent) ?? []).map((share, action) => ({ share, action })).filter(({ share }) => share >= LEAST);
-  return shares.sort((a, b) => b.share - a.share)
-    .map(({ share, action }) => (share > 1 - LEAST ? ACTIONS[action] : `${ACTIONS[action]} ${share.toFixed(2)}`)).join(", ");
+  const shares = (game.marginal(agent) ?? [])
+    .map((share, action) => ({ share, action }))
+    .filter(({ share }) => share >= LEAST);
+  return shares
+    .sort((a, b) => b.share - a.share)
+    .map(({ share, action }) =>
+      share > 1 - LEAST ? ACTIONS[action] : `${ACTIONS[action]} ${share.toFixed(2)}`,
+    )
+    .join(", ");
 }

@@ -5,12 +5,14 @@ import { html } from "./dom.ts";
 /** Return whether the page is dark now. */
 const isDark = (): boolean => document.documentElement.dataset["theme"] === "dark";
 
-const setDark = (dark: boolean): void => void (document.documentElement.dataset["theme"] = dark ? "dark" : "light");
+const setDark = (dark: boolean): void =>
+  void (document.documentElement.dataset["theme"] = dark ? "dark" : "light");
 
 /** Change from light to dark, or back. */
 export const changeTheme = (): void => setDark(!isDark());
 
-if (typeof document !== "undefined") { // the page that evolves is a worker's script as well
+if (typeof document !== "undefined") {
+  // the page that evolves is a worker's script as well
   const system = matchMedia("(prefers-color-scheme: dark)");
   system.addEventListener("change", () => setDark(system.matches));
   setDark(system.matches);
@@ -25,5 +27,9 @@ if (typeof document !== "undefined") { // the page that evolves is a worker's sc
 
 /** Return a button that changes the theme. */
 export function themeButton(): HTMLButtonElement {
-  return html("button", { type: "button", title: "Light or dark (D)", "aria-label": "Light or dark", onclick: changeTheme }, "◐");
+  return html(
+    "button",
+    { type: "button", title: "Light or dark (D)", "aria-label": "Light or dark", onclick: changeTheme },
+    "◐",
+  );
 }

@@ -6,6 +6,9 @@ import { themeButton } from "./theme.ts";
 
 /** Return the head; the button of light and dark is the last one. */
 export const top = (title: string, lead: Child, ...tools: Child[]): HTMLElement =>
-  html("header", { class: "top" },
+  html(
+    "header",
+    { class: "top" },
     html("div", {}, html("h1", {}, title), lead ? html("p", { class: "lead" }, lead) : null),
-    html("div", { class: "tools" }, ...tools, themeButton()));
+    html("div", { class: "tools" }, ...tools, themeButton()),
+  );

@@ -8,7 +8,8 @@ import { Store } from "./store.ts";
 
 /** Make the store of a text; without a scene in it, of the first example, and say what is wrong. */
 export function storeOf(engine: Engine, data: PageData, text: string): { store: Store; problem: string } {
-  const made = (scene: string): Store => new Store(engine, data, sceneOf(scene, data), exampleOf(data, scene));
+  const made = (scene: string): Store =>
+    new Store(engine, data, sceneOf(scene, data), exampleOf(data, scene));
   const first = data.gallery[0]!.scene;
   try {
     return { store: made(text || first), problem: "" };
@@ -19,7 +20,8 @@ export function storeOf(engine: Engine, data: PageData, text: string): { store: 
 
 /** Return what is wrong with a link; other errors are the page's own. */
 function problemOf(error: unknown): string {
-  if (error instanceof LinkError || error instanceof EngineError) return `This link holds no scene. ${error.message}`;
+  if (error instanceof LinkError || error instanceof EngineError)
+    return `This link holds no scene. ${error.message}`;
   throw error;
 }
 

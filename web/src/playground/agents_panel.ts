@@ -10,7 +10,8 @@ import { commandText, signed, sumOf } from "./words.ts";
 
 /** Return the shape of a team's agents. */
 export function glyph(team: Team): SVGSVGElement {
-  const shape = team === "pursuers" ? svg("path", { d: "M12 3 22 20H2z" }) : svg("circle", { cx: 12, cy: 12, r: 9.5 });
+  const shape =
+    team === "pursuers" ? svg("path", { d: "M12 3 22 20H2z" }) : svg("circle", { cx: 12, cy: 12, r: 9.5 });
   return svg("svg", { viewBox: "0 0 24 24", class: `glyph ${team}`, "aria-hidden": true }, shape);
 }
 
@@ -27,11 +28,33 @@ interface Row {
 export function agentsPanel(store: Store): HTMLElement {
   const heads = [0, 1].map(() => html("th", { class: "reward", scope: "col" }));
   const body = html("tbody");
-  const table = html("table", { class: "agents" },
-    html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "agent"), html("th", { scope: "col" }, "next"), ...heads)), body);
-  const element = html("section", { class: "card agents-card" },
-    html("h2", {}, "Agents"), store.data.champions ? html("button", { type: "button", title: "The policies of the match move all agents but the chosen one", onclick: () => letNetworksMove(store) }, "Policies move all others") : "",
-    html("div", { class: "agents-scroll" }, table));
+  const table = html(
+    "table",
+    { class: "agents" },
+    html(
+      "thead",
+      {},
+      html("tr", {}, html("th", { scope: "col" }, "agent"), html("th", { scope: "col" }, "next"), ...heads),
+    ),
+    body,
+  );
+  const element = html(
+    "section",
+    { class: "card agents-card" },
+    html("h2", {}, "Agents"),
+    store.data.champions
+      ? html(
+          "button",
+          {
+            type: "button",
+            title: "The policies of the match move all agents but the chosen one",
+            onclick: () => letNetworksMove(store),
+          },
+          "Policies move all others",
+        )
+      : "",
+    html("div", { class: "agents-scroll" }, table),
+  );
   let rows: Row[] = [];
   let shape = "";
   const update = (): void => {
@@ -55,29 +78,60 @@ export function agentsPanel(store: Store): HTMLElement {
 
 function letNetworksMove(store: Store): void {
   store.stop();
-  store.change({ ...store.scene, next: store.scene.next.map((own, agent) => (agent === store.selected ? own : CHAMPION)) });
+  store.change({
+    ...store.scene,
+    next: store.scene.next.map((own, agent) => (agent === store.selected ? own : CHAMPION)),
+  });
 }
 
 function row(store: Store, agent: number): Row {
   const { scene } = store;
   const name = agentName(scene, agent);
-  const choice = html("select", { "aria-label": `${name} does next`, onchange: () => {
-    const chosen = choice.value;
-    store.stop();
-    store.change(withNext(store.scene, agent, /^\d$/.test(chosen) ? Number(chosen) : (chosen as Command)));
-  } }, ...choices(store, scene, agent));
+  const choice = html(
+    "select",
+    {
+      "aria-label": `${name} does next`,
+      onchange: () => {
+        const chosen = choice.value;
+        store.stop();
+        store.change(
+          withNext(store.scene, agent, /^\d$/.test(chosen) ? Number(chosen) : (chosen as Command)),
+        );
+      },
+    },
+    ...choices(store, scene, agent),
+  );
   const state = html("span", { class: "state muted" });
   const heard = html("span", { class: "heard" });
-  const select = html("button", { type: "button", class: "agent-name", onclick: () => (store.selected = agent) }, glyph(teamOf(scene, agent)), name, heard);
+  const select = html(
+    "button",
+    { type: "button", class: "agent-name", onclick: () => (store.selected = agent) },
+    glyph(teamOf(scene, agent)),
+    name,
+    heard,
+  );
   const rewards = [0, 1].map(() => html("td", { class: "reward numbers" }));
-  const element = html("tr", {}, html("th", { scope: "row" }, select), html("td", {}, choice, state), ...rewards);
+  const element = html(
+    "tr",
+    {},
+    html("th", { scope: "row" }, select),
+    html("td", {}, choice, state),
+    ...rewards,
+  );
   return { element, choice, state, heard, rewards };
 }
 
 function choices(store: Store, scene: Scene, agent: number): HTMLElement[] {
-  const actions = ACTIONS.slice(0, scene.diagonal ? 9 : 5).map((_, action) => html("option", { value: action }, commandText(action)));
-  const scripts = store.data.scripts.map(({ name, text }) => html("option", { value: name, title: text }, name));
-  const groups = [html("optgroup", { label: "move" }, ...actions), html("optgroup", { label: "script" }, ...scripts)];
+  const actions = ACTIONS.slice(0, scene.diagonal ? 9 : 5).map((_, action) =>
+    html("option", { value: action }, commandText(action)),
+  );
+  const scripts = store.data.scripts.map(({ name, text }) =>
+    html("option", { value: name, title: text }, name),
+  );
+  const groups = [
+    html("optgroup", { label: "move" }, ...actions),
+    html("optgroup", { label: "script" }, ...scripts),
+  ];
   const champion = store.data.champions?.[agent < scene.pursuers.length ? "pursuer" : "evader"];
   return champion ? [html("option", { value: CHAMPION }, champion.name), ...groups] : groups;
 }
@@ -104,7 +158,8 @@ function fill(store: Store, { element, choice, state, heard, rewards }: Row, age
     const sum = other ? sumOf(scene, other, player.step, agent) : "";
     cell.replaceChildren(
       player.step && reward !== undefined ? signed(reward) : "",
-      store.games.length > 1 ? "" : html("span", { class: "sum small muted" }, sum));
+      store.games.length > 1 ? "" : html("span", { class: "sum small muted" }, sum),
+    );
     cell.title = sum;
     const own = game.outcomes[player.step]?.rewards[agent];
     cell.classList.toggle("differs", place > 0 && reward !== undefined && own !== reward);

@@ -6,7 +6,18 @@ import { MOVES, isCell, towards } from "../board/recording.ts";
 import type { Cell } from "../board/recording.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS } from "../page/names.ts";
-import { agentOn, agentName, agents, isWall, moved, nAgents, removed, variantOf, withNext, withWall } from "./scene.ts";
+import {
+  agentOn,
+  agentName,
+  agents,
+  isWall,
+  moved,
+  nAgents,
+  removed,
+  variantOf,
+  withNext,
+  withWall,
+} from "./scene.ts";
 import type { Store } from "./store.ts";
 import type { Control } from "./toolbar.ts";
 
@@ -82,14 +93,16 @@ function listenToPointer(store: Store, board: Board): void {
     const cell = board.cellAt(event.clientX, event.clientY);
     if (cell) gesture?.(cell);
   });
-  for (const end of ["pointerup", "pointercancel"] as const) board.canvas.addEventListener(end, () => (gesture = null));
+  for (const end of ["pointerup", "pointercancel"] as const)
+    board.canvas.addEventListener(end, () => (gesture = null));
 }
 
 /** Press an agent to choose it, and drag to say where it goes; or press a cell beside the chosen one. */
 function actGesture(store: Store, cell: Cell, agent: number | null): ((cell: Cell) => void) | null {
   if (agent === null) {
     const own = store.selected === null ? null : present(store, store.selected);
-    if (own && Math.max(Math.abs(own[0] - cell[0]), Math.abs(own[1] - cell[1])) === 1) command(store, towards(own, cell, store.scene.diagonal));
+    if (own && Math.max(Math.abs(own[0] - cell[0]), Math.abs(own[1] - cell[1])) === 1)
+      command(store, towards(own, cell, store.scene.diagonal));
     return null;
   }
   // A second press on the chosen agent lets it stay.
@@ -149,7 +162,10 @@ function listenToKeys(store: Store, canvas: HTMLCanvasElement, cursor: Cursor, u
 /** Keys that move the chosen agent or choose another one; also used by the page. */
 export function actKey(store: Store, event: KeyboardEvent): boolean {
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  const action = ARROW_ACTIONS[key] ?? (store.scene.diagonal ? DIAGONAL_ACTIONS[key] : undefined) ?? ({ s: 0, Delete: 0 } as Record<string, number>)[key];
+  const action =
+    ARROW_ACTIONS[key] ??
+    (store.scene.diagonal ? DIAGONAL_ACTIONS[key] : undefined) ??
+    ({ s: 0, Delete: 0 } as Record<string, number>)[key];
   if (action !== undefined) {
     if (store.selected === null) choose(store, 1);
     command(store, action);

@@ -9,7 +9,20 @@ import { ARROWS } from "./words.ts";
 
 /** W A S D as in most games, with the diagonals around them; where Y and Z are exchanged, Y as well. */
 const KEYS: Readonly<Record<string, number>> = {
-  " ": 0, ArrowUp: 1, w: 1, ArrowRight: 2, d: 2, ArrowDown: 3, s: 3, ArrowLeft: 4, a: 4, e: 5, c: 6, y: 7, z: 7, q: 8,
+  " ": 0,
+  ArrowUp: 1,
+  w: 1,
+  ArrowRight: 2,
+  d: 2,
+  ArrowDown: 3,
+  s: 3,
+  ArrowLeft: 4,
+  a: 4,
+  e: 5,
+  c: 6,
+  y: 7,
+  z: 7,
+  q: 8,
 };
 /** The order of a numeric keypad, and of the pad on the screen, row by row. */
 const PAD = [8, 1, 5, 4, 0, 2, 7, 3, 6];
@@ -29,10 +42,17 @@ export function actionOf(event: KeyboardEvent, diagonal: boolean): number | unde
 
 /** Return the pad: a button for each direction. */
 export function pad(act: (action: number) => void): { element: HTMLElement; show(diagonal: boolean): void } {
-  const buttons = PAD.map((action) => html("button", { type: "button", "aria-label": ACTIONS[action], onclick: () => act(action) }, ARROWS[action]));
+  const buttons = PAD.map((action) =>
+    html(
+      "button",
+      { type: "button", "aria-label": ACTIONS[action], onclick: () => act(action) },
+      ARROWS[action],
+    ),
+  );
   return {
     element: html("div", { class: "play-pad", role: "group", "aria-label": "Your move" }, ...buttons),
-    show: (diagonal) => buttons.forEach((button, place) => button.classList.toggle("absent", PAD[place]! > 4 && !diagonal)),
+    show: (diagonal) =>
+      buttons.forEach((button, place) => button.classList.toggle("absent", PAD[place]! > 4 && !diagonal)),
   };
 }
 
@@ -44,10 +64,17 @@ function towardsAbout(down: number, right: number, diagonal: boolean): number {
 }
 
 /** Listen to swipes, and to taps on a cell in the direction of the move; `own` is the agent's cell. */
-export function listenToPointer(board: Board, own: () => { cell: Cell; diagonal: boolean } | null, act: (action: number) => void): void {
+export function listenToPointer(
+  board: Board,
+  own: () => { cell: Cell; diagonal: boolean } | null,
+  act: (action: number) => void,
+): void {
   let start: readonly [x: number, y: number] | null = null;
   const { canvas } = board;
-  canvas.addEventListener("pointerdown", ({ button, clientX, clientY }) => (start = button === 0 ? [clientX, clientY] : null));
+  canvas.addEventListener(
+    "pointerdown",
+    ({ button, clientX, clientY }) => (start = button === 0 ? [clientX, clientY] : null),
+  );
   canvas.addEventListener("pointercancel", () => (start = null));
   canvas.addEventListener("pointerup", ({ clientX, clientY }) => {
     const [from, here] = [start, own()];

@@ -24,7 +24,9 @@ export interface Example {
 }
 
 /** What played for a team in the match of the explorer that a scene comes from. */
-export type Champions = Readonly<Record<"pursuer" | "evader", { readonly name: string; readonly policy: TeamPolicy }>>;
+export type Champions = Readonly<
+  Record<"pursuer" | "evader", { readonly name: string; readonly policy: TeamPolicy }>
+>;
 
 export interface PageData {
   readonly variants: Readonly<Record<string, Rules>>;
@@ -54,7 +56,11 @@ export interface TeamData {
 export interface OpponentsData {
   readonly world: WorldConfig;
   /** The rounds of "Can you escape it?"; none where pursuers of three strengths play in a smaller world. */
-  readonly rounds: readonly { readonly world: WorldConfig; readonly pursuers: ScriptName; readonly text: string }[];
+  readonly rounds: readonly {
+    readonly world: WorldConfig;
+    readonly pursuers: ScriptName;
+    readonly text: string;
+  }[];
   readonly teams: Readonly<Record<"pursuer" | "evader", TeamData>>;
 }
 
@@ -75,10 +81,14 @@ export function pageData(): PlaygroundData {
 }
 
 /** Genomes are kept as lists: the numbers of JSON give back every float32. */
-const revived = (name: string, value: unknown): unknown => (name === "genome" ? Float32Array.from(value as number[]) : value);
+const revived = (name: string, value: unknown): unknown =>
+  name === "genome" ? Float32Array.from(value as number[]) : value;
 
 /** Return the element that tells a playground of champions, as HTML. */
 export function championsElement(champions: Champions): string {
-  const text = JSON.stringify(champions, (name, value: unknown) => (name === "genome" ? Array.from(value as Float32Array) : value));
-  return html("script", { type: "application/json", id: "champions" }, text.replaceAll("<", "\\u003c")).outerHTML;
+  const text = JSON.stringify(champions, (name, value: unknown) =>
+    name === "genome" ? Array.from(value as Float32Array) : value,
+  );
+  return html("script", { type: "application/json", id: "champions" }, text.replaceAll("<", "\\u003c"))
+    .outerHTML;
 }

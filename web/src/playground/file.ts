@@ -15,11 +15,22 @@ const FORMAT = "matrixworld episode 3";
 export function episodeFile(engine: Engine, live: Live, seat: number): Uint8Array {
   const { config, actions, length, recording } = live;
   const [agents, evaders] = [config.n_pursuers + config.n_evaders, config.n_evaders];
-  const moments = { positions: ["<i4", agents, 2], last_positions: ["<i4", agents, 2], alive: ["|b1", agents], captured: ["|b1", evaders], ever_captured: ["|b1", evaders] } as const;
-  const steps = { rewards: ["<f4", agents], involved: ["|b1", agents, 3], fault: ["|b1", agents, 3] } as const;
+  const moments = {
+    positions: ["<i4", agents, 2],
+    last_positions: ["<i4", agents, 2],
+    alive: ["|b1", agents],
+    captured: ["|b1", evaders],
+    ever_captured: ["|b1", evaders],
+  } as const;
+  const steps = {
+    rewards: ["<f4", agents],
+    involved: ["|b1", agents, 3],
+    fault: ["|b1", agents, 3],
+  } as const;
   const kept: Record<string, number[][]> = {};
   const keep = (names: object): void => {
-    for (const name of Object.keys(names)) (kept[name] ??= []).push(Array.from(world.read(name as keyof WorldArrays), Number));
+    for (const name of Object.keys(names))
+      (kept[name] ??= []).push(Array.from(world.read(name as keyof WorldArrays), Number));
   };
   const world = engine.world(config);
   world.reset(live.start);
@@ -41,9 +52,21 @@ export function episodeFile(engine: Engine, live: Live, seat: number): Uint8Arra
   const single = (value: number): NpyArray => ({ dtype: "<i8", shape: [], data: Int32Array.of(value, 0) });
   const text = (value: string): NpyArray => ({ dtype: "<U", shape: [], data: value });
   return writeNpz({
-    format: text(FORMAT), n_pursuers: single(config.n_pursuers), config: text(JSON.stringify(config)), seat: single(seat), ...arrays,
-    actions: { dtype: "|i1", shape: [length, agents], data: Int8Array.from(actions.flatMap((each) => [...each])) },
-    map: { dtype: "|b1", shape: [config.rows, config.cols], data: Uint8Array.from(recording.obstacles, Number) },
+    format: text(FORMAT),
+    n_pursuers: single(config.n_pursuers),
+    config: text(JSON.stringify(config)),
+    seat: single(seat),
+    ...arrays,
+    actions: {
+      dtype: "|i1",
+      shape: [length, agents],
+      data: Int8Array.from(actions.flatMap((each) => [...each])),
+    },
+    map: {
+      dtype: "|b1",
+      shape: [config.rows, config.cols],
+      data: Uint8Array.from(recording.obstacles, Number),
+    },
     conflict_table: { dtype: "<i4", shape: [conflicts.length / 11, 11], data: Int32Array.from(conflicts) },
   });
 }
@@ -57,12 +80,27 @@ export function readEpisode(engine: Engine, bytes: Uint8Array): { live: Live; se
   const agents = config.n_pursuers + config.n_evaders;
   const positions = numbers("positions");
   const cells = (first: number, last: number): Cell[] =>
-    Array.from({ length: last - first }, (_, place): Cell => [positions[2 * (first + place)]!, positions[2 * (first + place) + 1]!]);
-  const start = { pursuers: cells(0, config.n_pursuers), evaders: cells(config.n_pursuers, agents), obstacles: Uint8Array.from(numbers("map")) };
+    Array.from({ length: last - first }, (_, place): Cell => [
+      positions[2 * (first + place)]!,
+      positions[2 * (first + place) + 1]!,
+    ]);
+  const start = {
+    pursuers: cells(0, config.n_pursuers),
+    evaders: cells(config.n_pursuers, agents),
+    obstacles: Uint8Array.from(numbers("map")),
+  };
   const all = Uint8Array.from(numbers("actions"));
-  const actions = Array.from({ length: all.length / agents }, (_, step) => all.subarray(step * agents, (step + 1) * agents));
+  const actions = Array.from({ length: all.length / agents }, (_, step) =>
+    all.subarray(step * agents, (step + 1) * agents),
+  );
   const live = replayed(engine, config, start, actions);
   const last = Array.from(live.recording.moments.at(-1)!.positions);
-  if (last.join() !== numbers("last_positions").slice(-2 * agents).join()) throw new EngineError("expected the moves of this start to lead to its end");
+  if (
+    last.join() !==
+    numbers("last_positions")
+      .slice(-2 * agents)
+      .join()
+  )
+    throw new EngineError("expected the moves of this start to lead to its end");
   return { live, seat: numbers("seat")[0] ?? null };
 }

@@ -75,9 +75,14 @@ export class Game {
     const scripts = new Set(commands.filter((command) => typeof command === "string"));
     for (const script of this.over ? [] : scripts) {
       for (const team of ["pursuer", "evader"] as const) {
-        const decided = this.#world.decide(script === CHAMPION ? this.#champions![team].policy : script, team, actions);
+        const decided = this.#world.decide(
+          script === CHAMPION ? this.#champions![team].policy : script,
+          team,
+          actions,
+        );
         commands.forEach((command, agent) => {
-          if (command === script && (agent < this.#scene.pursuers.length) === (team === "pursuer")) actions[agent] = decided[agent]!;
+          if (command === script && agent < this.#scene.pursuers.length === (team === "pursuer"))
+            actions[agent] = decided[agent]!;
         });
       }
     }
@@ -97,8 +102,12 @@ export class Game {
       everCaptured: agent >= first && Boolean(ever[agent - first]),
     }));
     return {
-      ...this.#scene, played: [], steps: world.steps, ended: this.outcomes.at(-1)!.terminated,
-      pursuers: starts.slice(0, first), evaders: starts.slice(first),
+      ...this.#scene,
+      played: [],
+      steps: world.steps,
+      ended: this.outcomes.at(-1)!.terminated,
+      pursuers: starts.slice(0, first),
+      evaders: starts.slice(first),
     };
   }
 
@@ -107,7 +116,10 @@ export class Game {
     const [before, actions] = [this.#snapshots.at(-2), this.#moments.at(-1)!.actions];
     if (before) this.#world.restore(before);
     // The step is played again, and leads to the present moment.
-    return { losses: before && actions ? lossesOf(solution, this.#world, [actions]) : [], game: solution.game(this.#world) };
+    return {
+      losses: before && actions ? lossesOf(solution, this.#world, [actions]) : [],
+      game: solution.game(this.#world),
+    };
   }
 
   free(): void {
@@ -139,7 +151,8 @@ export class Game {
 function snapshotOf(world: World, scene: Scene): Snapshot {
   const starts = agents(scene);
   const indices = starts.map(({ cell }) => cell[0] * scene.cols + cell[1]);
-  const evaders = (flag: "captured" | "everCaptured"): Uint8Array => Uint8Array.from(scene.evaders, (evader) => Number(evader[flag]));
+  const evaders = (flag: "captured" | "everCaptured"): Uint8Array =>
+    Uint8Array.from(scene.evaders, (evader) => Number(evader[flag]));
   return {
     ...world.snapshot(),
     seed: BigUint64Array.of(scene.seed),

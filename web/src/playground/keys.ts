@@ -43,7 +43,8 @@ export function listenToKeys(store: Store, openKeys: () => void, shown: () => bo
   });
 }
 
-const isText = (target: EventTarget | null): boolean => target instanceof HTMLInputElement && !["radio", "checkbox"].includes(target.type);
+const isText = (target: EventTarget | null): boolean =>
+  target instanceof HTMLInputElement && !["radio", "checkbox"].includes(target.type);
 
 /** Return whether a control with the focus needs the key itself. */
 function ownsKey(target: EventTarget | null, key: string): boolean {
@@ -78,9 +79,30 @@ const BUILD_KEYS: Keys = [
 ];
 
 /** Return the dialog that lists the keys. */
-export const keysDialog = (): HTMLDialogElement => dialog("Keys", "", html("div", { class: "keys-columns" },
-  html("div", {}, html("h3", {}, "Anywhere"), keyList(KEYS)),
-  html("div", {}, html("h3", {}, "On the board, in Build"), keyList(BUILD_KEYS),
-    html("h3", {}, "With mouse or finger"),
-    html("p", {}, "Move: press an agent and drag it towards a cell beside it, or choose it and press that cell."),
-    html("p", {}, "Build: drag agents; draw on free cells to make obstacles, on obstacles to erase them."))));
+export const keysDialog = (): HTMLDialogElement =>
+  dialog(
+    "Keys",
+    "",
+    html(
+      "div",
+      { class: "keys-columns" },
+      html("div", {}, html("h3", {}, "Anywhere"), keyList(KEYS)),
+      html(
+        "div",
+        {},
+        html("h3", {}, "On the board, in Build"),
+        keyList(BUILD_KEYS),
+        html("h3", {}, "With mouse or finger"),
+        html(
+          "p",
+          {},
+          "Move: press an agent and drag it towards a cell beside it, or choose it and press that cell.",
+        ),
+        html(
+          "p",
+          {},
+          "Build: drag agents; draw on free cells to make obstacles, on obstacles to erase them.",
+        ),
+      ),
+    ),
+  );

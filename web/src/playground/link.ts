@@ -19,8 +19,20 @@ const SHOWN = 40; // characters of a text in a message
 
 const DEFAULT = { fov: 11, maxSteps: 500, rewards: "paper" } as const;
 const PARTS = [
-  "rules", "others", "rewards", "size", "diagonal", "fov", "limit", "seed", "ended", "walls",
-  "pursuers", "evaders", "played", "next",
+  "rules",
+  "others",
+  "rewards",
+  "size",
+  "diagonal",
+  "fov",
+  "limit",
+  "seed",
+  "ended",
+  "walls",
+  "pursuers",
+  "evaders",
+  "played",
+  "next",
 ] as const;
 
 function refuse(part: string, expected: string, got: string): never {
@@ -52,7 +64,9 @@ export function linkOf(scene: Scene, data: PageData): string {
     played: scene.played.map(code).join(LIST),
     next: scene.next.every((command) => command === STAY) ? "" : code(scene.next),
   };
-  return PARTS.filter((part) => parts[part]).map((part) => `${part}=${parts[part]}`).join("&");
+  return PARTS.filter((part) => parts[part])
+    .map((part) => `${part}=${parts[part]}`)
+    .join("&");
 }
 
 function startText({ cell, gone, captured, everCaptured }: Start): string {
@@ -68,7 +82,12 @@ function rulesText(rules: Rules, data: PageData): string {
 function rewardsText(rewards: Rewards, data: PageData): string {
   const own = JSON.stringify(rewards);
   const name = Object.keys(data.rewards).find((each) => JSON.stringify(data.rewards[each]) === own);
-  return name ?? Object.values(rewards).map((value) => String(value)).join(LIST);
+  return (
+    name ??
+    Object.values(rewards)
+      .map((value) => String(value))
+      .join(LIST)
+  );
 }
 
 /** Return the character of a command: a digit for an action, a letter for a script or a network. */
@@ -88,13 +107,18 @@ export function sceneOf(text: string, data: PageData): Scene {
   const read = (part: (typeof PARTS)[number], missing = ""): string => parts.get(part) ?? missing;
   const rules = readRules("rules", read("rules"), data);
   const [rows, cols] = readSize(read("size"));
-  const cells = (part: "pursuers" | "evaders"): Start[] => list(read(part)).map((each) => readStart(part, each, rows, cols));
+  const cells = (part: "pursuers" | "evaders"): Start[] =>
+    list(read(part)).map((each) => readStart(part, each, rows, cols));
   const [seed, episode, steps] = readSeed(read("seed", "0.0.0"));
   const start = {
     rules,
     others: parts.has("others") ? readRules("others", read("others"), data) : null,
     rewards: readRewards(read("rewards", DEFAULT.rewards), data),
-    rows, cols, seed, episode, steps,
+    rows,
+    cols,
+    seed,
+    episode,
+    steps,
     diagonal: readFlag("diagonal", read("diagonal", "0")),
     fov: readNumber("fov", read("fov", String(DEFAULT.fov)), 1, 255),
     maxSteps: readNumber("limit", read("limit", String(DEFAULT.maxSteps)), 1, 2 ** 31 - 1),
@@ -102,7 +126,8 @@ export function sceneOf(text: string, data: PageData): Scene {
     walls: readWalls(read("walls"), rows, cols),
     pursuers: cells("pursuers"),
     evaders: cells("evaders"),
-    played: [], next: [],
+    played: [],
+    next: [],
   };
   checkNumbers(start);
   return withCommands(start, list(read("played")), read("next"), data);
@@ -111,7 +136,9 @@ export function sceneOf(text: string, data: PageData): Scene {
 function partsOf(text: string): Map<string, string> {
   const parts = new Map<string, string>();
   for (const part of text.replace(/^#/, "").split("&").filter(Boolean)) {
-    const [name, value] = part.includes("=") ? [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)] : [part, ""];
+    const [name, value] = part.includes("=")
+      ? [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)]
+      : [part, ""];
     if (!(PARTS as readonly string[]).includes(name)) refuse("link", `parts ${PARTS.join(", ")}`, name);
     if (parts.has(name)) refuse(name, "it once", "it twice");
     parts.set(name, value);
@@ -134,14 +161,16 @@ function readFlag(part: string, text: string): boolean {
 
 function readSize(text: string): [rows: number, cols: number] {
   const [rows, cols, ...more] = text.split("x");
-  if (rows === undefined || cols === undefined || more.length) refuse("size", "rows and columns, such as 4x6", text);
+  if (rows === undefined || cols === undefined || more.length)
+    refuse("size", "rows and columns, such as 4x6", text);
   return [readNumber("size", rows, 1, MOST_SIDE), readNumber("size", cols, 1, MOST_SIDE)];
 }
 
 function readCell(part: string, text: string, rows: number, cols: number): Cell {
   const found = /^(\d{1,4})\.(\d{1,4})$/.exec(text);
   const cell: Cell = [Number(found?.[1]), Number(found?.[2])];
-  if (!found || cell[0] >= rows || cell[1] >= cols) refuse(part, `cells of a ${rows} x ${cols} grid, such as 0.2`, text);
+  if (!found || cell[0] >= rows || cell[1] >= cols)
+    refuse(part, `cells of a ${rows} x ${cols} grid, such as 0.2`, text);
   return cell;
 }
 
@@ -168,7 +197,8 @@ function readRules(part: string, text: string, data: PageData): Rules {
   if (values.length !== data.fields.length) refuse(part, expected, text);
   const entries = data.fields.map(({ name, values: known }, field) => {
     const value = known.find((each) => each.name.toLowerCase() === values[field])?.name;
-    if (value === undefined) refuse(`${part}, ${name}`, known.map((each) => each.name.toLowerCase()).join(" or "), values[field]!);
+    if (value === undefined)
+      refuse(`${part}, ${name}`, known.map((each) => each.name.toLowerCase()).join(" or "), values[field]!);
     return [name, value === "true" ? true : value === "false" ? false : value];
   });
   return Object.fromEntries(entries) as Rules;
@@ -178,8 +208,11 @@ function readRewards(text: string, data: PageData): Rewards {
   if (Object.hasOwn(data.rewards, text)) return data.rewards[text]!;
   const known = Object.entries(data.rewards[DEFAULT.rewards]!);
   const values = text.split(LIST);
-  if (values.length !== known.length) refuse("rewards", `${Object.keys(data.rewards).join(", ")} or ${known.length} values`, text);
-  return Object.fromEntries(known.map(([name, like], i) => [name, readReward(name, values[i]!, like)])) as unknown as Rewards;
+  if (values.length !== known.length)
+    refuse("rewards", `${Object.keys(data.rewards).join(", ")} or ${known.length} values`, text);
+  return Object.fromEntries(
+    known.map(([name, like], i) => [name, readReward(name, values[i]!, like)]),
+  ) as unknown as Rewards;
 }
 
 function readReward(name: string, text: string, like: unknown): Penalty | string | boolean {
@@ -188,7 +221,8 @@ function readReward(name: string, text: string, like: unknown): Penalty | string
   const numbers = text.split(",").map((each) => (/^-?[\d.]+(e[+-]?\d+)?$/i.test(each) ? Number(each) : NaN));
   const kinds = name.endsWith("_collide") ? [1, 3] : [1];
   const wrong = typeof like !== "number" || !kinds.includes(numbers.length);
-  if (wrong || !numbers.every((each) => Math.abs(each) < 3.4e38)) refuse(`rewards, ${name}`, `a value like ${like}`, text);
+  if (wrong || !numbers.every((each) => Math.abs(each) < 3.4e38))
+    refuse(`rewards, ${name}`, `a value like ${like}`, text);
   return numbers.length === 1 ? numbers[0]! : (numbers as [number, number, number]);
 }
 
@@ -212,11 +246,17 @@ function checkNumbers(scene: Scene): void {
 function withCommands(scene: Scene, played: string[], next: string, data: PageData): Scene {
   const count = agents(scene).length;
   if (played.length > MOST_STEPS) refuse("played", `at most ${MOST_STEPS} steps`, `${played.length} steps`);
-  const read = (part: string) => (text: string): Command[] => {
-    if (text.length !== count) refuse(part, `${count} characters, one for each agent`, text);
-    return [...text].map((each) => readCommand(part, each, scene.diagonal ? 9 : 5, data));
+  const read =
+    (part: string) =>
+    (text: string): Command[] => {
+      if (text.length !== count) refuse(part, `${count} characters, one for each agent`, text);
+      return [...text].map((each) => readCommand(part, each, scene.diagonal ? 9 : 5, data));
+    };
+  return {
+    ...scene,
+    played: played.map(read("played")),
+    next: next ? read("next")(next) : Array<Command>(count).fill(STAY),
   };
-  return { ...scene, played: played.map(read("played")), next: next ? read("next")(next) : Array<Command>(count).fill(STAY) };
 }
 
 function readCommand(part: string, text: string, actions: number, data: PageData): Command {

@@ -25,7 +25,13 @@ async function show(root: HTMLElement): Promise<void> {
   const scene = sceneView(store, () => tab === "scene");
   const lead = html("span");
   const names = Object.keys(TABS) as Tab[];
-  const buttons = names.map((name) => html("button", { type: "button", onclick: () => (name === "scene" ? showTab(name) : games!.begin(name)) }, TABS[name]));
+  const buttons = names.map((name) =>
+    html(
+      "button",
+      { type: "button", onclick: () => (name === "scene" ? showTab(name) : games!.begin(name)) },
+      TABS[name],
+    ),
+  );
   const showTab = (next: Tab): void => {
     tab = next;
     const atScene = tab === "scene";
@@ -36,18 +42,31 @@ async function show(root: HTMLElement): Promise<void> {
     if (atScene) games?.view.stop();
     else store.stop();
     if (!hasAddress()) return;
-    if (atScene) store.dispatchEvent(new Event("change")); // which writes the address
+    if (atScene)
+      store.dispatchEvent(new Event("change")); // which writes the address
     else history.replaceState(null, "", location.href.split("#")[0]);
   };
-  const follow = (address: string): boolean => isMatch(address) && Boolean(games?.follow(new URLSearchParams(address)));
+  const follow = (address: string): boolean =>
+    isMatch(address) && Boolean(games?.follow(new URLSearchParams(address)));
   games?.addEventListener("game", () => showTab(games.game));
   root.classList.add("playground");
-  root.replaceChildren(top("Playground", lead, ...scene.tools),
+  root.replaceChildren(
+    top("Playground", lead, ...scene.tools),
     html("nav", { class: "tabs buttons", "aria-label": "What to play", hidden: !games }, ...buttons),
     html("main", {}, games && games.element, scene.element),
-    html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`), scene.dialog);
-  document.addEventListener("keydown", (event) => tab !== "scene" && games!.view.key(event) && event.preventDefault());
-  if (hasAddress()) followAddress(store, () => tab === "scene", () => showTab("scene"));
+    html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`),
+    scene.dialog,
+  );
+  document.addEventListener(
+    "keydown",
+    (event) => tab !== "scene" && games!.view.key(event) && event.preventDefault(),
+  );
+  if (hasAddress())
+    followAddress(
+      store,
+      () => tab === "scene",
+      () => showTab("scene"),
+    );
   window.addEventListener("hashchange", () => follow(hash()));
   if (!follow(link)) {
     if (games && !data.scene && (!link || isMatch(link))) games.begin("escape");

@@ -9,10 +9,20 @@ import type { Store } from "./store.ts";
 /** Return the card; it solves the scene while it is open. */
 export function perfectPanel(store: Store): HTMLElement {
   const body = html("ul", { class: "lines", "aria-live": "polite" });
-  const element = html("details", { class: "card perfect" }, html("summary", {}, html("h2", {}, "Perfect play")), body,
-    html("p", { class: "small muted" }, "A team is one player here. An agent's shares are its part of the joint moves."));
+  const element = html(
+    "details",
+    { class: "card perfect" },
+    html("summary", {}, html("h2", {}, "Perfect play")),
+    body,
+    html(
+      "p",
+      { class: "small muted" },
+      "A team is one player here. An agent's shares are its part of the joint moves.",
+    ),
+  );
   let asked = 0;
-  const tell = (...lines: string[]): void => body.replaceChildren(...lines.filter(Boolean).map((line) => html("li", { class: "line" }, `${line}.`)));
+  const tell = (...lines: string[]): void =>
+    body.replaceChildren(...lines.filter(Boolean).map((line) => html("li", { class: "line" }, `${line}.`)));
   const update = async (): Promise<void> => {
     const mine = ++asked;
     if (!element.open) return;
@@ -25,9 +35,19 @@ export function perfectPanel(store: Store): HTMLElement {
       const play = game && perfectText(game, agent);
       return play ? `${agentName(store.scene, agent)}: ${play}` : "";
     });
-    const none = store.game.over ? "The episode has ended" : "Not known: no start on distinct free cells leads to this moment";
-    tell(...losses.map((loss) => `In the last step: ${lossText(loss)}`), game ? `From here: ${worthText(solution, game, store.game.length)}` : none, ...plays);
+    const none = store.game.over
+      ? "The episode has ended"
+      : "Not known: no start on distinct free cells leads to this moment";
+    tell(
+      ...losses.map((loss) => `In the last step: ${lossText(loss)}`),
+      game ? `From here: ${worthText(solution, game, store.game.length)}` : none,
+      ...plays,
+    );
   };
-  for (const [target, type] of [[store, "change"], [element, "toggle"]] as const) target.addEventListener(type, () => void update());
+  for (const [target, type] of [
+    [store, "change"],
+    [element, "toggle"],
+  ] as const)
+    target.addEventListener(type, () => void update());
   return element;
 }

@@ -13,7 +13,11 @@ import { linkTo, movesOf, randomSeed } from "./played.ts";
 import type { Moves, Player } from "./played.ts";
 import { PlayView } from "./view.ts";
 
-export const GAMES = { escape: "Can you escape it?", match: "One match", file: "A match from a file" } as const;
+export const GAMES = {
+  escape: "Can you escape it?",
+  match: "One match",
+  file: "A match from a file",
+} as const;
 export type GameName = keyof typeof GAMES;
 
 /** A match of the page: who plays for each team, and the seed. */
@@ -27,30 +31,69 @@ export class Games extends EventTarget {
   readonly #engine: Engine;
   readonly #data: OpponentsData;
   readonly #players: Readonly<Record<Team, readonly Player[]>>;
-  readonly #you = select([[0, "an evader"], [1, "a pursuer"]], () => {});
+  readonly #you = select(
+    [
+      [0, "an evader"],
+      [1, "a pursuer"],
+    ],
+    () => {},
+  );
   readonly #teams: Readonly<Record<Team, HTMLSelectElement>>;
   readonly #ofMatch: HTMLElement;
   readonly #ofFile: HTMLElement;
   readonly #about = html("ul", { class: "small muted about" });
   readonly #problem = html("p", { class: "problem", role: "alert" });
-  readonly #file = html("input", { type: "file", accept: ".npz", hidden: true, onchange: () => this.#read() });
+  readonly #file = html("input", {
+    type: "file",
+    accept: ".npz",
+    hidden: true,
+    onchange: () => this.#read(),
+  });
   readonly #card: HTMLElement;
 
   constructor(engine: Engine, data: OpponentsData) {
     super();
     [this.#engine, this.#data, this.view] = [engine, data, new PlayView(engine)];
     this.#players = { pursuer: playersOf(data, "pursuer"), evader: playersOf(data, "evader") };
-    const choice = (team: Team): HTMLSelectElement => select(this.#players[team].map(({ name }, place) => [place, name]), () => this.#explain());
+    const choice = (team: Team): HTMLSelectElement =>
+      select(
+        this.#players[team].map(({ name }, place) => [place, name]),
+        () => this.#explain(),
+      );
     this.#teams = { pursuer: choice("pursuer"), evader: choice("evader") };
     for (const team of TEAMS) this.#teams[team].selectedIndex = data.teams[team].usual;
-    this.#ofMatch = html("div", { class: "of-match" },
-      html("label", {}, "You are ", this.#you), html("label", {}, "Pursuers ", this.#teams.pursuer), html("label", {}, "Evaders ", this.#teams.evader),
-      html("button", { type: "button", class: "primary", onclick: () => this.#match() }, "Play"), this.#about);
-    this.#ofFile = html("div", { class: "of-match" },
-      html("button", { type: "button", class: "primary", onclick: () => this.#file.click() }, "Choose a file"), this.#file,
-      html("span", { class: "small muted" }, "A match that this page or matrixworld.Episode has saved (.npz)."), this.#problem);
+    this.#ofMatch = html(
+      "div",
+      { class: "of-match" },
+      html("label", {}, "You are ", this.#you),
+      html("label", {}, "Pursuers ", this.#teams.pursuer),
+      html("label", {}, "Evaders ", this.#teams.evader),
+      html("button", { type: "button", class: "primary", onclick: () => this.#match() }, "Play"),
+      this.#about,
+    );
+    this.#ofFile = html(
+      "div",
+      { class: "of-match" },
+      html(
+        "button",
+        { type: "button", class: "primary", onclick: () => this.#file.click() },
+        "Choose a file",
+      ),
+      this.#file,
+      html(
+        "span",
+        { class: "small muted" },
+        "A match that this page or matrixworld.Episode has saved (.npz).",
+      ),
+      this.#problem,
+    );
     this.#card = html("section", { class: "card", "aria-label": "Match" }, this.view.element);
-    this.element = html("section", { class: "games", "aria-label": "Play" }, html("div", { class: "card setup" }, this.#ofMatch, this.#ofFile), this.#card);
+    this.element = html(
+      "section",
+      { class: "games", "aria-label": "Play" },
+      html("div", { class: "card setup" }, this.#ofMatch, this.#ofFile),
+      this.#card,
+    );
   }
 
   /** Begin a game. */
@@ -68,8 +111,11 @@ export class Games extends EventTarget {
   follow(parts: URLSearchParams): boolean {
     const moves = movesOf(parts, this.#data.world);
     const [pursuer, evader] = [Number(parts.get("pursuers") ?? NaN), Number(parts.get("evaders") ?? NaN)];
-    const seed = /^\d{1,20}$/.test(parts.get("seed") ?? "") ? BigInt.asUintN(64, BigInt(parts.get("seed")!)) : null;
-    if (!moves || seed === null || !this.#players.pursuer[pursuer] || !this.#players.evader[evader]) return false;
+    const seed = /^\d{1,20}$/.test(parts.get("seed") ?? "")
+      ? BigInt.asUintN(64, BigInt(parts.get("seed")!))
+      : null;
+    if (!moves || seed === null || !this.#players.pursuer[pursuer] || !this.#players.evader[evader])
+      return false;
     [this.#teams.pursuer.selectedIndex, this.#teams.evader.selectedIndex] = [pursuer, evader];
     this.#you.selectedIndex = Number(moves.seat < this.#data.world.n_pursuers);
     this.#show("match");
@@ -90,16 +136,21 @@ export class Games extends EventTarget {
 
   /** Say what the chosen players do. */
   #explain(): void {
-    this.#about.replaceChildren(...TEAMS.map((team) => {
-      const { name, text } = this.#players[team][this.#teams[team].selectedIndex]!;
-      return html("li", {}, html("span", { class: team }, name), text && `: ${text}`);
-    }));
+    this.#about.replaceChildren(
+      ...TEAMS.map((team) => {
+        const { name, text } = this.#players[team][this.#teams[team].selectedIndex]!;
+        return html("li", {}, html("span", { class: team }, name), text && `: ${text}`);
+      }),
+    );
   }
 
   #match(): void {
     const { pursuer, evader } = this.#teams;
     const seat = this.#you.selectedIndex ? 0 : this.#data.world.n_pursuers;
-    this.#play({ pursuer: pursuer.selectedIndex, evader: evader.selectedIndex, seed: randomSeed() }, { seat, from: 0, moves: [] });
+    this.#play(
+      { pursuer: pursuer.selectedIndex, evader: evader.selectedIndex, seed: randomSeed() },
+      { seat, from: 0, moves: [] },
+    );
   }
 
   #play(choice: Choice, moves: Moves): void {
@@ -108,20 +159,31 @@ export class Games extends EventTarget {
     const [pursuer, evader] = [players.pursuer[choice.pursuer]!, players.evader[choice.evader]!];
     const policies = { pursuer: pursuer.policy(), evader: evader.policy() };
     const title = `You are ${agentName(moves.seat, config.n_pursuers)}. Pursuers: ${pursuer.name}; evaders: ${evader.name}`;
-    playOn(this.#engine, this.view, { config, seed: choice.seed, episode: 0, policies, ...moves }, {
-      title, players: players[team], link: (now) => linkTo({ pursuers: choice.pursuer, evaders: choice.evader, seed: choice.seed }, now),
-    });
+    playOn(
+      this.#engine,
+      this.view,
+      { config, seed: choice.seed, episode: 0, policies, ...moves },
+      {
+        title,
+        players: players[team],
+        link: (now) => linkTo({ pursuers: choice.pursuer, evaders: choice.evader, seed: choice.seed }, now),
+      },
+    );
   }
 
   #read(): void {
     const [given] = this.#file.files ?? [];
     this.#problem.textContent = "";
-    void given?.arrayBuffer().then((buffer) => readEpisode(this.#engine, new Uint8Array(buffer)))
+    void given
+      ?.arrayBuffer()
+      .then((buffer) => readEpisode(this.#engine, new Uint8Array(buffer)))
       .then(({ live, seat }) => {
         this.#show("file");
         this.view.watch(live, seat, given.name);
       })
-      .catch((error: Error) => (this.#problem.textContent = `${given.name} holds no match: ${error.message}`));
+      .catch(
+        (error: Error) => (this.#problem.textContent = `${given.name} holds no match: ${error.message}`),
+      );
     this.#file.value = "";
   }
 }
@@ -132,8 +194,15 @@ function playersOf({ teams }: OpponentsData, team: Team): Player[] {
   const playing = (place: number): TeamPolicy => {
     const script = scripts[place];
     if (script || !policy) return script!;
-    const [size, genome] = [policy.genome_size, scripts.slice(0, place).filter((each) => each === null).length];
+    const [size, genome] = [
+      policy.genome_size,
+      scripts.slice(0, place).filter((each) => each === null).length,
+    ];
     return { ...policy, genome: genomesOf(team, size).subarray(genome * size, (genome + 1) * size) };
   };
-  return names.map((name, place) => ({ name: name.replaceAll("-", " "), text: texts[place]!, policy: () => playing(place) }));
+  return names.map((name, place) => ({
+    name: name.replaceAll("-", " "),
+    text: texts[place]!,
+    policy: () => playing(place),
+  }));
 }

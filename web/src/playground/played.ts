@@ -30,7 +30,8 @@ export interface Player {
   readonly policy: () => TeamPolicy;
 }
 
-export const teamOf = (config: WorldConfig, agent: number): Team => TEAMS[Number(agent >= config.n_pursuers)]!;
+export const teamOf = (config: WorldConfig, agent: number): Team =>
+  TEAMS[Number(agent >= config.n_pursuers)]!;
 
 /** Return the match as far as it was played. */
 export function liveOf(engine: Engine, played: Played): Live {
@@ -49,9 +50,15 @@ export interface Result {
 
 export function resultOf(live: Live, agent: number): Result {
   const { moments, nPursuers } = live.recording;
-  const found = moments.findIndex(({ alive, captured }) => !alive[agent] || Boolean(captured[agent - nPursuers]));
+  const found = moments.findIndex(
+    ({ alive, captured }) => !alive[agent] || Boolean(captured[agent - nPursuers]),
+  );
   const lasted = found < 0 ? live.length : found;
-  return { lasted, out: found >= 0, captured: Array.from(moments[lasted]!.everCaptured).filter(Boolean).length };
+  return {
+    lasted,
+    out: found >= 0,
+    captured: Array.from(moments[lasted]!.everCaptured).filter(Boolean).length,
+  };
 }
 
 /** Return whether nothing is left to do in a seat. */
@@ -73,17 +80,26 @@ export function ladder(players: readonly Player[]): Player[] {
 // ---- In a link:  seat=12&from=4&moves=001234
 
 /** Return the address of this page with parts that name a match, and the moves of a person in it. */
-export function linkTo(place: Readonly<Record<string, string | number | bigint>>, { seat, from, moves }: Moves): string {
+export function linkTo(
+  place: Readonly<Record<string, string | number | bigint>>,
+  { seat, from, moves }: Moves,
+): string {
   const parts = { ...place, seat, ...(from ? { from } : {}), moves: moves.join("") };
-  return `${location.href.split("#")[0]}#${Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&")}`;
+  return `${location.href.split("#")[0]}#${Object.entries(parts)
+    .map(([name, value]) => `${name}=${value}`)
+    .join("&")}`;
 }
 
 /** Return the moves that the parts of an address hold, or null. A text from elsewhere may hold anything. */
 export function movesOf(parts: URLSearchParams, config: WorldConfig): Moves | null {
   const [seat, from, text] = [parts.get("seat") ?? "", parts.get("from") ?? "0", parts.get("moves") ?? ""];
-  const valid = /^\d{1,6}$/.test(seat) && Number(seat) < config.n_pursuers + config.n_evaders
-    && (config.diagonal ? /^[0-8]+$/ : /^[0-4]+$/).test(text) && text.length <= config.max_steps
-    && /^\d{1,6}$/.test(from) && Number(from) <= text.length;
+  const valid =
+    /^\d{1,6}$/.test(seat) &&
+    Number(seat) < config.n_pursuers + config.n_evaders &&
+    (config.diagonal ? /^[0-8]+$/ : /^[0-4]+$/).test(text) &&
+    text.length <= config.max_steps &&
+    /^\d{1,6}$/.test(from) &&
+    Number(from) <= text.length;
   return valid ? { seat: Number(seat), from: Number(from), moves: [...text].map(Number) } : null;
 }
 
@@ -95,10 +111,13 @@ const STARTS = 8;
 /** Return a random seed whose match does not begin with an opponent beside the person. */
 export function fairSeed(engine: Engine, config: WorldConfig, seat: number): bigint {
   const { n_pursuers, n_evaders } = config;
-  const others = Array.from({ length: n_pursuers + n_evaders }, (_, agent) => agent).filter((agent) => teamOf(config, agent) !== teamOf(config, seat));
+  const others = Array.from({ length: n_pursuers + n_evaders }, (_, agent) => agent).filter(
+    (agent) => teamOf(config, agent) !== teamOf(config, seat),
+  );
   const nearest = (seed: bigint): number => {
     const cells = new Live(engine, config, { seed }).recording.moments[0]!.positions;
-    const away = (axis: number, other: number): number => Math.abs(cells[2 * seat + axis]! - cells[2 * other + axis]!);
+    const away = (axis: number, other: number): number =>
+      Math.abs(cells[2 * seat + axis]! - cells[2 * other + axis]!);
     return Math.min(...others.map((other) => away(0, other) + away(1, other)));
   };
   const seeds = Array.from({ length: STARTS }, randomSeed).map((seed) => [seed, nearest(seed)] as const);

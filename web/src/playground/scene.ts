@@ -57,7 +57,8 @@ export const agents = (scene: Scene): readonly Start[] => [...scene.pursuers, ..
 
 export const nAgents = (scene: Scene): number => scene.pursuers.length + scene.evaders.length;
 
-export const teamOf = (scene: Scene, agent: number): Team => (agent < scene.pursuers.length ? "pursuers" : "evaders");
+export const teamOf = (scene: Scene, agent: number): Team =>
+  agent < scene.pursuers.length ? "pursuers" : "evaders";
 
 export const agentName = (scene: Scene, agent: number): string => nameOf(agent, scene.pursuers.length);
 
@@ -72,7 +73,9 @@ export function variantOf(rules: Rules, variants: Readonly<Record<string, Rules>
 /** Return a map with walls on cells row * cols + col: rows of "." and "#". */
 export function mapOf(walls: readonly number[], rows: number, cols: number): string[] {
   const found = new Set(walls);
-  return Array.from({ length: rows }, (_, row) => Array.from({ length: cols }, (_none, col) => (found.has(row * cols + col) ? "#" : ".")).join(""));
+  return Array.from({ length: rows }, (_, row) =>
+    Array.from({ length: cols }, (_none, col) => (found.has(row * cols + col) ? "#" : ".")).join(""),
+  );
 }
 
 /** Return walls with a cell added or taken away, ascending. */
@@ -85,15 +88,24 @@ export function withCell(walls: readonly number[], cell: number, wall: boolean):
 export function configOf(scene: Scene, rules: Rules): WorldConfig {
   const { rows, cols, fov, diagonal, rewards } = scene;
   return {
-    rules, rows, cols, n_pursuers: scene.pursuers.length, n_evaders: scene.evaders.length,
-    fov, diagonal, max_steps: scene.maxSteps, obstacles: mapOf(scene.walls, rows, cols), rewards,
+    rules,
+    rows,
+    cols,
+    n_pursuers: scene.pursuers.length,
+    n_evaders: scene.evaders.length,
+    fov,
+    diagonal,
+    max_steps: scene.maxSteps,
+    obstacles: mapOf(scene.walls, rows, cols),
+    rewards,
   };
 }
 
 // Edits that keep what was played, because the same commands are played again:
 
 export const withNext = (scene: Scene, agent: number, command: Command): Scene => ({
-  ...scene, next: scene.next.map((old, each) => (each === agent ? command : old)),
+  ...scene,
+  next: scene.next.map((old, each) => (each === agent ? command : old)),
 });
 
 /** Add a step. Scripts go on; actions are made once, so that the next step starts from rest. */
@@ -105,7 +117,9 @@ export const stepped = (scene: Scene): Scene => ({
 
 /** Take the last step back: what agents did in it is what they do next. */
 export const steppedBack = (scene: Scene): Scene => ({
-  ...scene, played: scene.played.slice(0, -1), next: scene.played.at(-1) ?? scene.next,
+  ...scene,
+  played: scene.played.slice(0, -1),
+  next: scene.played.at(-1) ?? scene.next,
 });
 
 // Edits of the board. They begin a new start: `now` is the scene whose start is the present moment.
@@ -113,12 +127,21 @@ export const steppedBack = (scene: Scene): Scene => ({
 export function moved(now: Scene, agent: number, cell: Cell): Scene {
   const change = (team: readonly Start[], own: number): readonly Start[] =>
     team.map((start, each) => (each === own ? { ...start, cell } : start));
-  return { ...now, pursuers: change(now.pursuers, agent), evaders: change(now.evaders, agent - now.pursuers.length) };
+  return {
+    ...now,
+    pursuers: change(now.pursuers, agent),
+    evaders: change(now.evaders, agent - now.pursuers.length),
+  };
 }
 
 export function added(now: Scene, team: Team, cell: Cell): Scene {
   const at = team === "pursuers" ? now.pursuers.length : nAgents(now);
-  return { ...now, [team]: [...now[team], standing(cell)], next: [...now.next.slice(0, at), STAY, ...now.next.slice(at)], ended: false };
+  return {
+    ...now,
+    [team]: [...now[team], standing(cell)],
+    next: [...now.next.slice(0, at), STAY, ...now.next.slice(at)],
+    ended: false,
+  };
 }
 
 export function removed(now: Scene, agent: number): Scene {
@@ -131,17 +154,23 @@ export function removed(now: Scene, agent: number): Scene {
   };
 }
 
-export const withWall = (now: Scene, [row, col]: Cell, wall: boolean): Scene => ({ ...now, walls: withCell(now.walls, row * now.cols + col, wall) });
+export const withWall = (now: Scene, [row, col]: Cell, wall: boolean): Scene => ({
+  ...now,
+  walls: withCell(now.walls, row * now.cols + col, wall),
+});
 
 /** Change the size of the grid; what lies outside goes. */
 export function resized(now: Scene, rows: number, cols: number): Scene {
   const inside = ([row, col]: Cell): boolean => row < rows && col < cols;
   const kept = agents(now).map(({ cell }) => inside(cell));
   return {
-    ...now, rows, cols,
+    ...now,
+    rows,
+    cols,
     walls: now.walls
       .map((index): Cell => [Math.floor(index / now.cols), index % now.cols])
-      .filter(inside).map(([row, col]) => row * cols + col),
+      .filter(inside)
+      .map(([row, col]) => row * cols + col),
     pursuers: now.pursuers.filter((_, agent) => kept[agent]),
     evaders: now.evaders.filter((_, evader) => kept[now.pursuers.length + evader]),
     next: now.next.filter((_, agent) => kept[agent]),
@@ -158,7 +187,10 @@ export const isWall = (now: Scene, [row, col]: Cell): boolean => now.walls.inclu
 
 /** Return a free cell near the middle of the grid, or null if it is full. */
 export function freeCell(now: Scene): Cell | null {
-  const cells = Array.from({ length: now.rows * now.cols }, (_, i): Cell => [Math.floor(i / now.cols), i % now.cols]);
+  const cells = Array.from({ length: now.rows * now.cols }, (_, i): Cell => [
+    Math.floor(i / now.cols),
+    i % now.cols,
+  ]);
   const distance = ([row, col]: Cell): number =>
     Math.abs(row - (now.rows - 1) / 2) + Math.abs(col - (now.cols - 1) / 2);
   const free = cells.filter((cell) => agentOn(now, cell) === null && !isWall(now, cell));

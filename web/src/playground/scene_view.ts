@@ -12,18 +12,30 @@ import { story } from "./story.ts";
 import { toolbar, undoButton } from "./toolbar.ts";
 
 /** Show what a store holds, and listen to keys while it is shown; `tools` are buttons for the head of the page. */
-export function sceneView(store: Store, shown: () => boolean): { element: HTMLElement; tools: HTMLElement[]; dialog: HTMLElement } {
+export function sceneView(
+  store: Store,
+  shown: () => boolean,
+): { element: HTMLElement; tools: HTMLElement[]; dialog: HTMLElement } {
   const keys = keysDialog();
   const openKeys = (): void => keys.showModal();
   listenToKeys(store, openKeys, shown);
   return {
-    element: html("section", { class: "scene", "aria-label": "Rules and conflicts" }, gallery(store),
-      html("div", { class: "layout" },
+    element: html(
+      "section",
+      { class: "scene", "aria-label": "Rules and conflicts" },
+      gallery(store),
+      html(
+        "div",
+        { class: "layout" },
         rulesPanel(store),
         html("section", { class: "card stage", "aria-label": "Board" }, arena(store), toolbar(store)),
-        html("div", { class: "side" }, story(store), agentsPanel(store), perfectPanel(store)))),
-    tools: [undoButton(store),
-      html("button", { type: "button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: openKeys }, "?")],
+        html("div", { class: "side" }, story(store), agentsPanel(store), perfectPanel(store)),
+      ),
+    ),
+    tools: [
+      undoButton(store),
+      html("button", { type: "button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: openKeys }, "?"),
+    ],
     dialog: keys,
   };
 }

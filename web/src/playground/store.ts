@@ -14,7 +14,11 @@ import type { Command, Scene } from "./scene.ts";
 export type Mode = "act" | "build";
 
 /** Seconds of a step as it is drawn: turns are drawn one after the other. */
-const SECONDS: Record<Rules["interaction"], number> = { SIMULTANEOUS: 0.45, SWARM_TURNS: 0.9, AGENT_TURNS: 1.4 };
+const SECONDS: Record<Rules["interaction"], number> = {
+  SIMULTANEOUS: 0.45,
+  SWARM_TURNS: 0.9,
+  AGENT_TURNS: 1.4,
+};
 const MOST_UNDONE = 200;
 
 /** Dispatches `change` when anything has changed, and `message` with a text for the reader. */
@@ -117,7 +121,12 @@ export class Store extends EventTarget {
   step(): void {
     if (!this.canStep) {
       this.stop();
-      this.say(this.game.over ? "The episode has ended. Go back, or restart." : `The playground plays ${MOST_STEPS} steps.`, true);
+      this.say(
+        this.game.over
+          ? "The episode has ended. Go back, or restart."
+          : `The playground plays ${MOST_STEPS} steps.`,
+        true,
+      );
       return;
     }
     const again = this.#later.at(-1) === this.#scene.next;
@@ -224,7 +233,10 @@ export class Store extends EventTarget {
     this.#games = games;
     if (this.#selected !== null && this.#selected >= agents(scene).length) this.#selected = null;
     const steps = this.game.length;
-    const [before, ruled] = [this.player.step, old.rules !== scene.rules || (scene.others !== null && others < 2)];
+    const [before, ruled] = [
+      this.player.step,
+      old.rules !== scene.rules || (scene.others !== null && others < 2),
+    ];
     this.player.length = steps;
     this.#aim();
     // Under other rules the last step is shown again: the same commands, another result.

@@ -39,7 +39,12 @@ export interface Control {
 }
 
 function button(name: Icon, label: string, keys: string, act: () => void): HTMLButtonElement {
-  return html("button", { type: "button", title: `${label} (${keys})`, onclick: act }, icon(name), html("span", {}, label));
+  return html(
+    "button",
+    { type: "button", title: `${label} (${keys})`, onclick: act },
+    icon(name),
+    html("span", {}, label),
+  );
 }
 
 function stepButtons(store: Store): Control {
@@ -50,13 +55,23 @@ function stepButtons(store: Store): Control {
   step.classList.add("primary");
   step.id = "step";
   return {
-    element: html("div", { class: "buttons", role: "group", "aria-label": "Steps" }, restart, back, step, run),
+    element: html(
+      "div",
+      { class: "buttons", role: "group", "aria-label": "Steps" },
+      restart,
+      back,
+      step,
+      run,
+    ),
     update: () => {
       // Buttons that cannot be used stay where the focus is: disabled ones would lose it.
       for (const each of [restart, back]) each.setAttribute("aria-disabled", String(!store.game.length));
       step.setAttribute("aria-disabled", String(!store.canStep));
       run.setAttribute("aria-disabled", String(!store.canStep && !store.running));
-      run.replaceChildren(icon(store.running ? "pause" : "play"), html("span", {}, store.running ? "Stop" : "Run"));
+      run.replaceChildren(
+        icon(store.running ? "pause" : "play"),
+        html("span", {}, store.running ? "Stop" : "Run"),
+      );
     },
   };
 }
@@ -68,17 +83,40 @@ function modeButtons(store: Store): Control {
     build: "Place agents and draw obstacles (M)",
   };
   const modes = Object.keys(names) as Mode[];
-  const buttons = modes.map((mode) => html("button", { type: "button", title: titles[mode], onclick: () => (store.mode = mode) }, names[mode]));
+  const buttons = modes.map((mode) =>
+    html("button", { type: "button", title: titles[mode], onclick: () => (store.mode = mode) }, names[mode]),
+  );
   return {
-    element: html("div", { class: "buttons joined", role: "group", "aria-label": "What the board does" }, ...buttons),
-    update: () => modes.forEach((mode, place) => buttons[place]!.setAttribute("aria-pressed", String(store.mode === mode))),
+    element: html(
+      "div",
+      { class: "buttons joined", role: "group", "aria-label": "What the board does" },
+      ...buttons,
+    ),
+    update: () =>
+      modes.forEach((mode, place) =>
+        buttons[place]!.setAttribute("aria-pressed", String(store.mode === mode)),
+      ),
   };
 }
 
 function buildButtons(store: Store): Control {
   const add = (team: Team, name: string, key: string): HTMLButtonElement =>
-    html("button", { type: "button", title: `Add ${name} (${key})`, "aria-label": `Add ${name}`, onclick: () => addAgent(store, team) }, "+", glyph(team));
-  const remove = html("button", { type: "button", title: "Remove the chosen agent (Delete)", onclick: () => removeChosen(store) }, "Remove");
+    html(
+      "button",
+      {
+        type: "button",
+        title: `Add ${name} (${key})`,
+        "aria-label": `Add ${name}`,
+        onclick: () => addAgent(store, team),
+      },
+      "+",
+      glyph(team),
+    );
+  const remove = html(
+    "button",
+    { type: "button", title: "Remove the chosen agent (Delete)", onclick: () => removeChosen(store) },
+    "Remove",
+  );
   const building = [add("pursuers", "a pursuer", "+"), add("evaders", "an evader", "-"), remove];
   const element = html("div", { class: "buttons", role: "group", "aria-label": "Agents" }, ...building);
   return {
@@ -93,10 +131,23 @@ function buildButtons(store: Store): Control {
 /** Directions for the chosen agent, in the order west to east. */
 function padButtons(store: Store): Control {
   const order = [8, 7, 4, 1, 0, 3, 2, 5, 6];
-  const buttons = order.map((action) => html("button", {
-    type: "button", "aria-label": ACTIONS[action], title: `The chosen agent: ${ACTIONS[action]}`, onclick: () => command(store, action),
-  }, ARROWS[action]));
-  const element = html("div", { class: "buttons pad", role: "group", "aria-label": "Move of the chosen agent" }, ...buttons);
+  const buttons = order.map((action) =>
+    html(
+      "button",
+      {
+        type: "button",
+        "aria-label": ACTIONS[action],
+        title: `The chosen agent: ${ACTIONS[action]}`,
+        onclick: () => command(store, action),
+      },
+      ARROWS[action],
+    ),
+  );
+  const element = html(
+    "div",
+    { class: "buttons pad", role: "group", "aria-label": "Move of the chosen agent" },
+    ...buttons,
+  );
   return {
     element,
     update: () => {
@@ -114,7 +165,11 @@ function padButtons(store: Store): Control {
 
 /** Return the button that undoes changes, for the head of the page. */
 export function undoButton(store: Store): HTMLButtonElement {
-  const undo = html("button", { type: "button", title: "Undo the last change (Ctrl+Z)", onclick: () => store.undo() }, "Undo");
+  const undo = html(
+    "button",
+    { type: "button", title: "Undo the last change (Ctrl+Z)", onclick: () => store.undo() },
+    "Undo",
+  );
   store.shownBy(() => undo.setAttribute("aria-disabled", String(!store.canUndo)));
   return undo;
 }

@@ -12,7 +12,16 @@ import { wordsOf } from "../explorer/words.ts";
 import { copyLink, readOnly, saveFile } from "../page/dialog.ts";
 import { hasAddress, html, select } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
-import { lossText, lossesOf, perfectText, scoreOf, solved, ticksOf, worstText, worthText } from "../page/solved.ts";
+import {
+  lossText,
+  lossesOf,
+  perfectText,
+  scoreOf,
+  solved,
+  ticksOf,
+  worstText,
+  worthText,
+} from "../page/solved.ts";
 import type { Loss } from "../page/solved.ts";
 import { actionOf, bearing, listenToPointer, pad } from "./controls.ts";
 import { episodeFile } from "./file.ts";
@@ -47,13 +56,20 @@ export class PlayView {
   readonly #title = html("h2");
   readonly #told = html("p", { class: "play-told", role: "status" });
   readonly #pad = pad((action) => this.act(action));
-  readonly #pace = select(PACES.map((each) => [each, each ? `${each} / s` : "step by step"]), () => this.#rest());
+  readonly #pace = select(
+    PACES.map((each) => [each, each ? `${each} / s` : "step by step"]),
+    () => this.#rest(),
+  );
   readonly #fog = html("input", { type: "checkbox", onchange: () => this.#look() });
   readonly #best = html("input", { type: "checkbox", onchange: () => this.#tell() });
   /** Shown where the world can be solved. */
   readonly #bestChoice = html("label", { class: "play-choice" }, this.#best, "Best move");
   readonly #keys = html("p", { class: "small muted play-keys", id: "play-keys" });
-  readonly #ending = html("section", { class: "play-ending", tabindex: -1, "aria-labelledby": "play-headline" });
+  readonly #ending = html("section", {
+    class: "play-ending",
+    tabindex: -1,
+    "aria-labelledby": "play-headline",
+  });
   readonly #bar = playerBar(this.player);
   #game: Game | null = null;
   #live: Live | null = null;
@@ -68,22 +84,40 @@ export class PlayView {
     this.#engine = engine;
     this.#board = new Board(this.#canvas, { numbers: false });
     this.#canvas.setAttribute("role", "application");
-    listenToPointer(this.#board, () => {
-      const cell = this.#seat !== null && this.#live && cellOf(this.#live.recording.moments.at(-1)!, this.#seat);
-      return cell ? { cell, diagonal: this.#live!.config.diagonal } : null;
-    }, (action) => this.act(action));
-    this.player.addEventListener("frame", () => this.#live && this.#board.show(this.#live.recording, this.player.time));
+    listenToPointer(
+      this.#board,
+      () => {
+        const cell =
+          this.#seat !== null && this.#live && cellOf(this.#live.recording.moments.at(-1)!, this.#seat);
+        return cell ? { cell, diagonal: this.#live!.config.diagonal } : null;
+      },
+      (action) => this.act(action),
+    );
+    this.player.addEventListener(
+      "frame",
+      () => this.#live && this.#board.show(this.#live.recording, this.player.time),
+    );
     this.player.addEventListener("step", () => this.#tell());
     this.element = html(
-      "div", { class: "play" },
+      "div",
+      { class: "play" },
       html("header", { class: "play-head" }, this.#title, this.#told),
       html("div", { class: "play-stage" }, this.#canvas),
-      html("div", { class: "play-side" },
-        this.#ending, this.#pad.element,
+      html(
+        "div",
+        { class: "play-side" },
+        this.#ending,
+        this.#pad.element,
         html("label", { class: "play-choice", title: "Steps a second" }, "Pace ", this.#pace),
-        html("label", { class: "play-choice" }, this.#fog, html("span", {}, "Fog", html("span", { class: "at-length" }, ": see only what it sees"))),
+        html(
+          "label",
+          { class: "play-choice" },
+          this.#fog,
+          html("span", {}, "Fog", html("span", { class: "at-length" }, ": see only what it sees")),
+        ),
         this.#bestChoice,
-        this.#keys),
+        this.#keys,
+      ),
       this.#bar,
     );
   }
@@ -128,14 +162,18 @@ export class PlayView {
     const pace = Number(this.#pace.value);
     if (this.#clock) return;
     this.#step();
-    if (pace && this.element.dataset["state"] === "playing") this.#clock = setInterval(() => this.#step(), 1000 / pace);
+    if (pace && this.element.dataset["state"] === "playing")
+      this.#clock = setInterval(() => this.#step(), 1000 / pace);
   }
 
   /** Listen to keys; return whether one was done. */
   key(event: KeyboardEvent): boolean {
     const { target, key } = event;
-    const own = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && (target.type === "text" || key === " "));
-    if (own || (target instanceof HTMLButtonElement && (key === " " || key === "Enter")) || !this.#live) return false;
+    const own =
+      target instanceof HTMLSelectElement ||
+      (target instanceof HTMLInputElement && (target.type === "text" || key === " "));
+    if (own || (target instanceof HTMLButtonElement && (key === " " || key === "Enter")) || !this.#live)
+      return false;
     if (this.element.dataset["state"] !== "playing") return playerKey(this.player, event);
     const action = actionOf(event, this.#live.config.diagonal);
     if (action !== undefined) this.act(action);
@@ -150,8 +188,13 @@ export class PlayView {
     this.#canvas.ariaLabel = `Board, ${live.config.rows} by ${live.config.cols} cells`;
     this.#pad.show(live.config.diagonal);
     this.#keys.replaceChildren(
-      html("span", { class: "at-length" }, `W A S D or the arrow keys move, Space stays${live.config.diagonal ? "; Q E Z C and the numeric keypad move diagonally" : ""}. `),
-      "On the board: swipe, or tap where to go.");
+      html(
+        "span",
+        { class: "at-length" },
+        `W A S D or the arrow keys move, Space stays${live.config.diagonal ? "; Q E Z C and the numeric keypad move diagonally" : ""}. `,
+      ),
+      "On the board: swipe, or tap where to go.",
+    );
     this.#solve(live);
     this.#ending.replaceChildren();
     this.player.length = live.length;
@@ -160,7 +203,12 @@ export class PlayView {
   }
 
   #look(): void {
-    this.#board.look = { you: this.#seat, fog: this.#fog.checked, viewers: this.#seat === null ? [] : [this.#seat], plan: this.#plan() };
+    this.#board.look = {
+      you: this.#seat,
+      fog: this.#fog.checked,
+      viewers: this.#seat === null ? [] : [this.#seat],
+      plan: this.#plan(),
+    };
   }
 
   /** Solve the world of a match, for the best moves and for what its teams lose. */
@@ -196,7 +244,9 @@ export class PlayView {
   /** The best move as an arrow: the most probable one, where perfect play mixes. */
   #plan(): number[] | null {
     const [seat, shares] = [this.#seat, this.#seat !== null && this.#perfect?.marginal(this.#seat)];
-    return seat !== null && shares ? Object.assign(Array<number>(seat).fill(0), { [seat]: shares.indexOf(Math.max(...shares)) }) : null;
+    return seat !== null && shares
+      ? Object.assign(Array<number>(seat).fill(0), { [seat]: shares.indexOf(Math.max(...shares)) })
+      : null;
   }
 
   #rest(): void {
@@ -225,12 +275,19 @@ export class PlayView {
     const field = readOnly("Link to this match");
     field.hidden = true;
     this.#ending.replaceChildren(
-      html("h3", { id: "play-headline" }, headline(live, played.seat)), ...game.ending(live, played),
-      html("div", { class: "play-buttons" },
+      html("h3", { id: "play-headline" }, headline(live, played.seat)),
+      ...game.ending(live, played),
+      html(
+        "div",
+        { class: "play-buttons" },
         html("button", { type: "button", class: "primary", onclick: () => game.again() }, "Again"),
         html("button", { type: "button", onclick: () => this.#watch() }, "Watch it"),
         html("button", { type: "button", onclick: save }, "Save"),
-        link && html("button", { type: "button", onclick: () => copyLink(field, link) }, game.linkName ?? "Link")), field);
+        link &&
+          html("button", { type: "button", onclick: () => copyLink(field, link) }, game.linkName ?? "Link"),
+      ),
+      field,
+    );
     this.element.dataset["state"] = "ended";
     this.player.jump(live.length); // what is said of the last step stands beside the result
     this.#judge();
@@ -250,15 +307,25 @@ export class PlayView {
   #tell(): void {
     const [live, seat, { step }] = [this.#live, this.#seat, this.player];
     if (!live || step > live.length) return;
-    const about = wordsOf(live, live.recording, step).filter(({ agents }) => seat === null || agents.includes(seat));
+    const about = wordsOf(live, live.recording, step).filter(
+      ({ agents }) => seat === null || agents.includes(seat),
+    );
     const begins = this.#game && step === 0;
-    const sentences = begins ? [goal(live.config, seat!), this.#game!.about ?? ""] : [`Step ${step} of ${live.config.max_steps}`, ...about.map(({ text }) => text)];
+    const sentences = begins
+      ? [goal(live.config, seat!), this.#game!.about ?? ""]
+      : [`Step ${step} of ${live.config.max_steps}`, ...about.map(({ text }) => text)];
     if (!begins && seat !== null) sentences.push(nearest(live, step, seat));
     sentences.push(...this.#losses.filter((loss) => loss.step === step).map(lossText));
     const perfect = step === live.length && seat !== null ? this.#perfect : null;
-    if (perfect) sentences.push(`Perfect play: ${perfectText(perfect, seat!) || "decided in its turn"}; ${worthText(this.#solution!, perfect, step)}`);
+    if (perfect)
+      sentences.push(
+        `Perfect play: ${perfectText(perfect, seat!) || "decided in its turn"}; ${worthText(this.#solution!, perfect, step)}`,
+      );
     this.#look();
-    this.#told.textContent = sentences.filter(Boolean).map((text) => `${text}.`).join(" ");
+    this.#told.textContent = sentences
+      .filter(Boolean)
+      .map((text) => `${text}.`)
+      .join(" ");
   }
 }
 
@@ -281,8 +348,13 @@ function nearest({ config, recording }: Live, step: number, seat: number): strin
     const [row, col] = cellOf(moment, agent);
     return Math.max(Math.abs(row - own[0]), Math.abs(col - own[1]));
   };
-  const seen = Array.from({ length: moment.alive.length }, (_, agent) => agent).filter((agent) =>
-    teamOf(config, agent) === other && moment.alive[agent] && !moment.captured[agent - config.n_pursuers] && 2 * distance(agent) < config.fov);
+  const seen = Array.from({ length: moment.alive.length }, (_, agent) => agent).filter(
+    (agent) =>
+      teamOf(config, agent) === other &&
+      moment.alive[agent] &&
+      !moment.captured[agent - config.n_pursuers] &&
+      2 * distance(agent) < config.fov,
+  );
   if (!seen.length) return `No ${other} in view`;
   const found = seen.reduce((a, b) => (distance(b) < distance(a) ? b : a));
   return `Nearest ${other}: ${bearing(own, cellOf(moment, found))}`;
@@ -291,7 +363,8 @@ function nearest({ config, recording }: Live, step: number, seat: number): strin
 /** Return what came out for the person, in a sentence. */
 export function headline(live: Live, seat: number): string {
   const [{ lasted, out, captured }, { config }] = [resultOf(live, seat), live];
-  if (teamOf(config, seat) === "pursuer") return `Your team captured ${captured} of ${evaders(config)} in ${lasted} steps.`;
+  if (teamOf(config, seat) === "pursuer")
+    return `Your team captured ${captured} of ${evaders(config)} in ${lasted} steps.`;
   return out ? `You lasted ${lasted} of ${config.max_steps} steps.` : `You escaped: ${lasted} steps.`;
 }
 

@@ -38,13 +38,24 @@ const joined = (names: readonly string[]): string =>
 
 /** Return what happened in a step of a game, line by line; at the start there is none. */
 export function linesOf(scene: Scene, game: Game, step: number): Line[] {
-  const [before, after, outcome] = [game.recording.moments[step - 1], game.recording.moments[step], game.outcomes[step]];
+  const [before, after, outcome] = [
+    game.recording.moments[step - 1],
+    game.recording.moments[step],
+    game.outcomes[step],
+  ];
   if (!before || !after || !outcome) return [];
   const lines = [
     ...outcome.conflicts.map((conflict) => conflictLine(scene, game.rules, conflict)),
     ...captureLines(scene, before, after, outcome.captors),
   ];
-  const calm: Line = { kind: "calm", text: "No conflict, no capture.", turn: 0, blame: "", cost: "", used: [] };
+  const calm: Line = {
+    kind: "calm",
+    text: "No conflict, no capture.",
+    turn: 0,
+    blame: "",
+    cost: "",
+    used: [],
+  };
   return [...(lines.length ? lines : [calm]), ...endLines(scene, game, step)];
 }
 
@@ -53,9 +64,12 @@ function conflictLine(scene: Scene, rules: Rules, conflict: Conflict): Line {
   const turn = rules.interaction === "SIMULTANEOUS" ? 0 : conflict.turn + 1;
   const blame = guilty.length ? `At fault: ${joined(guilty)}.` : "Nobody is at fault.";
   const stopped = conflict.held.length + conflict.doomed.length > 0;
-  const costs = new Set(conflict.at_fault.map((agent) => penaltyOf(scene, agent, KINDS.indexOf(conflict.kind))));
+  const costs = new Set(
+    conflict.at_fault.map((agent) => penaltyOf(scene, agent, KINDS.indexOf(conflict.kind))),
+  );
   costs.delete(0);
-  const cost = stopped || !costs.size ? "" : `Allowed, but it costs: ${[...costs].map(signed).join(" and ")}.`;
+  const cost =
+    stopped || !costs.size ? "" : `Allowed, but it costs: ${[...costs].map(signed).join(" and ")}.`;
   return { kind: conflict.kind, text: `${conflict.text}.`, turn, blame, cost, used: USED[conflict.kind] };
 }
 
@@ -73,20 +87,32 @@ export function signed(reward: number): string {
 
 /** Return the reward of an agent in a step as a sum, such as "−12 collision, −0.05 step"; empty if it has one part. */
 export function sumOf(scene: Scene, game: Game, step: number, agent: number): string {
-  const [before, after, outcome] = [game.recording.moments[step - 1], game.recording.moments[step], game.outcomes[step]];
+  const [before, after, outcome] = [
+    game.recording.moments[step - 1],
+    game.recording.moments[step],
+    game.outcomes[step],
+  ];
   if (!before?.alive[agent] || !after || !outcome) return "";
   const { rewards } = scene;
   const team = agent < scene.pursuers.length ? "pursuer" : "evader";
   const blamed = rewards.blame === "FAULT" ? after.fault : after.involved;
-  const collision = KINDS.reduce((sum, _, kind) => sum + (blamed?.[3 * agent + kind] ? penaltyOf(scene, agent, kind) : 0), 0);
+  const collision = KINDS.reduce(
+    (sum, _, kind) => sum + (blamed?.[3 * agent + kind] ? penaltyOf(scene, agent, kind) : 0),
+    0,
+  );
   // The engine tells the sum alone: what is left is a neighbour, captures, or both.
   const rest = outcome.rewards[agent]! - collision - rewards[`${team}_step`];
-  const captures = Array.from({ length: scene.evaders.length + 1 }, (_, count) => count * rewards[`${team}_capture`]);
+  const captures = Array.from(
+    { length: scene.evaders.length + 1 },
+    (_, count) => count * rewards[`${team}_capture`],
+  );
   for (const neighbor of [0, rewards[`${team}_neighbor`]]) {
     const capture = captures.find((each) => Math.abs(each + neighbor - rest) < 1e-4);
     if (capture === undefined) continue;
     const parts = { collision, capture, neighbour: neighbor, step: rewards[`${team}_step`] };
-    const shown = Object.entries(parts).filter(([, value]) => value).map(([name, value]) => `${signed(value)} ${name}`);
+    const shown = Object.entries(parts)
+      .filter(([, value]) => value)
+      .map(([name, value]) => `${signed(value)} ${name}`);
     return shown.length > 1 ? shown.join(", ") : "";
   }
   return "";
@@ -98,12 +124,28 @@ function captureLines(scene: Scene, before: Moment, after: Moment, captors: Int3
     const agent = scene.pursuers.length + evader;
     const name = agentName(scene, agent);
     const gone = before.alive[agent] && !after.alive[agent];
-    const by = captors[evader] ? ` by ${captors[evader]} ${captors[evader] === 1 ? "pursuer" : "pursuers"}` : "";
+    const by = captors[evader]
+      ? ` by ${captors[evader]} ${captors[evader] === 1 ? "pursuer" : "pursuers"}`
+      : "";
     const used = ["capture", ...(gone ? ["captured_disappear"] : [])] as (keyof Rules)[];
     if (after.captured[evader] && !before.captured[evader]) {
-      lines.push({ kind: "capture", text: `${name} is captured${by}${gone ? " and disappears" : ""}.`, turn: 0, blame: "", cost: "", used });
+      lines.push({
+        kind: "capture",
+        text: `${name} is captured${by}${gone ? " and disappears" : ""}.`,
+        turn: 0,
+        blame: "",
+        cost: "",
+        used,
+      });
     } else if (before.captured[evader] && !after.captured[evader] && after.alive[agent]) {
-      lines.push({ kind: "capture", text: `${name} is free again.`, turn: 0, blame: "", cost: "", used: ["capture"] });
+      lines.push({
+        kind: "capture",
+        text: `${name} is free again.`,
+        turn: 0,
+        blame: "",
+        cost: "",
+        used: ["capture"],
+      });
     }
   }
   return lines;
@@ -123,5 +165,7 @@ function endLines(scene: Scene, game: Game, step: number): Line[] {
 
 /** Return a text for the page, in which cells and names of variants are not broken between lines. */
 export function unbroken(text: string): (string | HTMLElement)[] {
-  return text.split(/(\(-?\d+, -?\d+\)|-[A-Z]{1,3}\b)/).map((part, place) => (place % 2 ? html("span", { class: "whole" }, part) : part));
+  return text
+    .split(/(\(-?\d+, -?\d+\)|-[A-Z]{1,3}\b)/)
+    .map((part, place) => (place % 2 ? html("span", { class: "whole" }, part) : part));
 }
