@@ -34,7 +34,9 @@ export class MatchPanel {
   #engine: Engine | null = null;
 
   constructor(data: Data, store: Store) {
-    [this.#data, this.#store, this.#recordings] = [data, store, new Recordings(data)];
+    this.#data = data;
+    this.#store = store;
+    this.#recordings = new Recordings(data);
     const canvas = html("canvas", { "aria-label": "The match" });
     this.#board = new Board(canvas, { numbers: false });
     this.element = html(
@@ -92,7 +94,8 @@ export class MatchPanel {
       this.#note.textContent = "The page holds no recording of this match: it would be too large.";
       return;
     }
-    const [here, there] = [this.replay.statistics.capture_rate, this.#data.first[pursuer]![evader]!];
+    const here = this.replay.statistics.capture_rate;
+    const there = this.#data.first[pursuer]![evader]!;
     const equal = Math.abs(here - there) < 1e-3;
     this.#note.dataset["equal"] = String(equal);
     this.#note.textContent = equal

@@ -31,7 +31,8 @@ export class MatrixPanel {
   readonly #drawing: SVGSVGElement;
 
   constructor(data: Data, store: Store) {
-    [this.#data, this.#store] = [data, store];
+    this.#data = data;
+    this.#store = store;
     this.#rows = data.standings.pursuer.map(({ number }) => number);
     this.#columns = data.standings.evader.map(({ number }) => number);
     this.#drawing = this.#draw();
@@ -58,7 +59,8 @@ export class MatrixPanel {
   }
 
   #draw(): SVGSVGElement {
-    const [rows, columns] = [this.#rows.length, this.#columns.length];
+    const rows = this.#rows.length;
+    const columns = this.#columns.length;
     const size = SIDE / Math.max(rows, columns);
     const font = Math.min(26, Math.max(11, 0.78 * size));
     const margin =
@@ -155,10 +157,8 @@ export class MatrixPanel {
     const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(
       this.#drawing.getScreenCTM()!.inverse(),
     );
-    const [pursuer, evader] = [
-      this.#rows[Math.floor(place.y / size)],
-      this.#columns[Math.floor(place.x / size)],
-    ];
+    const pursuer = this.#rows[Math.floor(place.y / size)];
+    const evader = this.#columns[Math.floor(place.x / size)];
     return pursuer === undefined || evader === undefined || place.x < 0 || place.y < 0
       ? null
       : { pursuer, evader };
@@ -213,7 +213,8 @@ export class MatrixPanel {
   #read({ pursuer, evader }: Pair): Node[] {
     const { names, capture_rate, lowest, highest, length, episodes } = this.#data;
     const mean = rate(capture_rate[pursuer]![evader]);
-    const [low, high] = [rate(lowest[pursuer]![evader]), rate(highest[pursuer]![evader])];
+    const low = rate(lowest[pursuer]![evader]);
+    const high = rate(highest[pursuer]![evader]);
     return [
       html(
         "span",

@@ -79,10 +79,8 @@ function numbers({ score, low, high }: Standing): HTMLElement {
 
 /** The score as a bar from 0 to 1, and its interval as a line. */
 function bar({ score, low, high }: Standing, team: Team): HTMLElement {
-  const [filled, whisker] = [
-    html("span", { class: `filled of-${team}` }),
-    html("span", { class: "whisker" }),
-  ];
+  const filled = html("span", { class: `filled of-${team}` });
+  const whisker = html("span", { class: "whisker" });
   filled.style.width = `${100 * score}%`;
   if (low !== null && high !== null) {
     whisker.style.left = `${100 * low}%`;

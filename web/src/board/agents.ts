@@ -46,7 +46,8 @@ function drawAgent(
 ): void {
   const { ctx, grid, colors } = sheet;
   const pursuer = isPursuer(recording, agent);
-  const [x, y] = [pixelX(grid, pose.x), pixelY(grid, pose.y)];
+  const x = pixelX(grid, pose.x);
+  const y = pixelY(grid, pose.y);
   const size = Math.max(4, grid.cell * pose.size * (pursuer ? TRIANGLE : DISC));
   const color = teamColor(sheet, recording, agent);
   const captured = !pursuer && Boolean(moment.captured[agent - recording.nPursuers]);

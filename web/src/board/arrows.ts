@@ -17,7 +17,8 @@ const HELD_OUTSIDE = 0.58;
 
 /** Moves of a step that were held: dashed arrows that end at a bar. */
 export function drawBounces(sheet: Sheet, recording: Recording, step: number, strength: number): void {
-  const [before, after] = [recording.moments[step - 1], recording.moments[step]!];
+  const before = recording.moments[step - 1];
+  const after = recording.moments[step]!;
   if (!before) return;
   const { ctx, grid, colors } = sheet;
   ctx.strokeStyle = colors.collision;
@@ -33,7 +34,8 @@ export function drawBounces(sheet: Sheet, recording: Recording, step: number, st
 }
 
 function drawHeld({ ctx, grid }: Sheet, recording: Recording, from: Cell, to: Cell): void {
-  const [dx, dy] = [to[1] - from[1], to[0] - from[0]];
+  const dx = to[1] - from[1];
+  const dy = to[0] - from[0];
   const x = (share: number): number => pixelX(grid, from[1] + 0.5 + dx * share);
   const y = (share: number): number => pixelY(grid, from[0] + 0.5 + dy * share);
   const end = isCell(recording, to) ? HELD_END : HELD_OUTSIDE;

@@ -57,7 +57,8 @@ export function write(
 /** Paper and lines between cells. */
 export function drawPaper({ ctx, grid, colors }: Sheet): void {
   const { left, top, cell, rows, cols } = grid;
-  const [width, height] = [cols * cell, rows * cell];
+  const width = cols * cell;
+  const height = rows * cell;
   ctx.fillStyle = colors.paper;
   ctx.fillRect(left, top, width, height);
   if (cell < SMALLEST_GRID) return;
@@ -73,7 +74,8 @@ export function drawObstacles({ ctx, grid, colors }: Sheet, recording: Recording
   ctx.fillStyle = colors.obstacle;
   for (let index = 0; index < rows * cols; index++) {
     if (!recording.obstacles[index]) continue;
-    const [row, col] = [Math.floor(index / cols), index % cols];
+    const row = Math.floor(index / cols);
+    const col = index % cols;
     ctx.fillRect(left + col * cell, top + row * cell, cell, cell);
   }
   drawFrame({ ctx, grid, colors });
@@ -114,8 +116,10 @@ function seenBox(
   y: number,
 ): [number, number, number, number] {
   const reach = Math.floor(recording.fov / 2) + 0.5;
-  const [x0, x1] = [Math.max(0, x - reach), Math.min(grid.cols, x + reach)];
-  const [y0, y1] = [Math.max(0, y - reach), Math.min(grid.rows, y + reach)];
+  const x0 = Math.max(0, x - reach);
+  const x1 = Math.min(grid.cols, x + reach);
+  const y0 = Math.max(0, y - reach);
+  const y1 = Math.min(grid.rows, y + reach);
   return [pixelX(grid, x0), pixelY(grid, y0), (x1 - x0) * grid.cell, (y1 - y0) * grid.cell];
 }
 
@@ -142,7 +146,8 @@ export function drawYou(
 ): void {
   const { ctx, grid, colors } = sheet;
   const side = Math.max(grid.cell, 16 * ratio) * 1.06;
-  const [left, top] = [pixelX(grid, x), pixelY(grid, y)];
+  const left = pixelX(grid, x);
+  const top = pixelY(grid, y);
   ctx.globalAlpha = Math.max(alpha, 0.6); // where it disappeared, too
   ctx.beginPath();
   ctx.roundRect(left - side / 2, top - side / 2, side, side, side * 0.2);
@@ -186,7 +191,8 @@ export function drawTrails(
   ctx.lineCap = "round";
   ctx.lineWidth = Math.min(WIDEST_TRAIL, Math.max(1, grid.cell * TRAIL_WIDTH));
   for (let step = Math.max(1, Math.floor(time - steps) + 1); step <= end; step++) {
-    const [before, after] = [recording.moments[step - 1]!, recording.moments[step]!];
+    const before = recording.moments[step - 1]!;
+    const after = recording.moments[step]!;
     const age = Math.max(0, Math.min(1, (time - step) / steps));
     ctx.globalAlpha = NEWEST_TRAIL + (OLDEST_TRAIL - NEWEST_TRAIL) * age;
     for (let agent = 0; agent < after.alive.length; agent++) {
@@ -213,7 +219,8 @@ export function drawTrails(
 export function drawMarks(sheet: Sheet, recording: Recording, time: number): void {
   const now = Math.min(Math.ceil(time), recording.moments.length - 1);
   for (let step = Math.max(1, now - MARK_STEPS + 1); step <= now; step++) {
-    const [before, after] = [recording.moments[step - 1]!, recording.moments[step]!];
+    const before = recording.moments[step - 1]!;
+    const after = recording.moments[step]!;
     // In the step that is being drawn they appear with the contact; then they fade.
     const strength = step > time ? Math.max(0, 1 - 2 * (step - time)) : 1 - (time - step) / MARK_STEPS;
     const captured = newlyCaptured(recording, before, after);

@@ -3,7 +3,8 @@
 import { html, svg } from "../page/dom.ts";
 
 const STAR = Array.from({ length: 16 }, (_, corner) => {
-  const [reach, angle] = [corner % 2 ? 6.5 : 11, (Math.PI * corner) / 8];
+  const reach = corner % 2 ? 6.5 : 11;
+  const angle = (Math.PI * corner) / 8;
   return `${12 + reach * Math.sin(angle)} ${12 - reach * Math.cos(angle)}`;
 }).join(" ");
 

@@ -23,7 +23,8 @@ export class Live implements Told {
   readonly #conflicts: Conflict[][] = [[]];
 
   constructor(engine: Engine, config: WorldConfig, start: Start) {
-    [this.config, this.start] = [config, start];
+    this.config = config;
+    this.start = start;
     this.#world = engine.world(config);
     this.#world.reset(start);
     this.#moments = [momentOf(this.#world)];
@@ -59,7 +60,8 @@ export class Live implements Told {
 
   /** Play a step in which a hand moves the agent in a seat, and policies move all others. */
   step(policies: Readonly<Record<Team, TeamPolicy>>, seat: number, hand: Hand): void {
-    const [world, first_evader] = [this.#world, this.config.n_pursuers];
+    const world = this.#world;
+    const first_evader = this.config.n_pursuers;
     let actions: Uint8Array = new Uint8Array(world.n_agents);
     // As in every match of the engine, agents decide at the beginning of their own turn.
     for (let turn = world.n_turns; turn > 0 && !world.over; --turn) {

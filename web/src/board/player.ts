@@ -44,7 +44,9 @@ export class Player extends EventTarget {
   /** `still`: whether pictures jump from moment to moment, for readers who want no motion. */
   constructor(length: number, { speed = 4, still = false }: { speed?: number; still?: boolean } = {}) {
     super();
-    [this.#length, this.#speed, this.#still] = [length, speed, still];
+    this.#length = length;
+    this.#speed = speed;
+    this.#still = still;
   }
 
   /** The number of the step that is shown, 0 to `length`; while it is drawn, the step being made. */

@@ -109,9 +109,11 @@ export function posesBetween(recording: Recording, time: number): Pose[] {
 export function centreBetween(recording: Recording, agent: number, time: number): [x: number, y: number] {
   const last = recording.moments.length - 1;
   const start = Math.min(Math.floor(time), last);
-  const [before, after] = [recording.moments[start]!, recording.moments[Math.min(start + 1, last)]!];
+  const before = recording.moments[start]!;
+  const after = recording.moments[Math.min(start + 1, last)]!;
   const share = progress(recording, agent, before.alive.length, time - start);
-  const [[row, col], [toRow, toCol]] = [cellOf(before, agent), cellOf(after, agent)];
+  const [row, col] = cellOf(before, agent);
+  const [toRow, toCol] = cellOf(after, agent);
   return [mix(col, toCol, share) + 0.5, mix(row, toRow, share) + 0.5];
 }
 

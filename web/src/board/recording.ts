@@ -55,7 +55,8 @@ export const MOVES: readonly Cell[] = [
 
 /** Return the action that leads from a cell towards another one. */
 export function towards(from: Cell, to: Cell, diagonal: boolean): number {
-  let [down, right] = [to[0] - from[0], to[1] - from[1]];
+  let down = to[0] - from[0];
+  let right = to[1] - from[1];
   if (!diagonal && Math.abs(down) > Math.abs(right)) right = 0;
   else if (!diagonal) down = 0;
   return MOVES.findIndex(([row, col]) => row === Math.sign(down) && col === Math.sign(right));
@@ -83,7 +84,8 @@ export const innocent = (moment: Moment, agent: number): boolean =>
 
 /** Return whether the step `before` -> `after` held the agent on its cell although it meant to move. */
 export function bounced(before: Moment, after: Moment, agent: number): boolean {
-  const [from, to] = [cellOf(before, agent), cellOf(after, agent)];
+  const from = cellOf(before, agent);
+  const to = cellOf(after, agent);
   const moved = from[0] !== to[0] || from[1] !== to[1];
   // An agent that a turn before its own has stopped from acting did not collide.
   const collided = after.involved === undefined || inAny(after.involved, agent);

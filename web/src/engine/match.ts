@@ -48,7 +48,8 @@ export class Match {
   /** Return the conflicts of step t, 1 to T; none for the moment 0. */
   conflicts(step: number): Conflict[] {
     this.check(step);
-    const [first, last] = [this.first_conflict[step]!, this.first_conflict[step + 1]!];
+    const first = this.first_conflict[step]!;
+    const last = this.first_conflict[step + 1]!;
     const rows = this.conflict_table.subarray(first * CONFLICT_WIDTH, last * CONFLICT_WIDTH);
     return conflictsOf(rows, this.config.n_pursuers);
   }

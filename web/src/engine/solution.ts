@@ -69,7 +69,9 @@ export class TurnGame {
     const [first, last] = world.actors;
     const acting = Array.from(agents!).filter((agent) => first <= agent && agent < last);
     const pursues = (agent: number): boolean => agent < world.config.n_pursuers;
-    [this.value, this.matrix, this.n_actions] = [value![0]!, matrix!, world.n_actions];
+    this.value = value![0]!;
+    this.matrix = matrix!;
+    this.n_actions = world.n_actions;
     this.teams = [
       { agents: acting.filter(pursues), play: rows! },
       { agents: acting.filter((agent) => !pursues(agent)), play: cols! },
@@ -115,7 +117,9 @@ export class Solution {
 
   /** List the states; no rounds are known yet. */
   constructor(engine: Compiled, config: WorldConfig, payoff: Payoff) {
-    [this.engine, this.config, this.payoff] = [engine, config, payoff];
+    this.engine = engine;
+    this.config = config;
+    this.payoff = payoff;
     this.states = call(engine, (block) => engine._states_new(block.arrays(configInputs(config))));
     released.register(this, [engine, this.states]);
     const turns = { SIMULTANEOUS: 1, SWARM_TURNS: 2, AGENT_TURNS: config.n_pursuers + config.n_evaders };
@@ -149,7 +153,8 @@ export class Solution {
 
   /** Return the game of a world's next turn; null at an end, and where no start on distinct free cells leads. */
   game(world: World): TurnGame | null {
-    const [left, { turn }] = [this.config.max_steps - world.steps, world];
+    const left = this.config.max_steps - world.steps;
+    const { turn } = world;
     const last = turn + 1 === this.n_turns;
     const next =
       left > 0

@@ -56,7 +56,8 @@ export class Chase extends EventTarget {
 
   /** Show a match from its start; the title says who plays. */
   show(match: Match, title: string): void {
-    [this.match, this.#recording] = [match, recordingOf(match)];
+    this.match = match;
+    this.#recording = recordingOf(match);
     this.#title.textContent = title;
     this.#canvas.ariaLabel = `A match. ${title}`;
     this.player.jump(0);
@@ -146,7 +147,8 @@ export class Chases {
 
   /** `next` shows the matches that come next. */
   constructor(next: () => void, ...boards: Chase[]) {
-    [this.#next, this.boards] = [next, boards];
+    this.#next = next;
+    this.boards = boards;
     for (const each of boards)
       each.addEventListener(
         "over",
@@ -182,7 +184,8 @@ export class Chases {
 
   #begin(): void {
     clearTimeout(this.#due);
-    [this.#due, this.#began] = [0, performance.now()];
+    this.#due = 0;
+    this.#began = performance.now();
     this.#next();
     if (this.#runs) for (const { player } of this.boards) player.play();
   }
@@ -192,7 +195,9 @@ export class Chases {
 export function whileSeen(chases: Chases, place: Element): void {
   let ran = chases.runs;
   new IntersectionObserver(([entry]) => {
-    if (!entry!.isIntersecting) [ran, chases.runs] = [chases.runs, false];
-    else if (ran && !chases.runs) chases.runs = true;
+    if (!entry!.isIntersecting) {
+      ran = chases.runs;
+      chases.runs = false;
+    } else if (ran && !chases.runs) chases.runs = true;
   }).observe(place);
 }

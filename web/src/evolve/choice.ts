@@ -119,7 +119,8 @@ const textOf = (value: Choice[keyof Choice]): string =>
 
 /** Return the parts of a choice that are not as usual in its world. */
 export function partsOf(data: EvolveData, choice: Choice): Parts {
-  const [usual, first] = [usualChoice(data, choice.world), usualChoice(data)];
+  const usual = usualChoice(data, choice.world);
+  const first = usualChoice(data);
   return Object.fromEntries(
     (Object.keys(choice) as (keyof Choice)[])
       .filter((name) => textOf(choice[name]) !== textOf((name === "world" ? first : usual)[name]))

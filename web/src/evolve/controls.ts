@@ -128,24 +128,18 @@ export function controls(
       ),
     ),
     show: (choice) => {
-      [world.value, schedule.value, beside.value, view.value, learner.value] = [
-        choice.world,
-        choice.schedule,
-        choice.beside,
-        String(choice.view),
-        choice.learner,
-      ];
-      [population.value, steps.value, seed.value, way.checked] = [
-        String(choice.population),
-        String(choice.steps),
-        String(choice.seed),
-        choice.way,
-      ];
-      [policy.value, pursuers.value, evaders.value] = [
-        choice.policy,
-        String(choice.pursuers),
-        String(choice.evaders),
-      ];
+      world.value = choice.world;
+      schedule.value = choice.schedule;
+      beside.value = choice.beside;
+      view.value = String(choice.view);
+      learner.value = choice.learner;
+      population.value = String(choice.population);
+      steps.value = String(choice.steps);
+      seed.value = String(choice.seed);
+      way.checked = choice.way;
+      policy.value = choice.policy;
+      pursuers.value = String(choice.pursuers);
+      evaders.value = String(choice.evaders);
     },
   };
 }

@@ -24,7 +24,9 @@ class Generator {
   #counter = 1;
 
   constructor(words: Uint32Array) {
-    [this.#a, this.#b, this.#c] = [words[0]!, words[1]!, words[2]!];
+    this.#a = words[0]!;
+    this.#b = words[1]!;
+    this.#c = words[2]!;
     for (let i = 0; i < 12; i++) this.#word();
   }
 
@@ -45,7 +47,8 @@ class Generator {
   normals(count: number): Float32Array {
     const made = new Float32Array(count);
     for (let i = 0; i < count; i += 2) {
-      const [length, angle] = [Math.sqrt(-2 * Math.log(this.#unit())), 2 * Math.PI * this.#unit()];
+      const length = Math.sqrt(-2 * Math.log(this.#unit()));
+      const angle = 2 * Math.PI * this.#unit();
       made[i] = length * Math.cos(angle);
       if (i + 1 < count) made[i + 1] = length * Math.sin(angle);
     }

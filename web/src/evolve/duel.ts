@@ -40,7 +40,8 @@ export class Duel {
 
   /** `link` returns the address of a dare. */
   constructor(engine: Engine, link: (dare: Dare) => string | null) {
-    [this.#engine, this.#link] = [engine, link];
+    this.#engine = engine;
+    this.#link = link;
   }
 
   /** Let a person play for a team. */

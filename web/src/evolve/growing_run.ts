@@ -39,8 +39,13 @@ export class GrowingRun implements Run {
   #settings: RaceSettings;
 
   constructor(settings: RaceSettings, masks: OfTeams<Mask>, name: string, key: string) {
-    [this.#settings, this.#masks, this.#key, this.name, this.schedule] = [settings, masks, key, name, name];
-    [this.world, this.seed] = [settings.world, String(settings.seed)];
+    this.#settings = settings;
+    this.#masks = masks;
+    this.#key = key;
+    this.name = name;
+    this.schedule = name;
+    this.world = settings.world;
+    this.seed = String(settings.seed);
     this.payoff = this.#empty();
     this.teams = this.#teams();
   }
@@ -131,7 +136,9 @@ export class GrowingRun implements Run {
     this.world = settings.world;
     for (const team of TEAMS) this.genomes[team] = [...genomes[team]];
     this.best = null;
-    [this.payoff, this.teams, this.findings] = [this.#empty(), this.#teams(), null];
+    this.payoff = this.#empty();
+    this.teams = this.#teams();
+    this.findings = null;
   }
 
   addCell({ pursuer, evader, capture_rates, lengths }: Cell): void {

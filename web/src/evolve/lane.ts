@@ -84,7 +84,9 @@ export class Lane extends EventTarget {
   /** `page`: the name of the script that carries out the race in a worker. */
   constructor(data: EvolveData, engine: Engine, page: string, settings: RaceSettings) {
     super();
-    [this.#data, this.#engine, this.settings] = [data, engine, settings];
+    this.#data = data;
+    this.#engine = engine;
+    this.settings = settings;
     this.#mate = new Mate(page, (told) => this.#hear(told));
     this.chases = new Chases(() => this.#play(), this.before, this.after);
     this.before.element.classList.add("before");
@@ -119,7 +121,11 @@ export class Lane extends EventTarget {
   /** Show generation 0 of a race that has not begun. */
   reset(settings: RaceSettings): void {
     this.#mate.send({ type: "stop" });
-    [this.settings, this.state, this.done, this.epochs, this.kept] = [settings, "waiting", 0, 0, null];
+    this.settings = settings;
+    this.state = "waiting";
+    this.done = 0;
+    this.epochs = 0;
+    this.kept = null;
     this.#begin();
     const { archive } = new Race(this.#engine, settings, this.#data.masks);
     this.#run.add({ pursuer: archive.pursuer[0]!, evader: archive.evader[0]! });
@@ -132,7 +138,10 @@ export class Lane extends EventTarget {
     this.settings = settings;
     this.#begin();
     this.settings = plan.at(-1)?.settings ?? settings;
-    [this.state, this.done, this.epochs, this.kept] = ["evolving", 0, 0, null];
+    this.state = "evolving";
+    this.done = 0;
+    this.epochs = 0;
+    this.kept = null;
     this.changed.splice(0);
     this.#order({ type: "start", settings, masks: this.#data.masks, plan, until });
     this.#tell();
@@ -149,13 +158,11 @@ export class Lane extends EventTarget {
       this.#cells.set(name, cell);
     }
     this.#scores = { pursuer: [...kept.scores.pursuer], evader: [...kept.scores.evader] };
-    [this.settings, this.kept, this.seconds, this.epochs, this.done] = [
-      settings,
-      kept,
-      kept.seconds,
-      epochs,
-      1,
-    ];
+    this.settings = settings;
+    this.kept = kept;
+    this.seconds = kept.seconds;
+    this.epochs = epochs;
+    this.done = 1;
     this.changed.splice(0, Infinity, ...changed);
     this.#end("ended");
     this.#show();
@@ -249,7 +256,8 @@ export class Lane extends EventTarget {
     } else if (told.type === "stopped") {
       this.#end("stopped");
     } else if (told.type === "end") {
-      [this.seconds, this.done] = [told.seconds, 1];
+      this.seconds = told.seconds;
+      this.done = 1;
       this.#end("ended");
     } else if (told.type === "saved") {
       this.#saved?.(told.race);
@@ -262,7 +270,8 @@ export class Lane extends EventTarget {
   }
 
   #goOn(): void {
-    [this.state, this.outcome] = ["evolving", null];
+    this.state = "evolving";
+    this.outcome = null;
     this.#run.best = null;
   }
 
@@ -298,12 +307,11 @@ export class Lane extends EventTarget {
     this.#run = new GrowingRun(this.settings, this.#data.masks, name, key);
     this.#clear();
     this.#ask(null, null);
-    [this.#follows, this.#heard] = [true, false];
+    this.#follows = true;
+    this.#heard = false;
     this.#store = new Store({ run: 0, pursuer: 0, evader: 0, episode: 0, seed: null });
-    const [matrix, match] = [
-      new MatrixPanel([this.#run], this.#store),
-      new MatchPanel([this.#run], this.#store, null),
-    ];
+    const matrix = new MatrixPanel([this.#run], this.#store);
+    const match = new MatchPanel([this.#run], this.#store, null);
     matrix.element.ariaLabel = `Payoff matrix. ${name}`; // of two races, each has its own name
     match.actions.remove();
     const dialog = html(
@@ -367,7 +375,8 @@ export class Lane extends EventTarget {
   #play(): void {
     const { newest, best } = this.#run;
     if (newest < 0) return;
-    const [zero, episode] = [{ pursuer: 0, evader: 0 }, this.#episode++ % this.#run.payoff.episodes];
+    const zero = { pursuer: 0, evader: 0 };
+    const episode = this.#episode++ % this.#run.payoff.episodes;
     const match = (genomes: OfTeams<Float32Array>): Match =>
       this.#engine.match(
         this.#run.world,
@@ -472,7 +481,8 @@ export class Lane extends EventTarget {
           : []),
       ];
     }
-    const [now, first] = [rate(newest) ?? rate(newest - 1), rate(0)];
+    const now = rate(newest) ?? rate(newest - 1);
+    const first = rate(0);
     const caught =
       now === null || first === null
         ? ""

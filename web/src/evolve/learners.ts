@@ -42,7 +42,9 @@ export class NoiseTable {
   readonly #numbers: Float32Array;
 
   constructor(size: number, draws: Draws, sigma: number, fixed: Uint8Array | null) {
-    [this.size, this.sigma, this.fixed] = [size, sigma, fixed];
+    this.size = size;
+    this.sigma = sigma;
+    this.fixed = fixed;
     this.#numbers = draws.normals((1 + VECTORS_PER_TABLE) * size);
     for (let i = 0; i < this.#numbers.length; i++) this.#numbers[i]! *= f(sigma);
   }
@@ -63,15 +65,20 @@ class Adam {
   #updates = 0;
 
   constructor(size: number) {
-    [this.#mean, this.#square] = [new Float32Array(size), new Float32Array(size)];
+    this.#mean = new Float32Array(size);
+    this.#square = new Float32Array(size);
   }
 
   /** Add the step of a gradient at a rate to a genome, and return the sum. */
   moved(genome: Float32Array, gradient: Float32Array, rate: number): Float32Array {
-    const [beta1, beta2, epsilon] = [0.9, 0.999, f(1e-8)];
+    const beta1 = 0.9;
+    const beta2 = 0.999;
+    const epsilon = f(1e-8);
     this.#updates += 1;
-    const [mixed1, mixed2] = [f(1 - beta1), f(1 - beta2)];
-    const [left1, left2] = [f(1 - beta1 ** this.#updates), f(1 - beta2 ** this.#updates)];
+    const mixed1 = f(1 - beta1);
+    const mixed2 = f(1 - beta2);
+    const left1 = f(1 - beta1 ** this.#updates);
+    const left2 = f(1 - beta2 ** this.#updates);
     return genome.map((gene, i) => {
       const slope = gradient[i]!;
       const mean = (this.#mean[i]! += f(mixed1 * f(slope - this.#mean[i]!)));
@@ -100,19 +107,18 @@ export class EvolutionStrategy implements Learner {
   #noise: readonly Float32Array[] = [];
 
   constructor(genome: Float32Array, table: NoiseTable, settings: EvolutionStrategySettings) {
-    [this.genome, this.#table, this.#settings, this.#adam] = [
-      genome,
-      table,
-      settings,
-      new Adam(genome.length),
-    ];
+    this.genome = genome;
+    this.#table = table;
+    this.#settings = settings;
+    this.#adam = new Adam(genome.length);
     this.groups = Int32Array.from({ length: settings.population }, (_, i) => i % (settings.population / 2));
   }
 
   /** Standard deviation of the next samples: it grows with the genome, without genes that do not change. */
   get #sigma(): number {
     const { sigma, fixed } = this.#table;
-    let [sum, count] = [0, 0];
+    let sum = 0;
+    let count = 0;
     this.genome.forEach((gene, i) => {
       if (fixed?.[i]) return;
       sum += gene * gene;
@@ -122,7 +128,8 @@ export class EvolutionStrategy implements Learner {
   }
 
   ask(draws: Draws): Float32Array {
-    const [pairs, size] = [this.#settings.population / 2, this.genome.length];
+    const pairs = this.#settings.population / 2;
+    const size = this.genome.length;
     this.#noise = this.#table.draw(pairs, draws);
     const scale = f(this.#sigma / this.#table.sigma);
     const candidates = new Float32Array(2 * pairs * size);
@@ -137,7 +144,8 @@ export class EvolutionStrategy implements Learner {
   }
 
   tell(fitness: Float64Array): void {
-    const [ranks, pairs] = [centredRanks(fitness), this.#noise.length];
+    const ranks = centredRanks(fitness);
+    const pairs = this.#noise.length;
     const gradient = new Float32Array(this.genome.length);
     this.#noise.forEach((noise, pair) => {
       const weight = f((ranks[pair]! - ranks[pairs + pair]!) / (2 * pairs * this.#table.sigma ** 2));
@@ -158,7 +166,9 @@ export class GeneticAlgorithm implements Learner {
   #champion = 0;
 
   constructor(population: Float32Array, table: NoiseTable, settings: GeneticAlgorithmSettings) {
-    [this.population, this.#table, this.#settings] = [population, table, settings];
+    this.population = population;
+    this.#table = table;
+    this.#settings = settings;
     this.groups = new Int32Array(settings.population);
   }
 

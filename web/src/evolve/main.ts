@@ -75,13 +75,12 @@ class Page {
   #kept = "";
 
   constructor(data: EvolveData, engine: Engine) {
-    [this.#data, this.#engine] = [data, engine];
+    this.#data = data;
+    this.#engine = engine;
     const { story, dare, problem } = storyOf(data, hasAddress() ? location.hash : "");
-    [this.#first, this.#changes, this.#choice] = [
-      story.choice,
-      story.changes.map(({ change }) => change),
-      lastChoice(story),
-    ];
+    this.#first = story.choice;
+    this.#changes = story.changes.map(({ change }) => change);
+    this.#choice = lastChoice(story);
     this.#controls = controls(data, (change, anew) => this.#ask(change, anew));
     this.#duel = new Duel(engine, (of) => (hasAddress() ? this.#link(of) : null));
     this.#doings.append(
@@ -236,7 +235,8 @@ class Page {
   }
 
   #start(): void {
-    [this.#told.textContent, this.#kept] = ["", ""];
+    this.#told.textContent = "";
+    this.#kept = "";
     for (const [number, lane] of this.lanes.entries()) lane.start(this.#settings(number));
   }
 
@@ -289,7 +289,8 @@ class Page {
     this.#choice = asked;
     const story = this.#story;
     if (anew || waiting) {
-      [this.#first, this.#changes] = [{ ...asked, generations: GENERATIONS }, []];
+      this.#first = { ...asked, generations: GENERATIONS };
+      this.#changes = [];
       this.#choice = this.#first;
       if (!waiting && hasAddress()) history.pushState(null, "", "#"); // Back leads to the race before
       if (this.#schedules().length !== lanes) this.#makeLanes();

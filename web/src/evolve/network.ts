@@ -86,7 +86,8 @@ export function fixedOf(shape: Shape): FixedGenes | null {
   if (shape.kind === "rating") return null;
   const { fov, mask } = shape;
   if (!mask) return null;
-  const [fixed, values] = [new Uint8Array(genesOf(shape)), new Float32Array(genesOf(shape))];
+  const fixed = new Uint8Array(genesOf(shape));
+  const values = new Float32Array(genesOf(shape));
   const layers = layersOf(shape);
   const last = layers.length - 1;
   const middle = Math.floor(fov / 2);
@@ -125,16 +126,15 @@ export function masked(genome: Float32Array, genes: FixedGenes | null): Float32A
 export function reshaped(genome: Float32Array, from: Shape, to: Shape): Float32Array {
   if (from.kind === "rating" || to.kind === "rating") return genome; // their inputs are the same in any view
   const made = new Float32Array(genesOf(to));
-  const [before, after] = [layersOf(from), layersOf(to)];
+  const before = layersOf(from);
+  const after = layersOf(to);
   const moved = Math.floor(to.fov / 2) - Math.floor(from.fov / 2);
   const inView = (cell: number): boolean => cell >= 0 && cell < to.fov;
   /** Where an input of the first layer is in the other view; -1 outside of it. */
   const seen = (input: number): number => {
-    const [channel, row, col] = [
-      Math.floor(input / from.fov ** 2),
-      (Math.floor(input / from.fov) % from.fov) + moved,
-      (input % from.fov) + moved,
-    ];
+    const channel = Math.floor(input / from.fov ** 2);
+    const row = (Math.floor(input / from.fov) % from.fov) + moved;
+    const col = (input % from.fov) + moved;
     return inView(row) && inView(col) ? (channel * to.fov + row) * to.fov + col : -1;
   };
   before.forEach((old, number) => {

@@ -40,14 +40,14 @@ export function outcomeOf(
     Array.from({ length: generations }, (_none, h) => cells.get(`${g} ${h}`)?.capture_rates),
   );
   if (generations < 2 || all.some((row) => row.includes(undefined))) return null;
-  const [rates, noise] = [
-    all.map((row) => row.map((each) => mean(each!))),
-    all.map((row) => row.map((each) => varianceOfMean(each!))),
-  ];
+  const rates = all.map((row) => row.map((each) => mean(each!)));
+  const noise = all.map((row) => row.map((each) => varianceOfMean(each!)));
   const last = Math.max(1, Math.round(generations * LAST));
   const teamOf = (team: Team): Outcome["teams"][Team] => {
-    const [own, errors] = [fromSide(rates, team), team === "pursuer" ? noise : transposed(noise)];
-    const [before, after] = [[own[0]!.slice(-last)], own.slice(-last).map((row) => row.slice(-last))];
+    const own = fromSide(rates, team);
+    const errors = team === "pursuer" ? noise : transposed(noise);
+    const before = [own[0]!.slice(-last)];
+    const after = own.slice(-last).map((row) => row.slice(-last));
     const errorOf = (rows: Rates): number =>
       mean(rows.map((row) => mean(row.slice(-last)) / last)) / rows.length;
     const difference = {
@@ -94,7 +94,8 @@ function changeOf(own: Rates, errors: Rates): Estimate {
 /** Return whether a course keeps its direction, without a jump that is half of its change: `analysis.strength.is_sustained`. */
 function isSustained(course: readonly number[], change: number): boolean {
   const forward = course.map((each) => each * Math.sign(change));
-  const [size, more] = [Math.floor(course.length / PARTS), course.length % PARTS];
+  const size = Math.floor(course.length / PARTS);
+  const more = course.length % PARTS;
   const parts = Array.from({ length: PARTS }, (_, part) =>
     mean(forward.slice(part * size + Math.min(part, more), (part + 1) * size + Math.min(part + 1, more))),
   );

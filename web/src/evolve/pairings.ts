@@ -16,7 +16,8 @@ export function pairings(
   hall: readonly [number, number],
   draws: Draws,
 ): Pairings {
-  const [n, groups] = [seedGroups.length, Math.max(...seedGroups) + 1];
+  const n = seedGroups.length;
+  const groups = Math.max(...seedGroups) + 1;
   const size = groups > 1 ? n / groups : 1;
   const individuals = Array.from(seedGroups.keys()).sort((a, b) => seedGroups[a]! - seedGroups[b]!);
   const rounds: [number[], number[]][] = [];
@@ -52,7 +53,8 @@ export function tableMeans(
   values: Float64Array,
 ): Float64Array {
   const width = Math.max(...opponents) + 1;
-  const [sums, counts] = [new Float64Array(n * width), new Float64Array(n * width)];
+  const sums = new Float64Array(n * width);
+  const counts = new Float64Array(n * width);
   values.forEach((value, match) => {
     if (own[match]! >= n) return;
     const pair = own[match]! * width + opponents[match]!;

@@ -115,7 +115,10 @@ export class Race {
     masks: OfTeams<Mask>,
     source: Source = drawsOf(settings.seed),
   ) {
-    [this.#engine, this.settings, this.#masks, this.#source] = [engine, settings, masks, source];
+    this.#engine = engine;
+    this.settings = settings;
+    this.#masks = masks;
+    this.#source = source;
     for (const team of TEAMS) {
       const draws = source("initial", TEAMS.indexOf(team));
       const count = settings.learner.kind === "ga" ? settings.learner.population : 1;
@@ -197,7 +200,8 @@ export class Race {
 
   #newLearner(team: Team, genomes: readonly Float32Array[]): void {
     const { learner } = this.settings;
-    const [shape, sigma] = [this.shape(team), learner.kind === "ga" ? learner.mutation : learner.sigma];
+    const shape = this.shape(team);
+    const sigma = learner.kind === "ga" ? learner.mutation : learner.sigma;
     const genes = fixedOf(shape);
     const table = new NoiseTable(
       genesOf(shape),
@@ -231,7 +235,8 @@ export class Race {
       const { groups } = learner;
       const seeds = seedsOf([this.settings.seed, ...pair, PHASE[team], epoch], Math.max(...groups) + 1);
       const candidates = learner.ask(this.#source("learn", TEAMS.indexOf(team), generation, epoch));
-      const [own, met] = [Int32Array.from(groups.keys()), new Int32Array(groups.length)];
+      const own = Int32Array.from(groups.keys());
+      const met = new Int32Array(groups.length);
       const sides = { [team]: candidates, [otherOf(team)]: this.archive[otherOf(team)][opponent]! } as Record<
         Team,
         Float32Array
@@ -449,7 +454,8 @@ export class Race {
   /** The mean capture rate, or escape rate, of a generation against scripts. */
   #score(team: Team, generation: number): number {
     const { world, seed } = this.settings;
-    const [own, one] = [this.#policy(team, this.archive[team][generation]!), new Int32Array(1)];
+    const own = this.#policy(team, this.archive[team][generation]!);
+    const one = new Int32Array(1);
     return mean(
       FIXED[team].map((script, number) => {
         const seeds = seedsOf([seed, TEAMS.indexOf(team), number, FIXED_PHASE], 1);

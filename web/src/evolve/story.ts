@@ -142,10 +142,8 @@ function dareOf(
   pursuer: string,
   evader: string,
 ): Dare | null {
-  const [found, genomes] = [
-    /^(\d{1,20})\.(\d{1,4})\.(\d{1,3})\.(\d{1,4})\.(\d{1,3})$/.exec(play),
-    [unpacked(pursuer), unpacked(evader)],
-  ];
+  const found = /^(\d{1,20})\.(\d{1,4})\.(\d{1,3})\.(\d{1,4})\.(\d{1,3})$/.exec(play);
+  const genomes = [unpacked(pursuer), unpacked(evader)];
   if (
     !found ||
     !genomes[0]?.length ||

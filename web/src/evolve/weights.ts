@@ -38,7 +38,9 @@ export class Weights {
 
   /** `changed` is called when other weights play. */
   constructor(engine: Engine, data: EvolveData, changed: () => void) {
-    [this.#engine, this.#data, this.#changed] = [engine, data, changed];
+    this.#engine = engine;
+    this.#data = data;
+    this.#changed = changed;
     this.element.append(
       html("h3", {}, "What they have learned"),
       html(

@@ -8,8 +8,10 @@ import type { OfTeams } from "./race.ts";
 import type { Team } from "./settings.ts";
 
 /** Effects, in shares of the largest one, that a sentence tells, and that it tells as little; and the most of them. */
-const [CLEAR, SLIGHT] = [1 / 3, 1 / 10];
-const [MOST_CLEAR, MOST_SLIGHT] = [4, 2];
+const CLEAR = 1 / 3;
+const SLIGHT = 1 / 10;
+const MOST_CLEAR = 4;
+const MOST_SLIGHT = 2;
 /** Moments of a match that are looked at. */
 const MOMENTS = 12;
 

@@ -107,8 +107,10 @@ export function work(end: End<Told, Order>): void {
     const event = race!.change(settings);
     tell({ type: "changed", at: race!.epochs, settings });
     if (event) tell(event);
-    if (!steps && race!.finished <= settings.schedule.generations) [steps, going] = [race!.run(), true];
-    else if (!going) missing = race!.catchUp();
+    if (!steps && race!.finished <= settings.schedule.generations) {
+      steps = race!.run();
+      going = true;
+    } else if (!going) missing = race!.catchUp();
   };
 
   const rest = (): void => {
@@ -123,7 +125,9 @@ export function work(end: End<Told, Order>): void {
       while (plan.length && plan[0]!.at <= race!.epochs) change(plan.shift()!.settings);
       const { value, done } = steps.next();
       if (done) {
-        [steps, going, missing] = [null, false, race!.catchUp()]; // a late change has left some matches
+        steps = null;
+        going = false;
+        missing = race!.catchUp(); // a late change has left some matches
         tell({ type: "end", at: race!.epochs, seconds: milliseconds / 1000 });
       } else if (value.type === "rest") rest();
       else tell(value);
@@ -148,22 +152,22 @@ export function work(end: End<Told, Order>): void {
   const obey = async (order: Order): Promise<void> => {
     if (order.type === "start") {
       race = new Race(await engine, order.settings, order.masks);
-      [steps, missing, plan, going, milliseconds, race.until] = [
-        race.run(),
-        null,
-        [...order.plan],
-        true,
-        0,
-        order.until,
-      ];
+      steps = race.run();
+      missing = null;
+      plan = [...order.plan];
+      going = true;
+      milliseconds = 0;
+      race.until = order.until;
       tell({ type: "began" });
     } else if (!race) return;
     else if (order.type === "change") {
       plan = []; // from here on it is another race
       race.until = Infinity;
       change(order.settings);
-    } else if (order.type === "go") [race.until, going] = [Infinity, true];
-    else if (order.type === "stop") going && rest();
+    } else if (order.type === "go") {
+      race.until = Infinity;
+      going = true;
+    } else if (order.type === "stop") going && rest();
     else {
       const { settings, archive, rows, cells, counters, finished } = race;
       tell({ type: "saved", race: { settings, archive, rows, cells, counters, finished } });

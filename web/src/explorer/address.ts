@@ -35,7 +35,9 @@ export function placeOf(hash: string, runs: readonly Run[], usual: Selection): P
 
 /** Keep the match and its step in the address, and follow it: another match is another view, to which Back returns. */
 export function followAddress(runs: readonly Run[], store: Store, match: MatchPanel): void {
-  let [own, shown, since] = ["", JSON.stringify(store.selected), -ONE_VIEW];
+  let own = "";
+  let shown = JSON.stringify(store.selected);
+  let since = -ONE_VIEW;
   const write = (): void => {
     const { run, pursuer, evader, episode, seed } = store.selected;
     const parts = {
@@ -48,7 +50,10 @@ export function followAddress(runs: readonly Run[], store: Store, match: MatchPa
     };
     const view = JSON.stringify(store.selected);
     const another = view !== shown && performance.now() - since > ONE_VIEW;
-    if (view !== shown) [shown, since] = [view, performance.now()];
+    if (view !== shown) {
+      shown = view;
+      since = performance.now();
+    }
     own = `#${Object.entries(parts)
       .map(([name, value]) => `${name}=${value}`)
       .join("&")}`;

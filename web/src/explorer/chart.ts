@@ -38,7 +38,8 @@ export function frame(width: number, height: number, horizontal: Axis, vertical:
     (axis: Axis, from: number, to: number) =>
     (value: number): number =>
       from + ((value - axis.low) / (axis.high - axis.low || 1)) * (to - from);
-  const [x, y] = [scale(horizontal, left, right), scale(vertical, bottom, top)];
+  const x = scale(horizontal, left, right);
+  const y = scale(vertical, bottom, top);
   const marks = svg("g");
   const root = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, class: "plot" });
   const axes = svg("g", { class: "axes" });

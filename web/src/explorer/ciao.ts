@@ -39,7 +39,8 @@ function triangle(
 ): { element: HTMLElement; update(): void } {
   const own = team === "pursuer" ? 0 : 1;
   const words = gameWords(run);
-  const [rows, columns] = [run.payoff.shape[own], run.payoff.shape[1 - own]!];
+  const rows = run.payoff.shape[own];
+  const columns = run.payoff.shape[1 - own]!;
   const rates = run.payoff.capture_rate;
   const scores = Array.from({ length: rows }, (_, row) =>
     Array.from({ length: Math.min(row + 1, columns) }, (_none, column) =>

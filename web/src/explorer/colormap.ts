@@ -24,7 +24,8 @@ const ANCHORS: readonly (readonly [number, number, number])[] = [
 export function viridis(rate: number): readonly [number, number, number] {
   const place = Math.min(1, Math.max(0, rate)) * (ANCHORS.length - 1);
   const low = Math.min(ANCHORS.length - 2, Math.floor(place));
-  const [a, b] = [ANCHORS[low]!, ANCHORS[low + 1]!];
+  const a = ANCHORS[low]!;
+  const b = ANCHORS[low + 1]!;
   const mix = (i: 0 | 1 | 2): number => Math.round(a[i] + (place - low) * (b[i] - a[i]));
   return [mix(0), mix(1), mix(2)];
 }

@@ -89,7 +89,8 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
   const values = TEAMS.flatMap((team) => [bands[team].mean, bands[team].low ?? [], bands[team].high ?? []])
     .flat()
     .map((value) => value ?? 0);
-  const [low, high] = [Math.min(...values), Math.max(...values)];
+  const low = Math.min(...values);
+  const high = Math.max(...values);
   const room = 0.06 * (high - low || 1);
   const last = Math.max(...run.payoff.shape) - 1;
   const { teams } = gameWords(run);
@@ -144,10 +145,8 @@ function movingMean(values: readonly number[], window: number): number[] {
   const sums = [0];
   for (const value of values) sums.push(sums.at(-1)! + value);
   return values.map((_, i) => {
-    const [from, to] = [
-      Math.max(0, i - Math.floor((window - 1) / 2)),
-      Math.min(values.length, i + Math.floor(window / 2) + 1),
-    ];
+    const from = Math.max(0, i - Math.floor((window - 1) / 2));
+    const to = Math.min(values.length, i + Math.floor(window / 2) + 1);
     return (sums[to]! - sums[from]!) / (to - from);
   });
 }

@@ -121,7 +121,8 @@ export function cellOf(
   g: number,
   h: number,
 ): { rate: number; rates: readonly number[]; lengths: readonly number[] } | null {
-  const [row, column] = [g - run.payoff.first[0], h - run.payoff.first[1]];
+  const row = g - run.payoff.first[0];
+  const column = h - run.payoff.first[1];
   const rate = run.payoff.capture_rate[row]?.[column];
   if (rate === undefined) return null;
   return {

@@ -26,7 +26,8 @@ export function drawCells(canvas: HTMLCanvasElement, payoff: Cells, box: Box): v
 export function cellsOf(payoff: Cells): HTMLCanvasElement | null {
   const [rows, columns] = payoff.shape;
   const picture = document.createElement("canvas");
-  [picture.width, picture.height] = [columns, rows];
+  picture.width = columns;
+  picture.height = rows;
   const ctx = picture.getContext("2d");
   if (!ctx) return null;
   const image = ctx.createImageData(columns, rows);
@@ -49,8 +50,10 @@ export function showRate(
 ): void {
   button.textContent = rate(value, digits);
   button.ariaLabel = `${whose}: ${button.textContent}`;
-  if (value !== undefined)
-    [button.style.backgroundColor, button.style.color] = [viridisText(value), inkOn(value)];
+  if (value !== undefined) {
+    button.style.backgroundColor = viridisText(value);
+    button.style.color = inkOn(value);
+  }
 }
 
 /** Return the colours of rates from 0 to 1, and what both ends mean. */

@@ -76,7 +76,10 @@ export class Inspector {
       this.#solution = null;
       if (this.#agent !== null) this.choose(null);
     }
-    [this.#run, this.#match, this.#selection, this.#policies] = [run, match, selection, policies];
+    this.#run = run;
+    this.#match = match;
+    this.#selection = selection;
+    this.#policies = policies;
   }
 
   /** The solution of the world of the match. */
@@ -107,14 +110,12 @@ export class Inspector {
   /** Show a moment: what the agent sees there, and the action that it takes next. */
   at(step: number): void {
     this.#step = step;
-    const [match, world, run, selection, policies, agent] = [
-      this.#match,
-      this.#world,
-      this.#run,
-      this.#selection,
-      this.#policies,
-      this.#agent,
-    ];
+    const match = this.#match;
+    const world = this.#world;
+    const run = this.#run;
+    const selection = this.#selection;
+    const policies = this.#policies;
+    const agent = this.#agent;
     if (!match || !world || !run || !selection || !policies || agent === null) return;
     const team = agent < match.config.n_pursuers ? "pursuer" : "evader";
     this.#memory.replaceChildren();

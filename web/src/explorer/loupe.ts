@@ -23,8 +23,10 @@ export function loupe(
   choose: (cell: { pursuer: number; evader: number } | null) => void,
 ): HTMLElement {
   const [rows, columns] = run.payoff.shape;
-  const [bottom, left] = [firstOf(g, rows), firstOf(h, columns)];
-  const [high, wide] = [Math.min(ACROSS, rows), Math.min(ACROSS, columns)];
+  const bottom = firstOf(g, rows);
+  const left = firstOf(h, columns);
+  const high = Math.min(ACROSS, rows);
+  const wide = Math.min(ACROSS, columns);
   const cells: HTMLElement[] = [];
   for (let pursuer = bottom + high - 1; pursuer >= bottom; pursuer--) {
     cells.push(html("span", { class: "pursuer" }, pursuer));

@@ -60,7 +60,8 @@ export class MatchPanel {
 
   /** `playground`: what opens a step in the playground; null for a page without one. */
   constructor(runs: readonly Run[], store: Store, playground: PageData | null) {
-    [this.#runs, this.#store] = [runs, store];
+    this.#runs = runs;
+    this.#store = store;
     const canvas = html("canvas", {
       "aria-label": "The match",
       onclick: ({ clientX, clientY }: MouseEvent) =>

@@ -41,7 +41,8 @@ export class MatrixPanel {
   #places: Places | null = null;
 
   constructor(runs: readonly Run[], store: Store) {
-    [this.#runs, this.#store] = [runs, store];
+    this.#runs = runs;
+    this.#store = store;
     this.#room = html(
       "div",
       {
@@ -131,7 +132,8 @@ export class MatrixPanel {
     const scores = this.#run.findings?.generalization;
     if (!scores) return [];
     const { selected, hover } = this.#store;
-    const [g, h] = [hover.pursuer ?? selected.pursuer, hover.evader ?? selected.evader];
+    const g = hover.pursuer ?? selected.pursuer;
+    const h = hover.evader ?? selected.evader;
     const [px, py] = ofPursuers(places, scores.pursuers.mean[g] ?? 0, g);
     const [ex, ey] = ofEvaders(places, scores.evaders.mean[h] ?? 0, h);
     return [
@@ -145,7 +147,8 @@ export class MatrixPanel {
     if (!scores) return [];
     const { left, top, cell, rows, columns } = places;
     const { curves } = gameWords(this.#run);
-    const [right, above] = [left + columns * cell + GAP, top - GAP];
+    const right = left + columns * cell + GAP;
+    const above = top - GAP;
     const box = { class: "side" };
     return [
       svg("rect", { ...box, x: right, y: top, width: WIDE, height: rows * cell }),
@@ -233,7 +236,8 @@ export class MatrixPanel {
     const box = this.#room.getBoundingClientRect();
     const h = Math.floor((event.clientX - box.left - places.left) / places.cell);
     const g = places.rows - 1 - Math.floor((event.clientY - box.top - places.top) / places.cell);
-    const [row, column] = [g >= 0 && g < places.rows, h >= 0 && h < places.columns];
+    const row = g >= 0 && g < places.rows;
+    const column = h >= 0 && h < places.columns;
     return row || column ? { g: row ? g : -1, h: column ? h : -1, inside: row && column } : null;
   }
 
@@ -320,13 +324,15 @@ function diagonal({ left, top, cell, rows, columns }: Places): SVGElement[] {
   for (const first of ["H", "V"]) {
     let path = `M${left} ${bottom}`;
     for (let i = 1; i <= cells; i++) {
-      const [x, y] = [`H${left + i * cell}`, `V${bottom - i * cell}`];
+      const x = `H${left + i * cell}`;
+      const y = `V${bottom - i * cell}`;
       path += first === "H" ? x + y : y + x;
     }
     made.append(svg("path", { d: path, class: "under" }), svg("path", { d: path }));
   }
   // Beside the stair, parallel to it.
-  const [x, y] = [left + (cells / 2) * cell - 0.7 * cell - 4, bottom - (cells / 2) * cell - 0.7 * cell - 4];
+  const x = left + (cells / 2) * cell - 0.7 * cell - 4;
+  const y = bottom - (cells / 2) * cell - 0.7 * cell - 4;
   return [
     made,
     svg(

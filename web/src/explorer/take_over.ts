@@ -28,7 +28,9 @@ export class TakeOver {
   #engine: Engine | null = null;
 
   constructor(runs: readonly Run[], store: Store, match: MatchPanel) {
-    [this.#runs, this.#store, this.#match] = [runs, store, match];
+    this.#runs = runs;
+    this.#store = store;
+    this.#match = match;
     match.element.addEventListener("takeover", () => this.open());
   }
 
@@ -63,7 +65,8 @@ export class TakeOver {
 
   /** Let a person play on in a match, from moves in it. */
   play(place: Selection, moves: Moves): void {
-    const [engine, run] = [this.#engine, this.#runs[place.run]!];
+    const engine = this.#engine;
+    const run = this.#runs[place.run]!;
     const { world } = run;
     if (!engine || !world || TEAMS.some((each) => whyNot(run, each, place[each]))) return;
     const { run: number, pursuer, evader, episode, seed } = place;

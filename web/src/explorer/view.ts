@@ -26,7 +26,8 @@ export function drawView(
   ctx.fillStyle = colors.paper;
   ctx.fillRect(0, 0, canvas.width, canvas.height);
   for (let at = 0; view && at < fov * fov; at++) {
-    const [x, y] = [((at % fov) + 0.5) * cell, (Math.floor(at / fov) + 0.5) * cell];
+    const x = ((at % fov) + 0.5) * cell;
+    const y = (Math.floor(at / fov) + 0.5) * cell;
     const has = (layer: number): boolean => Boolean(view[layer * fov * fov + at]);
     if (has(OBSTACLES)) {
       ctx.fillStyle = colors.obstacle;

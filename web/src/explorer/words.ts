@@ -23,7 +23,8 @@ export interface Told {
 /** Return what happened in a step, the most important first. */
 export function wordsOf(match: Told, recording: Recording, step: number): Word[] {
   if (step === 0) return [{ kind: "start", text: startOf(match), agents: [] }];
-  const [before, after] = [recording.moments[step - 1]!, recording.moments[step]!];
+  const before = recording.moments[step - 1]!;
+  const after = recording.moments[step]!;
   const name = (agent: number): string => agentName(agent, match.config.n_pursuers);
   const captured = newlyCaptured(recording, before, after);
   const conflicts = match.conflicts(step);

@@ -69,7 +69,8 @@ class Page {
   };
 
   constructor(lesson: Lesson) {
-    [this.#lesson, this.#store] = [lesson, new Store(lesson.edition)];
+    this.#lesson = lesson;
+    this.#store = new Store(lesson.edition);
     const store = this.#store;
     const asked = predictionsOf(lesson).size;
     const counted = html("span", { class: "small muted", role: "status" });
@@ -163,7 +164,8 @@ class Page {
     const grow = (): void => {
       waiting.textContent = "";
       for (; shown < section.parts.length; shown++) {
-        const [before, part] = [section.parts[shown - 1], section.parts[shown]!];
+        const before = section.parts[shown - 1];
+        const part = section.parts[shown]!;
         const open = [isPrediction(before) ? before.predict : undefined, waitsFor(part)].find(
           (name) => name && this.#store.choice(name) === undefined,
         );

@@ -42,7 +42,10 @@ export function predictionPart(part: Prediction, store: Store): HTMLElement {
   const show = (): void => {
     const choice = store.choice(name);
     if (choice === undefined) return;
-    for (const radio of radios) [radio.checked, radio.disabled] = [radio.value === choice, true];
+    for (const radio of radios) {
+      radio.checked = radio.value === choice;
+      radio.disabled = true;
+    }
     button.hidden = button.disabled = true;
     status.replaceChildren();
     form.append(
@@ -195,7 +198,8 @@ export function exitWidget({ question = "", points = [] }: WidgetPart, store: St
   const show = (): void => {
     printed.textContent = store.exit.exit;
     if (!store.exit.done) return;
-    [field.readOnly, done.hidden] = [true, true];
+    field.readOnly = true;
+    done.hidden = true;
     form.append(
       html(
         "div",

@@ -93,14 +93,16 @@ export function evolving(
 export function explorer({ runs, playground }: Lesson, engine: Promise<Engine>): HTMLElement {
   const last = runs[0]!.payoff.shape.map((count) => count - 1) as [number, number];
   const store = new Store({ run: 0, pursuer: last[0], evader: last[1], episode: 0, seed: null });
-  const [match, matrix] = [new MatchPanel(runs, store, playground), new MatrixPanel(runs, store)];
+  const match = new MatchPanel(runs, store, playground);
+  const matrix = new MatrixPanel(runs, store);
   match.actions.remove(); // they open other pages
   matrix.element.addEventListener("play", () => {
     match.playSoon();
     match.reveal();
   });
   void engine.then((loaded) => match.start(loaded));
-  const [{ seed }, world] = [runs[0]!, runs[0]!.world!];
+  const { seed } = runs[0]!;
+  const world = runs[0]!.world!;
   return html(
     "div",
     { class: "widget wide" },
@@ -118,7 +120,8 @@ export function explorer({ runs, playground }: Lesson, engine: Promise<Engine>):
 
 /** What the program says of an arms race in race A: one row of its judgement. */
 export function judgement({ runs }: Lesson): HTMLElement {
-  const [run, findings] = [runs[0]!, runs[0]!.findings!];
+  const run = runs[0]!;
+  const findings = runs[0]!.findings!;
   const [head, ...rows] = findings.table;
   const row = rows.findIndex(([condition]) => condition === "arms race");
   const asked = { sentence: run.name, table: [head!, rows[row]!], reasons: [findings.reasons[row]!] };

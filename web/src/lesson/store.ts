@@ -33,7 +33,8 @@ export class Store extends EventTarget {
 
   constructor(edition: number) {
     super();
-    [this.#edition, this.#key] = [edition, `matrixworld lesson ${edition}`];
+    this.#edition = edition;
+    this.#key = `matrixworld lesson ${edition}`;
     this.#kept = this.#read();
     this.#write({});
   }

@@ -118,7 +118,9 @@ export class NumbersGame {
   readonly #champions: [Ones[], Ones[]] = [[], []];
 
   constructor(game: GameName, settings: Settings, draw: Draw) {
-    [this.game, this.settings, this.#draw] = [game, settings, draw];
+    this.game = game;
+    this.settings = settings;
+    this.#draw = draw;
     const zeros = (): Uint8Array[] => Array.from({ length: settings.population }, () => new Uint8Array(BITS));
     this.#bits = [zeros(), zeros()];
   }

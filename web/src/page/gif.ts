@@ -1,7 +1,8 @@
 // Pictures that move: the format GIF89a, with the colours that are there most often.
 
 /** Hundredths of a second that a frame is shown, and that the last one is. */
-const [DELAY, LAST] = [12, 150];
+const DELAY = 12;
+const LAST = 150;
 const MOST_COLOURS = 256;
 /** Bits of each channel that tell colours apart. */
 const BITS = 5;
@@ -67,10 +68,14 @@ function coloursOf(frames: readonly ImageData[]): { table: number[]; place: Uint
 
 /** Return numbers from 0 to 255 by the method of Lempel, Ziv and Welch (1984), as GIF has it. */
 function compressed(numbers: Uint16Array): number[] {
-  const [clear, end] = [256, 257];
+  const clear = 256;
+  const end = 257;
   const bytes: number[] = [];
   let codes = new Map<number, number>();
-  let [next, size, held, bits] = [end + 1, 9, 0, 0];
+  let next = end + 1;
+  let size = 9;
+  let held = 0;
+  let bits = 0;
   const put = (code: number): void => {
     held |= code << bits;
     for (bits += size; bits >= 8; bits -= 8) {
@@ -89,7 +94,9 @@ function compressed(numbers: Uint16Array): number[] {
     put(prefix);
     if (next === MOST_CODES) {
       put(clear);
-      [codes, next, size] = [new Map(), end + 1, 9];
+      codes = new Map();
+      next = end + 1;
+      size = 9;
     } else {
       codes.set(prefix * 256 + number, next);
       if (next === 2 ** size) size += 1;

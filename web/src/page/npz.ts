@@ -55,13 +55,11 @@ function arrayOf(bytes: Uint8Array): NpyArray {
   const end = START + bytes[START - 2]! + 256 * bytes[START - 1]!;
   const header = strFromU8(bytes.subarray(START, end), true);
   const found = /'descr': '([^']+)', 'fortran_order': False, 'shape': \(([\d, ]*)\)/.exec(header);
-  const [dtype, shape] = [
-    found?.[1] ?? "",
-    (found?.[2] ?? "")
-      .split(",")
-      .filter((each) => each.trim())
-      .map(Number),
-  ];
+  const dtype = found?.[1] ?? "";
+  const shape = (found?.[2] ?? "")
+    .split(",")
+    .filter((each) => each.trim())
+    .map(Number);
   const content = bytes.slice(end).buffer as ArrayBuffer;
   const text = dtype.startsWith("<U") && String.fromCodePoint(...new Int32Array(content));
   const data = text === false ? TYPES[dtype]?.(content) : text.replace(/\0+$/, "");

@@ -94,7 +94,8 @@ export function worstText(losses: readonly Loss[]): string {
 /** Return what a moment is worth, such as "value 0.57". */
 export function worthText({ config, payoff }: Solution, { value }: TurnGame, step: number): string {
   if (payoff === "capture-rate") return `value ${value.toFixed(2)}`;
-  const [rounds, most] = [1 - value, Math.min(config.max_steps - step, HORIZON)]; // with this one
+  const rounds = 1 - value;
+  const most = Math.min(config.max_steps - step, HORIZON); // with this one
   return rounds > most - LEAST_STEPS ? `free for ${most} steps` : `captured after ${rounds.toFixed(1)} steps`;
 }
 

@@ -46,7 +46,9 @@ const REST = 100;
 
 /** Keep the scene in the address while it is `shown`, so that a reload shows it; a link to another one calls `show`. */
 export function followAddress(store: Store, shown: () => boolean, show: () => void): void {
-  let [own, written, due] = [linkOf(store.scene, store.data), hash(), 0];
+  let own = linkOf(store.scene, store.data);
+  let written = hash();
+  let due = 0;
   const write = (): void => {
     due = 0;
     if (hash() !== written || !shown()) return; // another link was followed meanwhile

@@ -77,10 +77,12 @@ export function listenToPointer(
   );
   canvas.addEventListener("pointercancel", () => (start = null));
   canvas.addEventListener("pointerup", ({ clientX, clientY }) => {
-    const [from, here] = [start, own()];
+    const from = start;
+    const here = own();
     start = null;
     if (!from || !here) return;
-    const [right, down] = [clientX - from[0], clientY - from[1]];
+    const right = clientX - from[0];
+    const down = clientY - from[1];
     const cell = board.cellAt(clientX, clientY);
     if (Math.hypot(right, down) >= SWIPE) act(towardsAbout(down, right, here.diagonal));
     else if (cell) act(towardsAbout(cell[0] - here.cell[0], cell[1] - here.cell[1], here.diagonal));

@@ -14,7 +14,8 @@ const FORMAT = "matrixworld episode 3";
 /** Return the bytes of the file of a match; `seat` is the agent that a person moved. */
 export function episodeFile(engine: Engine, live: Live, seat: number): Uint8Array {
   const { config, actions, length, recording } = live;
-  const [agents, evaders] = [config.n_pursuers + config.n_evaders, config.n_evaders];
+  const agents = config.n_pursuers + config.n_evaders;
+  const evaders = config.n_evaders;
   const moments = {
     positions: ["<i4", agents, 2],
     last_positions: ["<i4", agents, 2],

@@ -35,7 +35,9 @@ export class Game {
 
   /** Throws EngineError if the engine refuses the scene. */
   constructor(engine: Engine, scene: Scene, rules: Rules, champions?: Champions) {
-    [this.#scene, this.#champions, this.rules] = [scene, champions, rules];
+    this.#scene = scene;
+    this.#champions = champions;
+    this.rules = rules;
     const config = configOf(scene, rules);
     this.#world = engine.world(config);
     this.#world.restore(snapshotOf(this.#world, scene));
@@ -92,8 +94,10 @@ export class Game {
   /** Return a scene that starts at the present moment. */
   scene(): Scene {
     const world = this.#world;
-    const [cells, alive] = [world.read("last_positions"), world.read("alive")];
-    const [captured, ever] = [world.read("captured"), world.read("ever_captured")];
+    const cells = world.read("last_positions");
+    const alive = world.read("alive");
+    const captured = world.read("captured");
+    const ever = world.read("ever_captured");
     const first = this.#scene.pursuers.length;
     const starts = agents(this.#scene).map((_, agent): Start => ({
       ...standing([cells[2 * agent]!, cells[2 * agent + 1]!]),
@@ -113,7 +117,8 @@ export class Game {
 
   /** Return perfect play at the present moment, where it is known, and what the last step lost. */
   perfect(solution: Solution): { game: TurnGame | null; losses: readonly Loss[] } {
-    const [before, actions] = [this.#snapshots.at(-2), this.#moments.at(-1)!.actions];
+    const before = this.#snapshots.at(-2);
+    const actions = this.#moments.at(-1)!.actions;
     if (before) this.#world.restore(before);
     // The step is played again, and leads to the present moment.
     return {

@@ -129,10 +129,8 @@ function comparison(engine: Engine, live: Live, played: Played, players: readonl
     ),
   );
   const row = (name: string): ((result: Result) => void) => {
-    const [bar, value] = [
-      html("span", { class: evader ? "bar evader" : "bar pursuer" }),
-      html("td", {}, "…"),
-    ];
+    const bar = html("span", { class: evader ? "bar evader" : "bar pursuer" });
+    const value = html("td", {}, "…");
     table.append(
       html(
         "tr",

@@ -229,7 +229,8 @@ function readReward(name: string, text: string, like: unknown): Penalty | string
 function readSeed(text: string): [seed: bigint, episode: bigint, steps: number] {
   const found = /^(\d{1,20})\.(\d{1,20})\.(\d{1,9})$/.exec(text);
   if (!found) return refuse("seed", "seed.episode.steps, such as 0.0.0", text);
-  const [seed, episode] = [BigInt(found[1]!), BigInt(found[2]!)];
+  const seed = BigInt(found[1]!);
+  const episode = BigInt(found[2]!);
   if (seed > LARGEST_SEED || episode > LARGEST_SEED) refuse("seed", "numbers below 2^64", text);
   return [seed, episode, Number(found[3])];
 }

@@ -18,7 +18,9 @@ const LEAD = {
 };
 
 async function show(root: HTMLElement): Promise<void> {
-  const [data, engine, link] = [pageData(), await loadEngine(), hash()];
+  const data = pageData();
+  const engine = await loadEngine();
+  const link = hash();
   const { store, problem } = storeOf(engine, data, isMatch(link) ? data.scene : link || data.scene);
   const games = data.play && new Games(engine, data.play);
   let tab: Tab = "scene";

@@ -53,7 +53,9 @@ export class Games extends EventTarget {
 
   constructor(engine: Engine, data: OpponentsData) {
     super();
-    [this.#engine, this.#data, this.view] = [engine, data, new PlayView(engine)];
+    this.#engine = engine;
+    this.#data = data;
+    this.view = new PlayView(engine);
     this.#players = { pursuer: playersOf(data, "pursuer"), evader: playersOf(data, "evader") };
     const choice = (team: Team): HTMLSelectElement =>
       select(
@@ -110,13 +112,15 @@ export class Games extends EventTarget {
   /** Play on where the match of a link ends; return whether the parts of an address hold one. */
   follow(parts: URLSearchParams): boolean {
     const moves = movesOf(parts, this.#data.world);
-    const [pursuer, evader] = [Number(parts.get("pursuers") ?? NaN), Number(parts.get("evaders") ?? NaN)];
+    const pursuer = Number(parts.get("pursuers") ?? NaN);
+    const evader = Number(parts.get("evaders") ?? NaN);
     const seed = /^\d{1,20}$/.test(parts.get("seed") ?? "")
       ? BigInt.asUintN(64, BigInt(parts.get("seed")!))
       : null;
     if (!moves || seed === null || !this.#players.pursuer[pursuer] || !this.#players.evader[evader])
       return false;
-    [this.#teams.pursuer.selectedIndex, this.#teams.evader.selectedIndex] = [pursuer, evader];
+    this.#teams.pursuer.selectedIndex = pursuer;
+    this.#teams.evader.selectedIndex = evader;
     this.#you.selectedIndex = Number(moves.seat < this.#data.world.n_pursuers);
     this.#show("match");
     this.#play({ pursuer, evader, seed }, moves);
@@ -154,9 +158,11 @@ export class Games extends EventTarget {
   }
 
   #play(choice: Choice, moves: Moves): void {
-    const [config, players] = [this.#data.world, this.#players];
+    const config = this.#data.world;
+    const players = this.#players;
     const team = TEAMS[Number(moves.seat >= config.n_pursuers)]!;
-    const [pursuer, evader] = [players.pursuer[choice.pursuer]!, players.evader[choice.evader]!];
+    const pursuer = players.pursuer[choice.pursuer]!;
+    const evader = players.evader[choice.evader]!;
     const policies = { pursuer: pursuer.policy(), evader: evader.policy() };
     const title = `You are ${agentName(moves.seat, config.n_pursuers)}. Pursuers: ${pursuer.name}; evaders: ${evader.name}`;
     playOn(
@@ -194,10 +200,8 @@ function playersOf({ teams }: OpponentsData, team: Team): Player[] {
   const playing = (place: number): TeamPolicy => {
     const script = scripts[place];
     if (script || !policy) return script!;
-    const [size, genome] = [
-      policy.genome_size,
-      scripts.slice(0, place).filter((each) => each === null).length,
-    ];
+    const size = policy.genome_size;
+    const genome = scripts.slice(0, place).filter((each) => each === null).length;
     return { ...policy, genome: genomesOf(team, size).subarray(genome * size, (genome + 1) * size) };
   };
   return names.map((name, place) => ({

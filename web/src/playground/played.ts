@@ -92,7 +92,9 @@ export function linkTo(
 
 /** Return the moves that the parts of an address hold, or null. A text from elsewhere may hold anything. */
 export function movesOf(parts: URLSearchParams, config: WorldConfig): Moves | null {
-  const [seat, from, text] = [parts.get("seat") ?? "", parts.get("from") ?? "0", parts.get("moves") ?? ""];
+  const seat = parts.get("seat") ?? "";
+  const from = parts.get("from") ?? "0";
+  const text = parts.get("moves") ?? "";
   const valid =
     /^\d{1,6}$/.test(seat) &&
     Number(seat) < config.n_pursuers + config.n_evaders &&

@@ -151,7 +151,8 @@ function board(store: Store): Control {
     });
     return input;
   };
-  const [rows, cols] = [side("rows", "Rows"), side("cols", "Columns")];
+  const rows = side("rows", "Rows");
+  const cols = side("cols", "Columns");
   const diagonal = html("input", {
     type: "checkbox",
     id: "diagonal",

@@ -42,7 +42,9 @@ export class Store extends EventTarget {
   /** Throws EngineError if the engine refuses the scene. */
   constructor(engine: Engine, data: PageData, scene: Scene, example: Example | null = null) {
     super();
-    [this.#engine, this.data, this.#example] = [engine, data, example];
+    this.#engine = engine;
+    this.data = data;
+    this.#example = example;
     this.#scene = this.#original = scene;
     this.#games = this.#played(scene);
     this.player = new Player(this.game.length, { still: stillMotion() });
@@ -111,7 +113,10 @@ export class Store extends EventTarget {
     }
     if (!options.part) this.#undo = [...this.#undo, this.#scene].slice(-MOST_UNDONE);
     this.#redo = [];
-    if (options.example !== undefined) [this.#example, this.#original] = [options.example, scene];
+    if (options.example !== undefined) {
+      this.#example = options.example;
+      this.#original = scene;
+    }
     this.#later = [];
     this.#show(scene, games);
     return true;
@@ -227,16 +232,15 @@ export class Store extends EventTarget {
   }
 
   #show(scene: Scene, games: Game[]): void {
-    const [old, others] = [this.#scene, this.#games.length];
+    const old = this.#scene;
+    const others = this.#games.length;
     for (const game of this.#games) if (!games.includes(game)) game.free();
     this.#scene = scene;
     this.#games = games;
     if (this.#selected !== null && this.#selected >= agents(scene).length) this.#selected = null;
     const steps = this.game.length;
-    const [before, ruled] = [
-      this.player.step,
-      old.rules !== scene.rules || (scene.others !== null && others < 2),
-    ];
+    const before = this.player.step;
+    const ruled = old.rules !== scene.rules || (scene.others !== null && others < 2);
     this.player.length = steps;
     this.#aim();
     // Under other rules the last step is shown again: the same commands, another result.

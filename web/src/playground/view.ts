@@ -134,7 +134,9 @@ export class PlayView {
   /** Let a person play from where the moves of a match end. */
   play(game: Game): void {
     this.#show(liveOf(this.#engine, game.played), game.played.seat, game.title);
-    [this.#game, this.#moves, this.#held] = [game, [...game.played.moves], 0];
+    this.#game = game;
+    this.#moves = [...game.played.moves];
+    this.#held = 0;
     this.element.dataset["state"] = "playing";
     this.#canvas.focus({ preventScroll: true });
     if (isDone(this.#live!, game.played.seat)) this.#finish();
@@ -156,7 +158,8 @@ export class PlayView {
 
   /** Make a move; at a speed, the move is repeated until there is another one. */
   act(action: number): void {
-    const [game, live] = [this.#game, this.#live];
+    const game = this.#game;
+    const live = this.#live;
     if (!game || !live || this.element.dataset["state"] !== "playing") return;
     this.#held = action;
     const pace = Number(this.#pace.value);
@@ -183,7 +186,8 @@ export class PlayView {
   #show(live: Live, seat: number | null, title: string): void {
     this.#rest();
     this.player.pause();
-    [this.#live, this.#seat] = [live, seat];
+    this.#live = live;
+    this.#seat = seat;
     this.#title.textContent = title;
     this.#canvas.ariaLabel = `Board, ${live.config.rows} by ${live.config.cols} cells`;
     this.#pad.show(live.config.diagonal);
@@ -226,7 +230,8 @@ export class PlayView {
 
   /** Mark the steps in which teams lost value, when the match is over. */
   #judge(): void {
-    const [live, solution] = [this.#live!, this.#solution];
+    const live = this.#live!;
+    const solution = this.#solution;
     if (!solution || this.element.dataset["state"] === "playing") return;
     const world = this.#engine.world(live.config);
     world.reset(live.start);
@@ -243,7 +248,8 @@ export class PlayView {
 
   /** The best move as an arrow: the most probable one, where perfect play mixes. */
   #plan(): number[] | null {
-    const [seat, shares] = [this.#seat, this.#seat !== null && this.#perfect?.marginal(this.#seat)];
+    const seat = this.#seat;
+    const shares = this.#seat !== null && this.#perfect?.marginal(this.#seat);
     return seat !== null && shares
       ? Object.assign(Array<number>(seat).fill(0), { [seat]: shares.indexOf(Math.max(...shares)) })
       : null;
@@ -257,7 +263,8 @@ export class PlayView {
   }
 
   #step(): void {
-    const [{ policies, seat }, live] = [this.#game!.played, this.#live!];
+    const { policies, seat } = this.#game!.played;
+    const live = this.#live!;
     live.step(policies, seat, this.#held);
     this.#moves.push(this.#held);
     this.player.length = live.length;
@@ -268,7 +275,9 @@ export class PlayView {
 
   #finish(): void {
     this.#rest();
-    const [game, live, played] = [this.#game!, this.#live!, this.played!];
+    const game = this.#game!;
+    const live = this.#live!;
+    const played = this.played!;
     const link = hasAddress() ? game.link(played) : null;
     const name = `${agentName(played.seat, live.config.n_pursuers)}-${live.length}-steps.npz`;
     const save = (): void => saveFile(name, episodeFile(this.#engine, live, played.seat) as BlobPart);
@@ -305,7 +314,9 @@ export class PlayView {
   }
 
   #tell(): void {
-    const [live, seat, { step }] = [this.#live, this.#seat, this.player];
+    const live = this.#live;
+    const seat = this.#seat;
+    const { step } = this.player;
     if (!live || step > live.length) return;
     const about = wordsOf(live, live.recording, step).filter(
       ({ agents }) => seat === null || agents.includes(seat),
@@ -362,7 +373,8 @@ function nearest({ config, recording }: Live, step: number, seat: number): strin
 
 /** Return what came out for the person, in a sentence. */
 export function headline(live: Live, seat: number): string {
-  const [{ lasted, out, captured }, { config }] = [resultOf(live, seat), live];
+  const { lasted, out, captured } = resultOf(live, seat);
+  const { config } = live;
   if (teamOf(config, seat) === "pursuer")
     return `Your team captured ${captured} of ${evaders(config)} in ${lasted} steps.`;
   return out ? `You lasted ${lasted} of ${config.max_steps} steps.` : `You escaped: ${lasted} steps.`;

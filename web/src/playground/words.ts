@@ -38,11 +38,9 @@ const joined = (names: readonly string[]): string =>
 
 /** Return what happened in a step of a game, line by line; at the start there is none. */
 export function linesOf(scene: Scene, game: Game, step: number): Line[] {
-  const [before, after, outcome] = [
-    game.recording.moments[step - 1],
-    game.recording.moments[step],
-    game.outcomes[step],
-  ];
+  const before = game.recording.moments[step - 1];
+  const after = game.recording.moments[step];
+  const outcome = game.outcomes[step];
   if (!before || !after || !outcome) return [];
   const lines = [
     ...outcome.conflicts.map((conflict) => conflictLine(scene, game.rules, conflict)),
@@ -87,11 +85,9 @@ export function signed(reward: number): string {
 
 /** Return the reward of an agent in a step as a sum, such as "−12 collision, −0.05 step"; empty if it has one part. */
 export function sumOf(scene: Scene, game: Game, step: number, agent: number): string {
-  const [before, after, outcome] = [
-    game.recording.moments[step - 1],
-    game.recording.moments[step],
-    game.outcomes[step],
-  ];
+  const before = game.recording.moments[step - 1];
+  const after = game.recording.moments[step];
+  const outcome = game.outcomes[step];
   if (!before?.alive[agent] || !after || !outcome) return "";
   const { rewards } = scene;
   const team = agent < scene.pursuers.length ? "pursuer" : "evader";
