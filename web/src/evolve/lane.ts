@@ -3,6 +3,7 @@
 import type { Engine, Match } from "../engine/engine.ts";
 import type { GenomePolicy } from "../engine/types.ts";
 import { chart, frame, legend, line } from "../explorer/chart.ts";
+import type { Frame } from "../explorer/chart.ts";
 import { Inspector } from "../explorer/inspector.ts";
 import { MatchPanel } from "../explorer/match.ts";
 import { MatrixPanel } from "../explorer/matrix.ts";
@@ -28,6 +29,11 @@ import type { Order, Planned, Told } from "./worker.ts";
 const REST = 100;
 /** If generation 0 catches more than this, it is said why. */
 const MANY = 0.3;
+const BY_CHANCE =
+  "By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt.";
+/** Generation 0 of both teams. */
+const FIRST: OfTeams<number> = { pursuer: 0, evader: 0 };
+/** Races that were begun on this page. */
 let count = 0;
 
 /** A race that has ended, as it is kept: what can be saved, and what is shown besides. */
@@ -68,7 +74,14 @@ export class Lane extends EventTarget {
     this.#measures,
   );
   readonly #dialogs = html("div");
-  readonly #inspector: Inspector;
+  readonly #inspector = new Inspector(() => {});
+  /** The card of the agent that is asked. */
+  readonly #asked = html(
+    "section",
+    { class: "card asked", "aria-label": "An agent", hidden: true },
+    html("button", { type: "button", class: "leave", onclick: () => this.#ask(null, null) }, "Close"),
+    this.#inspector.element,
+  );
   readonly #weights: Weights;
   #run!: GrowingRun;
   #scores: OfTeams<(number | null)[]> = { pursuer: [], evader: [] };
@@ -92,16 +105,9 @@ export class Lane extends EventTarget {
     this.before.element.classList.add("before");
     this.boards = html("div", { class: "pair" }, this.before.element, this.after.element);
     this.#weights = new Weights(engine, data, () => this.#renew(true));
-    this.#inspector = new Inspector(() => {});
-    const asked = html(
-      "section",
-      { class: "card asked", "aria-label": "An agent", hidden: true },
-      html("button", { type: "button", class: "leave", onclick: () => this.#ask(null, null) }, "Close"),
-      this.#inspector.element,
-    );
     for (const chase of [this.before, this.after]) {
       chase.addEventListener("agent", () => chase.agent !== null && this.#ask(chase, chase.agent));
-      chase.addEventListener("step", () => !asked.hidden && chase.agent !== null && this.#look(chase));
+      chase.addEventListener("step", () => !this.#asked.hidden && chase.agent !== null && this.#look(chase));
     }
     this.element = html(
       "section",
@@ -110,7 +116,7 @@ export class Lane extends EventTarget {
       this.#facts,
       this.boards,
       html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and why it moves."),
-      asked,
+      this.#asked,
       this.#weights.element,
       this.#more,
       this.#dialogs,
@@ -121,49 +127,40 @@ export class Lane extends EventTarget {
   /** Show generation 0 of a race that has not begun. */
   reset(settings: RaceSettings): void {
     this.#mate.send({ type: "stop" });
-    this.settings = settings;
+    this.#begin(settings);
     this.state = "waiting";
-    this.done = 0;
-    this.epochs = 0;
-    this.kept = null;
-    this.#begin();
     const { archive } = new Race(this.#engine, settings, this.#data.masks);
     this.#run.add({ pursuer: archive.pursuer[0]!, evader: archive.evader[0]! });
     this.#renew(true);
     this.#tell();
   }
 
-  /** Begin the race anew, with what is planned on its way, and let it rest after so many epochs. */
+  /** Begin the race anew, with the changes that are planned, and let it rest after `until` epochs. */
   start(settings: RaceSettings, plan: readonly Planned[] = [], until = Infinity): void {
-    this.settings = settings;
-    this.#begin();
-    this.settings = plan.at(-1)?.settings ?? settings;
+    this.#begin(settings);
     this.state = "evolving";
-    this.done = 0;
-    this.epochs = 0;
-    this.kept = null;
-    this.changed.splice(0);
+    this.settings = plan.at(-1)?.settings ?? settings; // those that the race ends with
     this.#order({ type: "start", settings, masks: this.#data.masks, plan, until });
     this.#tell();
   }
 
   /** Show a race that was kept. */
   restore(settings: RaceSettings, kept: Kept, epochs: number, changed: readonly number[]): void {
-    this.settings = kept.settings;
-    this.#begin();
-    for (const number of Array(kept.finished).keys())
+    this.#begin(kept.settings);
+    this.settings = settings;
+    this.kept = kept;
+    for (let number = 0; number < kept.finished; number++) {
       this.#run.add({ pursuer: kept.archive.pursuer[number]!, evader: kept.archive.evader[number]! });
+    }
     for (const [name, cell] of kept.cells) {
       this.#run.addCell(cell);
       this.#cells.set(name, cell);
     }
     this.#scores = { pursuer: [...kept.scores.pursuer], evader: [...kept.scores.evader] };
-    this.settings = settings;
-    this.kept = kept;
     this.seconds = kept.seconds;
-    this.epochs = epochs;
     this.done = 1;
-    this.changed.splice(0, Infinity, ...changed);
+    this.epochs = epochs;
+    this.changed.push(...changed);
     this.#end("ended");
     this.#show();
   }
@@ -206,7 +203,7 @@ export class Lane extends EventTarget {
     return this.#run.newest;
   }
 
-  /** The world of the race now, and what plays for both teams: the best generations of a race that has ended, or weights that a person has set. */
+  /** What plays for both teams: the best generations of a race that has ended, or weights that a person has set. */
   get champions(): OfTeams<Float32Array> {
     return { pursuer: this.#weights.genome("pursuer"), evader: this.#weights.genome("evader") };
   }
@@ -301,18 +298,30 @@ export class Lane extends EventTarget {
 
   // ---- What is shown ----------------------------------------------------------------------------
 
-  #begin(): void {
-    const key = `race ${count++}`;
-    const name = scheduleName(this.settings);
-    this.#run = new GrowingRun(this.settings, this.#data.masks, name, key);
+  /** Show an empty race with these settings, of which nothing has been played. */
+  #begin(settings: RaceSettings): void {
+    this.settings = settings;
+    this.done = 0;
+    this.epochs = 0;
+    this.changed.splice(0);
+    this.kept = null;
+    const name = scheduleName(settings);
+    this.#run = new GrowingRun(settings, this.#data.masks, name, `race ${count}`);
+    count += 1;
     this.#clear();
     this.#ask(null, null);
     this.#follows = true;
     this.#heard = false;
     this.#store = new Store({ run: 0, pursuer: 0, evader: 0, episode: 0, seed: null });
     const matrix = new MatrixPanel([this.#run], this.#store);
-    const match = new MatchPanel([this.#run], this.#store, null);
     matrix.element.ariaLabel = `Payoff matrix. ${name}`; // of two races, each has its own name
+    this.#dialogs.replaceChildren(this.#matchDialog(matrix));
+    this.#room.replaceChildren(matrix.element, this.#scoresCard());
+  }
+
+  /** Return a dialog that plays the match of a cell when it is clicked. */
+  #matchDialog(matrix: MatrixPanel): HTMLDialogElement {
+    const match = new MatchPanel([this.#run], this.#store, null);
     match.actions.remove();
     const dialog = html(
       "dialog",
@@ -330,22 +339,15 @@ export class Lane extends EventTarget {
       started = true;
       match.playSoon();
     });
+    return dialog;
+  }
+
+  /** Return the card with the scores against scripts, and keep what draws its chart anew. */
+  #scoresCard(): HTMLElement {
+    const scripts = `${FIXED.pursuer.join(", ")} and ${FIXED.evader.join(", ")}`;
     const made = chart(
-      `Scores against scripts, by generation: ${FIXED.pursuer.join(", ")} and ${FIXED.evader.join(", ")}`,
-      (width, height) => {
-        const last = this.settings.schedule.generations;
-        const into = frame(
-          width,
-          height,
-          { low: 0, high: last, label: "generation", whole: true },
-          { low: 0, high: 1, label: "score" },
-        );
-        for (const team of TEAMS) {
-          const known = Array.from(this.#scores[team], (score) => score ?? null);
-          line(into, [...known.keys()], known, `of-${team}s`);
-        }
-        return into;
-      },
+      `Scores against scripts, by generation: ${scripts}`,
+      (width, height) => this.#scoresFrame(width, height),
       () => {},
       (generation) => {
         const chosen = Math.min(this.#run.newest, Math.max(0, Math.round(generation)));
@@ -353,48 +355,54 @@ export class Lane extends EventTarget {
       },
     );
     this.#drawChart = made.redraw;
-    this.#room.replaceChildren(
-      matrix.element,
-      html(
-        "section",
-        { class: "card scores" },
-        html("h3", {}, "Against opponents that never change"),
-        html(
-          "p",
-          { class: "small muted" },
-          "Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers.",
-        ),
-        legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]),
-        made.element,
-      ),
+    const told =
+      "Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers.";
+    return html(
+      "section",
+      { class: "card scores" },
+      html("h3", {}, "Against opponents that never change"),
+      html("p", { class: "small muted" }, told),
+      legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]),
+      made.element,
     );
-    this.#dialogs.replaceChildren(dialog);
+  }
+
+  #scoresFrame(width: number, height: number): Frame {
+    const { generations } = this.settings.schedule;
+    const across = { low: 0, high: generations, label: "generation", whole: true };
+    const into = frame(width, height, across, { low: 0, high: 1, label: "score" });
+    for (const team of TEAMS) {
+      const known = Array.from(this.#scores[team], (score) => score ?? null);
+      line(into, [...known.keys()], known, `of-${team}s`);
+    }
+    return into;
   }
 
   /** Show the next matches: of generation 0, and of the newest or the best one, from the same start. */
   #play(): void {
-    const { newest, best } = this.#run;
-    if (newest < 0) return;
-    const zero = { pursuer: 0, evader: 0 };
-    const episode = this.#episode++ % this.#run.payoff.episodes;
+    if (this.#run.newest < 0) return;
+    const seed = BigInt(this.#run.seeds[0]![0]!);
+    const episode = this.#episode % this.#run.payoff.episodes;
+    this.#episode += 1;
     const match = (genomes: OfTeams<Float32Array>): Match =>
-      this.#engine.match(
-        this.#run.world,
-        ...this.#policies(genomes),
-        BigInt(this.#run.seeds[0]![0]!),
-        episode,
-      );
+      this.#engine.match(this.#run.world, ...this.#policies(genomes), seed, episode);
+    this.before.show(match(this.#run.genomesOf(FIRST)), "Before: generation 0");
+    this.after.show(match(this.champions), this.#titleOfNow());
+    for (const chase of [this.before, this.after]) {
+      if (chase.agent !== null) this.#look(chase, true);
+    }
+  }
+
+  /** Say which generations play in the match of now. */
+  #titleOfNow(): string {
+    const { newest, best } = this.#run;
+    if (newest === 0) return "Generation 0: nobody has learned anything yet";
     const { pursuer, evader } = best ?? { pursuer: newest, evader: newest };
     const both =
       pursuer === evader
         ? `generation ${pursuer}`
         : `pursuers of generation ${pursuer}, evaders of generation ${evader}`;
-    this.before.show(match(this.#run.genomesOf(zero)), "Before: generation 0");
-    this.after.show(
-      match(this.champions),
-      !newest ? "Generation 0: nobody has learned anything yet" : best ? `After: ${both}` : `Now: ${both}`,
-    );
-    for (const chase of [this.before, this.after]) if (chase.agent !== null) this.#look(chase, true);
+    return best ? `After: ${both}` : `Now: ${both}`;
   }
 
   #policies({ pursuer, evader }: OfTeams<Float32Array>): [GenomePolicy, GenomePolicy] {
@@ -410,33 +418,27 @@ export class Lane extends EventTarget {
   #ask(chase: Chase | null, agent: number | null): void {
     for (const each of [this.before, this.after])
       if (each !== chase && each.agent !== null) each.choose(null);
-    (this.#inspector.element.parentElement ?? { hidden: true }).hidden = !chase;
+    this.#asked.hidden = !chase;
     if (!chase) return;
     this.#look(chase, true);
     this.#inspector.choose(agent);
   }
 
-  /** Ask the next agent on the board of now. */
+  /** Ask the next living agent on the board of now. */
   askNext(): void {
-    const {
-      match,
-      player: { step },
-      agent,
-    } = this.after;
-    const order = Array.from(
-      { length: match?.n_agents ?? 0 },
-      (_, place) => ((agent ?? -1) + 1 + place) % match!.n_agents,
-    );
-    const next = order.find((each) => match!.alive[step * match!.n_agents + each]);
+    const { match, player, agent } = this.after;
+    if (!match) return;
+    const count = match.n_agents;
+    const after = (agent ?? -1) + 1;
+    const order = Array.from({ length: count }, (_, place) => (after + place) % count);
+    const next = order.find((each) => match.alive[player.step * count + each]);
     if (next !== undefined) this.after.choose(next);
   }
 
   #look(chase: Chase, anew = false): void {
     if (anew) {
       const before = chase === this.before;
-      const [pursuers, evaders] = this.#policies(
-        before ? this.#run.genomesOf({ pursuer: 0, evader: 0 }) : this.champions,
-      );
+      const [pursuers, evaders] = this.#policies(before ? this.#run.genomesOf(FIRST) : this.champions);
       const at = before ? 0 : this.#run.newest;
       this.#inspector.show(
         this.#engine,
@@ -469,25 +471,18 @@ export class Lane extends EventTarget {
       return cell ? mean(cell.capture_rates) : null;
     };
     if (this.state === "waiting" || newest < 1) {
-      const caught =
-        rate(0) ??
-        this.#weights.rate(this.#run.genomesOf({ pursuer: 0, evader: 0 }), { pursuer: 0, evader: 0 });
-      return [
-        `${percent(caught)} of the evaders are caught.`,
-        ...(caught > MANY
-          ? [
-              "By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt.",
-            ]
-          : []),
-      ];
+      const caught = rate(0) ?? this.#weights.rate(this.#run.genomesOf(FIRST), FIRST);
+      const told = `${percent(caught)} of the evaders are caught.`;
+      return caught > MANY ? [told, BY_CHANCE] : [told];
     }
+    const generation = `Generation ${newest} of ${this.settings.schedule.generations}`;
     const now = rate(newest) ?? rate(newest - 1);
     const first = rate(0);
-    const caught =
-      now === null || first === null
-        ? ""
-        : `: the pursuers catch ${percent(now)} of the evaders; those of generation 0 caught ${percent(first)}`;
-    return [`Generation ${newest} of ${this.settings.schedule.generations}${caught}.`];
+    if (now === null || first === null) return [`${generation}.`];
+    return [
+      `${generation}: the pursuers catch ${percent(now)} of the evaders; ` +
+        `those of generation 0 caught ${percent(first)}.`,
+    ];
   }
 
   #showMeasures(): void {
