@@ -97,7 +97,9 @@ export class Chase extends EventTarget {
     let cursor: Cell = [0, 0];
     const isWall = ([row, col]: Cell): boolean =>
       Boolean(this.#recording?.obstacles[row * this.#recording.cols + col]);
-    const put = (cell: Cell, wall: boolean): void => void (this.#refused.textContent = set(cell, wall));
+    const put = (cell: Cell, wall: boolean): void => {
+      this.#refused.textContent = set(cell, wall);
+    };
     const draw = (event: PointerEvent): void => {
       const cell = this.#board.cellAt(event.clientX, event.clientY);
       if (cell && isWall(cell) !== wall) put(cell, wall);

@@ -108,14 +108,11 @@ export function whyNotPlayed({ walls, pursuers, evaders }: Choice, { rows, cols 
 /** A choice, or a part of it, as the parts of an address. */
 export type Parts = Readonly<Record<string, string>>;
 
-const textOf = (value: Choice[keyof Choice]): string =>
-  Array.isArray(value)
-    ? (value as readonly number[]).join(".") || "none"
-    : value === null
-      ? "usual"
-      : typeof value === "boolean"
-        ? String(Number(value))
-        : String(value);
+function textOf(value: Choice[keyof Choice]): string {
+  if (Array.isArray(value)) return (value as readonly number[]).join(".") || "none";
+  if (value === null) return "usual";
+  return String(typeof value === "boolean" ? Number(value) : value);
+}
 
 /** Return the parts of a choice that are not as usual in its world. */
 export function partsOf(data: EvolveData, choice: Choice): Parts {

@@ -82,12 +82,12 @@ export class Duel {
         players,
         linkName: "Challenge a friend",
         about: `Seed ${seed}: these pursuers catch ${rate} %. ${friend ? `Your friend ${did(friend.score)}` : "You have the seat with the ring"}`,
-        told: (result) =>
-          !friend
-            ? ""
-            : score(result) > friend.score
-              ? `You beat your friend, who ${did(friend.score)}.`
-              : `Your friend ${did(friend.score)}: ${score(result) === friend.score ? "a draw" : "not beaten yet"}.`,
+        told: (result) => {
+          if (!friend) return "";
+          const own = score(result);
+          if (own > friend.score) return `You beat your friend, who ${did(friend.score)}.`;
+          return `Your friend ${did(friend.score)}: ${own === friend.score ? "a draw" : "not beaten yet"}.`;
+        },
         link: (now) => this.#link(dare(now)),
       },
     );

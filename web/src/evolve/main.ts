@@ -180,7 +180,9 @@ class Page {
         );
       }
     }
-    const replay = (): void => void (story.watched.length && !races && this.#replay(story));
+    const replay = (): void => {
+      if (story.watched.length && !races) this.#replay(story);
+    };
     if (!dare) return replay();
     const settings = this.#settings(0);
     const policies = {
@@ -218,9 +220,8 @@ class Page {
     this.#walls.ariaPressed = "false";
     this.#room.dataset["count"] = String(this.lanes.length);
     this.#room.replaceChildren(...this.lanes.map(({ element }) => element));
-    (this.lanes.length > 1 ? this.#room : this.lanes[0]!.boards)[this.lanes.length > 1 ? "before" : "after"](
-      this.#doings,
-    );
+    if (this.lanes.length > 1) this.#room.before(this.#doings);
+    else this.lanes[0]!.boards.after(this.#doings);
     this.#controls.show(this.#choice);
     this.#tell();
   }
@@ -320,7 +321,8 @@ class Page {
     const drawn = { ...this.#choice, walls: withCell(this.#choice.walls ?? shown, row * cols + col, wall) };
     const why = whyNotPlayed(drawn, this.#data.worlds[drawn.world]!);
     if (why) return why;
-    const { walls } = (this.#choice = drawn);
+    this.#choice = drawn;
+    const { walls } = drawn;
     const flags = Uint8Array.from({ length: rows * cols }, (_, cell) => Number(walls.includes(cell)));
     for (const lane of this.lanes) lane.after.showWalls(flags);
     clearTimeout(this.#due);
@@ -373,16 +375,17 @@ class Page {
     this.#tell();
   }
 
+  /** The state of all races together. */
+  #state(): Lane["state"] {
+    const states = this.lanes.map(({ state }) => state);
+    if (states.every((each) => each === "waiting")) return "waiting";
+    if (states.includes("evolving")) return "evolving";
+    return states.includes("stopped") ? "stopped" : "ended";
+  }
+
   #tell(): void {
     if (!this.lanes.length) return;
-    const states = this.lanes.map(({ state }) => state);
-    const state = states.every((each) => each === "waiting")
-      ? "waiting"
-      : states.includes("evolving")
-        ? "evolving"
-        : states.includes("stopped")
-          ? "stopped"
-          : "ended";
+    const state = this.#state();
     document.body.dataset["state"] = state;
     this.#evolve.textContent = { waiting: "Evolve", evolving: "Stop", stopped: "Go on", ended: "" }[state];
     this.#evolve.hidden = state === "ended";

@@ -98,10 +98,11 @@ export function storyOf(
   } = Object.fromEntries(found) as Parts;
   const wrong: string[] = [];
   const choice = choiceOf(data, rest, (part) => wrong.push(part));
-  const epochs = (part: string): number[] =>
-    part
-      .split(BETWEEN.races)
-      .map((each) => (each === END ? Infinity : /^\d{1,6}$/.test(each) ? Number(each) : NaN));
+  const epoch = (part: string): number => {
+    if (part === END) return Infinity;
+    return /^\d{1,6}$/.test(part) ? Number(part) : NaN;
+  };
+  const epochs = (part: string): number[] => part.split(BETWEEN.races).map(epoch);
   const changes = then
     .split(BETWEEN.changes)
     .filter(Boolean)
@@ -121,17 +122,15 @@ export function storyOf(
   const dare = play ? dareOf(data, choice, play, pursuer, evader) : null;
   if (!whole) wrong.push(`to=${to}`);
   if (play && !dare) wrong.push(`play=${play}`);
-  const problem =
-    address.length > 2 * LONGEST
-      ? "The link is too long, and shows nothing. "
-      : wrong.length
-        ? `Something in the link is wrong, and left out: ${wrong
-            .slice(0, 3)
-            .map((part) => part.slice(0, 60))
-            .join("; ")}. `
-        : watched.length && race !== markOf(data)
-          ? "The link is of another version of this page: the race may be another one. "
-          : "";
+  let problem = "";
+  if (address.length > 2 * LONGEST) {
+    problem = "The link is too long, and shows nothing. ";
+  } else if (wrong.length) {
+    const named = wrong.slice(0, 3).map((part) => part.slice(0, 60));
+    problem = `Something in the link is wrong, and left out: ${named.join("; ")}. `;
+  } else if (watched.length && race !== markOf(data)) {
+    problem = "The link is of another version of this page: the race may be another one. ";
+  }
   return { story: { choice, changes: whole ? changes : [], watched: whole ? watched : [] }, dare, problem };
 }
 

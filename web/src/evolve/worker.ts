@@ -110,7 +110,9 @@ export function work(end: End<Told, Order>): void {
     if (!steps && race!.finished <= settings.schedule.generations) {
       steps = race!.run();
       going = true;
-    } else if (!going) missing = race!.catchUp();
+    } else if (!going) {
+      missing = race!.catchUp();
+    }
   };
 
   const rest = (): void => {
@@ -129,8 +131,11 @@ export function work(end: End<Told, Order>): void {
         going = false;
         missing = race!.catchUp(); // a late change has left some matches
         tell({ type: "end", at: race!.epochs, seconds: milliseconds / 1000 });
-      } else if (value.type === "rest") rest();
-      else tell(value);
+      } else if (value.type === "rest") {
+        rest();
+      } else {
+        tell(value);
+      }
       return true;
     }
     const found = missing?.next();
@@ -159,16 +164,18 @@ export function work(end: End<Told, Order>): void {
       milliseconds = 0;
       race.until = order.until;
       tell({ type: "began" });
-    } else if (!race) return;
-    else if (order.type === "change") {
+    } else if (!race) {
+      return;
+    } else if (order.type === "change") {
       plan = []; // from here on it is another race
       race.until = Infinity;
       change(order.settings);
     } else if (order.type === "go") {
       race.until = Infinity;
       going = true;
-    } else if (order.type === "stop") going && rest();
-    else {
+    } else if (order.type === "stop") {
+      if (going) rest();
+    } else {
       const { settings, archive, rows, cells, counters, finished } = race;
       tell({ type: "saved", race: { settings, archive, rows, cells, counters, finished } });
     }

@@ -143,14 +143,6 @@ export class Inspector {
         ? whyTable(policy, world.rate(policy, agent), taken, expressionOf(run, team, selection[team]))
         : [];
     const game = this.#solution?.game(world) ?? null;
-    const told =
-      typeof policy === "string"
-        ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
-        : policy.kind !== "cells"
-          ? "It takes the best move that its mask allows; of equal ones any."
-          : policy.sampled
-            ? "Its action is drawn from these probabilities."
-            : "It takes the most probable action.";
     const columns = [
       ["network", own],
       ["perfect", game?.marginal(agent) ?? null],
@@ -162,7 +154,7 @@ export class Inspector {
         ...table(columns, taken),
         ...rated,
       ],
-      taken === null ? "The episode is over." : told,
+      taken === null ? "The episode is over." : howTaken(policy, taken),
     );
   }
 
@@ -170,6 +162,15 @@ export class Inspector {
     this.#bars.replaceChildren(...bars);
     this.#note.textContent = note;
   }
+}
+
+/** Say how a policy came to an action. */
+function howTaken(policy: TeamPolicy, action: number): string {
+  if (typeof policy === "string") return `The script "${policy}" plays for it; it goes ${ACTIONS[action]}.`;
+  if (policy.kind !== "cells") return "It takes the best move that its mask allows; of equal ones any.";
+  return policy.sampled
+    ? "Its action is drawn from these probabilities."
+    : "It takes the most probable action.";
 }
 
 type Column = readonly [name: string, probabilities: ArrayLike<number> | null];

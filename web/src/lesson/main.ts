@@ -74,12 +74,12 @@ class Page {
     const store = this.#store;
     const asked = predictionsOf(lesson).size;
     const counted = html("span", { class: "small muted", role: "status" });
-    const count = (): void =>
-      void (counted.textContent =
-        `${store.count} of ${asked} predictions made. ` +
-        (store.keeps
-          ? "They stay in this browser."
-          : "This browser keeps nothing: save before you close the page."));
+    const count = (): void => {
+      const kept = store.keeps
+        ? "They stay in this browser."
+        : "This browser keeps nothing: save before you close the page.";
+      counted.textContent = `${store.count} of ${asked} predictions made. ${kept}`;
+    };
     store.addEventListener("choice", count);
     const anew = (): void => {
       if (

@@ -106,13 +106,13 @@ const SEED_NUMBERS = Array.from({ length: 20 }, (_, seed) => seed);
 
 /** One game with sliders. With `hall` there is one for the hall of fame, and ten races can be compared with ten. */
 export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
-  let [game, seed, settings]: [GameName, number, Settings] = [
-    "scalar",
-    0,
-    { ...USUAL, hall: hall ? WITH_HALL : 0 },
-  ];
+  let game: GameName = "scalar";
+  let seed = 0;
+  let settings: Settings = { ...USUAL, hall: hall ? WITH_HALL : 0 };
   let race = 0; // the number of the race that plays: a newer one ends it
-  const set = (change: Partial<Settings>): void => void (settings = { ...settings, ...change });
+  const set = (change: Partial<Settings>): void => {
+    settings = { ...settings, ...change };
+  };
   const rows: [number[][], number[][]] = [[], []];
   const triangles = [
     matrixOf(rows[0], "Score of side 1", GENERATIONS / EVERY + 1),
@@ -140,7 +140,9 @@ export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
     nothing,
   );
   const told = html("p", { class: "numbers", role: "status" });
-  const tell = (text: string): void => void (told.textContent = text);
+  const tell = (text: string): void => {
+    told.textContent = text;
+  };
   const one = async (): Promise<void> => {
     const own = ++race;
     for (const list of [...rows, ...ones]) list.length = 0;

@@ -5,8 +5,9 @@ import { html } from "./dom.ts";
 /** Return whether the page is dark now. */
 const isDark = (): boolean => document.documentElement.dataset["theme"] === "dark";
 
-const setDark = (dark: boolean): void =>
-  void (document.documentElement.dataset["theme"] = dark ? "dark" : "light");
+function setDark(dark: boolean): void {
+  document.documentElement.dataset["theme"] = dark ? "dark" : "light";
+}
 
 /** Change from light to dark, or back. */
 export const changeTheme = (): void => setDark(!isDark());

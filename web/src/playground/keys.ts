@@ -30,7 +30,10 @@ export function listenToKeys(store: Store, openKeys: () => void, shown: () => bo
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if ((event.ctrlKey || event.metaKey) && !event.altKey) {
       const act = { z: () => (event.shiftKey ? store.redo() : store.undo()), y: () => store.redo() }[key];
-      if (act && !isText(event.target)) (event.preventDefault(), act());
+      if (act && !isText(event.target)) {
+        event.preventDefault();
+        act();
+      }
       return;
     }
     if (event.altKey || ownsKey(event.target, key)) return;
