@@ -24,8 +24,9 @@ for await (const line of createInterface({ input: process.stdin })) {
   let first = 0;
   for (const event of race.run()) {
     if (event.type === "generation" && event.number === 1) first = seconds() - began;
-    if (event.type === "scores")
+    if (event.type === "scores") {
       for (const team of Object.keys(scores)) scores[team][event.number] = event.scores[team];
+    }
   }
   const took = seconds() - began;
   const capture = mean([...race.cells.values()].map(({ capture_rates }) => mean(capture_rates)));

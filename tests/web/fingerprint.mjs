@@ -44,7 +44,9 @@ function batch(config, seed, actions) {
   });
   for (let step = 0; step < STEPS; ++step) {
     const told = worlds.map((world, w) => stepOf(world, actions[step][w]));
-    for (const name of arrays.all) for (const each of told) add(each.get(name));
+    for (const name of arrays.all) {
+      for (const each of told) add(each.get(name));
+    }
   }
   for (const world of worlds) world.free();
 }
@@ -70,7 +72,9 @@ function rollouts({ config, team, matches }) {
     const played = matches.flatMap(([seed, episodes]) =>
       rollout(config, pursuers, evaders, BigInt(seed), episodes),
     );
-    for (const name of scores) for (const statistics of played) add(score(statistics, name));
+    for (const name of scores) {
+      for (const statistics of played) add(score(statistics, name));
+    }
   }
 }
 

@@ -24,8 +24,9 @@ const events = [];
 const scores = { pursuer: [], evader: [] };
 for (const event of race.run()) {
   events.push(event.type);
-  if (event.type === "scores")
+  if (event.type === "scores") {
     for (const team of ["pursuer", "evader"]) scores[team][event.number] = event.scores[team];
+  }
   // Other settings from a generation on.
   const change = event.type === "generation" && changes?.[event.number];
   if (change && race.change(change)) events.push("anew");

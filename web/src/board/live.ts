@@ -66,10 +66,12 @@ export class Live implements Told {
     // As in every match of the engine, agents decide at the beginning of their own turn.
     for (let turn = world.n_turns; turn > 0 && !world.over; --turn) {
       const [first, last] = world.actors;
-      if (first < first_evader)
+      if (first < first_evader) {
         actions = world.decide(policies.pursuer, [first, Math.min(last, first_evader)], actions);
-      if (last > first_evader)
+      }
+      if (last > first_evader) {
         actions = world.decide(policies.evader, [Math.max(first, first_evader), last], actions);
+      }
       if (typeof hand === "number") actions[seat] = hand;
       else if (first <= seat && seat < last) actions = world.decide(hand, [seat, seat + 1], actions);
       world.playTurn(actions);

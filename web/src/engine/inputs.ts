@@ -42,8 +42,9 @@ function choice(name: string, value: unknown, numbers: Readonly<Record<string, n
 }
 
 function finite(name: string, value: unknown): number {
-  if (typeof value !== "number" || !(Math.abs(value) <= FLOAT_MAX))
+  if (typeof value !== "number" || !(Math.abs(value) <= FLOAT_MAX)) {
     throw expected(name, "a finite number", value);
+  }
   return value;
 }
 
@@ -186,8 +187,9 @@ export function policyInputs(policy: TeamPolicy): Inputs {
   if (policy.activation !== "relu" && policy.activation !== "tanh") {
     throw expected("activation", "'relu' or 'tanh'", policy.activation);
   }
-  if (!MEMORIES.includes(policy.memory))
+  if (!MEMORIES.includes(policy.memory)) {
     throw expected("memory", `one of ${MEMORIES.join(", ")}`, policy.memory);
+  }
   return {
     hidden: Int32Array.from(policy.hidden, (size) => integer("hidden", size)[0]!),
     activation: new TextEncoder().encode(policy.activation),

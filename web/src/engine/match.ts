@@ -58,8 +58,9 @@ export class Match {
   seek(world: World, step: number, policies?: Pick<Pair, "pursuers" | "evaders">): void {
     this.check(step);
     const here = world.seed === this.seed && world.episode === BigInt(this.episode);
-    if (!here || world.turn !== 0 || world.steps > step)
+    if (!here || world.turn !== 0 || world.steps > step) {
       world.reset({ seed: this.seed, episode: this.episode });
+    }
     for (let t = world.steps; t < step; ++t) {
       const actions = this.actions.subarray(t * this.n_agents, (t + 1) * this.n_agents);
       if (policies) world.replay(actions, { pursuer: policies.pursuers, evader: policies.evaders });

@@ -50,8 +50,9 @@ function successorsOf({
 
 /** Return why a page does not solve a world; empty if it does. */
 export function whyNotSolved(config: WorldConfig): string {
-  if (typeof config.obstacles === "number" && config.obstacles > 0)
+  if (typeof config.obstacles === "number" && config.obstacles > 0) {
     return "obstacles are drawn anew in each episode";
+  }
   return successorsOf(config) > MOST_SUCCESSORS ? "the world is too large to be solved on the page" : "";
 }
 
@@ -137,8 +138,9 @@ export class Solution {
       const next = row[turn + 1] ?? before;
       row[turn] = this.backup(turn, { next });
     }
-    if (this.payoff === "capture-time")
+    if (this.payoff === "capture-time") {
       row[0] = row[0]!.map((value, state) => (state === this.config.n_evaders ? 0 : value - 1));
+    }
     this.values.push(row);
     const rounds =
       this.payoff === "capture-rate" ? this.config.max_steps : Math.min(this.config.max_steps, HORIZON);

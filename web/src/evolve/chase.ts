@@ -83,8 +83,9 @@ export class Chase extends EventTarget {
 
   #tell(): void {
     const evaders = this.#recording?.moments[this.player.step]?.everCaptured;
-    if (evaders)
+    if (evaders) {
       this.#told.textContent = `${Array.from(evaders).filter(Boolean).length} of ${evaders.length} caught in ${this.player.step} steps`;
+    }
     this.dispatchEvent(new Event("step"));
   }
 
@@ -151,11 +152,12 @@ export class Chases {
   constructor(next: () => void, ...boards: Chase[]) {
     this.#next = next;
     this.boards = boards;
-    for (const each of boards)
+    for (const each of boards) {
       each.addEventListener(
         "over",
         () => this.#runs && boards.every(({ over }) => over) && this.#soon(PAUSE),
       );
+    }
   }
 
   /** Whether matches are played; otherwise the last ones rest. */
@@ -200,6 +202,8 @@ export function whileSeen(chases: Chases, place: Element): void {
     if (!entry!.isIntersecting) {
       ran = chases.runs;
       chases.runs = false;
-    } else if (ran && !chases.runs) chases.runs = true;
+    } else if (ran && !chases.runs) {
+      chases.runs = true;
+    }
   }).observe(place);
 }

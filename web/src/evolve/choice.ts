@@ -86,8 +86,9 @@ export function whyNotPlayed({ walls, pursuers, evaders }: Choice, { rows, cols 
   const free = new Set(
     Array.from({ length: rows * cols }, (_, cell) => cell).filter((cell) => !walls.includes(cell)),
   );
-  if (free.size < pursuers + evaders)
+  if (free.size < pursuers + evaders) {
     return `There is no room: ${pursuers + evaders} agents need a free cell each.`;
+  }
   const found = [Math.min(...free)]; // the cells that can be reached from the first one
   free.delete(found[0]!);
   for (const cell of found) {

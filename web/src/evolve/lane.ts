@@ -232,8 +232,9 @@ export class Lane extends EventTarget {
     } else if (told.type === "cell") {
       const { pursuer, evader } = told.cell;
       this.#run.addCell(told.cell);
-      if (this.#follows && pursuer === evader && pursuer === this.#run.newest)
+      if (this.#follows && pursuer === evader && pursuer === this.#run.newest) {
         this.#store.select({ pursuer, evader });
+      }
       this.#cells.set(`${pursuer} ${evader}`, told.cell);
       if (this.state === "stopped" || this.state === "ended") this.#end(this.state);
     } else if (told.type === "scores") {
@@ -416,8 +417,9 @@ export class Lane extends EventTarget {
 
   /** Tell what an agent on a board sees, and why it moves; null for none. */
   #ask(chase: Chase | null, agent: number | null): void {
-    for (const each of [this.before, this.after])
+    for (const each of [this.before, this.after]) {
       if (each !== chase && each.agent !== null) each.choose(null);
+    }
     this.#asked.hidden = !chase;
     if (!chase) return;
     this.#look(chase, true);

@@ -296,7 +296,9 @@ class Page {
       if (!waiting && hasAddress()) history.pushState(null, "", "#"); // Back leads to the race before
       if (this.#schedules().length !== lanes) this.#makeLanes();
       if (!waiting) return this.#start();
-    } else this.#changes.push(change);
+    } else {
+      this.#changes.push(change);
+    }
     if (this.lanes.some((lane) => lane.kept)) {
       this.#kept = "";
       this.#replay({
@@ -304,7 +306,9 @@ class Page {
         changes: [...story.changes, { change, at: story.watched }],
         watched: this.lanes.map(() => Infinity),
       });
-    } else for (const [number, lane] of this.lanes.entries()) lane.change(this.#settings(number));
+    } else {
+      for (const [number, lane] of this.lanes.entries()) lane.change(this.#settings(number));
+    }
   };
 
   /** Draw a wall or remove it; returns why not. */
@@ -405,8 +409,9 @@ class Page {
     const address = addressOf(this.#data, this.#story);
     this.#field.hidden = this.#field.value !== this.#link();
     // Browsers allow few changes of the address in a second.
-    if (hasAddress() && address.length <= LONGEST && location.hash.slice(1) !== address)
+    if (hasAddress() && address.length <= LONGEST && location.hash.slice(1) !== address) {
       history.replaceState(null, "", `#${address}`);
+    }
     if (state === "ended" || state === "stopped") this.#replays = false;
     if (state === "ended" && this.lanes.every(({ outcome }) => outcome)) void this.#keep(address);
     this.#showShelf();

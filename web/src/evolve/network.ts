@@ -63,8 +63,9 @@ export const policyOf = (shape: Shape, genome: Float32Array): GenomePolicy =>
 /** Return a random genome: normal numbers, whose standard deviations the settings have. */
 export function untrained(shape: Shape, draws: Draws, policy: RaceSettings["policy"]): Float32Array {
   const weight = policy.initial_weight;
-  if (shape.kind === "rating" || policy.kind === "rating")
+  if (shape.kind === "rating" || policy.kind === "rating") {
     return draws.normals(genesOf(shape)).map((normal) => Math.fround(weight) * normal);
+  }
   const head = policy.initial_head;
   const genome = new Float32Array(genesOf(shape));
   const layers = layersOf(shape);
@@ -96,8 +97,9 @@ export function fixedOf(shape: Shape): FixedGenes | null {
     // A unit of the mask hears of nothing else, and nothing else hears of it.
     for (let unit = 0; unit < MOVES; unit++) {
       if (number > 0) fixed.fill(1, place(inputs - MOVES + unit, 0), place(inputs - MOVES + unit + 1, 0));
-      if (number < last)
+      if (number < last) {
         for (let input = 0; input <= inputs; input++) fixed[place(input, outputs - MOVES + unit)] = 1;
+      }
     }
     mask.forEach((cells, move) => {
       const target = number === last ? 1 + move : outputs - MOVES + move;
@@ -143,8 +145,9 @@ export function reshaped(genome: Float32Array, from: Shape, to: Shape): Float32A
     for (let input = 0; input < (number ? from.hidden[number - 1]! : old.inputs); input++) {
       const place = number ? input : seen(input);
       if (place < 0) continue;
-      for (let out = 0; out < outputs; out++)
+      for (let out = 0; out < outputs; out++) {
         made[layer.at + place * layer.outputs + out] = genome[old.at + input * old.outputs + out]!;
+      }
     }
     for (let out = 0; out < outputs; out++) {
       made[layer.at + layer.inputs * layer.outputs + out] = genome[old.at + old.inputs * old.outputs + out]!;

@@ -122,10 +122,11 @@ const WORDS: Readonly<Record<Verdict, string>> = {
 function sentenceOf(rate: number, teams: Outcome["teams"]): string {
   const now = `The best pursuers now catch ${percent(rate)} of the best evaders.`;
   const words = TEAMS.map((team) => WORDS[teams[team].verdict]);
-  if (words[0] === words[1])
+  if (words[0] === words[1]) {
     return words[0]
       ? `${now} Both teams are ${words[0]}.`
       : `${now} Whether a team has become better since generation 0, this race cannot tell.`;
+  }
   const parts = TEAMS.map((team, place) =>
     words[place] ? `the ${team}s are ${words[place]}` : `of the ${team}s this race cannot tell`,
   );

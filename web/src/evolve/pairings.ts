@@ -24,10 +24,11 @@ export function pairings(
   let opponents: number[] = [];
   for (let meeting = 0; meeting < contemporaries; meeting++) {
     const turn = meeting % size;
-    if (turn === 0)
+    if (turn === 0) {
       opponents = Array.from(draws.permutation(n / size)).flatMap((block) =>
         individuals.slice(block * size, (block + 1) * size),
       );
+    }
     rounds.push([
       individuals,
       opponents.map((_, i) => opponents[i - (i % size) + (((i % size) - turn + size) % size)]!),

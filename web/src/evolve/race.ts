@@ -380,8 +380,9 @@ export class Race {
   }
 
   #count(...teams: Team[]): void {
-    for (const team of teams)
+    for (const team of teams) {
       this.counters[team].push({ matches: this.#matches, steps: this.#steps, agent_steps: this.#agentSteps });
+    }
   }
 
   // ---- Evaluation -------------------------------------------------------------------------------

@@ -51,7 +51,9 @@ export function seedWords(
   const hashed = hash(0x43b0d7e5, 0x931e8875);
   const pool = Array.from({ length: POOL }, (_, i) => hashed(words[i] ?? 0));
   for (let from = 0; from < POOL; from++) {
-    for (let to = 0; to < POOL; to++) if (from !== to) pool[to] = mix(pool[to]!, hashed(pool[from]!));
+    for (let to = 0; to < POOL; to++) {
+      if (from !== to) pool[to] = mix(pool[to]!, hashed(pool[from]!));
+    }
   }
   for (const word of words.slice(POOL)) {
     for (let to = 0; to < POOL; to++) pool[to] = mix(pool[to]!, hashed(word));

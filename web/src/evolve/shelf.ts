@@ -40,12 +40,14 @@ export function keep(place: Place, lanes: readonly Kept[]): void {
         : value,
   );
   const others = places().filter((each) => rootOf(each) !== rootOf(place));
-  for (const { address } of places().filter((each) => rootOf(each) === rootOf(place)))
+  for (const { address } of places().filter((each) => rootOf(each) === rootOf(place))) {
     store?.removeItem(`${KEY} ${address}`);
+  }
   let all = [...others, place];
   for (let tried = 0; store && tried <= MOST; tried++) {
-    for (const gone of all.splice(0, Math.max(0, all.length - MOST)))
+    for (const gone of all.splice(0, Math.max(0, all.length - MOST))) {
       store.removeItem(`${KEY} ${gone.address}`);
+    }
     try {
       store.setItem(`${KEY} ${place.address}`, text);
       store.setItem(KEY, JSON.stringify(all));

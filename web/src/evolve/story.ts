@@ -41,8 +41,9 @@ export const LONGEST = 8000;
 /** What tells versions of the page apart whose races differ: a digest of its engine and its settings (FNV-1a). */
 export function markOf(data: EvolveData): string {
   let hash = 0x811c9dc5;
-  for (const character of text("script-engine") + JSON.stringify(data))
+  for (const character of text("script-engine") + JSON.stringify(data)) {
     hash = Math.imul(hash ^ character.charCodeAt(0), 0x01000193);
+  }
   return (hash >>> 0).toString(36);
 }
 
@@ -148,11 +149,13 @@ function dareOf(
     !genomes[0]?.length ||
     !genomes[1]?.length ||
     Number(found[3]) >= choice.pursuers + choice.evaders
-  )
+  ) {
     return null;
+  }
   const settings = settingsOf(data, choice);
-  if (TEAMS.some((team, place) => genomes[place]!.length !== genesOf(shapeOf(settings, data.masks, team))))
+  if (TEAMS.some((team, place) => genomes[place]!.length !== genesOf(shapeOf(settings, data.masks, team)))) {
     return null;
+  }
   const [episode, seat, score, rate] = found.slice(2).map(Number) as [number, number, number, number];
   return {
     pursuer: genomes[0],

@@ -133,12 +133,13 @@ export class Weights {
       evader: run.playing("evader", this.genome("evader")),
     };
     const match = this.#engine.match(run.world, policies.pursuer, policies.evader, BigInt(run.seed));
-    for (const team of TEAMS)
+    for (const team of TEAMS) {
       this.#words[team].textContent = sentence(
         this.#data,
         team,
         effectsOf(this.#engine, match, team, policies),
       );
+    }
   }
 
   /** The mean capture rate of the matches that generations have in the evaluation, with other genomes: those of the cell, if they are its own. */

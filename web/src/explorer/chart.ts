@@ -93,8 +93,9 @@ export function line(into: Frame, xs: readonly number[], ys: Curve, style: strin
   let path = "";
   let pen = "M";
   ys.forEach((value, i) => {
-    if (value === null) pen = "M";
-    else {
+    if (value === null) {
+      pen = "M";
+    } else {
       path += `${pen}${into.x(xs[i]!).toFixed(1)} ${into.y(value).toFixed(1)}`;
       pen = "L";
     }
@@ -119,8 +120,9 @@ export function mark(into: Frame, value: number, style: string, dot: number | nu
   into.marks.append(
     svg("line", { x1: place, x2: place, y1: into.top, y2: into.bottom, class: `mark ${style}` }),
   );
-  if (dot !== null)
+  if (dot !== null) {
     into.marks.append(svg("circle", { cx: place, cy: into.y(dot), r: 5, class: `dot ${style}` }));
+  }
 }
 
 /** Add an entry for each named curve, above the chart. */

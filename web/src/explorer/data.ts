@@ -149,8 +149,9 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
   const { script, policy, kept, genomes } = run.teams[team];
   if (script !== null || policy === null) return script ?? "random";
   const place = kept.indexOf(generation);
-  if (place < 0)
+  if (place < 0) {
     throw new RangeError(`${team}: expected a generation whose genome the page holds, got ${generation}`);
+  }
   const size = policy.genome_size;
   const genome = genomesOf(genomes, size).subarray(place * size, (place + 1) * size);
   return { ...policy, genome };
@@ -207,8 +208,9 @@ function unpacked(packed: Uint8Array, size: number): Float32Array<ArrayBuffer> {
   const planes = unzlibSync(packed);
   const count = planes.length / BYTES;
   const bytes = new Uint8Array(planes.length);
-  for (let at = 0; at < bytes.length; at++)
+  for (let at = 0; at < bytes.length; at++) {
     bytes[at] = planes[(at % BYTES) * count + Math.floor(at / BYTES)]!;
+  }
   const bits = new Uint32Array(bytes.buffer);
   for (let at = size; at < bits.length; at++) bits[at]! ^= bits[at - size]!;
   return new Float32Array(bytes.buffer);

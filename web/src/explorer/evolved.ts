@@ -43,12 +43,13 @@ function ofTeam(run: Run, team: Team, generation: number): HTMLElement {
 function shownPolicy(team: Team, policy: TeamPolicy, expression: string): HTMLElement | null {
   if (typeof policy === "string" || policy.kind === "cells") return null;
   if (policy.kind === "program") return html("p", {}, html("code", {}, expression));
-  if (policy.hidden.length)
+  if (policy.hidden.length) {
     return html(
       "p",
       { class: "small muted" },
       `A network with ${policy.hidden.join(" and ")} hidden units rates each move by ${policy.inputs.length} inputs.`,
     );
+  }
   const most = Math.max(...policy.genome.map(Math.abs)) || 1;
   return html(
     "div",

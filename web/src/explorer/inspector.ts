@@ -123,8 +123,9 @@ export class Inspector {
     match.seek(world, step, policies);
     // As it decides, in its own turn.
     const actions = match.actions.subarray(step * match.n_agents, (step + 1) * match.n_agents);
-    while (actions.length && !world.over && (agent < world.actors[0] || agent >= world.actors[1]))
+    while (actions.length && !world.over && (agent < world.actors[0] || agent >= world.actors[1])) {
       world.playTurn(actions);
+    }
     const alive = Boolean(match.alive[step * match.n_agents + agent] && world.read("alive")[agent]);
     drawView(this.#canvas, match.config, alive ? world.view(agent) : null, agent);
     this.#canvas.ariaLabel = `Field of view of ${agentName(agent, match.config.n_pursuers)}: evaders, pursuers and obstacles around it`;
@@ -133,11 +134,12 @@ export class Inspector {
     const policy = policies[`${team}s`];
     const answer = typeof policy !== "string" && policy.kind === "cells" ? world.answer(policy, agent) : null;
     const own = answer?.probabilities ?? null;
-    if (answer?.memory.length)
+    if (answer?.memory.length) {
       this.#memory.replaceChildren(
         html("p", { class: "small muted" }, "It remembers:"),
         units(answer.memory),
       );
+    }
     const rated =
       typeof policy !== "string" && policy.kind !== "cells"
         ? whyTable(policy, world.rate(policy, agent), taken, expressionOf(run, team, selection[team]))

@@ -97,8 +97,9 @@ export function listenToKeys(
       event.ctrlKey ||
       event.metaKey ||
       event.altKey
-    )
+    ) {
       return;
+    }
     const action = actions[event.key] ?? actions[event.key.toLowerCase()];
     const number = Number(event.key) - 1;
     if (playerKey(match.player, event) || action) action?.();

@@ -30,8 +30,9 @@ export function loupe(
   const cells: HTMLElement[] = [];
   for (let pursuer = bottom + high - 1; pursuer >= bottom; pursuer--) {
     cells.push(html("span", { class: "pursuer" }, pursuer));
-    for (let evader = left; evader < left + wide; evader++)
+    for (let evader = left; evader < left + wide; evader++) {
       cells.push(cellButton(run, pursuer, evader, choose));
+    }
   }
   const numbers = Array.from({ length: wide }, (_, column) =>
     html("span", { class: "evader" }, left + column),

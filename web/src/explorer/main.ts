@@ -112,12 +112,13 @@ listenToKeys(
   () => data.playground && openPlayground(match.shown, data.playground),
 );
 window.addEventListener("hashchange", ({ newURL }) => engine && takeOver.start(engine, new URL(newURL).hash));
-if (data.growing)
+if (data.growing) {
   reloadWhileGrowing(
     runs,
     store,
     () => match.player.playing || document.querySelector("dialog[open]") !== null,
   );
+}
 
 async function begin(): Promise<void> {
   engine = data.playground && (await loadEngine()); // pages of other games have none

@@ -267,12 +267,13 @@ export class MatchPanel {
 
   #count(captured: number, step: number): void {
     const { world } = this.#run;
-    if (world)
+    if (world) {
       this.#tally.replaceChildren(
         html("strong", {}, captured),
         ` of ${world.n_evaders} captured`,
         html("span", { class: "muted" }, ` · step ${step}`),
       );
+    }
   }
 
   #look(agent: number | null): void {

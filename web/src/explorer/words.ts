@@ -35,8 +35,9 @@ export function wordsOf(match: Told, recording: Recording, step: number): Word[]
     agents: [agent],
   }));
   for (const agent of disappeared(before, after)) {
-    if (!captured.includes(agent) && !explained.has(agent))
+    if (!captured.includes(agent) && !explained.has(agent)) {
       words.push({ kind: "end", text: `${name(agent)} disappears`, agents: [agent] });
+    }
   }
   words.push(...conflicts.map(({ kind, text, agents }): Word => ({ kind, text, agents })));
   if (step === match.length) words.unshift({ kind: "end", text: endOf(match), agents: [] });

@@ -85,10 +85,12 @@ function raceOfCells(): Checked {
     const columns = means((h, g) => g * SIZE + h);
     const rising = (values: readonly number[], sign: number): boolean =>
       values.every((value, at) => !at || sign * (value - values[at - 1]!) > 1e-9);
-    if (!rising(rows, 1))
+    if (!rising(rows, 1)) {
       return `The means of the rows are ${told(rows)}. They are the strengths of the pursuers, and should grow from row to row.`;
-    if (!rising(columns, -1))
+    }
+    if (!rising(columns, -1)) {
       return `The means of the columns are ${told(columns)}. They say how often the evaders are captured, and should fall from column to column.`;
+    }
     return null;
   };
   const set = (answer: string): void => {

@@ -77,13 +77,14 @@ export function handsWidget({
         { low: 0.4, high: 1, label: "best answer wins" },
       );
       line(into, [0, generations], [0.5, 0.5], "half");
-      for (const team of TEAMS)
+      for (const team of TEAMS) {
         line(
           into,
           hands[team].map((_, g) => g),
           shares[team].map(bestAnswer),
           `of-${team}`,
         );
+      }
       return into;
     },
     (into) => mark(into, player.step, "of-both"),

@@ -84,8 +84,9 @@ class Page {
     const anew = (): void => {
       if (
         !confirm("Delete all predictions and answers in this browser, for another student? Save them first.")
-      )
+      ) {
         return;
+      }
       store.forget();
       location.reload();
     };

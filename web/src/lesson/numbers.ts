@@ -70,13 +70,14 @@ export function gamesWidget({ shows = "score" }: WidgetPart): HTMLElement {
       `${title}: ${vertical.label} in ${SEEDS} races`,
       (width, height) => {
         const into = frame(width, height, ALONG, vertical);
-        for (const curves of unnamed.get(name)!)
+        for (const curves of unnamed.get(name)!) {
           line(
             into,
             curves[shows].map((_, at) => at * EVERY),
             curves[shows],
             "of-both dense",
           );
+        }
         return into;
       },
       nothing,
@@ -155,17 +156,19 @@ export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
           kept[side].push(playing.ones(side));
           ones[side].push(playing.objective(side));
         }
-        for (const side of [0, 1] as const)
+        for (const side of [0, 1] as const) {
           rows[side].push(kept[1 - side]!.map((past) => meanScore(playing.game, kept[side].at(-1)!, past)));
+        }
         triangles.forEach((each) => each.draw?.());
         curve.redraw();
       },
       () => race === own,
     );
-    if (race === own)
+    if (race === own) {
       tell(
         `${capital(playing.game)} game, seed ${seed}: after ${GENERATIONS} generations side 1 has ${ones[0].at(-1)!.toFixed(0)} ones, side 2 ${ones[1].at(-1)!.toFixed(0)}.`,
       );
+    }
   };
   let compared: readonly Row[] = [];
   const dots = chart(
@@ -191,8 +194,9 @@ export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
       if (race === own) ends.push(playing.objective(0));
       dots.redraw();
     }
-    if (race === own)
+    if (race === own) {
       tell(`${capital(name)}: side 1 ends with ${meanOf(ends)} ones in the mean of ${RACES} races.`);
+    }
   };
   const press = (act: () => Promise<void>, text: string, style = ""): HTMLElement =>
     html("button", { type: "button", class: style, onclick: () => void act() }, text);

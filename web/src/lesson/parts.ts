@@ -57,8 +57,9 @@ export function predictionPart(part: Prediction, store: Store): HTMLElement {
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const chosen = radios.find((radio) => radio.checked);
-    if (!chosen) status.textContent = "Choose one first. Any prediction is a good one.";
-    else {
+    if (!chosen) {
+      status.textContent = "Choose one first. Any prediction is a good one.";
+    } else {
       store.choose(name, chosen.value);
       show();
     }

@@ -30,12 +30,13 @@ export function matrixOf(
   );
   made.draw = () => {
     const side = room.clientWidth;
-    if (side)
+    if (side) {
       drawCells(
         canvas,
         { shape: [size, size], first: [0, 0], capture_rate: rows },
         { left: 0, top: 0, width: side, height: side },
       );
+    }
   };
   new ResizeObserver(() => made.draw?.()).observe(room);
   return made;

@@ -82,8 +82,9 @@ export function score(game: GameName, a: Ones, b: Ones): number {
   let decides = a[0]! - b[0]!;
   for (let dimension = 1; dimension < a.length; dimension++) {
     const difference = a[dimension]! - b[dimension]!;
-    if (greatest ? Math.abs(difference) > Math.abs(decides) : Math.abs(difference) < Math.abs(decides))
+    if (greatest ? Math.abs(difference) > Math.abs(decides) : Math.abs(difference) < Math.abs(decides)) {
       decides = difference;
+    }
   }
   return (1 + Math.sign(decides)) / 2;
 }
@@ -172,7 +173,9 @@ export class NumbersGame {
 
   #mutant(parent: Uint8Array): Uint8Array {
     const bits = parent.slice();
-    for (let at = 0; at < bits.length; at++) if (this.#draw() < this.settings.mutation) bits[at]! ^= 1;
+    for (let at = 0; at < bits.length; at++) {
+      if (this.#draw() < this.settings.mutation) bits[at]! ^= 1;
+    }
     return bits;
   }
 

@@ -81,21 +81,25 @@ function choicesOf(text: string | null, { edition, predictions }: Asked): Choice
   lines.forEach((line, at) => {
     const entry = parsed(line);
     const { prediction: name, choice } = entry;
-    if (typeof name !== "string" || typeof choice !== "string")
+    if (typeof name !== "string" || typeof choice !== "string") {
       throw new Error(`line ${at + 1}: expected a prediction and its choice`);
-    if (entry["edition"] !== edition)
+    }
+    if (entry["edition"] !== edition) {
       throw new Error(
         `line ${at + 1}: expected edition ${edition} of the course, got ${told(entry["edition"])}`,
       );
+    }
     const options = predictions.get(name)?.options;
     if (!options) throw new Error(`line ${at + 1}: expected a prediction of the lesson, got ${told(name)}`);
-    if (!Object.hasOwn(options, choice))
+    if (!Object.hasOwn(options, choice)) {
       throw new Error(
         `line ${at + 1}: expected one of ${Object.keys(options).join(", ")} for ${name}, got ${told(choice)}`,
       );
+    }
     pupil ||= String(entry["pupil"] ?? "");
-    if (!/^[0-9a-f]{8}$/.test(pupil) || entry["pupil"] !== pupil)
+    if (!/^[0-9a-f]{8}$/.test(pupil) || entry["pupil"] !== pupil) {
       throw new Error(`line ${at + 1}: expected lines of one pupil`);
+    }
     if (!choices.has(name)) choices.set(name, choice);
   });
   return { pupil, choices };

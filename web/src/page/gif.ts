@@ -46,7 +46,9 @@ function keysOf({ data }: ImageData): Uint16Array {
 /** Return the colours of a film, and the place of the one that is nearest to each key. */
 function coloursOf(frames: readonly ImageData[]): { table: number[]; place: Uint8Array } {
   const counts = new Map<number, number>();
-  for (const frame of frames) for (const key of keysOf(frame)) counts.set(key, (counts.get(key) ?? 0) + 1);
+  for (const frame of frames) {
+    for (const key of keysOf(frame)) counts.set(key, (counts.get(key) ?? 0) + 1);
+  }
   const kept = [...counts]
     .sort(([, a], [, b]) => b - a)
     .slice(0, MOST_COLOURS)

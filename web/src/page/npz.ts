@@ -63,7 +63,8 @@ function arrayOf(bytes: Uint8Array): NpyArray {
   const content = bytes.slice(end).buffer as ArrayBuffer;
   const text = dtype.startsWith("<U") && String.fromCodePoint(...new Int32Array(content));
   const data = text === false ? TYPES[dtype]?.(content) : text.replace(/\0+$/, "");
-  if (data === undefined)
+  if (data === undefined) {
     throw new TypeError(`expected an array of numbers or a text, got ${header.slice(0, 80)}`);
+  }
   return { dtype, shape, data };
 }

@@ -20,8 +20,9 @@ export function storeOf(engine: Engine, data: PageData, text: string): { store: 
 
 /** Return what is wrong with a link; other errors are the page's own. */
 function problemOf(error: unknown): string {
-  if (error instanceof LinkError || error instanceof EngineError)
+  if (error instanceof LinkError || error instanceof EngineError) {
     return `This link holds no scene. ${error.message}`;
+  }
   throw error;
 }
 

@@ -93,16 +93,18 @@ function listenToPointer(store: Store, board: Board): void {
     const cell = board.cellAt(event.clientX, event.clientY);
     if (cell) gesture?.(cell);
   });
-  for (const end of ["pointerup", "pointercancel"] as const)
+  for (const end of ["pointerup", "pointercancel"] as const) {
     board.canvas.addEventListener(end, () => (gesture = null));
+  }
 }
 
 /** Press an agent to choose it, and drag to say where it goes; or press a cell beside the chosen one. */
 function actGesture(store: Store, cell: Cell, agent: number | null): ((cell: Cell) => void) | null {
   if (agent === null) {
     const own = store.selected === null ? null : present(store, store.selected);
-    if (own && Math.max(Math.abs(own[0] - cell[0]), Math.abs(own[1] - cell[1])) === 1)
+    if (own && Math.max(Math.abs(own[0] - cell[0]), Math.abs(own[1] - cell[1])) === 1) {
       command(store, towards(own, cell, store.scene.diagonal));
+    }
     return null;
   }
   // A second press on the chosen agent lets it stay.

@@ -30,8 +30,9 @@ export function episodeFile(engine: Engine, live: Live, seat: number): Uint8Arra
   } as const;
   const kept: Record<string, number[][]> = {};
   const keep = (names: object): void => {
-    for (const name of Object.keys(names))
+    for (const name of Object.keys(names)) {
       (kept[name] ??= []).push(Array.from(world.read(name as keyof WorldArrays), Number));
+    }
   };
   const world = engine.world(config);
   world.reset(live.start);
@@ -101,7 +102,8 @@ export function readEpisode(engine: Engine, bytes: Uint8Array): { live: Live; se
     numbers("last_positions")
       .slice(-2 * agents)
       .join()
-  )
+  ) {
     throw new EngineError("expected the moves of this start to lead to its end");
+  }
   return { live, seat: numbers("seat")[0] ?? null };
 }

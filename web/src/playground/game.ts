@@ -83,8 +83,9 @@ export class Game {
           actions,
         );
         commands.forEach((command, agent) => {
-          if (command === script && agent < this.#scene.pursuers.length === (team === "pursuer"))
+          if (command === script && agent < this.#scene.pursuers.length === (team === "pursuer")) {
             actions[agent] = decided[agent]!;
+          }
         });
       }
     }

@@ -161,16 +161,18 @@ function readFlag(part: string, text: string): boolean {
 
 function readSize(text: string): [rows: number, cols: number] {
   const [rows, cols, ...more] = text.split("x");
-  if (rows === undefined || cols === undefined || more.length)
+  if (rows === undefined || cols === undefined || more.length) {
     refuse("size", "rows and columns, such as 4x6", text);
+  }
   return [readNumber("size", rows, 1, MOST_SIDE), readNumber("size", cols, 1, MOST_SIDE)];
 }
 
 function readCell(part: string, text: string, rows: number, cols: number): Cell {
   const found = /^(\d{1,4})\.(\d{1,4})$/.exec(text);
   const cell: Cell = [Number(found?.[1]), Number(found?.[2])];
-  if (!found || cell[0] >= rows || cell[1] >= cols)
+  if (!found || cell[0] >= rows || cell[1] >= cols) {
     refuse(part, `cells of a ${rows} x ${cols} grid, such as 0.2`, text);
+  }
   return cell;
 }
 
@@ -197,8 +199,9 @@ function readRules(part: string, text: string, data: PageData): Rules {
   if (values.length !== data.fields.length) refuse(part, expected, text);
   const entries = data.fields.map(({ name, values: known }, field) => {
     const value = known.find((each) => each.name.toLowerCase() === values[field])?.name;
-    if (value === undefined)
+    if (value === undefined) {
       refuse(`${part}, ${name}`, known.map((each) => each.name.toLowerCase()).join(" or "), values[field]!);
+    }
     return [name, value === "true" ? true : value === "false" ? false : value];
   });
   return Object.fromEntries(entries) as Rules;
@@ -208,8 +211,9 @@ function readRewards(text: string, data: PageData): Rewards {
   if (Object.hasOwn(data.rewards, text)) return data.rewards[text]!;
   const known = Object.entries(data.rewards[DEFAULT.rewards]!);
   const values = text.split(LIST);
-  if (values.length !== known.length)
+  if (values.length !== known.length) {
     refuse("rewards", `${Object.keys(data.rewards).join(", ")} or ${known.length} values`, text);
+  }
   return Object.fromEntries(
     known.map(([name, like], i) => [name, readReward(name, values[i]!, like)]),
   ) as unknown as Rewards;
@@ -221,8 +225,9 @@ function readReward(name: string, text: string, like: unknown): Penalty | string
   const numbers = text.split(",").map((each) => (/^-?[\d.]+(e[+-]?\d+)?$/i.test(each) ? Number(each) : NaN));
   const kinds = name.endsWith("_collide") ? [1, 3] : [1];
   const wrong = typeof like !== "number" || !kinds.includes(numbers.length);
-  if (wrong || !numbers.every((each) => Math.abs(each) < 3.4e38))
+  if (wrong || !numbers.every((each) => Math.abs(each) < 3.4e38)) {
     refuse(`rewards, ${name}`, `a value like ${like}`, text);
+  }
   return numbers.length === 1 ? numbers[0]! : (numbers as [number, number, number]);
 }
 

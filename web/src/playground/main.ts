@@ -44,9 +44,11 @@ async function show(root: HTMLElement): Promise<void> {
     if (atScene) games?.view.stop();
     else store.stop();
     if (!hasAddress()) return;
-    if (atScene)
+    if (atScene) {
       store.dispatchEvent(new Event("change")); // which writes the address
-    else history.replaceState(null, "", location.href.split("#")[0]);
+    } else {
+      history.replaceState(null, "", location.href.split("#")[0]);
+    }
   };
   const follow = (address: string): boolean =>
     isMatch(address) && Boolean(games?.follow(new URLSearchParams(address)));
@@ -63,12 +65,13 @@ async function show(root: HTMLElement): Promise<void> {
     "keydown",
     (event) => tab !== "scene" && games!.view.key(event) && event.preventDefault(),
   );
-  if (hasAddress())
+  if (hasAddress()) {
     followAddress(
       store,
       () => tab === "scene",
       () => showTab("scene"),
     );
+  }
   window.addEventListener("hashchange", () => follow(hash()));
   if (!follow(link)) {
     if (games && !data.scene && (!link || isMatch(link))) games.begin("escape");

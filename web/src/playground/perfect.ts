@@ -47,7 +47,8 @@ export function perfectPanel(store: Store): HTMLElement {
   for (const [target, type] of [
     [store, "change"],
     [element, "toggle"],
-  ] as const)
+  ] as const) {
     target.addEventListener(type, () => void update());
+  }
   return element;
 }

@@ -101,9 +101,11 @@ export class Games extends EventTarget {
   /** Begin a game. */
   begin(game: GameName): void {
     this.#show(game);
-    if (game === "escape") escapeGame(this.#engine, this.view, this.#data, this.#players.pursuer);
-    else if (game === "match") this.#match();
-    else {
+    if (game === "escape") {
+      escapeGame(this.#engine, this.view, this.#data, this.#players.pursuer);
+    } else if (game === "match") {
+      this.#match();
+    } else {
       this.view.stop();
       this.#card.hidden = true; // until there is a match
     }
@@ -117,8 +119,9 @@ export class Games extends EventTarget {
     const seed = /^\d{1,20}$/.test(parts.get("seed") ?? "")
       ? BigInt.asUintN(64, BigInt(parts.get("seed")!))
       : null;
-    if (!moves || seed === null || !this.#players.pursuer[pursuer] || !this.#players.evader[evader])
+    if (!moves || seed === null || !this.#players.pursuer[pursuer] || !this.#players.evader[evader]) {
       return false;
+    }
     this.#teams.pursuer.selectedIndex = pursuer;
     this.#teams.evader.selectedIndex = evader;
     this.#you.selectedIndex = Number(moves.seat < this.#data.world.n_pursuers);

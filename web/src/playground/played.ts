@@ -36,7 +36,9 @@ export const teamOf = (config: WorldConfig, agent: number): Team =>
 /** Return the match as far as it was played. */
 export function liveOf(engine: Engine, played: Played): Live {
   const live = new Live(engine, played.config, { seed: played.seed, episode: played.episode });
-  for (const move of played.moves) if (!live.over) live.step(played.policies, played.seat, move);
+  for (const move of played.moves) {
+    if (!live.over) live.step(played.policies, played.seat, move);
+  }
   return live;
 }
 

@@ -200,10 +200,12 @@ function board(store: Store): Control {
 
 function resize(store: Store, rows: number, cols: number): void {
   const scene = resized(store.game.scene(), rows, cols);
-  if (scene.pursuers.length && scene.evaders.length) change(store, scene);
-  else
+  if (scene.pursuers.length && scene.evaders.length) {
+    change(store, scene);
+  } else {
     store.say(
       `No ${scene.pursuers.length ? "evader" : "pursuer"} would be left on a ${rows} × ${cols} board.`,
       true,
     );
+  }
 }

@@ -234,7 +234,9 @@ export class Store extends EventTarget {
   #show(scene: Scene, games: Game[]): void {
     const old = this.#scene;
     const others = this.#games.length;
-    for (const game of this.#games) if (!games.includes(game)) game.free();
+    for (const game of this.#games) {
+      if (!games.includes(game)) game.free();
+    }
     this.#scene = scene;
     this.#games = games;
     if (this.#selected !== null && this.#selected >= agents(scene).length) this.#selected = null;

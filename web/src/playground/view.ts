@@ -165,8 +165,9 @@ export class PlayView {
     const pace = Number(this.#pace.value);
     if (this.#clock) return;
     this.#step();
-    if (pace && this.element.dataset["state"] === "playing")
+    if (pace && this.element.dataset["state"] === "playing") {
       this.#clock = setInterval(() => this.#step(), 1000 / pace);
+    }
   }
 
   /** Listen to keys; return whether one was done. */
@@ -175,8 +176,9 @@ export class PlayView {
     const own =
       target instanceof HTMLSelectElement ||
       (target instanceof HTMLInputElement && (target.type === "text" || key === " "));
-    if (own || (target instanceof HTMLButtonElement && (key === " " || key === "Enter")) || !this.#live)
+    if (own || (target instanceof HTMLButtonElement && (key === " " || key === "Enter")) || !this.#live) {
       return false;
+    }
     if (this.element.dataset["state"] !== "playing") return playerKey(this.player, event);
     const action = actionOf(event, this.#live.config.diagonal);
     if (action !== undefined) this.act(action);
@@ -328,10 +330,11 @@ export class PlayView {
     if (!begins && seat !== null) sentences.push(nearest(live, step, seat));
     sentences.push(...this.#losses.filter((loss) => loss.step === step).map(lossText));
     const perfect = step === live.length && seat !== null ? this.#perfect : null;
-    if (perfect)
+    if (perfect) {
       sentences.push(
         `Perfect play: ${perfectText(perfect, seat!) || "decided in its turn"}; ${worthText(this.#solution!, perfect, step)}`,
       );
+    }
     this.#look();
     this.#told.textContent = sentences
       .filter(Boolean)
@@ -375,8 +378,9 @@ function nearest({ config, recording }: Live, step: number, seat: number): strin
 export function headline(live: Live, seat: number): string {
   const { lasted, out, captured } = resultOf(live, seat);
   const { config } = live;
-  if (teamOf(config, seat) === "pursuer")
+  if (teamOf(config, seat) === "pursuer") {
     return `Your team captured ${captured} of ${evaders(config)} in ${lasted} steps.`;
+  }
   return out ? `You lasted ${lasted} of ${config.max_steps} steps.` : `You escaped: ${lasted} steps.`;
 }
 
