@@ -1,7 +1,8 @@
 // What the page holds of a class tournament; results.py writes it.
 
+import type { Team } from "../../../web/src/engine/teams.ts";
 import type { WorldConfig } from "../../../web/src/engine/types.ts";
-import type { Matrix, Team } from "../../../web/src/explorer/data.ts";
+import type { Matrix } from "../../../web/src/explorer/data.ts";
 import { text } from "../../../web/src/explorer/data.ts";
 
 /** One row of a table of standings. */

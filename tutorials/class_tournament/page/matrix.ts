@@ -1,7 +1,7 @@
 // The matrix: a cell for each pair, in the order of the standings, with the names along both sides.
 
+import type { Team } from "../../../web/src/engine/teams.ts";
 import { html, svg } from "../../../web/src/page/dom.ts";
-import type { Team } from "../../../web/src/explorer/data.ts";
 import { inkOn, viridisText } from "../../../web/src/explorer/colormap.ts";
 import { rate } from "../../../web/src/explorer/format.ts";
 import { scaleOfRates } from "../../../web/src/explorer/heatmap.ts";

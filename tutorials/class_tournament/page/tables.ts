@@ -1,12 +1,11 @@
 // The standings of a team, and what was refused.
 
+import { otherOf } from "../../../web/src/engine/teams.ts";
+import type { Team } from "../../../web/src/engine/teams.ts";
 import { html } from "../../../web/src/page/dom.ts";
-import type { Team } from "../../../web/src/explorer/data.ts";
 import { rate } from "../../../web/src/explorer/format.ts";
 import type { Data, Pair, Refusal, Standing } from "./data.ts";
 import type { Store } from "./store.ts";
-
-const OTHER: Readonly<Record<Team, Team>> = { pursuer: "evader", evader: "pursuer" };
 
 /** Return the table of a team. A click on an opponent plays the match against it. */
 export function standingsTable(data: Data, team: Team, store: Store): HTMLElement {
@@ -23,7 +22,7 @@ export function standingsTable(data: Data, team: Team, store: Store): HTMLElemen
       html(
         "p",
         { class: "small muted" },
-        `${score} against ${data.names[OTHER[team]].length} opponents, with 95 % interval`,
+        `${score} against ${data.names[otherOf(team)].length} opponents, with 95 % interval`,
       ),
     ),
     html(
@@ -101,7 +100,7 @@ function matchButton(
     team === "pursuer"
       ? { pursuer: standing.number, evader: rival }
       : { pursuer: rival, evader: standing.number };
-  const opponent = data.names[OTHER[team]][rival]!;
+  const opponent = data.names[otherOf(team)][rival]!;
   const captured = data.capture_rate[pair.pursuer]![pair.evader]!;
   const value = rate(team === "pursuer" ? captured : 1 - captured);
   return html(

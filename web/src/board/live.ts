@@ -4,8 +4,8 @@ import { momentOf, recording } from "../board/from_engine.ts";
 import type { Moment, Recording } from "../board/recording.ts";
 import type { Engine, Solution, World } from "../engine/engine.ts";
 import type { TurnGame } from "../engine/solution.ts";
+import type { Team } from "../engine/teams.ts";
 import type { Conflict, Start, TeamPolicy, WorldConfig } from "../engine/types.ts";
-import type { Team } from "../explorer/data.ts";
 import type { Told } from "../explorer/words.ts";
 
 /** What moves an agent: the action of a person, or a policy. */

@@ -94,6 +94,12 @@ export interface ProgramPolicy extends RatesMoves {
 
 export type GenomePolicy = NetworkPolicy | RatingPolicy | ProgramPolicy;
 
+/** A policy without its genome, of each kind. */
+type Without<Policy> = Policy extends unknown
+  ? Omit<Policy, "genome"> & { readonly genome_size: number }
+  : never;
+export type PolicyShape = Without<GenomePolicy>;
+
 export type ScriptName = keyof typeof SCRIPTS;
 
 /** What plays for a team. */

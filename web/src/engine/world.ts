@@ -12,6 +12,7 @@ import {
   snapshotInputs,
   startInputs,
 } from "./inputs.ts";
+import type { OfTeams, Team } from "./teams.ts";
 import type {
   Answer,
   Conflict,
@@ -90,7 +91,7 @@ export class World {
    */
   decide(
     policy: TeamPolicy,
-    agents: "pursuer" | "evader" | readonly [first: number, last: number],
+    agents: Team | readonly [first: number, last: number],
     given: ArrayLike<number>,
   ): Uint8Array {
     const { n_pursuers } = this.config;
@@ -105,7 +106,7 @@ export class World {
   }
 
   /** Play a round of known actions. Agents whose policies have memory remember it, as when they chose them. */
-  replay(actions: ArrayLike<number>, policies: Readonly<Record<"pursuer" | "evader", TeamPolicy>>): void {
+  replay(actions: ArrayLike<number>, policies: OfTeams<TeamPolicy>): void {
     const remembers = (policy: TeamPolicy): boolean =>
       typeof policy !== "string" && policy.kind === "cells" && policy.memory !== "none";
     if (!remembers(policies.pursuer) && !remembers(policies.evader)) return this.step(actions);

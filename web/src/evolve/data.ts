@@ -1,8 +1,8 @@
 // What the page holds; `matrixworld.explorer.evolve_page` writes it.
 
+import type { OfTeams } from "../engine/teams.ts";
 import { text } from "../explorer/data.ts";
 import type { Mask } from "./network.ts";
-import type { OfTeams } from "./race.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import type { RaceSettings } from "./settings.ts";
 

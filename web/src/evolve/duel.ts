@@ -1,14 +1,13 @@
 // A person plays against the champions of a race: as one of their opponents, from a start that a friend can have, too.
 
 import type { Engine } from "../engine/engine.ts";
+import type { OfTeams, Team } from "../engine/teams.ts";
 import type { GenomePolicy, WorldConfig } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
 import { playOn } from "../playground/games.ts";
 import { liveOf, resultOf } from "../playground/played.ts";
 import type { Played, Player, Result } from "../playground/played.ts";
 import { PlayView } from "../playground/view.ts";
-import type { OfTeams } from "./race.ts";
-import type { Team } from "./settings.ts";
 import type { Dare } from "./story.ts";
 
 /** Steps of a game at most. */

@@ -1,5 +1,7 @@
 // A race that goes on, as the explorer's parts show a run: cells and generations are added.
 
+import { TEAMS } from "../engine/teams.ts";
+import type { OfTeams, Team } from "../engine/teams.ts";
 import { keepGenomes } from "../explorer/data.ts";
 import type { Band, Curve, Findings, Payoff, Run, TeamData } from "../explorer/data.ts";
 import type { GenomePolicy, WorldConfig } from "../engine/types.ts";
@@ -7,10 +9,9 @@ import { mean } from "./measures.ts";
 import { policyOf } from "./network.ts";
 import type { Mask } from "./network.ts";
 import { joined, shapeOf } from "./race.ts";
-import type { Cell, OfTeams } from "./race.ts";
+import type { Cell } from "./race.ts";
 import { evaluationSeed } from "./seeds.ts";
-import { TEAMS } from "./settings.ts";
-import type { RaceSettings, Team } from "./settings.ts";
+import type { RaceSettings } from "./settings.ts";
 
 /** Empty rows of a matrix; cells without a value are missing. */
 const rowsOf = <Value>(size: number): Value[][] => Array.from({ length: size }, () => Array<Value>(size));

@@ -1,6 +1,8 @@
 // One race on the page: its boards before and after learning, what came out, and the matrix and the curve that grow.
 
 import type { Engine, Match } from "../engine/engine.ts";
+import { TEAMS } from "../engine/teams.ts";
+import type { OfTeams, Team } from "../engine/teams.ts";
 import type { GenomePolicy } from "../engine/types.ts";
 import { chart, frame, legend, line } from "../explorer/chart.ts";
 import type { Frame } from "../explorer/chart.ts";
@@ -17,10 +19,9 @@ import { mean } from "./measures.ts";
 import { evidenceOf, outcomeOf, percent } from "./outcome.ts";
 import type { Outcome } from "./outcome.ts";
 import { FIXED, Race } from "./race.ts";
-import type { Cell, OfTeams } from "./race.ts";
+import type { Cell } from "./race.ts";
 import type { Finished } from "./save.ts";
-import { TEAMS } from "./settings.ts";
-import type { RaceSettings, Team } from "./settings.ts";
+import type { RaceSettings } from "./settings.ts";
 import { Weights } from "./weights.ts";
 import { Mate } from "./worker.ts";
 import type { Order, Planned, Told } from "./worker.ts";

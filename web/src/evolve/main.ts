@@ -3,6 +3,7 @@
 import "./evolve.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
+import type { Team } from "../engine/teams.ts";
 import { copyLink, readOnly, saveFile } from "../page/dialog.ts";
 import { hasAddress, html, started } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
@@ -20,7 +21,7 @@ import { Duel } from "./duel.ts";
 import { Lane } from "./lane.ts";
 import { percent } from "./outcome.ts";
 import { archiveOf, canSave } from "./save.ts";
-import type { RaceSettings, Team } from "./settings.ts";
+import type { RaceSettings } from "./settings.ts";
 import { cardOf, filmOf } from "./share.ts";
 import type { Shown } from "./share.ts";
 import { found, keep, kept } from "./shelf.ts";

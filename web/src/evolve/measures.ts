@@ -1,6 +1,6 @@
 // Means, and a payoff matrix as each team sees it.
 
-import type { Team } from "./settings.ts";
+import type { Team } from "../engine/teams.ts";
 
 /** Capture rates of pursuers (rows) against evaders (columns). */
 export type Rates = readonly (readonly number[])[];

@@ -1,11 +1,11 @@
 // What became of a race, in a sentence, from its payoff matrix. It claims less than `matrixworld judge`, from the same
 // matches: a team is called better or weaker only if its strength against all opponents changed as much, too.
 
+import { TEAMS, otherOf } from "../engine/teams.ts";
+import type { OfTeams, Team } from "../engine/teams.ts";
 import { fromSide, mean } from "./measures.ts";
 import type { Rates } from "./measures.ts";
-import type { Cell, OfTeams } from "./race.ts";
-import { TEAMS, otherOf } from "./settings.ts";
-import type { Team } from "./settings.ts";
+import type { Cell } from "./race.ts";
 
 export type Verdict = "better" | "better by a jump" | "weaker" | "cannot tell";
 

@@ -1,7 +1,7 @@
 // Who meets whom where both teams learn at once, as in `matrixworld.coevolution.race`.
 
+import type { Team } from "../engine/teams.ts";
 import type { Draws } from "./draws.ts";
-import type { Team } from "./settings.ts";
 
 /**
  * Matches of two populations of n individuals; numbers from n on are members of a hall of fame, and matches of the

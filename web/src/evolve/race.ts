@@ -2,6 +2,8 @@
 // and learners, with random numbers of the learners from a source that the caller chooses.
 
 import type { Engine, Statistics } from "../engine/engine.ts";
+import { TEAMS, otherOf } from "../engine/teams.ts";
+import type { OfTeams, Team } from "../engine/teams.ts";
 import type { ScriptName, TeamPolicy } from "../engine/types.ts";
 import { drawsOf } from "./draws.ts";
 import type { Draws, Source } from "./draws.ts";
@@ -12,10 +14,8 @@ import { fixedOf, genesOf, masked, policyOf, reshaped, untrained } from "./netwo
 import type { Mask, Shape } from "./network.ts";
 import { pairings, tableMeans } from "./pairings.ts";
 import { PHASE, evaluationSeed, seedsOf } from "./seeds.ts";
-import { TEAMS, otherOf, overlapPenalty } from "./settings.ts";
-import type { RaceSettings, Team } from "./settings.ts";
-
-export type OfTeams<Value> = Readonly<Record<Team, Value>>;
+import { overlapPenalty } from "./settings.ts";
+import type { RaceSettings } from "./settings.ts";
 
 /** The results of a pair of generations: those of each episode, and means over episodes by team. */
 export interface Cell {

@@ -2,14 +2,15 @@
 // and `replay` read (docs/files.md). It has no checkpoint, so that Python does not continue it.
 
 import { strToU8, zipSync } from "fflate";
+import { TEAMS } from "../engine/teams.ts";
+import type { Team } from "../engine/teams.ts";
 import { writeNpz } from "../page/npz.ts";
 import type { NpyArray } from "../page/npz.ts";
 import type { EvolveData } from "./data.ts";
 import { mean } from "./measures.ts";
 import { COLUMNS } from "./race.ts";
 import type { Cell, Race } from "./race.ts";
-import { TEAMS } from "./settings.ts";
-import type { RaceSettings, Team } from "./settings.ts";
+import type { RaceSettings } from "./settings.ts";
 
 /** What Python calls the format of a run's files, and its version. */
 type Format = Pick<EvolveData, "format" | "version">;

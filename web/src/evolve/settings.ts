@@ -4,10 +4,6 @@
 import type { RatingPolicy, WorldConfig } from "../engine/types.ts";
 import type { LearnerSettings } from "./learners.ts";
 
-export type Team = "pursuer" | "evader";
-export const TEAMS = ["pursuer", "evader"] as const;
-export const otherOf = (team: Team): Team => (team === "pursuer" ? "evader" : "pursuer");
-
 /** Which generations of the other team a team meets. */
 export type Opponents = "latest" | "round-robin" | "uniform";
 

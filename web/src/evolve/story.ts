@@ -1,13 +1,13 @@
 // The story of a race: what was chosen, what was changed on its way, and how far it was watched. A link holds it,
 // and another page plays it again, bit for bit.
 
+import { TEAMS } from "../engine/teams.ts";
 import { text } from "../explorer/data.ts";
 import { changeOf, choiceOf, partsOf, settingsOf } from "./choice.ts";
 import type { Choice, Parts } from "./choice.ts";
 import type { EvolveData } from "./data.ts";
 import { genesOf } from "./network.ts";
 import { shapeOf } from "./race.ts";
-import { TEAMS } from "./settings.ts";
 
 /** A change on the way, after so many epochs of each race. */
 export interface Change {

@@ -2,6 +2,8 @@
 
 import type { Engine } from "../engine/engine.ts";
 import { INPUTS } from "../engine/tables.ts";
+import { TEAMS } from "../engine/teams.ts";
+import type { OfTeams, Team } from "../engine/teams.ts";
 import type { InputName } from "../engine/types.ts";
 import { signed } from "../explorer/format.ts";
 import { html } from "../page/dom.ts";
@@ -9,9 +11,6 @@ import type { EvolveData } from "./data.ts";
 import type { GrowingRun } from "./growing_run.ts";
 import { mean } from "./measures.ts";
 import { percent } from "./outcome.ts";
-import type { OfTeams } from "./race.ts";
-import { TEAMS } from "./settings.ts";
-import type { Team } from "./settings.ts";
 import { effectsOf, sentence } from "./words.ts";
 
 /** The least end of the bars, and what a bar can become of the largest weight. */

@@ -1,11 +1,10 @@
 // What a team of ratings does, in a sentence: that of `matrixworld explain`, from the matches of the page.
 
 import type { Engine, Match } from "../engine/engine.ts";
+import type { OfTeams, Team } from "../engine/teams.ts";
 import type { GenomePolicy } from "../engine/types.ts";
 import type { EvolveData } from "./data.ts";
 import { mean } from "./measures.ts";
-import type { OfTeams } from "./race.ts";
-import type { Team } from "./settings.ts";
 
 /** Effects, in shares of the largest one, that a sentence tells, and that it tells as little; and the most of them. */
 const CLEAR = 1 / 3;

@@ -1,10 +1,11 @@
 // The race in a thread of its own: the page stays as quick as without one. Messages go in both directions.
 
 import { loadEngine } from "../engine/engine.ts";
+import type { OfTeams } from "../engine/teams.ts";
 import { text } from "../explorer/data.ts";
 import type { Mask } from "./network.ts";
 import { Race } from "./race.ts";
-import type { OfTeams, RaceEvent } from "./race.ts";
+import type { RaceEvent } from "./race.ts";
 import type { Finished } from "./save.ts";
 import type { RaceSettings } from "./settings.ts";
 

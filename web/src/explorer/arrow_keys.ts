@@ -1,6 +1,6 @@
 // Arrow keys choose a match: on the matrix, and on the charts that show its generations.
 
-import type { Team } from "./data.ts";
+import type { Team } from "../engine/teams.ts";
 import type { Store } from "./store.ts";
 
 const MOVES: Readonly<Record<string, readonly [up: number, right: number]>> = {

@@ -1,16 +1,16 @@
 // CIAO: current individuals against ancestral opponents, a triangle for each team.
 
+import { otherOf } from "../engine/teams.ts";
+import type { Team } from "../engine/teams.ts";
 import { html, svg } from "../page/dom.ts";
 import { listenToArrows } from "./arrow_keys.ts";
-import type { Run, Team } from "./data.ts";
+import type { Run } from "./data.ts";
 import { rate } from "./format.ts";
 import { gameWords } from "./game.ts";
 import { cellsOf, scaleOfRates } from "./heatmap.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
-
-const OTHER: Readonly<Record<Team, Team>> = { pursuer: "evader", evader: "pursuer" };
 
 export function ciaoPanel(run: Run, store: Store): Panel | null {
   const both = run.findings?.ciao;
@@ -75,12 +75,12 @@ function triangle(
     const column = Math.floor(((event.clientX - box.left) / box.width) * columns);
     const row = rows - 1 - Math.floor(((event.clientY - box.top) / box.height) * rows);
     return column >= 0 && row < rows && column <= row
-      ? ({ [team]: row, [OTHER[team]]: column } as { [name in Team]: number })
+      ? ({ [team]: row, [otherOf(team)]: column } as { [name in Team]: number })
       : null;
   };
   const update = (): void => {
     const row = store.hover[team] ?? store.selected[team];
-    const column = store.hover[OTHER[team]] ?? store.selected[OTHER[team]];
+    const column = store.hover[otherOf(team)] ?? store.selected[otherOf(team)];
     for (const each of [place, under]) {
       each.setAttribute("x", String(column));
       each.setAttribute("y", String(rows - 1 - row));
@@ -95,7 +95,7 @@ function triangle(
     html(
       "p",
       { class: "small muted" },
-      `horizontal: ${words.generation[OTHER[team]]}; vertical: ${words.generation[team]}`,
+      `horizontal: ${words.generation[otherOf(team)]}; vertical: ${words.generation[team]}`,
     ),
     html("p", { class: "small numbers" }, numbers),
   );

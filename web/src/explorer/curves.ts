@@ -1,9 +1,10 @@
 // Training curve and ratings.
 
+import { TEAMS } from "../engine/teams.ts";
+import type { Team } from "../engine/teams.ts";
 import { listenToArrows } from "./arrow_keys.ts";
 import { band, chart, frame, legend, line, mark } from "./chart.ts";
-import { TEAMS } from "./data.ts";
-import type { Run, Team } from "./data.ts";
+import type { Run } from "./data.ts";
 import { capital, rate, thousands } from "./format.ts";
 import { gameWords } from "./game.ts";
 import { card } from "./panel.ts";

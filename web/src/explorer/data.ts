@@ -1,24 +1,17 @@
 // What the page holds of its runs; `matrixworld.explorer.runs_page` writes it.
 
 import { unzlibSync } from "fflate";
-import type { PageData } from "../playground/data.ts";
 import type { Engine, Match } from "../engine/engine.ts";
-import type { GenomePolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type { Team } from "../engine/teams.ts";
+import type { PolicyShape, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type { PageData } from "../playground/data.ts";
 import { generationName } from "./game.ts";
 import type { OwnGame } from "./game.ts";
 import type { Selection } from "./store.ts";
 
-export type Team = "pursuer" | "evader";
-export const TEAMS: readonly Team[] = ["pursuer", "evader"];
 /** Rows of a matrix; null where a number is not defined. */
 export type Matrix = readonly (readonly number[])[];
 export type Curve = readonly (number | null)[];
-
-/** A policy without its genome, of each kind. */
-type Without<Policy> = Policy extends unknown
-  ? Omit<Policy, "genome"> & { readonly genome_size: number }
-  : never;
-export type PolicyShape = Without<GenomePolicy>;
 
 export interface TeamData {
   readonly script: ScriptName | null;

@@ -1,10 +1,12 @@
 // What evolved in both teams, where it can be read: the weights of named inputs as bars, programs, and words.
 
 import { INPUTS } from "../engine/tables.ts";
+import { TEAMS } from "../engine/teams.ts";
+import type { Team } from "../engine/teams.ts";
 import type { TeamPolicy } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
-import { TEAMS, expressionOf, policyOf, ratesMoves, whyNot } from "./data.ts";
-import type { Run, Team } from "./data.ts";
+import { expressionOf, policyOf, ratesMoves, whyNot } from "./data.ts";
+import type { Run } from "./data.ts";
 import { capital, signed } from "./format.ts";
 import { gameWords, generationName } from "./game.ts";
 import { card } from "./panel.ts";

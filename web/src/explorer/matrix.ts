@@ -1,10 +1,11 @@
 // The payoff matrix: pursuer generations upwards, evader generations to the right, and along both
 // sides the mean score of each generation against all opponents.
 
+import type { Team } from "../engine/teams.ts";
 import { html, svg } from "../page/dom.ts";
 import { listenToArrows } from "./arrow_keys.ts";
 import { cellOf } from "./data.ts";
-import type { Band, Run, Team } from "./data.ts";
+import type { Band, Run } from "./data.ts";
 import { capital, interval, rate, ticks } from "./format.ts";
 import { gameWords, generationName } from "./game.ts";
 import { drawCells, scaleOfRates } from "./heatmap.ts";

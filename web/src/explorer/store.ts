@@ -1,6 +1,6 @@
 // What is selected on the page. Every panel shows it, and changes it here only.
 
-import type { Team } from "./data.ts";
+import type { Team } from "../engine/teams.ts";
 
 /** A match: a cell of the matrix and one of its episodes. */
 export interface Selection extends Readonly<Record<"run" | "pursuer" | "evader" | "episode", number>> {

@@ -1,6 +1,7 @@
 // A person takes over an agent of the match that is shown, from its step on.
 
 import type { Engine } from "../engine/engine.ts";
+import { TEAMS } from "../engine/teams.ts";
 import { html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
 import { playOn } from "../playground/games.ts";
@@ -8,7 +9,7 @@ import { linkTo, movesOf, teamOf } from "../playground/played.ts";
 import type { Moves } from "../playground/played.ts";
 import { PlayView } from "../playground/view.ts";
 import { placeOf } from "./address.ts";
-import { TEAMS, policyOf, whyNot } from "./data.ts";
+import { policyOf, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";
 import type { MatchPanel } from "./match.ts";
 import type { Selection, Store } from "./store.ts";

@@ -4,13 +4,14 @@ import type { Tick } from "../board/player.ts";
 import type { Engine, Solution, World } from "../engine/engine.ts";
 import { HORIZON, whyNotSolved } from "../engine/solution.ts";
 import type { Payoff, TurnGame } from "../engine/solution.ts";
+import { TEAMS } from "../engine/teams.ts";
+import type { Team } from "../engine/teams.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { ACTIONS } from "./names.ts";
 
 /** The least probability or capture rate that is told, and the least number of steps: smaller ones are shown as 0. */
 const LEAST = 0.005;
 const LEAST_STEPS = 0.05;
-const TEAMS = ["pursuer", "evader"] as const;
 
 /** The most solutions that are kept: each may take 30 MB. */
 const MOST_KEPT = 4;
@@ -47,7 +48,7 @@ async function solve(engine: Engine, config: WorldConfig, payoff: Payoff): Promi
 /** What a team lost in a step against a perfect opponent: that much of the capture rate, or so many steps. */
 export interface Loss {
   readonly step: number;
-  readonly team: "pursuer" | "evader";
+  readonly team: Team;
   readonly lost: number;
   readonly payoff: Payoff;
 }

@@ -18,8 +18,7 @@ import {
   withNext,
   withWall,
 } from "./scene.ts";
-import type { Store } from "./store.ts";
-import type { Control } from "./toolbar.ts";
+import type { Control, Store } from "./store.ts";
 
 const ARROW_ACTIONS: Record<string, number> = { ArrowUp: 1, ArrowRight: 2, ArrowDown: 3, ArrowLeft: 4 };
 /** The keys around S, as they lie on a keyboard: for moves that arrow keys lack. */

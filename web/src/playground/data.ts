@@ -1,9 +1,9 @@
 // What Python tells the page: the variants, the fields of rules with their values, the scripts, the
 // rewards and the gallery. The page adds nothing to it, so that page and package cannot diverge.
 
-import type { PolicyShape } from "../explorer/data.ts";
+import type { OfTeams } from "../engine/teams.ts";
+import type { PolicyShape, Rewards, Rules, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
-import type { Rewards, Rules, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
 export interface Field {
   readonly name: keyof Rules;
@@ -24,9 +24,7 @@ export interface Example {
 }
 
 /** What played for a team in the match of the explorer that a scene comes from. */
-export type Champions = Readonly<
-  Record<"pursuer" | "evader", { readonly name: string; readonly policy: TeamPolicy }>
->;
+export type Champions = OfTeams<{ readonly name: string; readonly policy: TeamPolicy }>;
 
 export interface PageData {
   readonly variants: Readonly<Record<string, Rules>>;
@@ -61,7 +59,7 @@ export interface OpponentsData {
     readonly pursuers: ScriptName;
     readonly text: string;
   }[];
-  readonly teams: Readonly<Record<"pursuer" | "evader", TeamData>>;
+  readonly teams: OfTeams<TeamData>;
 }
 
 /** The data of the page itself. */

@@ -1,9 +1,10 @@
 // The games of the page: "Can you escape it?", a match against any generation or script, and a match from a file.
 
 import type { Engine } from "../engine/engine.ts";
+import { TEAMS } from "../engine/teams.ts";
+import type { Team } from "../engine/teams.ts";
 import type { TeamPolicy } from "../engine/types.ts";
-import { TEAMS, genomesOf } from "../explorer/data.ts";
-import type { Team } from "../explorer/data.ts";
+import { genomesOf } from "../explorer/data.ts";
 import { html, select } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
 import type { OpponentsData } from "./data.ts";

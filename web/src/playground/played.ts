@@ -1,9 +1,9 @@
 // A played match: a person in one seat, policies in all others. The page, the file and the link hold it.
 
 import type { Engine } from "../engine/engine.ts";
+import { TEAMS } from "../engine/teams.ts";
+import type { Team } from "../engine/teams.ts";
 import type { TeamPolicy, WorldConfig } from "../engine/types.ts";
-import { TEAMS } from "../explorer/data.ts";
-import type { Team } from "../explorer/data.ts";
 import { Live } from "../board/live.ts";
 
 /** What a person did: the agent in the seat and its moves. Those before `from` were its team's own. */

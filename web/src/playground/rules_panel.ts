@@ -6,8 +6,7 @@ import { rulesName } from "./arena.ts";
 import type { Field } from "./data.ts";
 import { MOST_SIDE, resized, sameRules, variantOf } from "./scene.ts";
 import type { Scene } from "./scene.ts";
-import type { Store } from "./store.ts";
-import type { Control } from "./toolbar.ts";
+import type { Control, Store } from "./store.ts";
 import { linesOf } from "./words.ts";
 
 /** Return the card of the rules. */

@@ -13,6 +13,12 @@ import type { Command, Scene } from "./scene.ts";
 
 export type Mode = "act" | "build";
 
+/** A part of the page that shows the store. */
+export interface Control {
+  readonly element: HTMLElement;
+  readonly update: () => void;
+}
+
 /** Seconds of a step as it is drawn: turns are drawn one after the other. */
 const SECONDS: Record<Rules["interaction"], number> = {
   SIMULTANEOUS: 0.45,

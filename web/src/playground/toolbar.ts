@@ -8,7 +8,7 @@ import { glyph } from "./agents_panel.ts";
 import { command } from "./arena.ts";
 import { MOST_AGENTS, added, freeCell, nAgents, removed } from "./scene.ts";
 import type { Team } from "./scene.ts";
-import type { Mode, Store } from "./store.ts";
+import type { Control, Mode, Store } from "./store.ts";
 import { ARROWS } from "./words.ts";
 
 /** Return the bar, with a line for messages. */
@@ -30,12 +30,6 @@ export function toolbar(store: Store): HTMLElement {
   });
   store.shownBy(() => controls.forEach((control) => control.update()));
   return html("div", { class: "toolbar" }, ...controls.map((control) => control.element), message);
-}
-
-/** A part of the page that shows the store. */
-export interface Control {
-  readonly element: HTMLElement;
-  readonly update: () => void;
 }
 
 function button(name: Icon, label: string, keys: string, act: () => void): HTMLButtonElement {

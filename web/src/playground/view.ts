@@ -7,6 +7,7 @@ import { cellOf } from "../board/recording.ts";
 import type { Engine, Solution } from "../engine/engine.ts";
 import { whyNotSolved } from "../engine/solution.ts";
 import type { TurnGame } from "../engine/solution.ts";
+import { otherOf } from "../engine/teams.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { wordsOf } from "../explorer/words.ts";
 import { copyLink, readOnly, saveFile } from "../page/dialog.ts";
@@ -355,7 +356,7 @@ function goal(config: WorldConfig, seat: number): string {
 function nearest({ config, recording }: Live, step: number, seat: number): string {
   const moment = recording.moments[step]!;
   const team = teamOf(config, seat);
-  const other = team === "pursuer" ? "evader" : "pursuer";
+  const other = otherOf(team);
   if (!moment.alive[seat]) return "";
   const own = cellOf(moment, seat);
   const distance = (agent: number): number => {
