@@ -63,7 +63,10 @@ export class Engine {
     return playMatch(this.compiled, { config, pursuers, evaders }, seed, episode);
   }
 
-  /** Play episodes 0 to n - 1 of matches, as `matrixworld.rollout` does; a policy's `genome` holds those of a population, one after the other. */
+  /**
+   * Play episodes 0 to n - 1 of matches, as `matrixworld.rollout` does; a policy's `genome` holds
+   * those of a population, one after the other.
+   */
   rollouts(
     config: WorldConfig,
     pursuers: TeamPolicy,

@@ -54,7 +54,10 @@ export class Match {
     return conflictsOf(rows, this.config.n_pursuers);
   }
 
-  /** Set a world of the same settings to moment t, before step t + 1, with what agents remember for the policies. */
+  /**
+   * Set a world of the same settings to moment t, before step t + 1, with what agents remember for
+   * the policies.
+   */
   seek(world: World, step: number, policies?: Pick<Pair, "pursuers" | "evaders">): void {
     this.check(step);
     const here = world.seed === this.seed && world.episode === BigInt(this.episode);
@@ -132,7 +135,10 @@ export interface Matches {
   readonly seed: BigUint64Array;
 }
 
-/** The statistics of n episodes of M matches, (M, n, ...) flat: the arrays of `matrixworld.EpisodeStatistics`. */
+/**
+ * The statistics of n episodes of M matches, (M, n, ...) flat: the arrays of
+ * `matrixworld.EpisodeStatistics`.
+ */
 export type Statistics = Readonly<Record<keyof EpisodeStatistics, NumberArray>>;
 
 /** Play episodes 0 to n - 1 of each match; the genomes of a team are one after the other in its policy. */

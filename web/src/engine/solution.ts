@@ -58,9 +58,15 @@ export function whyNotSolved(config: WorldConfig): string {
 
 /** The game of one turn at a moment: all that the teams can do, and what it leads to. */
 export class TurnGame {
-  /** What both teams guarantee from here on when they play perfectly: the capture rate, or minus the rounds after this one. */
+  /**
+   * What both teams guarantee from here on when they play perfectly: the capture rate, or minus the
+   * rounds after this one.
+   */
   readonly value: number;
-  /** Of the pursuers and of the evaders: the agents that act, and the probabilities of their joint actions. */
+  /**
+   * Of the pursuers and of the evaders: the agents that act, and the probabilities of their joint
+   * actions.
+   */
   readonly teams: readonly { readonly agents: readonly number[]; readonly play: Float64Array }[];
   private readonly matrix: Float64Array; // values of what follows, (pursuers' joint actions, evaders')
   private readonly n_actions: number;
@@ -79,7 +85,10 @@ export class TurnGame {
     ];
   }
 
-  /** Return with which probabilities an agent takes each action when its team plays perfectly; null if it does not act. */
+  /**
+   * Return with which probabilities an agent takes each action when its team plays perfectly; null
+   * if it does not act.
+   */
   marginal(agent: number): number[] | null {
     const team = this.teams.find(({ agents }) => agents.includes(agent));
     if (!team) return null;
@@ -153,7 +162,10 @@ export class Solution {
     ] as Float64Array;
   }
 
-  /** Return the game of a world's next turn; null at an end, and where no start on distinct free cells leads. */
+  /**
+   * Return the game of a world's next turn; null at an end, and where no start on distinct free
+   * cells leads.
+   */
   game(world: World): TurnGame | null {
     const left = this.config.max_steps - world.steps;
     const { turn } = world;

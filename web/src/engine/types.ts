@@ -79,7 +79,10 @@ interface RatesMoves {
   genome: Float32Array;
 }
 
-/** By a small network: layer by layer the weights and the biases; the last sum, which is the rating, has no bias. */
+/**
+ * By a small network: layer by layer the weights and the biases; the last sum, which is the rating,
+ * has no bias.
+ */
 export interface RatingPolicy extends RatesMoves {
   kind: "rating";
   /** Without hidden layers, the genome has a weight for each input. */

@@ -105,7 +105,10 @@ export class World {
     return Uint8Array.from(actions as Int32Array);
   }
 
-  /** Play a round of known actions. Agents whose policies have memory remember it, as when they chose them. */
+  /**
+   * Play a round of known actions. Agents whose policies have memory remember it, as when they
+   * chose them.
+   */
   replay(actions: ArrayLike<number>, policies: OfTeams<TeamPolicy>): void {
     const remembers = (policy: TeamPolicy): boolean =>
       typeof policy !== "string" && policy.kind === "cells" && policy.memory !== "none";

@@ -11,11 +11,17 @@ import { html } from "../page/dom.ts";
 
 /** Steps a second. */
 const SPEED = 8;
-/** Milliseconds between two matches, and those that a match lasts before a newer generation takes its place. */
+/**
+ * Milliseconds between two matches, and those that a match lasts before a newer generation takes
+ * its place.
+ */
 const PAUSE = 900;
 const LEAST = 1800;
 
-/** A match on a board. It dispatches `agent` when a person points at one, and `step` and `over` while it goes on. */
+/**
+ * A match on a board. It dispatches `agent` when a person points at one, and `step` and `over`
+ * while it goes on.
+ */
 export class Chase extends EventTarget {
   readonly element: HTMLElement;
   readonly player = new Player(0, { speed: SPEED, still: stillMotion() });
@@ -91,7 +97,10 @@ export class Chase extends EventTarget {
 
   // ---- Walls ------------------------------------------------------------------------------------
 
-  /** Let a finger, a mouse or the keyboard draw walls; `set` gets each cell and whether it becomes a wall, and returns why it does not. Return what begins and ends it. */
+  /**
+   * Let a finger, a mouse or the keyboard draw walls; `set` gets each cell and whether it becomes a
+   * wall, and returns why it does not. Return what begins and ends it.
+   */
   drawWalls(set: (cell: Cell, wall: boolean) => string): (on: boolean) => void {
     let active = false;
     let wall = true;

@@ -130,7 +130,10 @@ export function partsOf(data: EvolveData, choice: Choice): Parts {
 export const changeOf = (change: Partial<Choice>): Parts =>
   Object.fromEntries(Object.entries(change).map(([name, value]) => [name, textOf(value)]));
 
-/** Return a choice changed by parts of an address. A text from elsewhere may hold anything: `wrong` gets what is not valid. */
+/**
+ * Return a choice changed by parts of an address. A text from elsewhere may hold anything: `wrong`
+ * gets what is not valid.
+ */
 export function choiceOf(
   data: EvolveData,
   parts: Parts,

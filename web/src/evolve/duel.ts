@@ -1,4 +1,5 @@
-// A person plays against the champions of a race: as one of their opponents, from a start that a friend can have, too.
+// A person plays against the champions of a race: as one of their opponents, from a start that a
+// friend can have, too.
 
 import type { Engine } from "../engine/engine.ts";
 import type { OfTeams, Team } from "../engine/teams.ts";

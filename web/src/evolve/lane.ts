@@ -1,4 +1,5 @@
-// One race on the page: its boards before and after learning, what came out, and the matrix and the curve that grow.
+// One race on the page: its boards before and after learning, what came out, and the matrix and the
+// curve that grow.
 
 import type { Engine, Match } from "../engine/engine.ts";
 import { TEAMS } from "../engine/teams.ts";
@@ -204,7 +205,10 @@ export class Lane extends EventTarget {
     return this.#run.newest;
   }
 
-  /** What plays for both teams: the best generations of a race that has ended, or weights that a person has set. */
+  /**
+   * What plays for both teams: the best generations of a race that has ended, or weights that a
+   * person has set.
+   */
   get champions(): OfTeams<Float32Array> {
     return { pursuer: this.#weights.genome("pursuer"), evader: this.#weights.genome("evader") };
   }

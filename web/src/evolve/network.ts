@@ -1,10 +1,14 @@
-// The policies of a race and their genomes: of networks layer by layer the weights (inputs, outputs), then the biases.
+// The policies of a race and their genomes: of networks layer by layer the weights (inputs,
+// outputs), then the biases.
 
 import type { Activation, GenomePolicy, RatingPolicy } from "../engine/types.ts";
 import type { Draws } from "./draws.ts";
 import type { RaceSettings } from "./settings.ts";
 
-/** Moves that a team's mask forbids: for each move the places (channel, down, right) of a view that forbid it. */
+/**
+ * Moves that a team's mask forbids: for each move the places (channel, down, right) of a view that
+ * forbid it.
+ */
 export type Mask = readonly (readonly (readonly [channel: number, down: number, right: number])[])[];
 
 /** What a network over cells looks like; the mask has units of its own. */

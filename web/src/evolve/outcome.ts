@@ -1,5 +1,6 @@
-// What became of a race, in a sentence, from its payoff matrix. It claims less than `matrixworld judge`, from the same
-// matches: a team is called better or weaker only if its strength against all opponents changed as much, too.
+// What became of a race, in a sentence, from its payoff matrix. It claims less than `matrixworld
+// judge`, from the same matches: a team is called better or weaker only if its strength against all
+// opponents changed as much, too.
 
 import { TEAMS, otherOf } from "../engine/teams.ts";
 import type { OfTeams, Team } from "../engine/teams.ts";
@@ -13,14 +14,20 @@ export interface Outcome {
   /** Capture rate of the best pursuers and evaders against each other; the generation of each. */
   readonly rate: number;
   readonly best: OfTeams<number>;
-  /** Whether a team's last generations do better than its generation 0 against the last ones of the other team, and how well both do. */
+  /**
+   * Whether a team's last generations do better than its generation 0 against the last ones of the
+   * other team, and how well both do.
+   */
   readonly teams: OfTeams<{ readonly verdict: Verdict; readonly before: number; readonly after: number }>;
   readonly sentence: string;
 }
 
 /** Share of the generations that are its last ones. */
 const LAST = 1 / 4;
-/** Standard deviations of an interval that holds 95 %, and the least change of strength: `LEAST_GAIN` of `judge`. */
+/**
+ * Standard deviations of an interval that holds 95 %, and the least change of strength:
+ * `LEAST_GAIN` of `judge`.
+ */
 const REACH = 1.96;
 const LEAST = 0.05;
 /** Parts of a course, none of which may fall back if it is sustained. */
@@ -31,7 +38,10 @@ interface Estimate {
   readonly reach: number;
 }
 
-/** Return the outcome of a race of so many generations; null without a second one or with cells that are missing. */
+/**
+ * Return the outcome of a race of so many generations; null without a second one or with cells that
+ * are missing.
+ */
 export function outcomeOf(
   cells: ReadonlyMap<string, Pick<Cell, "capture_rates">>,
   generations: number,
@@ -91,7 +101,10 @@ function changeOf(own: Rates, errors: Rates): Estimate {
   };
 }
 
-/** Return whether a course keeps its direction, without a jump that is half of its change: `analysis.strength.is_sustained`. */
+/**
+ * Return whether a course keeps its direction, without a jump that is half of its change:
+ * `analysis.strength.is_sustained`.
+ */
 function isSustained(course: readonly number[], change: number): boolean {
   const forward = course.map((each) => each * Math.sign(change));
   const size = Math.floor(course.length / PARTS);

@@ -4,12 +4,15 @@ import type { Team } from "../engine/teams.ts";
 import type { Draws } from "./draws.ts";
 
 /**
- * Matches of two populations of n individuals; numbers from n on are members of a hall of fame, and matches of the
- * same group have the same seed.
+ * Matches of two populations of n individuals; numbers from n on are members of a hall of fame, and
+ * matches of the same group have the same seed.
  */
 type Pairings = Readonly<Record<Team | "group", Int32Array>>;
 
-/** Return matches of each individual against some living opponents, and each member of the other team's hall. */
+/**
+ * Return matches of each individual against some living opponents, and each member of the other
+ * team's hall.
+ */
 export function pairings(
   seedGroups: Int32Array,
   contemporaries: number,

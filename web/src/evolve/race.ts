@@ -347,7 +347,10 @@ export class Race {
     return policyOf(this.shape(team), genome);
   }
 
-  /** The captured share of the evaders averaged over the steps, or 1 minus it and a penalty on shared cells. */
+  /**
+   * The captured share of the evaders averaged over the steps, or 1 minus it and a penalty on
+   * shared cells.
+   */
   #fitness({ captured_fraction, overlap }: Statistics, team: Team): Float64Array {
     const penalty = overlapPenalty(this.settings);
     return Float64Array.from(captured_fraction as Float64Array, (captured, match) =>

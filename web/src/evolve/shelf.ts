@@ -1,4 +1,5 @@
-// Races that have ended, as the browser keeps them until its tab is closed: a click on Back, or a reload, loses none.
+// Races that have ended, as the browser keeps them until its tab is closed: a click on Back, or a
+// reload, loses none.
 
 import type { Kept } from "./lane.ts";
 

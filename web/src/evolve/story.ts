@@ -1,5 +1,5 @@
-// The story of a race: what was chosen, what was changed on its way, and how far it was watched. A link holds it,
-// and another page plays it again, bit for bit.
+// The story of a race: what was chosen, what was changed on its way, and how far it was watched. A
+// link holds it, and another page plays it again, bit for bit.
 
 import { TEAMS } from "../engine/teams.ts";
 import { text } from "../explorer/data.ts";
@@ -18,7 +18,10 @@ export interface Change {
 export interface Story {
   readonly choice: Choice;
   readonly changes: readonly Change[];
-  /** The epochs that were watched of each race; none before it begins, and infinitely many while it goes on. */
+  /**
+   * The epochs that were watched of each race; none before it begins, and infinitely many while it
+   * goes on.
+   */
   readonly watched: readonly number[];
 }
 
@@ -38,7 +41,10 @@ export interface Dare {
 /** Longer addresses are cut on their way. */
 export const LONGEST = 8000;
 
-/** What tells versions of the page apart whose races differ: a digest of its engine and its settings (FNV-1a). */
+/**
+ * What tells versions of the page apart whose races differ: a digest of its engine and its settings
+ * (FNV-1a).
+ */
 export function markOf(data: EvolveData): string {
   let hash = 0x811c9dc5;
   for (const character of text("script-engine") + JSON.stringify(data)) {

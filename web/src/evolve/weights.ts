@@ -1,4 +1,5 @@
-// The weights of the best generation of both teams as bars that a person drags: the boards play with them at once.
+// The weights of the best generation of both teams as bars that a person drags: the boards play
+// with them at once.
 
 import type { Engine } from "../engine/engine.ts";
 import { INPUTS } from "../engine/tables.ts";
@@ -141,7 +142,10 @@ export class Weights {
     }
   }
 
-  /** The mean capture rate of the matches that generations have in the evaluation, with other genomes: those of the cell, if they are its own. */
+  /**
+   * The mean capture rate of the matches that generations have in the evaluation, with other
+   * genomes: those of the cell, if they are its own.
+   */
   rate({ pursuer, evader }: OfTeams<Float32Array>, at = this.#shown, run = this.#run!): number {
     const one = new Int32Array(1);
     const matches = {

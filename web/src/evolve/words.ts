@@ -6,7 +6,10 @@ import type { GenomePolicy } from "../engine/types.ts";
 import type { EvolveData } from "./data.ts";
 import { mean } from "./measures.ts";
 
-/** Effects, in shares of the largest one, that a sentence tells, and that it tells as little; and the most of them. */
+/**
+ * Effects, in shares of the largest one, that a sentence tells, and that it tells as little; and
+ * the most of them.
+ */
 const CLEAR = 1 / 3;
 const SLIGHT = 1 / 10;
 const MOST_CLEAR = 4;
@@ -44,7 +47,10 @@ export function sentence(
   );
 }
 
-/** Return the effect of each input of a team's weights: how far it moves the ratings of the moves in a match. */
+/**
+ * Return the effect of each input of a team's weights: how far it moves the ratings of the moves in
+ * a match.
+ */
 export function effectsOf(
   engine: Engine,
   match: Match,

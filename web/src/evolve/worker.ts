@@ -15,7 +15,10 @@ export interface Planned {
   readonly settings: RaceSettings;
 }
 
-/** What the page asks for. A start ends a race that goes on, and plays again what is planned until so many epochs. */
+/**
+ * What the page asks for. A start ends a race that goes on, and plays again what is planned until
+ * so many epochs.
+ */
 export type Order =
   | {
       readonly type: "start";
@@ -27,7 +30,10 @@ export type Order =
   | { readonly type: "change"; readonly settings: RaceSettings }
   | { readonly type: "stop" | "go" | "save" };
 
-/** What the worker tells: the race's events, after how many epochs it changed or rests, its end, and what can be saved. */
+/**
+ * What the worker tells: the race's events, after how many epochs it changed or rests, its end, and
+ * what can be saved.
+ */
 export type Told =
   | RaceEvent
   | { readonly type: "ready" | "began" }
@@ -46,7 +52,10 @@ interface End<Sent, Heard> {
 /** Milliseconds after which orders are looked for. */
 const SLICE = 12;
 
-/** Whoever carries out orders: a worker that runs the scripts of the page, or the page itself where it may have none. */
+/**
+ * Whoever carries out orders: a worker that runs the scripts of the page, or the page itself where
+ * it may have none.
+ */
 export class Mate {
   #end: End<Order, Told> | null = null;
   #worker: Worker | null = null;

@@ -33,7 +33,10 @@ export function placeOf(hash: string, runs: readonly Run[], usual: Selection): P
   };
 }
 
-/** Keep the match and its step in the address, and follow it: another match is another view, to which Back returns. */
+/**
+ * Keep the match and its step in the address, and follow it: another match is another view, to
+ * which Back returns.
+ */
 export function followAddress(runs: readonly Run[], store: Store, match: MatchPanel): void {
   let own = "";
   let shown = JSON.stringify(store.selected);
@@ -80,7 +83,10 @@ export function followAddress(runs: readonly Run[], store: Store, match: MatchPa
 
 // ---- While runs go on
 
-/** Milliseconds between two reloads, and those without a key and the pointer after which nobody is at work. */
+/**
+ * Milliseconds between two reloads, and those without a key and the pointer after which nobody is
+ * at work.
+ */
 const EVERY = 5000;
 const IDLE = 8000;
 

@@ -12,7 +12,10 @@ const MOVES: Readonly<Record<string, readonly [up: number, right: number]>> = {
 /** Generations of a step with Shift. */
 const MANY = 5;
 
-/** Give an element the focus of the keyboard; up and down change a team's generation, left and right the other's. */
+/**
+ * Give an element the focus of the keyboard; up and down change a team's generation, left and right
+ * the other's.
+ */
 export function listenToArrows(
   element: HTMLElement,
   store: Store,

@@ -135,7 +135,8 @@ export function legend(...entries: readonly (readonly [text: string, style: stri
 }
 
 /**
- * Return an element that holds a chart and draws it as wide as it is, and what draws its marks, or all of it, anew.
+ * Return an element that holds a chart and draws it as wide as it is, and what draws its marks, or
+ * all of it, anew.
  *
  * `draw` makes the chart for a size, `mark` what moves with the selection, and `choose` gets the value
  * of the horizontal axis that is clicked.

@@ -1,4 +1,5 @@
-// The loupe: where fingers miss a cell of the matrix, a tap shows the cells around it in the size of a finger.
+// The loupe: where fingers miss a cell of the matrix, a tap shows the cells around it in the size
+// of a finger.
 
 import { html } from "../page/dom.ts";
 import { cellOf } from "./data.ts";

@@ -1,4 +1,5 @@
-// A panel of a run: what it is, the card that it is drawn on, and those of words alone: what happened, and the settings.
+// A panel of a run: what it is, the card that it is drawn on, and those of words alone: what
+// happened, and the settings.
 
 import { html } from "../page/dom.ts";
 import type { Run } from "./data.ts";

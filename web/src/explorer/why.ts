@@ -10,8 +10,9 @@ import { signed } from "./format.ts";
 const ARROWS = ["stay", "↑", "→", "↓", "←", "↗", "↘", "↙", "↖"];
 
 /**
- * Return a table with a column for each move: the rating, and below it of a weighted sum the terms, weight times input,
- * the largest weights first, of other policies the inputs that they read. What is the same for all moves decides nothing.
+ * Return a table with a column for each move: the rating, and below it of a weighted sum the terms,
+ * weight times input, the largest weights first, of other policies the inputs that they read. What
+ * is the same for all moves decides nothing.
  */
 export function whyTable(
   policy: RatingPolicy | ProgramPolicy,

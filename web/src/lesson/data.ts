@@ -69,7 +69,10 @@ export interface Section {
 
 export interface Lesson {
   readonly version: string;
-  /** Questions and letters of options are the same in one edition; files of different ones are not counted together. */
+  /**
+   * Questions and letters of options are the same in one edition; files of different ones are not
+   * counted together.
+   */
   readonly edition: number;
   readonly title: string;
   readonly lead: string;

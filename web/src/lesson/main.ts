@@ -1,5 +1,5 @@
-// The lesson that needs no installation: sections whose parts appear with the predictions. The same script is the worker of
-// the races that evolve, and the page that counts the votes of a class.
+// The lesson that needs no installation: sections whose parts appear with the predictions. The same
+// script is the worker of the races that evolve, and the page that counts the votes of a class.
 
 import "./lesson.css";
 import { loadEngine } from "../engine/engine.ts";

@@ -27,7 +27,10 @@ const ONES = { low: 0, high: BITS, label: "ones of side 1" };
 const nothing = (): undefined => undefined;
 const rest = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-/** Play a game to its end, and call `see` at each generation that is kept; the page rests there, and `goes` may end it. */
+/**
+ * Play a game to its end, and call `see` at each generation that is kept; the page rests there, and
+ * `goes` may end it.
+ */
 async function play(game: NumbersGame, see: () => void, goes: () => boolean): Promise<void> {
   for (see(); game.generation < GENERATIONS && goes(); see()) {
     for (let i = 0; i < EVERY; i++) game.step();
@@ -105,7 +108,10 @@ const HALLS = [0, 1, 5, 15, 30];
 const WITH_HALL = 15;
 const SEED_NUMBERS = Array.from({ length: 20 }, (_, seed) => seed);
 
-/** One game with sliders. With `hall` there is one for the hall of fame, and ten races can be compared with ten. */
+/**
+ * One game with sliders. With `hall` there is one for the hall of fame, and ten races can be
+ * compared with ten.
+ */
 export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
   let game: GameName = "scalar";
   let seed = 0;

@@ -7,7 +7,10 @@ import type { Crossing, Lesson, WidgetPart } from "./data.ts";
 
 type Rows = readonly (readonly number[])[];
 
-/** Return a picture of a matrix, pursuer generations upwards, evader generations to the right; rows may be short. */
+/**
+ * Return a picture of a matrix, pursuer generations upwards, evader generations to the right; rows
+ * may be short.
+ */
 export function matrixOf(
   rows: Rows,
   caption: string,
@@ -124,7 +127,10 @@ export const rightOfWay = ({ crossings = [] }: WidgetPart): HTMLElement =>
     ),
   );
 
-/** Return nine cells, with pursuers around the one in the middle: an arrow for one that may go, a bar for one that waits. */
+/**
+ * Return nine cells, with pursuers around the one in the middle: an arrow for one that may go, a
+ * bar for one that waits.
+ */
 function picture({ title, text, ways }: Crossing): SVGElement {
   const lines = [0, 1, 2, 3].map((at) => `M${at * CELL} 0V${3 * CELL}M0 ${at * CELL}H${3 * CELL}`).join("");
   return svg(

@@ -1,4 +1,5 @@
-// What a student has chosen, solved and written: kept in the browser, and saved as the files that a teacher collects.
+// What a student has chosen, solved and written: kept in the browser, and saved as the files that a
+// teacher collects.
 
 /** A line of `predictions.jsonl`, as `predict` of the course writes it; the lesson adds the pupil. */
 interface Choice {

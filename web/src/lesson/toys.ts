@@ -1,4 +1,5 @@
-// Games with known answers, as `tutorials/course/toys.py` has them: the page computes every number that it shows of them.
+// Games with known answers, as `tutorials/course/toys.py` has them: the page computes every number
+// that it shows of them.
 
 /** Returns numbers from [0, 1). */
 export type Draw = () => number;
@@ -36,7 +37,10 @@ export function sharesOf(hands: readonly number[], memory: number): number[] {
   return HANDS.map((_, hand) => seen.filter((each) => each === hand).length / seen.length);
 }
 
-/** Return what the best answer to shares of hands wins: 1 against a single hand, one half against equal shares. */
+/**
+ * Return what the best answer to shares of hands wins: 1 against a single hand, one half against
+ * equal shares.
+ */
 export const bestAnswer = (shares: readonly number[]): number => Math.max(...wins(shares));
 
 function answer(hands: readonly number[], memory: number, draw: Draw): number {
@@ -49,8 +53,9 @@ function answer(hands: readonly number[], memory: number, draw: Draw): number {
 type Hands = Readonly<Record<"pursuers" | "evaders", number[]>>;
 
 /**
- * Play in turns: first the pursuers answer the last `memory` hands of the evaders, then these answer the pursuers.
- * Both begin with rock. With all hands remembered this is fictitious play (Brown 1951).
+ * Play in turns: first the pursuers answer the last `memory` hands of the evaders, then these
+ * answer the pursuers. Both begin with rock. With all hands remembered this is fictitious play
+ * (Brown 1951).
  */
 export function alternate(generations: number, memory: number, draw: Draw): Hands {
   const hands: Hands = { pursuers: [0], evaders: [0] };

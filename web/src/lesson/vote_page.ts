@@ -97,7 +97,10 @@ export function votePage(lesson: Lesson): void {
   show();
 }
 
-/** Return a question with the votes on each option, and a button that shows the outcome; a first vote waits for the second one. */
+/**
+ * Return a question with the votes on each option, and a button that shows the outcome; a first
+ * vote waits for the second one.
+ */
 function questionOf(part: Prediction, votes: Votes, open: Set<string>, show: () => void): HTMLElement {
   const { predict: name, options, outcome } = part;
   const counts = votes.counts.get(name)!;

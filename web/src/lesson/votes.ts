@@ -1,5 +1,5 @@
-// The votes of a class, from the files that pupils have saved. The rule for doubles is that of `count_votes` in
-// tutorials/course/votes.py: of each pupil a prediction counts once.
+// The votes of a class, from the files that pupils have saved. The rule for doubles is that of
+// `count_votes` in tutorials/course/votes.py: of each pupil a prediction counts once.
 
 import type { Prediction } from "./data.ts";
 

@@ -9,7 +9,10 @@ import type { Team } from "../engine/teams.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { ACTIONS } from "./names.ts";
 
-/** The least probability or capture rate that is told, and the least number of steps: smaller ones are shown as 0. */
+/**
+ * The least probability or capture rate that is told, and the least number of steps: smaller ones
+ * are shown as 0.
+ */
 const LEAST = 0.005;
 const LEAST_STEPS = 0.05;
 
@@ -17,7 +20,10 @@ const LEAST_STEPS = 0.05;
 const MOST_KEPT = 4;
 const known = new Map<string, Promise<Solution | null>>();
 
-/** Return the solution of a world, which other work of the page can interrupt; null where it is not solved. */
+/**
+ * Return the solution of a world, which other work of the page can interrupt; null where it is not
+ * solved.
+ */
 export function solved(
   engine: Engine,
   config: WorldConfig,
@@ -32,7 +38,10 @@ export function solved(
   return found;
 }
 
-/** What perfect play is for where a person plays: with one evader the steps that it lasts, which are the score. */
+/**
+ * What perfect play is for where a person plays: with one evader the steps that it lasts, which are
+ * the score.
+ */
 export const scoreOf = ({ n_evaders }: WorldConfig): Payoff =>
   n_evaders === 1 ? "capture-time" : "capture-rate";
 
@@ -86,7 +95,10 @@ const amount = ({ lost, payoff }: Loss): string =>
 export const lossText = (loss: Loss): string =>
   `The ${loss.team}s lose ${amount(loss)} against a perfect opponent`;
 
-/** Return a team's worst step in words. Losses do not add up: an imperfect opponent gives some of them back. */
+/**
+ * Return a team's worst step in words. Losses do not add up: an imperfect opponent gives some of
+ * them back.
+ */
 export function worstText(losses: readonly Loss[]): string {
   const worst = losses.reduce((a, b) => (b.lost > a.lost ? b : a));
   return `Your team's worst moves, in step ${worst.step}, lost ${amount(worst)} against a perfect opponent.`;

@@ -45,7 +45,10 @@ export const isMatch = (link: string): boolean => new URLSearchParams(link).has(
 /** Milliseconds between changes of the address: browsers refuse many in a short time. */
 const REST = 100;
 
-/** Keep the scene in the address while it is `shown`, so that a reload shows it; a link to another one calls `show`. */
+/**
+ * Keep the scene in the address while it is `shown`, so that a reload shows it; a link to another
+ * one calls `show`.
+ */
 export function followAddress(store: Store, shown: () => boolean, show: () => void): void {
   let own = linkOf(store.scene, store.data);
   let written = hash();

@@ -73,7 +73,10 @@ export function episodeFile(engine: Engine, live: Live, seat: number): Uint8Arra
   });
 }
 
-/** Play the match of a file again: the same start, the same actions; `seat` is that of the person. Throws an error with what is wrong. */
+/**
+ * Play the match of a file again: the same start, the same actions; `seat` is that of the person.
+ * Throws an error with what is wrong.
+ */
 export function readEpisode(engine: Engine, bytes: Uint8Array): { live: Live; seat: number | null } {
   const arrays = readNpz(bytes);
   const numbers = (name: string): number[] => Array.from((arrays[name]?.data ?? []) as ArrayLike<number>);

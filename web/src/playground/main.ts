@@ -1,4 +1,5 @@
-// The playground: games in which a person is one of the agents, and conflicts on a small board under any rules.
+// The playground: games in which a person is one of the agents, and conflicts on a small board
+// under any rules.
 
 import "./playground.css";
 import { loadEngine } from "../engine/engine.ts";

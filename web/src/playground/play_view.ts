@@ -1,4 +1,5 @@
-// The games of the page: "Can you escape it?", a match against any generation or script, and a match from a file.
+// The games of the page: "Can you escape it?", a match against any generation or script, and a
+// match from a file.
 
 import type { Engine } from "../engine/engine.ts";
 import { TEAMS } from "../engine/teams.ts";

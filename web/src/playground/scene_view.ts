@@ -11,7 +11,10 @@ import type { Store } from "./store.ts";
 import { story } from "./story.ts";
 import { toolbar, undoButton } from "./toolbar.ts";
 
-/** Show what a store holds, and listen to keys while it is shown; `tools` are buttons for the head of the page. */
+/**
+ * Show what a store holds, and listen to keys while it is shown; `tools` are buttons for the head
+ * of the page.
+ */
 export function sceneView(
   store: Store,
   shown: () => boolean,

@@ -83,7 +83,10 @@ export function signed(reward: number): string {
   return reward < 0 ? `−${text}` : reward > 0 ? `+${text}` : "0";
 }
 
-/** Return the reward of an agent in a step as a sum, such as "−12 collision, −0.05 step"; empty if it has one part. */
+/**
+ * Return the reward of an agent in a step as a sum, such as "−12 collision, −0.05 step"; empty if
+ * it has one part.
+ */
 export function sumOf(scene: Scene, game: Game, step: number, agent: number): string {
   const before = game.recording.moments[step - 1];
   const after = game.recording.moments[step];
