@@ -156,7 +156,7 @@ def measure(name: str, race: Payoffs, part: str) -> float:
 
 def forgetting(race: Payoffs, part: str) -> float:
     """Return the forgetting in a part of a race, mean of both teams."""
-    return float(np.mean([measure(name, race, part) for name in DROPS]))
+    return float(np.mean([measure(name, race, part) for name in DROPS.values()]))
 
 
 def phase(team: Team, race: Payoffs, part: str) -> float:

@@ -14,6 +14,7 @@ from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS, Judgement, judge
 from matrixworld.analysis.judge import RULES
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Finding
+from matrixworld.analysis.reasons import Reason
 
 
 def drawn(chance, episodes=10, seed=0, *, evaders=1):
@@ -185,7 +186,7 @@ WINDOWS = ("whole", "first half", "last half")
 
 def with_verdicts(found):
     windows = {
-        window: {name: Finding(verdict, "", teams) for name, (verdict, teams) in one.items()}
+        window: {name: Finding(verdict, Reason(), teams) for name, (verdict, teams) in one.items()}
         for window, one in found.items()
     }
     return Judgement(1, (31, 31), 20, 0.95, windows)

@@ -55,8 +55,14 @@ class Readable:
         return [others, table] if columns else [others]
 
 
+class Worded:
+    """A dataclass whose ``str`` is a text; JSON holds this text, not the fields."""
+
+
 def plain_values(value: Any) -> Any:
     """Return a result as JSON holds it: nested dictionaries and lists; None where not finite."""
+    if isinstance(value, Worded):
+        return str(value)
     if is_dataclass(value):
         return {item.name: plain_values(getattr(value, item.name)) for item in fields(value)}
     if hasattr(value, "_asdict"):  # a named tuple; before tuples, which lose the names

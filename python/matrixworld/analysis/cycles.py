@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_number, check_real
-from matrixworld.analysis.intervals import BIASED, LEVEL, Estimate, normal_quantile, t_quantile
+from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_quantile
 from matrixworld.analysis.payoffs import EPISODES_TO_RECUR, Rates, check_payoff, require
+from matrixworld.analysis.reasons import Reason, Why
 
 EPISODES_TO_SUBTRACT_NOISE = 4
 """Fewest episodes for a transitive share without noise: the jackknife leaves out one of them."""
@@ -28,10 +29,6 @@ MOST_GENERATIONS = 40
 SORTING = 1.5
 """Share of the noise that sorting hides, in units of (n + m) / (n m). Simulated: 1 to 1.3."""
 BLOCKS = 8  # most blocks of episodes in each half from which recurrence is estimated
-TOO_FEW_TO_RECUR = (
-    f"it takes the single episodes of each pair, at least {EPISODES_TO_RECUR}, to see whether "
-    "strategies return"
-)
 _ITERATIONS = 200  # the most of a fit; 20 to 100 suffice
 _CONVERGED = 1e-4  # largest change of a cell in the last iteration
 _ROUNDING = 1e-12  # differences of capture rates below this are floating-point noise
@@ -92,18 +89,19 @@ def transitive_share(payoff: ArrayLike) -> float:
 def transitive_share_over_episodes(scores: Rates) -> Estimate:
     """Return the transitive share of what is behind episodes (n, m, episodes), without interval."""
     # Products of different episodes of a cell hold no noise (U statistics, Hoeffding 1948).
-    measured, episodes = transitive_share(scores.mean(axis=2)), scores.shape[2]
+    measured = transitive_share(scores.mean(axis=2))
+    episodes = scores.shape[2]
     if episodes < EPISODES_TO_SUBTRACT_NOISE:
-        note = f"{BIASED} below {EPISODES_TO_SUBTRACT_NOISE} episodes"
+        note = Reason(Why.BIASED_BY_FEW_EPISODES, EPISODES_TO_SUBTRACT_NOISE)
         return Estimate(measured, samples=episodes, note=note)
     total, cyclic = _centred(scores)
     parts = np.stack([cyclic, total]).reshape(2, episodes, -1)
     sums = _without_noise(parts @ parts.transpose(0, 2, 1))
     ends = _ratio(*sums, float(t_quantile(LEVEL, episodes - 1)))
     if ends is None:
-        return Estimate(measured, samples=episodes, note=f"{BIASED}, no variation beyond it")
+        return Estimate(measured, samples=episodes, note=Reason(Why.BIASED_AND_EQUAL))
     share = min(1.0, max(0.0, 1.0 - ends[0]))
-    return Estimate(share, samples=episodes, note="episode noise subtracted: no interval")
+    return Estimate(share, samples=episodes, note=Reason(Why.NOISE_SUBTRACTED))
 
 
 def _centred(scores: Rates) -> tuple[Rates, Rates]:
@@ -261,11 +259,11 @@ def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate
     # The interval inverts a t test, as Fieller's theorem (1954) does for a ratio, with the standard
     # errors of the jackknife over episodes (Efron and Stein 1981).
     if scores.shape[2] < EPISODES_TO_RECUR:
-        return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
+        return Estimate(math.nan, note=Reason(Why.TOO_FEW_TO_RECUR))
     halves = [_similarities(scores[:, :, start::2]) for start in (0, 1)]
     found = [_returned(halves[k], halves[1 - k], level) for k in (0, 1)]
     if None in found:
-        return Estimate(math.nan, note="the capture rates vary no more than episode noise does")
+        return Estimate(math.nan, note=Reason(Why.ONLY_NOISE))
     value, high, low = np.mean([ends for ends in found if ends], axis=0).tolist()
     return Estimate(value, low, high, "episodes")
 

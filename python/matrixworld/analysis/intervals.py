@@ -17,14 +17,12 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util.checks import check_bool, check_floats, check_integer, check_real, shown
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
+from matrixworld.analysis.reasons import NOTHING, Reason, Why
 
 LEVEL = 0.95  # default confidence level: share of intervals that should contain the true value
 FEW_RUNS = 5
 """With fewer runs an interval is wide, since the variation between runs is hardly known."""
 RUNS_FOR_T = 4  # fewest runs of which a judgement takes the mean: of fewer, one run decides
-SINGLE_RUN = "a single run has no interval over runs"
-BIASED = "biased by episode noise: no interval"
-"""Note of numbers that noise shifts by an unknown amount, such as maxima of cells."""
 DRAWS = 10_000
 """Draws of weights for an interval of a mean; the ends vary by about 1 % of the width."""
 EPISODES_FOR_RATES = 20
@@ -57,7 +55,7 @@ class Estimate(Readable):
     high: float | None = None
     across: str = "nothing"
     samples: int = 0
-    note: str = ""
+    note: Reason = NOTHING
     biased_low: float | None = None
     biased_high: float | None = None
 
@@ -129,7 +127,8 @@ def interval_over_runs(
     missing = _no_variation(array)
     if missing:
         return Estimate(mean, samples=runs, note=missing)
-    return Estimate(mean, *t_ends(array, level, bounds), "runs", runs, few_runs(runs))
+    low, high = t_ends(array, level, bounds)
+    return Estimate(mean, low, high, "runs", runs, few_runs(runs))
 
 
 def difference_of_runs(
@@ -158,24 +157,27 @@ def difference_of_runs(
     Estimate
         `one` minus `other`; without an interval if a group has a single run, or neither varies.
     """
-    first, second = (_check_values(each) for each in (one, other))
+    first = _check_values(one)
+    second = _check_values(other)
     check_level(level)
     _check_bounds(bounds)
     if check_bool("paired", paired):
         require(len(first) == len(second), f"{len(first)} paired runs", len(second))
         return interval_over_runs(first - second, level=level, bounds=bounds)
-    difference, fewest = float(first.mean() - second.mean()), min(len(first), len(second))
+    difference = float(first.mean() - second.mean())
+    fewest = min(len(first), len(second))
     missing = _no_variation(first if len(first) == fewest else second)
     # Groups of equal values have an interval if the other group varies.
     if missing and (fewest == 1 or (_no_variation(first) and _no_variation(second))):
         return Estimate(difference, samples=fewest, note=missing)
-    parts = [float(each.var(ddof=1)) / len(each) for each in (first, second)]
+    parts = [float(group.var(ddof=1)) / len(group) for group in (first, second)]
     freedom = sum(parts) ** 2 / sum(
-        part**2 / (len(each) - 1) for part, each in zip(parts, (first, second), strict=True)
+        part**2 / (len(group) - 1) for part, group in zip(parts, (first, second), strict=True)
     )
     half = float(t_quantile(level, freedom)) * math.sqrt(sum(parts))
-    ends = max(difference - half, bounds[0]), min(difference + half, bounds[1])
-    return Estimate(difference, *ends, "runs", fewest, few_runs(fewest))
+    low = max(difference - half, bounds[0])
+    high = min(difference + half, bounds[1])
+    return Estimate(difference, low, high, "runs", fewest, few_runs(fewest))
 
 
 def band_over_runs(
@@ -214,9 +216,9 @@ def band_over_runs(
 
 def around(singles: Sequence[Estimate]) -> Estimate:
     """Return the mean of runs with the interval that contains the intervals of all of them."""
-    ends = zip(*(each.ends for each in singles), strict=True)
-    low, high = (pick(side) for pick, side in zip((min, max), ends, strict=True))
-    return Estimate(float(np.mean([each.value for each in singles])), low, high, "runs")
+    low = min(single.ends[0] for single in singles)
+    high = max(single.ends[1] for single in singles)
+    return Estimate(float(np.mean([single.value for single in singles])), low, high, "runs")
 
 
 # ---- Scores of several runs ---------------------------------------------------------------------
@@ -262,11 +264,13 @@ def interquartile_mean(scores: ArrayLike, *, level: float = LEVEL, seed: int = 0
     Statistician 69(4).
     """
     array = check_finite(scores, "scores (runs, opponents)", ndim=2)
-    value, runs, fewest = _middle_mean(array), len(array), fewest_runs(level)
+    value = _middle_mean(array)
+    runs = len(array)
+    fewest = fewest_runs(level)
     if runs < fewest:
-        return Estimate(value, samples=runs, note=f"no interval below {fewest} runs")
+        return Estimate(value, samples=runs, note=Reason(Why.TOO_FEW_RUNS, fewest))
     if np.ptp(array, axis=0).max() == 0.0:
-        return Estimate(value, samples=runs, note=f"no interval: all {runs} runs are equal")
+        return Estimate(value, samples=runs, note=Reason(Why.EQUAL_RUNS, runs))
     rng = np.random.default_rng(check_integer("seed", seed, 0))
     drawn = [_middle_mean(array[rng.integers(runs, size=runs)]) for _ in range(RESAMPLES)]
     tail = expanded_tail(runs, level)
@@ -327,13 +331,13 @@ def difference_over_episodes(one: ArrayLike, other: ArrayLike, *, level: float =
 
     Squared distances from the ends of both own intervals are added (Newcombe 1998).
     """
-    first, second = _check_scores(one, level), _check_scores(other, level)
-    means = float(first.mean()), float(second.mean())
-    ends = [_ends_of_mean(each, level) for each in (first, second)]
-    difference = means[0] - means[1]
-    low = difference - math.hypot(means[0] - ends[0][0], ends[1][1] - means[1])
-    high = difference + math.hypot(ends[0][1] - means[0], means[1] - ends[1][0])
-    fewest = min(len(first), len(second))
+    first = mean_over_episodes(one, level=level)
+    second = mean_over_episodes(other, level=level)
+    (first_low, first_high), (second_low, second_high) = first.ends, second.ends
+    difference = first.value - second.value
+    low = difference - math.hypot(first.value - first_low, second_high - second.value)
+    high = difference + math.hypot(first_high - first.value, second.value - second_low)
+    fewest = min(first.samples, second.samples)
     return Estimate(difference, max(low, -1.0), min(high, 1.0), "episodes", fewest)
 
 
@@ -352,11 +356,12 @@ def linear_over_episodes(
     episodes = array.shape[2]
     value = float(measure(array.mean(axis=2)))
     if math.isnan(value):
-        return Estimate(value, samples=episodes, note="not defined for this matrix")
-    each = np.array([measure(array[:, :, e]) for e in range(episodes)])
-    if does_not_vary(each):
-        return Estimate(value, samples=episodes, note="no interval: all episodes are equal")
-    return Estimate(value, *t_ends(each, level, bounds), "episodes", episodes)
+        return Estimate(value, samples=episodes, note=Reason(Why.NOT_OF_THIS_MATRIX))
+    values = np.array([measure(array[:, :, e]) for e in range(episodes)])
+    if does_not_vary(values):
+        return Estimate(value, samples=episodes, note=Reason(Why.EQUAL_EPISODES))
+    low, high = t_ends(values, level, bounds)
+    return Estimate(value, low, high, "episodes", episodes)
 
 
 def generalization_over_episodes(scores: ArrayLike) -> tuple[Band, Band]:
@@ -474,16 +479,18 @@ def _check_bounds(bounds: Bounds) -> None:
     require(ends.shape == (2,) and ends[0] <= ends[1], "bounds (low, high)", shown(bounds))
 
 
-def few_runs(runs: int) -> str:
-    """Return what to know about the interval of few runs; empty for others."""
-    return f"{runs} runs only: the interval is wide" if runs < FEW_RUNS else ""
+def few_runs(runs: int) -> Reason:
+    """Return what to know about the interval of few runs; nothing for others."""
+    return Reason(Why.FEW_RUNS, runs) if runs < FEW_RUNS else NOTHING
 
 
-def _no_variation(values: Rates) -> str:
-    """Return why values say nothing about the variation between runs; empty if they do."""
+def _no_variation(values: Rates) -> Reason:
+    """Return why values say nothing about the variation between runs; nothing if they do."""
     if len(values) == 1:
-        return SINGLE_RUN
-    return f"no interval: all {len(values)} runs are equal" if does_not_vary(values) else ""
+        return Reason(Why.SINGLE_RUN)
+    if does_not_vary(values):
+        return Reason(Why.EQUAL_RUNS, len(values))
+    return NOTHING
 
 
 def _check_values(values: ArrayLike) -> Rates:

@@ -5,7 +5,7 @@ All commands, figures and pages take their verdicts from `judge`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -14,28 +14,19 @@ from matrixworld.analysis.judgement import (
     ABSENT,
     CANNOT_TELL,
     CONDITIONS,
+    HALVES,
     PRESENT,
+    WHOLE,
     Estimates,
     Finding,
     Findings,
     Judgement,
 )
-from matrixworld.analysis.measures import (
-    FALLS_BACK,
-    MEASURES,
-    NO_EPISODES,
-    NOT_SUSTAINED,
-    TOO_SHORT,
-)
-from matrixworld.analysis.payoffs import (
-    GENERATIONS_TO_JUDGE,
-    TEAMS,
-    Payoffs,
-    Source,
-    Window,
-    read_payoffs,
-)
+from matrixworld.analysis.measures import MEASURES
+from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
 from matrixworld.analysis.progress import PURSUERS_WIN
+from matrixworld.analysis.reasons import Reason, Why
+from matrixworld.analysis.teams import keys_of
 
 LEAST_GAIN = 0.05
 """Rise and stagnation: strength changes by more, or by less, than this over the window."""
@@ -52,11 +43,10 @@ LEAST_FORGETTING = 0.05  # Forgetting: mean drop below the best ancestors above 
 
 CLOSE = 0.2  # capture rates so close to 1 or 0 over a window say which team wins nearly all matches
 
-HIDDEN = "one team wins nearly all matches, which hides this condition"
-NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
-ONE_HALF = "what rises in this half does not rise in the same way over the whole race"
-CIRCLE = "both teams lose again what they gain, as in a circle, whose end is not seen"
-FEW_ENGAGED = f"fewer than {RUNS_FOR_T} of the runs are engaged, the others hide this condition"
+GAINS = keys_of("gain")
+CHANGES = keys_of("change")
+DROPS = keys_of("forgetting")
+RECURRENCES = keys_of("recurrence")
 
 
 def judge(
@@ -94,10 +84,11 @@ def judge(
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     check_level(level)
-    windows: dict[str, Findings] = {}
-    for name, window in payoffs.windows.items():
-        found = _judge_window(payoffs, window, level)
-        windows[name] = _as_sure(found, windows["whole"]) if windows else found
+    whole = _judge_window(payoffs, payoffs.windows[WHOLE], level)
+    windows = {WHOLE: whole}
+    for half in HALVES:
+        findings = _judge_window(payoffs, payoffs.windows[half], level)
+        windows[half] = _as_sure(findings, whole)
     return Judgement(
         len(payoffs), payoffs.shape, payoffs.episodes, level, windows, payoffs.teams, payoffs.exact
     )
@@ -105,46 +96,52 @@ def judge(
 
 def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
     by_run = [_findings(run, window, level) for run in payoffs.runs]
-    found = _findings(payoffs, window, level) if len(payoffs) > 1 else by_run[0]
+    findings = _findings(payoffs, window, level) if len(payoffs) > 1 else by_run[0]
     # Disengagement is judged over all runs, the other conditions over the engaged ones.
-    engaged = [run for run, each in enumerate(by_run) if not _is_one_sided(each)]
-    if not _is_one_sided(found) and len(engaged) < len(by_run):
+    engaged = [run for run, single in enumerate(by_run) if not _is_one_sided(single)]
+    if not _is_one_sided(findings) and len(engaged) < len(by_run):
         if len(engaged) >= RUNS_FOR_T:
             others = _findings(payoffs.select(engaged), window, level)
         else:
-            others = {
-                name: replace(each, verdict=CANNOT_TELL, reason=FEW_ENGAGED, teams=())
-                for name, each in found.items()
-            }
-        found = {**others, "disengagement": found["disengagement"]}
+            reason = Reason(Why.FEW_ENGAGED, RUNS_FOR_T)
+            others = {name: _cannot_tell(finding, reason) for name, finding in findings.items()}
+        findings = {**others, "disengagement": findings["disengagement"]}
     return {
-        name: replace(found[name], by_run=tuple(one[name].verdict for one in by_run))
+        name: replace(findings[name], by_run=tuple(single[name].verdict for single in by_run))
         for name in CONDITIONS
     }
 
 
+def _cannot_tell(finding: Finding, reason: Reason) -> Finding:
+    return replace(finding, verdict=CANNOT_TELL, reason=reason, teams=())
+
+
 def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
     """Return the verdict on each condition; later rules may use earlier verdicts."""
-    found: dict[str, Finding] = {}
+    findings: dict[str, Finding] = {}
     for name, condition in RULES.items():
-        too_short = window.generations < GENERATIONS_TO_JUDGE
-        missing = TOO_SHORT if too_short else condition.missing(payoffs)
-        if missing:
-            found[name] = Finding(CANNOT_TELL, missing)
+        if window.generations < GENERATIONS_TO_JUDGE:
+            missing = Why.TOO_SHORT
+        else:
+            missing = condition.missing(payoffs)
+        if missing is not Why.NOTHING:
+            findings[name] = Finding(CANNOT_TELL, Reason(missing))
             continue
         estimates = {
             key: MEASURES[key].estimate(payoffs, window, level) for key in condition.measures
         }
-        hidden = name != "disengagement" and _is_one_sided(found)
-        decided = Finding(CANNOT_TELL, HIDDEN) if hidden else condition.rule(estimates, found)
-        found[name] = replace(decided, estimates=estimates)
-    return found
+        if name != "disengagement" and _is_one_sided(findings):
+            finding = Finding(CANNOT_TELL, Reason(Why.HIDDEN))
+        else:
+            finding = condition.rule(estimates, findings)
+        findings[name] = replace(finding, estimates=estimates)
+    return findings
 
 
 def _is_one_sided(findings: Findings) -> bool:
     """Return whether one team won nearly all matches, be they enough for a verdict or not."""
-    known = findings["disengagement"].estimates.get("one_sidedness")
-    return known is not None and known.value > PURSUERS_WIN
+    rate = findings["disengagement"].estimates.get("one_sidedness")
+    return rate is not None and rate.value > PURSUERS_WIN
 
 
 def _as_sure(half: Findings, whole: Findings) -> Findings:
@@ -155,142 +152,148 @@ def _as_sure(half: Findings, whole: Findings) -> Findings:
     """
     circles = whole["intransitivity"].verdict == PRESENT
     both_rose = len(whole["rise"].teams) == 2 and not circles
-    found = dict(half)
-    for name, known in (("arms race", both_rose), ("one-sided progress", False)):
-        if half[name].verdict == PRESENT != whole[name].verdict and not known:
-            found[name] = replace(half[name], verdict=CANNOT_TELL, reason=ONE_HALF, teams=())
-    return found
+    findings = dict(half)
+    for name, agrees in (("arms race", both_rose), ("one-sided progress", False)):
+        only_here = half[name].verdict == PRESENT and whole[name].verdict != PRESENT
+        if only_here and not agrees:
+            findings[name] = _cannot_tell(half[name], Reason(Why.ONE_HALF))
+    return findings
 
 
-def _against(estimate: Estimate, margin: float, above: str, below: str) -> Finding:
+def _against(estimate: Estimate, margin: float, above: Reason, below: Reason) -> Finding:
     """Return present above the margin, absent below it, and "cannot tell" if it is inside."""
     low, high = estimate.ends
     if low > margin:
         return Finding(PRESENT, above)
     if high < margin:
         return Finding(ABSENT, below)
-    return Finding(CANNOT_TELL, "the interval contains the margin")
+    return Finding(CANNOT_TELL, Reason(Why.MARGIN_INSIDE))
 
 
-def _against_all(estimates: Estimates, keys: tuple[str, ...], margin: float, below: str) -> Finding:
+def _against_all(
+    estimates: Estimates, keys: Mapping[str, str], margin: float, below: Why
+) -> Finding:
     """Return absent if the numbers of both teams are below the margin, else "cannot tell"."""
-    if all(high < margin for _, high in _ends(estimates, *keys)):
-        return Finding(ABSENT, below.format(margin))
-    return Finding(CANNOT_TELL, "the interval contains the margin")
+    if all(estimates[key].ends[1] < margin for key in keys.values()):
+        return Finding(ABSENT, Reason(below, margin))
+    return Finding(CANNOT_TELL, Reason(Why.MARGIN_INSIDE))
 
 
-def _disengagement(estimates: Estimates, known: Findings) -> Finding:
-    found = _against(
+def _disengagement(estimates: Estimates, earlier: Findings) -> Finding:
+    finding = _against(
         estimates["one_sidedness"],
         PURSUERS_WIN,
-        f"one team gets more than {PURSUERS_WIN:.0%} of its payoff in half of the generations",
-        f"neither team gets {PURSUERS_WIN:.0%} of its payoff in half of the generations",
+        Reason(Why.ONE_SIDED, PURSUERS_WIN),
+        Reason(Why.NOT_ONE_SIDED, PURSUERS_WIN),
     )
-    rate, winners = estimates["capture_rate"].value, dict(zip(TEAMS, (1.0, 0.0), strict=True))
-    teams = tuple(team for team, all_won in winners.items() if abs(rate - all_won) < CLOSE)
-    return replace(found, teams=teams if found.verdict == PRESENT else ())
+    if finding.verdict != PRESENT:
+        return finding
+    rate = estimates["capture_rate"].value
+    if 1.0 - rate < CLOSE:
+        return replace(finding, teams=("pursuers",))
+    if rate < CLOSE:
+        return replace(finding, teams=("evaders",))
+    return finding
 
 
-def _arms_race(estimates: Estimates, known: Findings) -> Finding:
-    gains = _ends(estimates, *GAINS)
+def _arms_race(estimates: Estimates, earlier: Findings) -> Finding:
+    gains = [estimates[key].ends for key in GAINS.values()]
     if all(low > 0.0 for low, _ in gains):
-        if _may_be_a_circle(estimates, known):
-            return Finding(CANNOT_TELL, CIRCLE)
-        reason = "both teams rise by more than a random walk with such steps would"
-        return Finding(PRESENT, reason, _teams(GAINS))
+        if _may_be_a_circle(estimates, earlier):
+            return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
+        return Finding(PRESENT, Reason(Why.BOTH_RISE), tuple(GAINS))
     if any(_does_not_gain(gain) for gain in gains):
-        reason = f"a team has no trend: its gain is not above 0, and below {LEAST_GAIN}"
-        return Finding(ABSENT, reason)
-    return Finding(CANNOT_TELL, "a random walk may explain the gain of at least one team")
+        return Finding(ABSENT, Reason(Why.ONE_WITHOUT_TREND, LEAST_GAIN))
+    return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK))
 
 
-def _one_sided_progress(estimates: Estimates, known: Findings) -> Finding:
-    gains = _ends(estimates, *GAINS)
-    if known["arms race"].verdict == PRESENT:
-        return Finding(ABSENT, "both teams have a trend")
-    if all(_does_not_gain(gain) for gain in gains):
-        return Finding(ABSENT, "neither team has a trend")
-    for key, other in zip(GAINS, GAINS[::-1], strict=True):
-        still = _does_not_gain(estimates[other].ends) and estimates[other].value > -LEAST_GAIN
-        if estimates[key].ends[0] > 0.0 and still:
-            if _may_be_a_circle(estimates, known):
-                return Finding(CANNOT_TELL, CIRCLE)
-            reason = "one team rises by more than a random walk would, the other stands still"
-            return Finding(PRESENT, reason, _teams([key]))
-    return Finding(CANNOT_TELL, "a random walk may explain the gain of at least one team")
+def _one_sided_progress(estimates: Estimates, earlier: Findings) -> Finding:
+    gains = {team: estimates[key] for team, key in GAINS.items()}
+    if earlier["arms race"].verdict == PRESENT:
+        return Finding(ABSENT, Reason(Why.BOTH_WITH_TREND))
+    if all(_does_not_gain(gain.ends) for gain in gains.values()):
+        return Finding(ABSENT, Reason(Why.NONE_WITH_TREND))
+    pursuers, evaders = gains
+    for team, other in ((pursuers, evaders), (evaders, pursuers)):
+        stands_still = _does_not_gain(gains[other].ends) and gains[other].value > -LEAST_GAIN
+        if gains[team].ends[0] > 0.0 and stands_still:
+            if _may_be_a_circle(estimates, earlier):
+                return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
+            return Finding(PRESENT, Reason(Why.ONE_RISES), (team,))
+    return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK))
 
 
-def _may_be_a_circle(estimates: Estimates, known: Findings) -> bool:
+def _may_be_a_circle(gains: Estimates, earlier: Findings) -> bool:
     # Where strategies return, the circle is complete, and what remains of the gains is progress.
-    lost = all(estimates[key].note == FALLS_BACK for key in GAINS)
-    return lost and known["cycling"].verdict != PRESENT
+    both_fall_back = all(gains[key].note.why is Why.FALLS_BACK for key in GAINS.values())
+    return both_fall_back and earlier["cycling"].verdict != PRESENT
 
 
-def _rise(estimates: Estimates, known: Findings) -> Finding:
-    if _may_be_a_circle(known["arms race"].estimates, known):
-        return Finding(CANNOT_TELL, CIRCLE)
-    rose = [key for key in CHANGES if estimates[key].ends[0] > LEAST_GAIN]
-    teams = _teams(key for key in rose if estimates[key].note != NOT_SUSTAINED)
+def _rise(estimates: Estimates, earlier: Findings) -> Finding:
+    if _may_be_a_circle(earlier["arms race"].estimates, earlier):
+        return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
+    rose = _above(estimates, CHANGES, LEAST_GAIN)
+    teams = tuple(
+        team for team in rose if estimates[CHANGES[team]].note.why is not Why.NOT_SUSTAINED
+    )
     if teams:
-        reason = f"{_listed(teams)} became stronger by more than {LEAST_GAIN} this time"
-        return Finding(PRESENT, reason, teams)
+        return Finding(PRESENT, Reason(Why.STRONGER, LEAST_GAIN, teams), teams)
     if rose:
-        return Finding(
-            CANNOT_TELL, "a team became stronger, but mostly in a jump or with a setback"
-        )
-    return _against_all(estimates, CHANGES, LEAST_GAIN, "neither team became {} stronger this time")
+        return Finding(CANNOT_TELL, Reason(Why.STRONGER_IN_A_JUMP))
+    return _against_all(estimates, CHANGES, LEAST_GAIN, Why.NOT_STRONGER)
 
 
-def _intransitivity(estimates: Estimates, known: Findings) -> Finding:
-    found = _against(
+def _intransitivity(estimates: Estimates, earlier: Findings) -> Finding:
+    finding = _against(
         estimates["squared_intransitivity"],
         LEAST_INTRANSITIVITY**2,
-        "neither an order of strength nor episode noise explains the capture rates",
-        "an order of strength and episode noise explain the capture rates",
+        Reason(Why.NO_ORDER),
+        Reason(Why.ORDER),
     )
-    if found.verdict == PRESENT and estimates["checkerboards"].value < LEAST_CHECKERBOARDS:
-        reason = "no order of strength explains the capture rates, but checkerboards are rare"
-        return Finding(CANNOT_TELL, reason)
-    return found
+    if finding.verdict == PRESENT and estimates["checkerboards"].value < LEAST_CHECKERBOARDS:
+        return Finding(CANNOT_TELL, Reason(Why.FEW_CHECKERBOARDS))
+    return finding
 
 
-def _cycling(estimates: Estimates, known: Findings) -> Finding:
-    verdict = known["intransitivity"].verdict
-    if verdict == ABSENT:
-        return Finding(ABSENT, "generations do not beat each other in a circle")
-    unknown = [estimates[key].note for key in RECURRENCES if estimates[key].low is None]
-    if unknown:
-        return Finding(CANNOT_TELL, unknown[0])
-    back = [key for key in RECURRENCES if estimates[key].ends[0] > LEAST_RECURRENCE]
-    if back and verdict == CANNOT_TELL:
-        return Finding(CANNOT_TELL, "strategies return, but an order of strength may explain them")
-    if back:
-        return Finding(PRESENT, f"strategies of {_listed(_teams(back))} return", _teams(back))
-    return _against_all(estimates, RECURRENCES, LEAST_RECURRENCE, "no strategies return")
-
-
-def _forgetting(estimates: Estimates, known: Findings) -> Finding:
-    teams = _teams(key for key in DROPS if estimates[key].ends[0] > LEAST_FORGETTING)
+def _cycling(estimates: Estimates, earlier: Findings) -> Finding:
+    intransitivity = earlier["intransitivity"].verdict
+    if intransitivity == ABSENT:
+        return Finding(ABSENT, Reason(Why.NO_CIRCLE))
+    for key in RECURRENCES.values():
+        if estimates[key].low is None:
+            return Finding(CANNOT_TELL, estimates[key].note)
+    teams = _above(estimates, RECURRENCES, LEAST_RECURRENCE)
+    if teams and intransitivity == CANNOT_TELL:
+        return Finding(CANNOT_TELL, Reason(Why.RETURN_IN_ORDER))
     if teams:
-        reason = f"a team falls more than {LEAST_FORGETTING} below its best ancestors"
-        return Finding(PRESENT, reason, teams)
-    below = "neither team falls {} below its best ancestors"
-    return _against_all(estimates, DROPS, LEAST_FORGETTING, below)
+        return Finding(PRESENT, Reason(Why.RETURN, teams=teams), teams)
+    return _against_all(estimates, RECURRENCES, LEAST_RECURRENCE, Why.NO_RETURN)
 
 
-def _stagnation(estimates: Estimates, known: Findings) -> Finding:
-    changes = _ends(estimates, *CHANGES)
-    for name in ("arms race", "one-sided progress", "intransitivity"):
-        if known[name].verdict == PRESENT:
-            return Finding(ABSENT, f"{name} is present")
+def _forgetting(estimates: Estimates, earlier: Findings) -> Finding:
+    teams = _above(estimates, DROPS, LEAST_FORGETTING)
+    if teams:
+        return Finding(PRESENT, Reason(Why.FORGETS, LEAST_FORGETTING), teams)
+    return _against_all(estimates, DROPS, LEAST_FORGETTING, Why.NOT_FORGETS)
+
+
+def _stagnation(estimates: Estimates, earlier: Findings) -> Finding:
+    for name, why in NO_STAGNATION.items():
+        if earlier[name].verdict == PRESENT:
+            return Finding(ABSENT, Reason(why))
+    changes = [estimates[key].ends for key in CHANGES.values()]
     if any(low >= LEAST_GAIN or high <= -LEAST_GAIN for low, high in changes):
-        return Finding(ABSENT, f"the strength of a team changes by {LEAST_GAIN} or more")
+        return Finding(ABSENT, Reason(Why.CHANGES, LEAST_GAIN))
     if any(low <= -LEAST_GAIN or high >= LEAST_GAIN for low, high in changes):
-        return Finding(CANNOT_TELL, f"a change of {LEAST_GAIN} cannot be ruled out")
-    if known["intransitivity"].verdict == CANNOT_TELL:
-        reason = "neither team becomes stronger, but the race may be intransitive"
-        return Finding(CANNOT_TELL, reason)
-    return Finding(PRESENT, f"neither team's strength changes by {LEAST_GAIN}, nor who beats whom")
+        return Finding(CANNOT_TELL, Reason(Why.MAY_CHANGE, LEAST_GAIN))
+    if earlier["intransitivity"].verdict == CANNOT_TELL:
+        return Finding(CANNOT_TELL, Reason(Why.MAY_BE_INTRANSITIVE))
+    return Finding(PRESENT, Reason(Why.NO_CHANGE, LEAST_GAIN))
+
+
+def _above(estimates: Estimates, keys: Mapping[str, str], margin: float) -> tuple[str, ...]:
+    """Return the teams whose numbers are above a margin."""
+    return tuple(team for team, key in keys.items() if estimates[key].ends[0] > margin)
 
 
 def _does_not_gain(gain: tuple[float, float]) -> bool:
@@ -299,50 +302,42 @@ def _does_not_gain(gain: tuple[float, float]) -> bool:
     return low <= 0.0 and high < LEAST_GAIN
 
 
-def _ends(estimates: Estimates, *keys: str) -> list[tuple[float, float]]:
-    return [estimates[key].ends for key in keys]
-
-
-def _teams(keys: Iterable[str]) -> tuple[str, ...]:
-    """Return the teams of some measures."""
-    return tuple(f"{key.partition('_')[0]}s" for key in keys)
-
-
-def _listed(teams: tuple[str, ...]) -> str:
-    return " and ".join(f"the {team}" for team in teams)
-
-
 class Rule(NamedTuple):
     """How a condition is decided: the `measures`, and the `rule` on these and on earlier findings.
 
-    `missing` says what it would take to know them; empty if they are known.
+    `missing` says what it would take to know them.
     """
 
     measures: tuple[str, ...]
     rule: Callable[[Estimates, Findings], Finding]
-    missing: Callable[[Payoffs], str] = lambda payoffs: ""
+    missing: Callable[[Payoffs], Why] = lambda payoffs: Why.NOTHING
 
 
-def _noise(payoffs: Payoffs) -> str:
-    return "" if payoffs.shows_noise else NO_EPISODES
+def _noise(payoffs: Payoffs) -> Why:
+    return Why.NOTHING if payoffs.shows_noise else Why.EPISODES_UNKNOWN
 
 
-def _single_episodes(payoffs: Payoffs) -> str:
-    return "" if payoffs.has_episodes and payoffs.shows_noise else NO_SINGLE_EPISODES
+def _single_episodes(payoffs: Payoffs) -> Why:
+    if payoffs.has_episodes and payoffs.shows_noise:
+        return Why.NOTHING
+    return Why.NO_SINGLE_EPISODES
 
 
-GAINS, CHANGES = ("pursuer_gain", "evader_gain"), ("pursuer_change", "evader_change")
-DROPS = ("pursuer_forgetting", "evader_forgetting")
-RECURRENCES = ("pursuer_recurrence", "evader_recurrence")
+NO_STAGNATION = {
+    "arms race": Why.ARMS_RACE,
+    "one-sided progress": Why.ONE_SIDED_PROGRESS,
+    "intransitivity": Why.INTRANSITIVITY,
+}
+"""Conditions without which a race stagnates."""
 
 RULES: Mapping[str, Rule] = {
     "disengagement": Rule(("one_sidedness", "capture_rate"), _disengagement, _noise),
     "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
-    "cycling": Rule(RECURRENCES, _cycling, _noise),
-    "arms race": Rule(GAINS, _arms_race),
-    "one-sided progress": Rule(GAINS, _one_sided_progress),
-    "rise": Rule(CHANGES, _rise),
-    "forgetting": Rule(DROPS, _forgetting, _single_episodes),
-    "stagnation": Rule(CHANGES, _stagnation),
+    "cycling": Rule(tuple(RECURRENCES.values()), _cycling, _noise),
+    "arms race": Rule(tuple(GAINS.values()), _arms_race),
+    "one-sided progress": Rule(tuple(GAINS.values()), _one_sided_progress),
+    "rise": Rule(tuple(CHANGES.values()), _rise),
+    "forgetting": Rule(tuple(DROPS.values()), _forgetting, _single_episodes),
+    "stagnation": Rule(tuple(CHANGES.values()), _stagnation),
 }
 """The rules of all `CONDITIONS`, in the order in which they are judged."""

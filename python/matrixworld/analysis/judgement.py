@@ -9,10 +9,13 @@ from typing import Any, NamedTuple
 from matrixworld._util.checks import check_choice, check_instance
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import RUNS_FOR_T, Estimate
-from matrixworld.analysis.measures import MEASURES, TOO_SHORT
-from matrixworld.analysis.payoffs import TEAMS, in_words_of
+from matrixworld.analysis.measures import MEASURES
+from matrixworld.analysis.reasons import Reason, Why
+from matrixworld.analysis.teams import TEAMS, keys_of, listed, names_of
 
-PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
+PRESENT = "present"
+ABSENT = "absent"
+CANNOT_TELL = "cannot tell"
 
 Estimates = Mapping[str, Estimate]
 Findings = Mapping[str, "Finding"]
@@ -23,7 +26,7 @@ class Finding:
     """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``."""
 
     verdict: str
-    reason: str  # a clause after "because"
+    reason: Reason
     teams: tuple[str, ...] = ()  # those of which a condition is present
     estimates: Estimates = field(default_factory=dict)  # the numbers that decide, if all are known
     by_run: tuple[str, ...] = ()  # verdict on each single run
@@ -57,8 +60,8 @@ class Judgement(Readable):
     def present(self, window: str = "whole") -> tuple[str, ...]:
         """Return the conditions that are present in a window."""
         check_choice("window", window, self.windows)
-        found = self.windows[window]
-        return tuple(name for name in CONDITIONS if found[name].verdict == PRESENT)
+        findings = self.windows[window]
+        return tuple(name for name in CONDITIONS if findings[name].verdict == PRESENT)
 
     def to_json(self) -> dict[str, Any]:
         """Return plain values that JSON can represent."""
@@ -67,11 +70,18 @@ class Judgement(Readable):
 
 
 class Words(NamedTuple):
-    """What is told of a condition that is present: who `did` what; it `implies` another one."""
+    """What is said of a condition that is present: who `did` what; it `implies` another one."""
 
     who: str
     did: str
     implies: str = ""
+
+
+class Event(NamedTuple):
+    """What happened in a window, in words: `who` `did` what."""
+
+    who: str
+    did: str
 
 
 WORDS: Mapping[str, Words] = {
@@ -90,10 +100,10 @@ CONDITIONS = tuple(WORDS)
 """Names of the conditions."""
 
 PROGRESS = ("arms race", "one-sided progress")
-OF_STRENGTH = ("disengagement", *PROGRESS, "rise", "stagnation")
+_OF_STRENGTH = frozenset(("disengagement", *PROGRESS, "rise", "stagnation"))
 """Conditions that say whether a team improved, or why that is not known."""
-NO_GAIN = Estimate(0.0)
-WHOLE, *HALVES = ("whole", "first half", "last half")
+WHOLE = "whole"
+HALVES = ("first half", "last half")
 
 
 def sentence(judgement: Judgement) -> str:
@@ -104,16 +114,18 @@ def sentence(judgement: Judgement) -> str:
     and reports all print it.
     """
     check_instance("judgement", judgement, Judgement)
-    if judgement.findings["arms race"].reason == TOO_SHORT:
-        return f"Too short to be judged: {TOO_SHORT}."
-    told = {at: each for at in (WHOLE, *HALVES) if (each := _told(judgement, at))}
-    parts = [_at(judgement, at) + _clause(each) for at, each in told.items()]
-    if {*OF_STRENGTH} & {name for each in told.values() for name in each}:
-        parts[0] = _of_runs(judgement) + parts[0]
+    reason = judgement.findings["arms race"].reason
+    if reason.why is Why.TOO_SHORT:
+        return f"Too short to be judged: {reason}."
+    events = _events(judgement)
+    clauses = [_beginning(judgement, window) + _clause(events[window]) for window in events]
+    if any(not _OF_STRENGTH.isdisjoint(told) for told in events.values()):
+        clauses[0] = _of_runs(judgement) + clauses[0]
+    elif clauses:
+        clauses[0] = f"{_no_progress(judgement)}: {clauses[0]}"
     else:
-        parts[:1] = [": ".join([_no_progress(judgement), *parts[:1]])]
-    said = (f"{part[0].upper()}{part[1:]}." for part in parts)
-    return in_words_of(judgement.teams, " ".join(said))
+        clauses = [_no_progress(judgement)]
+    return " ".join(f"{clause[0].upper()}{clause[1:]}." for clause in clauses)
 
 
 def clarity(judgement: Judgement) -> tuple[bool, float]:
@@ -121,94 +133,133 @@ def clarity(judgement: Judgement) -> tuple[bool, float]:
 
     Whether anything of that is known, then the least gain that the worse team surely has.
     """
-    told = any({*OF_STRENGTH} & {*judgement.present(window)} for window in judgement.windows)
+    is_known = any(
+        not _OF_STRENGTH.isdisjoint(judgement.present(window)) for window in judgement.windows
+    )
     gains = judgement.findings["arms race"].estimates.values()
-    return told, min((gain.low or 0.0 for gain in gains), default=0.0)
+    return is_known, min((gain.low or 0.0 for gain in gains), default=0.0)
 
 
-def _told(judgement: Judgement, window: str) -> dict[str, tuple[str, str]]:
-    """Return what is told of a window: conditions, and who did what."""
-    present = {at: _present(judgement, at) for at in judgement.windows}
-    told = {}
-    for name in sorted(CONDITIONS, key=lambda each: each not in OF_STRENGTH):
-        halves = [half for half in HALVES if name in present[half]]
-        verdicts = {judgement.windows[half][name].verdict for half in HALVES}
-        if name in present[WHOLE]:
-            # A half speaks for itself if the other one surely differs.
-            places = halves if verdicts == {PRESENT, ABSENT} else [WHOLE]
-        else:
-            places = halves
-        words = [_happened(judgement.windows[at], name) for at in places]
-        if len({*words}) < len(words):  # the same in both halves
-            places = [WHOLE]
-        if window in places:
-            told[name] = words[places.index(window)]
-    return told
+def _events(judgement: Judgement) -> dict[str, dict[str, Event]]:
+    """Return what a sentence tells: of each window the conditions, and who did what."""
+    events: dict[str, dict[str, Event]] = {window: {} for window in (WHOLE, *HALVES)}
+    for name in sorted(CONDITIONS, key=lambda condition: condition not in _OF_STRENGTH):
+        windows = _windows_of(judgement, name)
+        told = [_happened(judgement, window, name) for window in windows]
+        if len(told) == 2 and told[0] == told[1]:  # the same in both halves
+            windows, told = [WHOLE], told[:1]
+        for window, event in zip(windows, told, strict=True):
+            events[window][name] = event
+    return {window: told for window, told in events.items() if told}
 
 
-def _present(judgement: Judgement, window: str) -> list[str]:
-    """Return the conditions that are present in a window and that nothing told implies."""
-    every = {name for at in judgement.windows for name in judgement.present(at)}
-    implied = {WORDS[name].implies for name in every}
+def _windows_of(judgement: Judgement, name: str) -> list[str]:
+    """Return the windows of which a sentence tells a condition, if it is present there."""
+    halves = [half for half in HALVES if name in _not_implied(judgement, half)]
+    if name not in _not_implied(judgement, WHOLE):
+        return halves
+    # A half speaks for itself if the other one surely differs.
+    verdicts = {judgement.windows[half][name].verdict for half in HALVES}
+    return halves if verdicts == {PRESENT, ABSENT} else [WHOLE]
+
+
+def _not_implied(judgement: Judgement, window: str) -> list[str]:
+    """Return the conditions that are present in a window, but those that another one implies."""
+    implied = {
+        WORDS[name].implies for part in judgement.windows for name in judgement.present(part)
+    }
     return [name for name in judgement.present(window) if name not in implied]
 
 
-def _happened(findings: Findings, name: str) -> tuple[str, str]:
+def _happened(judgement: Judgement, window: str, name: str) -> Event:
     """Return in words who did what."""
-    finding, gains = findings[name], findings["arms race"].estimates
-    sizes = [finding.estimates.get(f"{team[:-1]}_{name}") for team in finding.teams]
-    known = {team: gains.get(f"{team[:-1]}_gain", NO_GAIN) for team in finding.teams}
-    vague = tuple(team for team, gain in known.items() if (gain.low or 0.0) <= 0.0)
-    doubt = "without a clear trend" if vague else ""
-    if vague != finding.teams:
-        doubt = doubt and f"({_named(vague)} {doubt})"
+    findings = judgement.windows[window]
+    finding = findings[name]
     words = {
-        "teams": _named(finding.teams),
-        "sizes": " and ".join(f"{size.value:.2f}" for size in sizes if size),
-        "doubt": doubt and f" {doubt}",
+        **names_of(judgement.teams),
+        "teams": _named(finding.teams, judgement.teams),
+        "sizes": _sizes(finding, name),
+        "doubt": _doubt(finding.teams, findings["arms race"].estimates, judgement.teams),
     }
-    return WORDS[name].who.format(**words), WORDS[name].did.format(**words)
+    return Event(WORDS[name].who.format(**words), WORDS[name].did.format(**words))
 
 
-def _named(teams: tuple[str, ...]) -> str:
-    return "both teams" if len(teams) == 2 else f"the {teams[0]}" if teams else "one team"
+def _named(members: tuple[str, ...], teams: tuple[str, str]) -> str:
+    """Return some of the teams as the subject of a sentence, in the words of a game."""
+    if len(members) == 2:
+        return "both teams"
+    return listed(members, teams) if members else "one team"
 
 
-def _clause(told: Mapping[str, tuple[str, str]]) -> str:
+def _sizes(finding: Finding, name: str) -> str:
+    """Return the numbers of a condition for the teams of which it is present."""
+    keys = keys_of(name)
+    sizes = [finding.estimates.get(keys[team]) for team in finding.teams]
+    return " and ".join(f"{size.value:.2f}" for size in sizes if size is not None)
+
+
+def _doubt(members: tuple[str, ...], gains: Estimates, teams: tuple[str, str]) -> str:
+    """Return that some teams, which became stronger, have no trend; empty if all have one."""
+    keys = keys_of("gain")
+    without = tuple(team for team in members if not _is_gain(gains.get(keys[team])))
+    if not without:
+        return ""
+    if without == members:
+        return " without a clear trend"
+    return f" ({_named(without, teams)} without a clear trend)"
+
+
+def _is_gain(gain: Estimate | None) -> bool:
+    return gain is not None and gain.low is not None and gain.low > 0.0
+
+
+def _clause(events: Mapping[str, Event]) -> str:
     """Return who did what, naming each once: "both teams improved, but lost old skills"."""
-    clause, last, improved = "", "", False
-    for name, (who, did) in told.items():
-        joint = ", but " if improved and name not in OF_STRENGTH else " and " if clause else ""
-        clause += f"{joint}{did if who == last else f'{who} {did}'}"
-        last, improved = who, name in OF_STRENGTH
+    clause = ""
+    last = ""
+    improved = False
+    for name, event in events.items():
+        if improved and name not in _OF_STRENGTH:
+            clause += ", but "
+        elif clause:
+            clause += " and "
+        clause += event.did if event.who == last else f"{event.who} {event.did}"
+        last = event.who
+        improved = name in _OF_STRENGTH
     return clause
 
 
-def _at(judgement: Judgement, window: str) -> str:
+def _beginning(judgement: Judgement, window: str) -> str:
     """Return a window in words, as the beginning of a clause about it."""
+    if window == WHOLE:
+        return ""
     pursuers, evaders = judgement.shape
+    is_first = window == HALVES[0]
     # The last half begins with the middle generation; teams of different length share no number.
-    first = window == HALVES[0]
-    middle = f"generation {pursuers // 2 - first}" if pursuers == evaders else "the middle"
-    return "" if window == WHOLE else f"until {middle}, " if first else f"from {middle} on, "
+    middle = "the middle"
+    if pursuers == evaders:
+        middle = f"generation {pursuers // 2 - is_first}"
+    return f"until {middle}, " if is_first else f"from {middle} on, "
 
 
 def _of_runs(judgement: Judgement) -> str:
     """Return of which runs a sentence speaks: of the mean, or of each of a few."""
     if judgement.runs == 1:
         return ""
-    each = judgement.runs < RUNS_FOR_T
-    return f"{'in each of' if each else 'on average over'} {judgement.runs} runs, "
+    if judgement.runs < RUNS_FOR_T:
+        return f"in each of {judgement.runs} runs, "
+    return f"on average over {judgement.runs} runs, "
 
 
 def _no_progress(judgement: Judgement) -> str:
     """Return that no team is known to have improved, and in which runs both did."""
-    whole, runs = judgement.findings, judgement.runs
-    if {whole[name].verdict for name in (*PROGRESS, "rise")} == {ABSENT}:
+    findings = judgement.findings
+    runs = judgement.runs
+    if all(findings[name].verdict == ABSENT for name in (*PROGRESS, "rise")):
         return f"{_of_runs(judgement)}neither team improved"
     if runs == 1:
         return "no clear progress"
-    improved = whole["arms race"].by_run.count(PRESENT)
+    improved = findings["arms race"].by_run.count(PRESENT)
     some = f" (in {improved} of them, both teams improved)" if improved else ""
     if runs < RUNS_FOR_T:
         return f"no clear progress that all {runs} runs share{some}"
@@ -220,27 +271,26 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
 
     After the heads all findings on the whole race, then those that are present in a half only.
     """
-    told = _rows(judgement)
+    check_instance("judgement", judgement, Judgement)
     rows = [("condition", "verdict", f"{judgement.level:.0%} interval", "window")]
-    for name, finding, window in told:
+    for name, finding, window in _rows(judgement):
         numbers = ", ".join(
-            f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
+            f"{MEASURES[key].brief(judgement.teams)} {MEASURES[key].shown(estimate)}"
             for key, estimate in finding.estimates.items()
         )
-        numbers = in_words_of(judgement.teams, numbers)
         rows.append((name, finding.verdict, numbers, "whole race" if window == WHOLE else window))
     return rows
 
 
 def _rows(judgement: Judgement) -> list[tuple[str, Finding, str]]:
     """Return condition, finding and window of what `judgement_table` lists."""
-    check_instance("judgement", judgement, Judgement)
-    return [
-        (name, judgement.windows[at][name], at)
-        for at in judgement.windows
-        for name in (CONDITIONS if at == WHOLE else judgement.present(at))
-        if at == WHOLE or name not in judgement.present()
-    ]
+    in_whole = judgement.present(WHOLE)
+    rows = [(name, judgement.findings[name], WHOLE) for name in CONDITIONS]
+    for half in HALVES:
+        findings = judgement.windows[half]
+        names = [name for name in judgement.present(half) if name not in in_whole]
+        rows += [(name, findings[name], half) for name in names]
+    return rows
 
 
 def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
@@ -257,16 +307,21 @@ def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
 
 def explain(judgement: Judgement) -> str:
     """Return the rows of `judgement_table` of a `judgement` as sentences, with reasons."""
-    lines = "\n".join(
-        f"{name.capitalize()}{'' if window == WHOLE else f' ({window})'}: "
-        f"{finding.verdict}, because {finding.reason}.{_counts(finding.by_run)}"
-        for name, finding, window in _rows(judgement)
-    )
-    return in_words_of(judgement.teams, lines)
+    check_instance("judgement", judgement, Judgement)
+    lines = []
+    for name, finding, window in _rows(judgement):
+        head = name.capitalize()
+        if window != WHOLE:
+            head += f" ({window})"
+        reason = finding.reason.in_words(judgement.teams)
+        lines.append(f"{head}: {finding.verdict}, because {reason}.{_counts(finding.by_run)}")
+    return "\n".join(lines)
 
 
 def _counts(by_run: tuple[str, ...]) -> str:
     if len(by_run) == 1:
         return ""
-    counts = ", ".join(f"{by_run.count(each)} {each}" for each in (PRESENT, ABSENT, CANNOT_TELL))
+    counts = ", ".join(
+        f"{by_run.count(verdict)} {verdict}" for verdict in (PRESENT, ABSENT, CANNOT_TELL)
+    )
     return f" Of the single runs: {counts}."

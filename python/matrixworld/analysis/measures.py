@@ -16,27 +16,33 @@ import numpy as np
 
 from matrixworld._util.checks import check_choice
 from matrixworld.analysis import cycles, games, intervals, progress, ratings, strength
-from matrixworld.analysis import payoffs as payoff_module
-from matrixworld.analysis.intervals import LEVEL, UNIT, Bounds, Estimate
-from matrixworld.analysis.payoffs import Payoffs, Rates, Source, Window, require
-
-TOO_SHORT = f"it takes at least {payoff_module.GENERATIONS_TO_JUDGE} generations of each team"
-NO_EPISODES = (
-    "it takes the number of episodes of each pair, at least "
-    f"{payoff_module.EPISODES_TO_JUDGE}, to tell it from noise"
+from matrixworld.analysis.intervals import LEVEL, UNBOUNDED, UNIT, Bounds, Estimate
+from matrixworld.analysis.payoffs import (
+    GENERATIONS_TO_JUDGE,
+    Payoffs,
+    Rates,
+    Source,
+    Window,
+    read_payoffs,
+    require,
+    swap_teams,
 )
-NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
-FALLS_BACK = "loses again, against some opponents, what it had gained"
+from matrixworld.analysis.reasons import NOTHING, Reason, Why
+from matrixworld.analysis.teams import TEAMS, keys_of, names_of
 
 GAIN: Bounds = (-1.0, 1.0)  # bounds of a difference of two rates
+LABEL_WIDTH = 53  # least width of the first column of `measure_table`
 
 
 @dataclass(frozen=True)
 class Measure:
-    """A named number of a race, in a row of `MEASURES`; use `of`."""
+    """A named number of a race, in a row of `MEASURES`; use `of`.
+
+    Its texts may name ``{pursuers}``, ``{evaders}`` and ``{score}``, for which a game has words.
+    """
 
     name: str
-    label: str  # in tables of measures
+    text: str  # in tables of measures
     estimate: Callable[[Payoffs, Window, float], Estimate]
     short: str = ""  # in the table of a judgement
     late: bool = False  # whether tables show it in the last half, not of the whole race
@@ -50,20 +56,30 @@ class Measure:
         with an interval over runs; a single run has one over its episodes, if they are known and
         their noise allows it. NaN where the payoffs do not hold what it takes; the note says what.
         """
-        payoffs = payoff_module.read_payoffs(source)
+        payoffs = read_payoffs(source)
         intervals.check_level(level)
-        if window is not None:
+        if window is None:
+            part = self.window_in(payoffs)
+        else:
             check_choice("window", window, payoffs.windows)
-        part = payoffs.windows[window] if window else self.window_in(payoffs)
+            part = payoffs.windows[window]
         if part.generations < 2:
-            return Estimate(math.nan, note="it takes at least 2 generations of each team")
+            return Estimate(math.nan, note=Reason(Why.ONE_GENERATION))
         return self.estimate(payoffs, part, level)
 
     def window_in(self, payoffs: Payoffs) -> Window:
         """Return the window in which tables show the number; of short races the whole."""
         half = payoffs.windows["last half"]
-        is_long = half.generations >= payoff_module.GENERATIONS_TO_JUDGE
+        is_long = half.generations >= GENERATIONS_TO_JUDGE
         return half if self.late and is_long else payoffs.windows["whole"]
+
+    def label(self, teams: tuple[str, str] = TEAMS) -> str:
+        """Return what tables of measures call the number, in the words of a game."""
+        return self.text.format(**names_of(teams))
+
+    def brief(self, teams: tuple[str, str] = TEAMS) -> str:
+        """Return what the table of a judgement calls the number, in the words of a game."""
+        return (self.short or self.text).format(**names_of(teams))
 
     def shown(self, estimate: Estimate) -> str:
         """Return an estimate as text, with its interval in brackets."""
@@ -71,9 +87,14 @@ class Measure:
             return "not known"
         if self.squared:
             # Noise is subtracted from a square, so it may be negative.
-            low, high = (end and max(0.0, end) ** 0.5 for end in (estimate.low, estimate.high))
-            estimate = Estimate(max(0.0, estimate.value) ** 0.5, low, high)
+            low = None if estimate.low is None else _root(estimate.low)
+            high = None if estimate.high is None else _root(estimate.high)
+            estimate = Estimate(_root(estimate.value), low, high)
         return format(estimate, self.form)
+
+
+def _root(square: float) -> float:
+    return math.sqrt(max(0.0, square))
 
 
 def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[str, Estimate]:
@@ -82,26 +103,30 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
     Of a `source` of at least 2 x 2 generations, with `known` arguments of `read_payoffs`; intervals
     have a `level` in (0, 1).
     """
-    payoffs = payoff_module.read_payoffs(source, **known)
+    payoffs = read_payoffs(source, **known)
     require(min(payoffs.shape) >= 2, "at least 2 x 2 generations", payoffs.shape)
     return {name: measure.of(payoffs, level=level) for name, measure in MEASURES.items()}
 
 
 def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
     """Return all measures as text, by window; `source`, `level`, `known` as for `measure_all`."""
-    payoffs = payoff_module.read_payoffs(source, **known)
+    payoffs = read_payoffs(source, **known)
+    teams = payoffs.teams
     estimates = measure_all(payoffs, level=level)
-    notes = _footnotes(payoffs, estimates)
-    lines, last = [_heading(payoffs, estimates, level)], ""
+    marks = _footnotes(payoffs, estimates)
+    labels = {name: MEASURES[name].label(teams) for name in estimates}
+    width = max(LABEL_WIDTH, 1 + max(map(len, labels.values())))
+    lines = [_heading(payoffs, estimates, level)]
+    last = ""
     for name, estimate in estimates.items():
         window = MEASURES[name].window_in(payoffs).name
         if window != last:
             lines.append(f"  {'whole race' if window == 'whole' else window}")
             last = window
-        text = f"{MEASURES[name].label:53}{MEASURES[name].shown(estimate)}"
-        lines.append(f"    {text} {notes.get(estimate.note, '')}".rstrip())
-    lines += [f"  {mark} {note}" for note, mark in notes.items()]
-    return payoff_module.in_words_of(payoffs.teams, "\n".join(lines))
+        text = f"{labels[name]:{width}}{MEASURES[name].shown(estimate)}"
+        lines.append(f"    {text} {marks.get(estimate.note, '')}".rstrip())
+    lines += [f"  {mark} {note.in_words(teams)}" for note, mark in marks.items()]
+    return "\n".join(lines)
 
 
 def _heading(payoffs: Payoffs, estimates: Mapping[str, Estimate], level: float) -> str:
@@ -116,11 +141,11 @@ def _heading(payoffs: Payoffs, estimates: Mapping[str, Estimate], level: float) 
     return "A single run: no intervals."
 
 
-def _footnotes(payoffs: Payoffs, estimates: Mapping[str, Estimate]) -> dict[str, str]:
+def _footnotes(payoffs: Payoffs, estimates: Mapping[str, Estimate]) -> dict[Reason, str]:
     """Return the notes that the heading does not say, with a mark for each."""
-    said = (intervals.SINGLE_RUN, intervals.few_runs(len(payoffs)), "")
-    notes = dict.fromkeys(one.note for one in estimates.values() if one.note not in said)
-    return {note: f"[{number}]" for number, note in enumerate(notes, 1)}
+    in_heading = (Reason(Why.SINGLE_RUN), intervals.few_runs(len(payoffs)))
+    notes = [one.note for one in estimates.values() if one.note and one.note not in in_heading]
+    return {note: f"[{number}]" for number, note in enumerate(dict.fromkeys(notes), 1)}
 
 
 Number = Callable[[Rates], float]
@@ -145,14 +170,16 @@ def _of_matrix(
         if of_episodes is not None:
             return of_episodes(scores)
         return intervals.linear_over_episodes(scores, number, level=level, bounds=bounds)
-    return _mean_of((number(each[window.cells]) for each in payoffs.matrices), level, bounds)
+    numbers = (number(matrix[window.cells]) for matrix in payoffs.matrices)
+    return _mean_of(numbers, level, bounds)
 
 
 def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -> Estimate:
     """Estimate a number that noise shifts by an unknown amount."""
 
     def of_episodes(scores: Rates) -> Estimate:
-        return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=intervals.BIASED)
+        value = number(scores.mean(axis=2))
+        return Estimate(value, samples=scores.shape[2], note=Reason(Why.BIASED))
 
     return _of_matrix(payoffs, window, level, number=number, of_episodes=of_episodes)
 
@@ -160,21 +187,23 @@ def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -
 def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     def of_episodes(scores: Rates) -> Estimate:
         band = getattr(ratings.elo_over_episodes(scores, level=level), team)
-        value, low, high = (float(each[-1]) for each in (band.mean, band.low, band.high))
+        value = float(band.mean[-1])
+        low = float(band.low[-1])
         if math.isnan(low):
-            return Estimate(value, note="no interval: all episodes are equal")
-        return Estimate(value, low, high, "episodes", scores.shape[2])
+            return Estimate(value, note=Reason(Why.EQUAL_EPISODES))
+        return Estimate(value, low, float(band.high[-1]), "episodes", scores.shape[2])
 
-    options: Any = {"bounds": intervals.UNBOUNDED, "of_episodes": of_episodes}
     number = partial(_last_rating, team=team)
-    return _of_matrix(payoffs, window, level, number=number, **options)
+    return _of_matrix(
+        payoffs, window, level, number=number, bounds=UNBOUNDED, of_episodes=of_episodes
+    )
 
 
 def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
     """Return the estimate over the runs for which a number is defined."""
     known = [value for value in map(float, values) if math.isfinite(value)]
     if not known:
-        return Estimate(math.nan, note="not defined for any run")
+        return Estimate(math.nan, note=Reason(Why.NO_RUN_HAS_IT))
     return intervals.interval_over_runs(known, level=level, bounds=bounds)
 
 
@@ -207,14 +236,14 @@ def _deciding(
 
     The judgement asks for single runs and for all together, so numbers of single runs are kept.
     """
-    if window.generations < payoff_module.GENERATIONS_TO_JUDGE:
-        return Estimate(math.nan, note=TOO_SHORT)
-    key, singles = (of_run, window, level, *options.values()), []
+    if window.generations < GENERATIONS_TO_JUDGE:
+        return Estimate(math.nan, note=Reason(Why.TOO_SHORT))
+    key = (of_run, window, level, *options.values())
     for run in payoffs.runs:
-        if key not in run.known:
-            found = of_run(run, window, level, **options)
-            run.known[key] = replace(found, samples=run.episodes or 0)
-        singles.append(run.known[key])
+        if key not in run.computed:
+            estimate = of_run(run, window, level, **options)
+            run.computed[key] = replace(estimate, samples=run.episodes or 0)
+    singles = [run.computed[key] for run in payoffs.runs]
     return singles[0] if len(singles) == 1 else over_runs(singles, level)
 
 
@@ -223,48 +252,54 @@ def over_runs(singles: list[Estimate], level: float) -> Estimate:
 
     Of few runs the interval contains those of all of them: what is said of them holds for each.
     """
-    found = [one for one in singles if math.isfinite(one.value)]
-    if len(found) < 2:
+    defined = [one for one in singles if math.isfinite(one.value)]
+    if len(defined) < 2:
         return next(one for one in singles if math.isnan(one.value))
-    lows = [one.value if one.biased_low is None else one.biased_low for one in found]
-    highs = [one.value if one.biased_high is None else one.biased_high for one in found]
-    if len(found) < intervals.RUNS_FOR_T:
-        return replace(intervals.around(found), samples=len(found))
-    ends = intervals.t_ends(lows, level)[0], intervals.t_ends(highs, level)[1]
-    return Estimate(float(np.mean([one.value for one in found])), *ends, "runs", len(found))
+    if len(defined) < intervals.RUNS_FOR_T:
+        return replace(intervals.around(defined), samples=len(defined))
+    lows = [one.value if one.biased_low is None else one.biased_low for one in defined]
+    highs = [one.value if one.biased_high is None else one.biased_high for one in defined]
+    low, _ = intervals.t_ends(lows, level)
+    _, high = intervals.t_ends(highs, level)
+    mean = float(np.mean([one.value for one in defined]))
+    return Estimate(mean, low, high, "runs", len(defined))
 
 
 def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
     """Return mean payoffs (runs, k) of a team against all opponents, and their noise."""
-    axis, span = (2, window.cells[0]) if team == "pursuers" else (1, window.cells[1])
+    axis = 2 if team == "pursuers" else 1
+    span = _span(window, team)
     means = payoffs.matrices.mean(axis=axis)[:, span]
     noise = payoffs.noise.mean(axis=axis)[:, span] / payoffs.matrices.shape[axis]
     if payoffs.scores is not None and payoffs.has_episodes:
         # Pairs may share the worlds of an episode, so noise is that of a generation's whole mean.
         # What shifts all generations alike changes no strength.
-        each = payoffs.scores.mean(axis=axis)[:, span]
-        each = each - each.mean(axis=1, keepdims=True)
-        generations, episodes = each.shape[1:]
-        noise = each.var(axis=2, ddof=1) * generations / max(1, generations - 1) / episodes
+        scores = payoffs.scores.mean(axis=axis)[:, span]
+        deviations = scores - scores.mean(axis=1, keepdims=True)
+        generations, episodes = deviations.shape[1:]
+        noise = deviations.var(axis=2, ddof=1) * generations / max(1, generations - 1) / episodes
     return (means if team == "pursuers" else 1.0 - means), noise
 
 
 def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
-    if window.generations < payoff_module.GENERATIONS_TO_JUDGE:
-        return Estimate(math.nan, note=TOO_SHORT)
-    found = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
-    several = ("runs", len(payoffs)) if len(payoffs) > 1 else ("episodes", payoffs.episodes or 0)
-    seen = _from_side(payoffs.matrices.mean(axis=0), team)[window.cells[team == "evaders"]]
-    note = FALLS_BACK if strength.falls_back(seen) else ""
-    return replace(found, across=several[0], samples=several[1], note=note)
+    if window.generations < GENERATIONS_TO_JUDGE:
+        return Estimate(math.nan, note=Reason(Why.TOO_SHORT))
+    gain = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
+    scores = _from_side(payoffs.matrices.mean(axis=0), team)[_span(window, team)]
+    note = Reason(Why.FALLS_BACK) if strength.falls_back(scores) else NOTHING
+    if len(payoffs) > 1:
+        return replace(gain, across="runs", samples=len(payoffs), note=note)
+    return replace(gain, across="episodes", samples=payoffs.episodes or 0, note=note)
 
 
 def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
-    found = _deciding(payoffs, window, level, of_run=_change_of_run, team=team)
-    if found.low is None or found.low <= 0.0 <= (found.high or 0.0):
-        return found
+    change = _deciding(payoffs, window, level, of_run=_change_of_run, team=team)
+    if change.low is None or change.low <= 0.0 <= (change.high or 0.0):
+        return change
     course = _courses(payoffs, window, team)[0].mean(axis=0)
-    return found if strength.is_sustained(course) else replace(found, note=NOT_SUSTAINED)
+    if strength.is_sustained(course):
+        return change
+    return replace(change, note=Reason(Why.NOT_SUSTAINED))
 
 
 def _change_of_run(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
@@ -274,7 +309,7 @@ def _change_of_run(run: Payoffs, window: Window, level: float, team: str) -> Est
 
 def _one_sidedness(run: Payoffs, window: Window, level: float) -> Estimate:
     if not run.shows_noise:
-        return Estimate(math.nan, note=NO_EPISODES)
+        return Estimate(math.nan, note=Reason(Why.EPISODES_UNKNOWN))
     # Later generations of the longer side have no opponent of their own generation.
     start, stop = min(window.pursuers, window.evaders, key=lambda span: span[1])
     # Row k - 1 of the team phase rates belongs to generation k; generation 0 has none.
@@ -284,7 +319,8 @@ def _one_sidedness(run: Payoffs, window: Window, level: float) -> Estimate:
 
 def _effective_episodes(run: Payoffs, window: Window) -> float:
     """Return how many wins and losses of each cell would have the noise of its episodes."""
-    episodes, rates = run.episodes or 0, run.matrices[0][window.cells]
+    episodes = run.episodes or 0
+    rates = run.matrices[0][window.cells]
     wins_and_losses = float((rates * (1.0 - rates)).sum()) / (episodes - 1)
     noise = float(run.noise[0][window.cells].sum())
     # Episodes that are all equal have no noise.
@@ -293,19 +329,20 @@ def _effective_episodes(run: Payoffs, window: Window) -> float:
 
 def _intransitivity(run: Payoffs, window: Window, level: float) -> Estimate:
     if not run.shows_noise:
-        return Estimate(math.nan, note=NO_EPISODES)
-    matrix, noise = run.matrices[0][window.cells], run.noise[0][window.cells]
-    found = cycles.squared_intransitivity(matrix, noise, level=level)
+        return Estimate(math.nan, note=Reason(Why.EPISODES_UNKNOWN))
+    matrix = run.matrices[0][window.cells]
+    noise = run.noise[0][window.cells]
+    estimate = cycles.squared_intransitivity(matrix, noise, level=level)
     if run.scores is not None:
-        return found
+        return estimate
     # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
     most = cycles.squared_intransitivity(matrix, np.zeros_like(noise), level=level)
-    return replace(found, high=most.high, biased_high=most.biased_high)
+    return replace(estimate, high=most.high, biased_high=most.biased_high)
 
 
 def _recurrence(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
     if run.scores is None:
-        return Estimate(math.nan, note=cycles.TOO_FEW_TO_RECUR)
+        return Estimate(math.nan, note=Reason(Why.TOO_FEW_TO_RECUR))
     scores = run.scores[0][window.cells]
     rows = scores if team == "pursuers" else 1.0 - scores.swapaxes(0, 1)
     return cycles.recurrence_over_episodes(rows, level=level)
@@ -313,53 +350,71 @@ def _recurrence(run: Payoffs, window: Window, level: float, team: str) -> Estima
 
 def _forgetting(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     """Estimate late forgetting: without bias where single episodes are known."""
-    long_enough = window.generations >= payoff_module.GENERATIONS_TO_JUDGE
+    long_enough = window.generations >= GENERATIONS_TO_JUDGE
     if payoffs.scores is not None and payoffs.shows_noise and long_enough:
         return _deciding(payoffs, window, level, of_run=_forgetting_of_run, team=team)
-    span = window.cells[team == "evaders"]
-    each = (strength.late_forgetting(_from_side(m, team), span) for m in payoffs.matrices)
-    found = _mean_of(each, level, UNIT)
-    return found if len(payoffs) > 1 else replace(found, note=intervals.BIASED)
+    span = _span(window, team)
+    drops = (strength.late_forgetting(_from_side(m, team), span) for m in payoffs.matrices)
+    drop = _mean_of(drops, level, UNIT)
+    return drop if len(payoffs) > 1 else replace(drop, note=Reason(Why.BIASED))
 
 
 def _forgetting_of_run(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
     assert run.scores is not None
     # Episodes without a partner are left out, so that both halves are equally noisy.
-    scores, even = run.scores[0], run.scores.shape[3] // 2 * 2
-    one, other = (_from_side(scores[..., k:even:2].mean(axis=2), team) for k in (0, 1))
+    even = run.scores.shape[3] // 2 * 2
+    one = _from_side(run.scores[0, ..., 0:even:2].mean(axis=2), team)
+    other = _from_side(run.scores[0, ..., 1:even:2].mean(axis=2), team)
     noise = run.noise[0] if team == "pursuers" else run.noise[0].T
-    span = window.cells[team == "evaders"]
-    return strength.late_forgetting_over_episodes((one, other), noise, span, level)
+    return strength.late_forgetting_over_episodes((one, other), noise, _span(window, team), level)
 
 
 def _from_side(matrix: Rates, team: str) -> Rates:
-    return matrix if team == "pursuers" else payoff_module.swap_teams(matrix)
+    return matrix if team == "pursuers" else swap_teams(matrix)
+
+
+def _span(window: Window, team: str) -> slice:
+    """Return the generations of a team in a window."""
+    pursuers, evaders = window.cells
+    return pursuers if team == "pursuers" else evaders
 
 
 def _of_teams(
     name: str,
-    label: str,
+    text: str,
     estimate: Callable[..., Estimate],
     *,
-    number: Callable[[Rates, str], float] | None = None,
+    number: Callable[..., float] | None = None,
     short: str = "",
     **look: Any,
 ) -> list[Measure]:
-    """Return the rows of both teams; the estimate takes the team, or else its number does."""
+    """Return the rows of both teams; the estimate takes the team, or else its number does.
+
+    Their texts may name the ``{team}``, the ``{other}`` one, and what it means to ``{win}``.
+    """
     rows = []
-    for words in WORDS:
-        of_team: dict[str, Any] = {"team": f"{words['team']}s"}
+    for team, key in keys_of(name).items():
+        of_team: dict[str, Any] = {"team": team}
         if number is not None:
-            of_team = {"number": partial(number, **of_team)}
-        key, long, brief = (text.format(**words) for text in (f"{{team}}_{name}", label, short))
-        rows.append(Measure(key, long, partial(estimate, **of_team), brief, **look))
+            of_team = {"number": partial(number, team=team)}
+        words = WORDS[team]
+        rows.append(
+            Measure(
+                key,
+                text.format(**words),
+                partial(estimate, **of_team),
+                short.format(**words),
+                **look,
+            )
+        )
     return rows
 
 
-WORDS = (
-    {"team": "pursuer", "other": "evader", "score": "capture"},
-    {"team": "evader", "other": "pursuer", "score": "escape"},
-)
+WORDS = {
+    "pursuers": {"team": "{pursuers}", "other": "{evaders}", "win": "capture"},
+    "evaders": {"team": "{evaders}", "other": "{pursuers}", "win": "escape"},
+}
+"""The placeholders of `_of_teams`, filled by those of `Measure`."""
 
 
 ROWS = (
@@ -368,21 +423,21 @@ ROWS = (
         "one_sidedness", "payoff of the winning team", partial(_deciding, of_run=_one_sidedness),
         short="winning team", late=True,
     ),
-    *_of_teams("gain", "gain of the {team}s", _gain, short="{team}s", late=True, form="+.3f"),
-    *_of_teams("change", "change of the {team}s", _change, short="{team}s", late=True, form="+.3f"),
+    *_of_teams("gain", "gain of the {team}", _gain, short="{team}", late=True, form="+.3f"),
+    *_of_teams("change", "change of the {team}", _change, short="{team}", late=True, form="+.3f"),
     Measure(
         "squared_intransitivity", "intransitivity", partial(_deciding, of_run=_intransitivity),
         short="deviation", late=True, squared=True,
     ),
     *_of_teams(
-        "recurrence", "recurrence of the {team}s", partial(_deciding, of_run=_recurrence),
-        short="{team}s", late=True, form="+.3f",
+        "recurrence", "recurrence of the {team}", partial(_deciding, of_run=_recurrence),
+        short="{team}", late=True, form="+.3f",
     ),
     Measure(
         "checkerboards", "checkerboards", partial(_biased, number=_checkerboards),
         late=True, form=".1%",
     ),
-    *_of_teams("forgetting", "forgetting of the {team}s", _forgetting, short="{team}s", late=True),
+    *_of_teams("forgetting", "forgetting of the {team}", _forgetting, short="{team}", late=True),
     # Early generations mix untrained and trained teams.
     Measure(
         "transitive_share", "transitive share",
@@ -393,28 +448,28 @@ ROWS = (
         late=True,
     ),
     # Of the whole race.
-    Measure("capture_rate", "mean capture rate", partial(_of_matrix, number=np.mean)),
+    Measure("capture_rate", "mean {score}", partial(_of_matrix, number=np.mean)),
     Measure(
-        "lag_rise", "gain of later over earlier pursuers",
+        "lag_rise", "gain of later over earlier {pursuers}",
         partial(_of_matrix, number=progress.lag_rise, bounds=GAIN),
     ),
     *_of_teams(
-        "generalization", "last {team}s against all {other}s, {score}", _of_matrix,
+        "generalization", "last {team} against all {other}, {win}", _of_matrix,
         number=_last_score,
     ),
     *_of_teams(
-        "fading", "CIAO, fading of the {team}s", partial(_of_matrix, bounds=GAIN),
+        "fading", "CIAO, fading of the {team}", partial(_of_matrix, bounds=GAIN),
         number=partial(_of_triangle, number="fading"),
     ),
     *_of_teams(
-        "stripes", "CIAO, stripes of the {team}s", _biased,
+        "stripes", "CIAO, stripes of the {team}", _biased,
         number=partial(_of_triangle, number="stripes"),
     ),
     Measure(
-        "game_value", "capture rate in the Nash equilibrium",
+        "game_value", "{score} in the Nash equilibrium",
         partial(_biased, number=games.game_value),
     ),
-    *_of_teams("rating", "Elo points of the last {team}s above their mean", _rating, form="+.0f"),
+    *_of_teams("rating", "Elo points of the last {team} above their mean", _rating, form="+.0f"),
 )  # fmt: skip
 MEASURES = {row.name: row for row in ROWS}
 """All measures by name, in the order of tables."""

@@ -19,9 +19,10 @@ from typing import Any, Generic, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_bool, check_floats, check_integer, expect
+from matrixworld._util.checks import check_bool, check_floats, check_integer
 from matrixworld._util.files import DamagedFileError, load_arrays, read_text
 from matrixworld._util.readable import Parts, Readable, matrix_table
+from matrixworld.analysis.teams import TEAMS, names_of
 
 Rates = NDArray[np.float64]  # capture rates, or other float64 numbers of the analysis
 OfTeam = TypeVar("OfTeam")
@@ -31,8 +32,6 @@ GENERATIONS_TO_JUDGE = 6  # fewest generations of each team in a window that is 
 EPISODES_TO_JUDGE = 4  # fewest episodes of each cell that show their noise: two in each half
 EPISODES_TO_RECUR = 6  # fewest episodes for recurrence: three in each half, for a jackknife
 
-TEAMS = ("pursuers", "evaders")
-"""What the teams are called, unless a game has other names."""
 PER_EPISODE = "scores"
 """Name of the array of an .npz file that holds all episodes, as in run directories."""
 MEANS = ("mean", "capture_rate", "payoff", "payoffs")
@@ -83,8 +82,10 @@ class Payoffs(Readable):
         return len(self.matrices)
 
     def _parts(self) -> Parts:
-        of = "" if len(self) == 1 else f", means of {len(self)} runs"
-        head = in_words_of(self.teams, f"Capture rates of pursuers (rows) against evaders{of}:")
+        pursuers, evaders = self.teams
+        score = names_of(self.teams)["score"].capitalize()
+        several = f", means of {len(self)} runs" if len(self) > 1 else ""
+        head = f"{score}s of {pursuers} (rows) against {evaders}{several}:"
         return [head, matrix_table(self.matrices.mean(axis=0))]
 
     @property
@@ -114,7 +115,7 @@ class Payoffs(Readable):
         return chosen
 
     @cached_property
-    def known(self) -> dict[tuple[Any, ...], Any]:
+    def computed(self) -> dict[tuple[Any, ...], Any]:
         """Numbers of a single run that have been computed, by what they are."""
         return {}
 
@@ -151,18 +152,6 @@ class Payoffs(Readable):
             Window("last half", (n // 2, n), (m // 2, m)),
         )
         return {window.name: window for window in windows}
-
-
-def in_words_of(teams: tuple[str, str], text: str) -> str:
-    """Return a text about pursuit in the words of a game whose teams have other names."""
-    if teams == TEAMS:
-        return text
-    words = {
-        **dict(zip(TEAMS, teams, strict=True)),
-        "Capture rate": "Score",
-        "capture rate": "score",
-    }
-    return re.sub("|".join(words), lambda found: words[found[0]], text)
 
 
 def check_payoff(payoff: ArrayLike) -> Rates:
@@ -271,7 +260,7 @@ def read_payoffs(
     elif isinstance(source, (str, os.PathLike)):
         payoffs = _read_file(Path(source), per_episode)
     elif isinstance(source, (list, tuple)) and any(
-        isinstance(each, (str, os.PathLike)) for each in source
+        isinstance(path, (str, os.PathLike)) for path in source
     ):
         payoffs = _stacked([Path(path) for path in source], per_episode)
     elif hasattr(source, "payoffs"):
@@ -290,10 +279,11 @@ def read_payoffs(
 
 def _once_each(payoffs: Payoffs, exact: bool) -> Payoffs:
     """Return payoffs without copies: what is there several times tells no more than once."""
-    copies, scores = 1, payoffs.scores
+    copies = 1
+    scores = payoffs.scores
     if scores is not None:
-        each = scores.reshape(-1, scores.shape[3]).T
-        _, first, counts = np.unique(each, axis=0, return_index=True, return_counts=True)
+        episodes = scores.reshape(-1, scores.shape[3]).T
+        _, first, counts = np.unique(episodes, axis=0, return_index=True, return_counts=True)
         copies = int(np.gcd.reduce(counts))
         exact = exact or (copies > 1 and len(counts) == 1)
     if exact:  # what any number of episodes would be
@@ -310,9 +300,11 @@ def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
     # Episodes are part of the shape: a mix of runs with and without them is refused.
     shapes = [(run.matrices if run.scores is None else run.scores).shape for run in runs]
     for path, shape in zip(paths, shapes, strict=True):
-        expect(shape[0] == 1, str(path), "one run a file", shape[0])
-        expected = f"the shape of {paths[0]}, {shapes[0][1:]}"
-        expect(shape == shapes[0], str(path), expected, shape[1:])
+        if shape[0] != 1:
+            raise ValueError(f"{path}: expected one run a file, got {shape[0]}")
+        if shape != shapes[0]:
+            expected = f"the shape of {paths[0]}, {shapes[0][1:]}"
+            raise ValueError(f"{path}: expected {expected}, got {shape[1:]}")
     matrices = np.concatenate([run.matrices for run in runs])
     scores = [run.scores for run in runs if run.scores is not None]
     return Payoffs(matrices, np.concatenate(scores) if scores else None, runs[0].episodes)
@@ -333,12 +325,14 @@ def _read_file(path: Path, per_episode: bool) -> Payoffs:
 def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
     arrays = load_arrays(path)
     # Episodes first: the means follow from them.
-    known = (PER_EPISODE, *MEANS)
-    name = next((each for each in known if each in arrays), None)
+    preferred = (PER_EPISODE, *MEANS)
+    name = next((name for name in preferred if name in arrays), None)
     if name is None:
         if len(arrays) != 1:
-            names = ", ".join(known)
-            raise ValueError(f"{path}: expected one array, or one named {names}; got {[*arrays]}")
+            names = ", ".join(preferred)
+            raise ValueError(
+                f"{path}: expected one array, or one named {names}; got {list(arrays)}"
+            )
         [name] = arrays
     return arrays[name], name == PER_EPISODE
 
@@ -355,7 +349,8 @@ def _payoffs(values: Any, per_episode: bool) -> Payoffs:
     return Payoffs(check_rates(array, ndim=3, what="payoff matrices (runs, n, m)"))
 
 
-_PAIR, _RATE = ("pursuer", "evader"), "capture_rate"
+_PAIR = ("pursuer", "evader")
+_RATE = "capture_rate"
 _KEYS = ("run", *_PAIR, "episode")
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
 
@@ -368,18 +363,25 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
     where, head = lines[0]
     names = [cell.lower().replace(" ", "_") for cell in head]
     for at, row in lines:
-        expect(len(row) == len(head), at, f"{len(head)} cells as in the first line", len(row))
-    is_long = {*_PAIR} <= {*names} or _RATE in names
+        if len(row) != len(head):
+            raise ValueError(
+                f"{at}: expected {len(head)} cells as in the first line, got {len(row)}"
+            )
+    is_long = set(_PAIR) <= set(names) or _RATE in names
     if is_long and any(names.count(name) != 1 for name in (*_PAIR, _RATE)):
         expected = f"the columns {', '.join(_PAIR)} and {_RATE} once each"
         raise ValueError(f"{where}: expected {expected}, got {', '.join(head)}")
     corner, *above = names
     has_labels = corner in ("", "pursuer") and (_are_names(above) or _count_up(above))
-    body = lines[is_long or has_labels or _are_names(names) :]
-    expect(body, str(path), "lines of capture rates", "a header only")
+    has_header = is_long or has_labels or _are_names(names)
+    body = lines[1:] if has_header else lines
+    if not body:
+        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
     if is_long:
         return _long(path, names, body), "episode" in names
-    return np.array([[_rate(at, cell) for cell in row[has_labels:]] for at, row in body]), False
+    first_column = 1 if has_labels else 0
+    rates = [[_rate(at, cell) for cell in row[first_column:]] for at, row in body]
+    return np.array(rates), False
 
 
 def _lines(path: Path) -> list[Line]:
@@ -397,7 +399,8 @@ def _lines(path: Path) -> list[Line]:
         raise DamagedFileError(path, problem) from error
     while rows and not any(rows[-1][1]):  # spreadsheets end with rows of empty cells
         rows.pop()
-    expect(rows, str(path), "a table of capture rates", "no lines")
+    if not rows:
+        raise ValueError(f"{path}: expected a table of capture rates, got no lines")
     return [(f"{path}, line {number}", row) for number, row in rows if row]
 
 
@@ -407,13 +410,14 @@ def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
     rates: dict[tuple[int, ...], float] = {}
     for where, row in lines:
         cells = [row[names.index(key)] for key in keys]
-        expect(all(map(str.isdecimal, cells)), where, f"numbers of {', '.join(keys)}", cells)
+        if not all(map(str.isdecimal, cells)):
+            raise ValueError(f"{where}: expected numbers of {', '.join(keys)}, got {cells}")
         place = tuple(map(int, cells))
         if place in rates:
             hint = "" if "episode" in keys else "; number the matches of a pair in a column episode"
             raise ValueError(f"{where}: expected {_named(keys, place)} once, got it twice{hint}")
         rates[place] = _rate(where, row[names.index(_RATE)])
-    axes = [sorted({*numbers}) for numbers in zip(*rates, strict=True)]
+    axes = [sorted(set(numbers)) for numbers in zip(*rates, strict=True)]
     for place in itertools.product(*axes):
         if place not in rates:
             expected = f"a line for every combination, got none for {_named(keys, place)}"
@@ -434,7 +438,7 @@ def _are_names(cells: list[str]) -> bool:
 def _count_up(cells: list[str]) -> bool:
     """Return whether cells are ascending whole numbers, as those of generations."""
     numbers = [int(cell) if cell.isdecimal() else -1 for cell in cells]
-    return bool(numbers) and numbers[0] >= 0 and numbers == sorted({*numbers})
+    return bool(numbers) and numbers[0] >= 0 and numbers == sorted(set(numbers))
 
 
 def _is_number(cell: str) -> bool:

@@ -13,6 +13,7 @@ from matrixworld._util.checks import check_floats
 from matrixworld._util.readable import Readable
 from matrixworld.analysis import payoffs
 from matrixworld.analysis.intervals import Estimate
+from matrixworld.analysis.teams import TEAMS, names_of
 
 
 def generalization(payoff: ArrayLike) -> payoffs.ByTeam[payoffs.Rates]:
@@ -71,7 +72,8 @@ def team_phase_rates(payoff: ArrayLike) -> payoffs.Rates:
     return np.stack([matrix[k, k - 1], matrix[k, k]], axis=1)
 
 
-PURSUERS_WIN, EVADERS_WIN = 0.97, 0.03
+PURSUERS_WIN = 0.97
+EVADERS_WIN = 0.03
 """Capture rates above which the pursuers, and below which the evaders have won; races with too few
 evader epochs reach the first."""
 PATIENCE = 3
@@ -90,9 +92,15 @@ class Disengagement:
         return self.last - self.first + 1
 
     def __str__(self) -> str:
-        loser = "evaders" if self.winner == "pursuers" else "pursuers"
+        return self.in_words()
+
+    def in_words(self, teams: tuple[str, str] = TEAMS) -> str:
+        """Return what happened, and what to do, in the words of a game with these teams."""
+        names = names_of(teams)
+        winner = names[self.winner]
+        loser = names["evaders" if self.winner == "pursuers" else "pursuers"]
         return (
-            f"generations {self.first} to {self.last}: the {self.winner} win nearly all matches, "
+            f"generations {self.first} to {self.last}: the {winner} win nearly all matches, "
             f"so neither team has much to learn from; give the {loser} more epochs"
         )
 
@@ -106,18 +114,25 @@ def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
     one has not ended if its `last` is the newest generation.
     """
     # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
-    winners = (
-        "pursuers" if min(pair) > PURSUERS_WIN else "evaders" if max(pair) < EVADERS_WIN else None
-        for pair in _check_team_phases(rates).tolist()
-    )
-    found, first = [], 1
+    winners = map(_winner, _check_team_phases(rates).tolist())
+    stretches = []
+    first = 1
     # Groups of equal winners; None, a contested generation, ends a stretch.
     for winner, group in groupby(winners):
         after = first + len(list(group))
         if winner is not None and after - first >= PATIENCE:
-            found.append(Disengagement(winner, first, after - 1))
+            stretches.append(Disengagement(winner, first, after - 1))
         first = after
-    return tuple(found)
+    return tuple(stretches)
+
+
+def _winner(rates: list[float]) -> str | None:
+    """Return the team that won both team phases of a generation; None if neither did."""
+    if min(rates) > PURSUERS_WIN:
+        return "pursuers"
+    if max(rates) < EVADERS_WIN:
+        return "evaders"
+    return None
 
 
 def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimate:
@@ -148,10 +163,10 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
 
 
 def _check_team_phases(rates: ArrayLike) -> payoffs.Rates:
-    given = check_floats("team phase capture rates", rates)
-    if given.shape == (0, 2):  # a race before its first generation is valid
-        return given
-    array = payoffs.check_rates(given, ndim=2, what="team phase capture rates")
+    array = check_floats("team phase capture rates", rates)
+    if array.shape == (0, 2):  # a race before its first generation is valid
+        return array
+    array = payoffs.check_rates(array, ndim=2, what="team phase capture rates")
     payoffs.require(array.shape[1] == 2, "team phase capture rates of shape (K, 2)", array.shape)
     return array
 

@@ -296,7 +296,7 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
         for measure in (each for each in analysis.MEASURES.values() if each.short):
             found = [np.array([measure.of(run).value for run in each.runs]) for each in payoffs]
             if np.isfinite(np.concatenate(found)).all():
-                values[measure.label] = found
+                values[measure.label()] = found
     paired = len(runs) == 2 and runs[0].seeds == runs[1].seeds
     over_runs = partial(analysis.difference_of_runs, paired=paired)
     difference = intervals.difference_over_episodes if single else over_runs

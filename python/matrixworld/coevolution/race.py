@@ -31,7 +31,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from matrixworld._util.checks import check_choice, check_integer
-from matrixworld.analysis import intervals, payoffs
+from matrixworld.analysis import intervals
 from matrixworld.coevolution import opponents as samplers
 from matrixworld.coevolution import pursuit, seeding, types
 from matrixworld.coevolution.sections import Section, by_race, kinds_in, section, setting
@@ -107,7 +107,7 @@ class Race(Section):
     def summary(self, run: Run, payoff: Payoff) -> dict[str, Any]:
         """Return what summary.json holds besides counts."""
         teams = run.settings.teams
-        stretches = [payoffs.in_words_of(teams, str(stretch)) for stretch in run.disengagements()]
+        stretches = [stretch.in_words(teams) for stretch in run.disengagements()]
         return {"disengagement": stretches}
 
     @property

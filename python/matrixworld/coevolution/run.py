@@ -21,7 +21,6 @@ from numpy.typing import ArrayLike
 
 from matrixworld._util import checks
 from matrixworld.analysis import disengagements
-from matrixworld.analysis.payoffs import in_words_of
 from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution import storage, types
 from matrixworld.coevolution.evaluation.tournament import tournament
@@ -500,7 +499,7 @@ class Run(RunInMemory):
         for stretch in self.disengagements() if not left else ():
             # Equal, not at least: a longer stretch has been reported before.
             if stretch.last == generation and len(stretch) == PATIENCE:
-                told = in_words_of(self.settings.teams, str(stretch))
+                told = stretch.in_words(self.settings.teams)
                 warnings.warn(told, DisengagementWarning, stacklevel=4)
 
     def disengagements(self) -> tuple[Disengagement, ...]:

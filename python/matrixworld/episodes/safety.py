@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
-from matrixworld.analysis.payoffs import TEAMS
+from matrixworld.analysis.teams import TEAMS
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.world.rules import COLLISION_KINDS

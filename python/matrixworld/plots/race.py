@@ -18,7 +18,8 @@ from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
-from matrixworld.analysis.payoffs import TEAMS, Payoffs, Rates, Source, check_payoff
+from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff
+from matrixworld.analysis.teams import TEAMS
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 

@@ -20,7 +20,8 @@ from matrixworld._util import colors
 from matrixworld._util.checks import check_instance, check_sequence
 from matrixworld._util.files import replacing
 from matrixworld.analysis.intervals import Band
-from matrixworld.analysis.payoffs import TEAMS, require
+from matrixworld.analysis.payoffs import require
+from matrixworld.analysis.teams import TEAMS
 
 OfName = TypeVar("OfName")
 

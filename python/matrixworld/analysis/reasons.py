@@ -1,0 +1,135 @@
+"""Reasons: why a number has no interval or no value, and why a verdict is what it is.
+
+Code asks which reason it is by its member of `Why`. Its words are made when they are printed, with
+the names that a game gives its teams.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum, unique
+
+from matrixworld._util.readable import Worded
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, EPISODES_TO_RECUR, GENERATIONS_TO_JUDGE
+from matrixworld.analysis.teams import TEAMS, listed, names_of
+
+
+@unique
+class Why(Enum):
+    """Reasons; the value is a clause after "because".
+
+    It may name the `{number}` and the `{teams}` of a `Reason`, and the `{score}` of a game.
+    """
+
+    NOTHING = ""
+
+    # A number has no interval, or one that is wide.
+    SINGLE_RUN = "a single run has no interval over runs"
+    FEW_RUNS = "{number} runs only: the interval is wide"
+    TOO_FEW_RUNS = "no interval below {number} runs"
+    EQUAL_RUNS = "no interval: all {number} runs are equal"
+    EQUAL_EPISODES = "no interval: all episodes are equal"
+    NOISE_SUBTRACTED = "episode noise subtracted: no interval"
+    # Noise shifts these by an unknown amount, such as maxima of cells.
+    BIASED = "biased by episode noise: no interval"
+    BIASED_BY_FEW_EPISODES = "biased by episode noise: no interval below {number} episodes"
+    BIASED_AND_EQUAL = "biased by episode noise: no interval, no variation beyond it"
+
+    # A number has no value.
+    NO_RUN_HAS_IT = "not defined for any run"
+    NOT_OF_THIS_MATRIX = "not defined for this matrix"
+    ONE_GENERATION = "it takes at least 2 generations of each team"
+    TOO_SHORT = f"it takes at least {GENERATIONS_TO_JUDGE} generations of each team"
+    EPISODES_UNKNOWN = (
+        f"it takes the number of episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell it "
+        "from noise"
+    )
+    NO_SINGLE_EPISODES = (
+        f"it takes the single episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell it from "
+        "noise"
+    )
+    TOO_FEW_TO_RECUR = (
+        f"it takes the single episodes of each pair, at least {EPISODES_TO_RECUR}, to see whether "
+        "strategies return"
+    )
+    ONLY_NOISE = "the {score}s vary no more than episode noise does"
+
+    # What to know about a number.
+    NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
+    FALLS_BACK = "loses again, against some opponents, what it had gained"
+
+    # Verdicts on any condition.
+    MARGIN_INSIDE = "the interval contains the margin"
+    HIDDEN = "one team wins nearly all matches, which hides this condition"
+    FEW_ENGAGED = "fewer than {number} of the runs are engaged, the others hide this condition"
+
+    # Disengagement:
+    ONE_SIDED = "one team gets more than {number:.0%} of its payoff in half of the generations"
+    NOT_ONE_SIDED = "neither team gets {number:.0%} of its payoff in half of the generations"
+
+    # Progress:
+    BOTH_RISE = "both teams rise by more than a random walk with such steps would"
+    ONE_RISES = "one team rises by more than a random walk would, the other stands still"
+    ONE_WITHOUT_TREND = "a team has no trend: its gain is not above 0, and below {number}"
+    BOTH_WITH_TREND = "both teams have a trend"
+    NONE_WITH_TREND = "neither team has a trend"
+    RANDOM_WALK = "a random walk may explain the gain of at least one team"
+    CIRCLE = "both teams lose again what they gain, as in a circle, whose end is not seen"
+    ONE_HALF = "what rises in this half does not rise in the same way over the whole race"
+
+    # Rise:
+    STRONGER = "{teams} became stronger by more than {number} this time"
+    NOT_STRONGER = "neither team became {number} stronger this time"
+    STRONGER_IN_A_JUMP = "a team became stronger, but mostly in a jump or with a setback"
+
+    # Intransitivity and cycling:
+    NO_ORDER = "neither an order of strength nor episode noise explains the {score}s"
+    ORDER = "an order of strength and episode noise explain the {score}s"
+    FEW_CHECKERBOARDS = "no order of strength explains the {score}s, but checkerboards are rare"
+    RETURN = "strategies of {teams} return"
+    NO_RETURN = "no strategies return"
+    RETURN_IN_ORDER = "strategies return, but an order of strength may explain them"
+    NO_CIRCLE = "generations do not beat each other in a circle"
+
+    # Forgetting:
+    FORGETS = "a team falls more than {number} below its best ancestors"
+    NOT_FORGETS = "neither team falls {number} below its best ancestors"
+
+    # Stagnation:
+    NO_CHANGE = "neither team's strength changes by {number}, nor who beats whom"
+    CHANGES = "the strength of a team changes by {number} or more"
+    MAY_CHANGE = "a change of {number} cannot be ruled out"
+    MAY_BE_INTRANSITIVE = "neither team becomes stronger, but the race may be intransitive"
+    ARMS_RACE = "arms race is present"
+    ONE_SIDED_PROGRESS = "one-sided progress is present"
+    INTRANSITIVITY = "intransitivity is present"
+
+
+@dataclass(frozen=True, repr=False)
+class Reason(Worded):
+    """A reason, with the number and the teams that its words name.
+
+    It is false if there is nothing to say. Printed, it has the words of pursuit.
+    """
+
+    why: Why = Why.NOTHING
+    number: float | None = None
+    teams: tuple[str, ...] = ()
+
+    def __bool__(self) -> bool:
+        return self.why is not Why.NOTHING
+
+    def __str__(self) -> str:
+        return self.in_words()
+
+    def __repr__(self) -> str:
+        return repr(self.in_words())
+
+    def in_words(self, teams: tuple[str, str] = TEAMS) -> str:
+        """Return the reason in the words of a game whose teams have these names."""
+        names = {**names_of(teams), "teams": listed(self.teams, teams)}
+        return self.why.value.format(number=self.number, **names)
+
+
+NOTHING = Reason()
+"""The note of a number about which nothing has to be known."""

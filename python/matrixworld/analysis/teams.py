@@ -1,0 +1,33 @@
+"""The two teams of a race: their names in arrays and measures, and their names in texts.
+
+The first team of any game is called ``"pursuers"`` in arrays, measures and findings, and the second
+one ``"evaders"``. Texts for people use the names that a game gives its teams.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+TEAMS = ("pursuers", "evaders")
+"""What the teams are called, unless a game has other names."""
+
+SINGULARS: Mapping[str, str] = {"pursuers": "pursuer", "evaders": "evader"}
+"""One member of each team, by the name of the team."""
+
+
+def keys_of(number: str) -> dict[str, str]:
+    """Return the names of a number of both teams by team, such as ``"pursuer_gain"``."""
+    return {team: f"{member}_{number}" for team, member in SINGULARS.items()}
+
+
+def names_of(teams: tuple[str, str]) -> dict[str, str]:
+    """Return the words of a game for the placeholders of texts: both teams and their score."""
+    pursuers, evaders = teams
+    score = "capture rate" if teams == TEAMS else "score"
+    return {"pursuers": pursuers, "evaders": evaders, "score": score}
+
+
+def listed(members: Sequence[str], teams: tuple[str, str]) -> str:
+    """Return some of the teams in the words of a game: "the foxes and the hens"."""
+    names = names_of(teams)
+    return " and ".join(f"the {names[team]}" for team in members)
