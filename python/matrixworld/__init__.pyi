@@ -44,8 +44,8 @@ from matrixworld.world.conflicts import Conflict as Conflict
 from matrixworld.world.policy import SCRIPTS as SCRIPTS
 from matrixworld.world.policy import Network as Network
 from matrixworld.world.policy import Population as Population
+from matrixworld.world.program import Program as Program
 from matrixworld.world.rating import INPUTS as INPUTS
-from matrixworld.world.rating import Program as Program
 from matrixworld.world.rating import Rating as Rating
 from matrixworld.world.rules import COLLISION_KINDS as COLLISION_KINDS
 from matrixworld.world.rules import VARIANTS as VARIANTS

@@ -171,18 +171,6 @@ def test_what_is_no_policy_is_refused():
         mw.rollout("O", wide, "random", mw.Matches.of(0, 0, 0))
 
 
-def test_programs_as_text_are_the_same_programs():
-    program, rng = mw.Program(), np.random.default_rng(4)
-    for _ in range(200):
-        genome = program.initial(rng, depth=4)
-        inputs = rng.random((5, len(mw.INPUTS)), np.float32)
-        again = program.genome(program.expression(genome))
-        np.testing.assert_array_equal(program.encode(program.tokens(genome)), genome)
-        np.testing.assert_array_equal(program.rate(again, inputs), program.rate(genome, inputs))
-        called = program.genome(program.expression(again))
-        np.testing.assert_array_equal(called, again)
-
-
 def test_solved_worlds_take_ratings():
     """The value of a game of ratings is the mean of their matches."""
     config = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=4, fov=5)

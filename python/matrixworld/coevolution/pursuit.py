@@ -27,6 +27,7 @@ from matrixworld.play.experience import Reals as Reals
 from matrixworld.play.experience import Views as Views
 from matrixworld.play.experience import experience
 from matrixworld.play.policies import acting as acting
+from matrixworld.play.policies import policy_of as policy_of
 from matrixworld.play.rollout import rollout
 from matrixworld.world import masks
 from matrixworld.world.config import WORLDS
@@ -36,10 +37,9 @@ from matrixworld.world.policy import CHANNELS as CHANNELS
 from matrixworld.world.policy import GATES, Policy, Population, TeamPolicy
 from matrixworld.world.policy import SCRIPTS as SCRIPTS
 from matrixworld.world.policy import Network as Network
+from matrixworld.world.program import OPERATIONS as OPERATIONS
+from matrixworld.world.program import Program as Program
 from matrixworld.world.rating import INPUTS, Rating
-from matrixworld.world.rating import OPERATIONS as OPERATIONS
-from matrixworld.world.rating import Program as Program
-from matrixworld.world.rating import policy_of as policy_of
 from matrixworld.world.rules import REWARDS, VARIANTS, Outcome, Rules
 from matrixworld.world.rules import Interaction as Interaction
 from matrixworld.world.rules import Rewards as Rewards

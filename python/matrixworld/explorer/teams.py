@@ -15,7 +15,7 @@ from matrixworld.coevolution.game import Game
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Genomes
 from matrixworld.world.policy import Population, TeamPolicy
-from matrixworld.world.rating import Program
+from matrixworld.world.program import Program
 
 MOST_BYTES = 48 * 2**20
 """Genomes of a page, in bytes; base64 adds a third. A race of networks has 2.9 MB."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
@@ -13,7 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
 from matrixworld.world.policy import CHANNELS, TEAMS, Layers, Network, Policy, Population, Team
-from matrixworld.world.rating import INPUTS, policy_of
+from matrixworld.world.program import Program
+from matrixworld.world.rating import INPUTS, Rating
 
 
 class GenomePolicy:
@@ -295,3 +297,14 @@ def read_genome(
         return cast(Team, team), Population(genome, policy)
     except (OverflowError, TypeError, ValueError) as error:
         raise DamagedFileError(path, str(error)) from error
+
+
+def policy_of(plain: Mapping[str, Any]) -> Policy:
+    """Return the policy whose `to_json` is given; ValueError or TypeError for other values."""
+    kinds: dict[str, type[Policy]] = {kind.kind: kind for kind in (Network, Rating, Program)}
+    values = {
+        name: tuple(value) if isinstance(value, list) else value for name, value in plain.items()
+    }
+    kind: Any = values.pop("kind", Network.kind)
+    checks.check_choice("kind", kind, kinds)
+    return kinds[kind](**values)
