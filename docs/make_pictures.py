@@ -19,7 +19,8 @@ import matrixworld as mw
 from matrixworld import coevolution
 from matrixworld._util.files import replacing
 from matrixworld.coevolution import RaceSettings, SavedRun, default_race
-from matrixworld.episodes.replay import scene, write_gif
+from matrixworld.episodes.episode import scene
+from matrixworld.episodes.frames import write_gif
 from matrixworld.explorer import explore
 from matrixworld.world.render import rgb
 

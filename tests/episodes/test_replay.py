@@ -107,7 +107,7 @@ def test_an_error_while_drawing_keeps_the_old_file(tmp_path, monkeypatch, suffix
             raise MemoryError("step 9")
         return render.rgb(drawn, cell=9)
 
-    monkeypatch.setattr("matrixworld.episodes.replay.rgb", draw)
+    monkeypatch.setattr("matrixworld.episodes.episode.rgb", draw)
     with pytest.raises(MemoryError, match="step 9"):
         save(EPISODE, path)
     assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [(path.name, b"kept")]

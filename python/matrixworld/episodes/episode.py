@@ -1,7 +1,8 @@
-"""Recorded episodes: arrays in memory, files, and scenes to be drawn."""
+"""Recorded episodes: arrays in memory, files, scenes to be drawn, and animations of them."""
 
 from __future__ import annotations
 
+import io
 import json
 import os
 from collections.abc import Mapping
@@ -12,10 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_instance, check_integer, check_shape, expect
+from matrixworld._util.checks import check_instance, check_integer, check_number, check_shape
 from matrixworld._util.files import DamagedFileError, load_arrays, read_json, replacing
+from matrixworld.episodes.frames import FASTEST, HOLD, SLOWEST, Animation, Draw, write_gif
+from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.world.conflicts import Conflict, conflict_of
-from matrixworld.world.render import MARK_STEPS, Scene
+from matrixworld.world.render import MARK_STEPS, Scene, rgb
 
 FORMAT = "matrixworld episode 3"  # marks a saved file; a new layout, a new number
 
@@ -38,6 +41,8 @@ OPTIONAL = {"conflict_table", "seat"}  # entries that a file may lack
 # them: they are the input of a step.
 MOMENT_ARRAYS = tuple(name for name, (shape, _) in _ARRAYS.items() if shape.startswith("S"))
 STEP_ARRAYS = ("rewards", "involved", "fault")
+FRAMES = 120  # the most frames of an animation in a notebook
+PIXELS = 480  # wanted length of the longer side of its field
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -104,11 +109,12 @@ class Episode:
                 got = getattr(array, "dtype", type(array).__name__)
                 raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
         steps, agents = (*self.actions.shape, 0, 0)[:2]
-        fits = 0 <= self.n_pursuers <= agents
-        expect(fits, "n_pursuers", f"0 to {agents} (agents)", self.n_pursuers)
+        if not 0 <= self.n_pursuers <= agents:
+            raise ValueError(f"n_pursuers: expected 0 to {agents} (agents), got {self.n_pursuers}")
+        rows, cols = (*self.map.shape, 0, 0)[:2]
         sizes = {"S": steps + 1, "T": steps, "A": agents, "E": agents - self.n_pursuers}
-        sizes |= {"2": 2, "3": 3, "11": 11, "N": len(arrays.get("conflict_table", ()))}
-        sizes["rows"], sizes["cols"] = (*self.map.shape, 0, 0)[:2]
+        sizes |= {"rows": rows, "cols": cols, "N": len(arrays.get("conflict_table", ()))}
+        sizes |= {"2": 2, "3": 3, "11": 11}
         for name, array in arrays.items():
             check_shape(name, array, *(sizes[letter] for letter in _ARRAYS[name][0].split()))
         if self.seat is not None:
@@ -133,8 +139,6 @@ class Episode:
         )
 
     def _repr_html_(self) -> str:
-        from matrixworld.episodes.replay import animation  # which draws episodes
-
         return animation(self)._repr_html_()
 
     @property
@@ -214,7 +218,7 @@ class Episode:
         entries = load_arrays(path)
         if str(entries.pop("format", "")) != FORMAT:
             raise DamagedFileError(path, f"expected a file marked '{FORMAT}'")
-        names = {each.name for each in fields(cls)}
+        names = {item.name for item in fields(cls)}
         if entries.keys() | OPTIONAL != names:
             problem = f"expected entries {sorted(names)}, got {sorted(entries)}"
             raise DamagedFileError(path, problem)
@@ -248,7 +252,8 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
     step and the share of the evaders that are captured.
     """
     check_instance("episode", episode, Episode)
-    now, trail = step_number(step, episode.length), check_integer("trail", trail, 0)
+    now = step_number(step, episode.length)
+    trail = check_integer("trail", trail, 0)
     if title is None:
         title = capture_title(episode, now, f"step {now} of {episode.length}")
     captures, deaths = _marks(episode, now)
@@ -269,9 +274,10 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
 
 def capture_title(episode: Episode, now: int, start: str) -> str:
     """Return a line of text: `start`, and how many of the evaders are captured."""
-    caught, of = int(episode.counted[now].sum()), episode.n_evaders
-    share = f" ({caught / of:.0%})" if of else ""
-    return f"{start}    captured {caught} of {of}{share}"
+    captured = int(episode.counted[now].sum())
+    evaders = episode.n_evaders
+    share = f" ({captured / evaders:.0%})" if evaders else ""
+    return f"{start}    captured {captured} of {evaders}{share}"
 
 
 def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -287,3 +293,40 @@ def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.in
             last_positions = episode.last_positions[step, agents].tolist()
             marks.extend((row, col, now - step) for row, col in last_positions)
     return np.array(captures, int).reshape(-1, 3), np.array(deaths, int).reshape(-1, 3)
+
+
+def animation(
+    episode: Episode, *, fps: float = 10.0, every: int | None = None, **look: Any
+) -> Animation:
+    """Return an animation that a notebook shows, and stores in itself.
+
+    A long episode on 40 x 40 cells takes about 1 MB.
+
+    Takes `episode`, `fps`, `every` and `look` as `replay.save` does. By default it has at most
+    about 120 frames, and about 480 pixels a side.
+    """
+    fps = check_number("fps", fps, least=SLOWEST, most=FASTEST)
+    # A notebook keeps the animation in its file, so both frames and pixels are limited.
+    times = times_of(episode, every)
+    if look.get("cell") is None:
+        least = SMALLEST_NUMBERED if look.get("numbers") else 1
+        look["cell"] = fitting_cell(episode.map.shape, PIXELS, least)
+    buffer = io.BytesIO()
+    write_gif(buffer, pictures(episode, look), times, fps=fps, hold=HOLD)
+    return Animation(buffer.getvalue())
+
+
+def pictures(episode: Episode, look: dict[str, Any]) -> Draw:
+    """Return what draws moments of an episode."""
+    trail = look.pop("trail", 6)
+    return lambda step: rgb(scene(episode, step, trail=trail), **look)
+
+
+def times_of(episode: Episode, every: int | None) -> list[int]:
+    """Return the times of frames; the end, the most interesting one, whatever the stride."""
+    check_instance("episode", episode, Episode)
+    length = episode.length
+    default = -(-length // FRAMES) or 1
+    stride = default if every is None else check_integer("every", every, 1)
+    times = list(range(0, length + 1, stride))
+    return times if times[-1] == length else [*times, length]

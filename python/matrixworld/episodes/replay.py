@@ -2,64 +2,30 @@
 
 from __future__ import annotations
 
-import base64
-import html
-import io
 import os
 import shutil
 import sys
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO, TextIO
+from typing import Any, TextIO
 
-import numpy as np
-from numpy.typing import NDArray
-from PIL import Image, ImageColor
+from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from matrixworld._util import checks, colors
+from matrixworld._util import checks
 from matrixworld._util.files import replacing
-from matrixworld.episodes.episode import Episode, scene
-from matrixworld.version import imported
-from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
-from matrixworld.world.render import Scene, ansi, rgb
+from matrixworld.episodes.episode import Episode, animation, pictures, scene, times_of
+from matrixworld.episodes.frames import FASTEST, HOLD, SLOWEST, Animation, write_gif, write_mp4
+from matrixworld.world.render import Scene, ansi
 
 __all__ = ["Animation", "animation", "save", "scene"]
-
-SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster animations
-HOLD = 2.0  # seconds for which the last frame is shown longer
-FRAMES = 120  # the most frames of an animation in a notebook
-PIXELS = 480  # wanted length of the longer side of its field
-
-Draw = Callable[[int], NDArray[np.uint8]]
-"""Takes a time and returns a frame, uint8 (height, width, 3); all have the same, even sides."""
-
-PALETTE_COLORS = 128  # pictures have few hues and their blends; fewer colours compress better
-TOO_CLOSE = 8  # levels; Pillow's coarse look-up could confuse a colour this near with one of ours
-SAMPLES = 8  # frames looked at to choose the palette
-
-
-@dataclass(frozen=True, repr=False)
-class Animation:
-    """A GIF that a notebook shows: `data`, the contents of the file, and `alt`, its text."""
-
-    data: bytes
-    alt: str = "an episode"
-
-    def __repr__(self) -> str:
-        return f"<Animation: a GIF of {len(self.data) / 1000:.0f} kB>"
-
-    def _repr_html_(self) -> str:
-        encoded = base64.b64encode(self.data).decode("ascii")
-        return f'<img src="data:image/gif;base64,{encoded}" alt="{html.escape(self.alt)}">'
 
 
 def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
     """Show an episode in the terminal, in place; without one, print the last moment."""
     fps = checks.check_number("fps", fps, least=0.0, positive=True)
-    times, screen = _times(episode, every), Screen(sys.stdout)
+    times = times_of(episode, every)
+    screen = Screen(sys.stdout)
     if not screen.in_place:
         print_moment(episode)
         return
@@ -107,51 +73,17 @@ def save(
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
     fps = checks.check_number("fps", fps, least=SLOWEST, most=FASTEST)
-    times, draw_step = _times(episode, every), _pictures(episode, look)
+    times = times_of(episode, every)
+    draw = pictures(episode, look)
     with replacing(path) as file:
         if suffix == ".png":
-            drawn = PngInfo()
-            drawn.add_text("Software", "matrixworld")
-            Image.fromarray(draw_step(step)).save(file, "PNG", pnginfo=drawn)
+            info = PngInfo()
+            info.add_text("Software", "matrixworld")
+            Image.fromarray(draw(step)).save(file, "PNG", pnginfo=info)
+        elif suffix == ".gif":
+            write_gif(file, draw, times, fps=fps, hold=HOLD)
         else:
-            write = write_gif if suffix == ".gif" else write_mp4
-            write(file, draw_step, times, fps=fps, hold=HOLD)
-
-
-def animation(
-    episode: Episode, *, fps: float = 10.0, every: int | None = None, **look: Any
-) -> Animation:
-    """Return an animation that a notebook shows, and stores in itself.
-
-    A long episode on 40 x 40 cells takes about 1 MB.
-
-    Takes `episode`, `fps`, `every` and `look` as `save` does. By default it has at most about 120
-    frames, and about 480 pixels a side.
-    """
-    fps = checks.check_number("fps", fps, least=SLOWEST, most=FASTEST)
-    # A notebook keeps the animation in its file, so both frames and pixels are limited.
-    times, buffer = _times(episode, every), io.BytesIO()
-    if look.get("cell") is None:
-        least = SMALLEST_NUMBERED if look.get("numbers") else 1
-        look["cell"] = fitting_cell(episode.map.shape, PIXELS, least)
-    write_gif(buffer, _pictures(episode, look), times, fps=fps, hold=HOLD)
-    return Animation(buffer.getvalue())
-
-
-def _pictures(episode: Episode, look: dict[str, Any]) -> Draw:
-    """Return what draws moments of an episode."""
-    trail = look.pop("trail", 6)
-    return lambda step: rgb(scene(episode, step, trail=trail), **look)
-
-
-def _times(episode: Episode, every: int | None) -> list[int]:
-    """Return the times of frames; the end, the most interesting one, whatever the stride."""
-    checks.check_instance("episode", episode, Episode)
-    length = episode.length
-    default = -(-length // FRAMES) or 1
-    stride = default if every is None else checks.check_integer("every", every, 1)
-    times = list(range(0, length + 1, stride))
-    return times if times[-1] == length else [*times, length]
+            write_mp4(file, draw, times, fps=fps, hold=HOLD)
 
 
 # Terminals:
@@ -166,7 +98,8 @@ class Screen:
     """What text is written to; in a terminal each drawing replaces the one before."""
 
     def __init__(self, stream: TextIO) -> None:
-        self._stream, self._start = stream, WRAP_OFF + CLEAR
+        self._stream = stream
+        self._start = WRAP_OFF + CLEAR
         self.in_place = stream.isatty()  # so that a drawing needs time to be seen
 
     def show(self, scene: Scene) -> None:
@@ -194,69 +127,3 @@ def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
     (columns, lines), (rows, cols) = shutil.get_terminal_size(), shape
     fits = 2 * cols <= columns and rows + 2 <= lines  # cells of two characters, below a title
     return {"color": color, "compact": color and not fits}
-
-
-# Frames of a GIF, and of an MP4 by ffmpeg:
-
-
-def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
-    """Write an endless animation with one frame for each time, and the last one `hold` s longer."""
-    looked_at = np.unique(np.linspace(0, len(times) - 1, SAMPLES).round().astype(int))
-    palette = _palette([draw(times[i]) for i in looked_at])
-    pictures = (
-        Image.fromarray(draw(moment)).quantize(palette=palette, dither=Image.Dither.NONE)
-        for moment in times
-    )
-    durations = [10 * round(100 / fps)] * len(times)  # in ms, as whole hundredths of a second
-    durations[-1] += round(1000 * hold)
-    look: dict[str, Any] = {"duration": durations, "loop": 0, "comment": b"matrixworld"}
-    next(pictures).save(file, "GIF", save_all=True, append_images=pictures, **look)
-
-
-def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:
-    """Return 256 colours: those of the project exactly, and the most frequent of some pictures."""
-    names = [*colors.TEAMS, colors.PAPER, colors.GRID, colors.INK, colors.OBSTACLE]
-    names += [colors.CAPTURE, colors.COLLISION]
-    exact = np.array([ImageColor.getrgb(name) for name in names])
-    together = Image.fromarray(np.concatenate(pictures)).quantize(PALETTE_COLORS - len(exact))
-    common = np.array(together.getpalette()).reshape(-1, 3)
-    distance = np.abs(common[:, None] - exact).max(axis=2).min(axis=1)
-    values = np.concatenate([exact, common[distance > TOO_CLOSE]])[:PALETTE_COLORS]
-    filled = np.concatenate([values, np.repeat(exact[:1], 256 - len(values), axis=0)])
-    palette = Image.new("P", (1, 1))
-    palette.putpalette(filled.ravel().tolist())
-    return palette
-
-
-def write_mp4(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
-    """Write a film (H.264, yuv420p) as `write_gif` does, into an open file that has a name.
-
-    Raises MissingExtraError without imageio-ffmpeg.
-    """
-    imageio_ffmpeg = imported("imageio_ffmpeg", "video")
-    last = draw(times[-1])
-    height, width, _ = last.shape
-    color_space = "colorspace=bt709:color_primaries=bt709:color_trc=bt709"
-    writer = imageio_ffmpeg.write_frames(
-        file.name,
-        (width, height),
-        fps=fps,
-        quality=None,
-        macro_block_size=2,  # the least that yuv420p needs; a larger one would rescale frames
-        ffmpeg_log_level="error",
-        output_params=[
-            # A browser can start before it has the whole file.
-            *("-f", "mp4", "-movflags", "+faststart", "-metadata", "comment=matrixworld"),
-            *("-crf", "16", "-tune", "animation"),
-            # Without these tags browsers guess the colour space from the height of the film.
-            *("-vf", f"scale=out_color_matrix=bt709:out_range=tv,setparams={color_space}"),
-        ],
-    )
-    writer.send(None)
-    try:
-        for moment in times:
-            writer.send(draw(moment).tobytes())
-        for _ in range(round(hold * fps)):
-            writer.send(last.tobytes())
-    finally:
-        writer.close()
