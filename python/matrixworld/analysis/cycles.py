@@ -195,7 +195,8 @@ def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL)
     `biased_high` and `high` allow for what the fit hides (Robertson, Wright and Dykstra 1988).
     """
     matrix, noise = thinned(matrix), thinned(noise)
-    fit, share = transitive_fit(matrix), 1.0 / matrix.size
+    fit = transitive_fit(matrix)
+    share = 1.0 / matrix.size
     # A cell in a level set of b cells loses 1/b of its noise to the fit (Meyer and Woodroofe 2000).
     excess = (matrix - fit) ** 2 - noise * (1.0 - _leverages(fit))
     value = float((share * excess).sum())
@@ -228,7 +229,9 @@ def _monotone(matrix: Rates) -> Rates:
     """Return the least-squares fit that does not fall along rows and columns."""
     # Alternating projections (Dykstra and Robertson 1982): each starts from the last one plus its
     # own correction.
-    fit, along_rows, along_columns = matrix, np.zeros_like(matrix), np.zeros_like(matrix)
+    fit = matrix
+    along_rows = np.zeros_like(matrix)
+    along_columns = np.zeros_like(matrix)
     for _ in range(_ITERATIONS):
         start = fit + along_rows
         half = _isotonic_rows(start)
@@ -236,7 +239,8 @@ def _monotone(matrix: Rates) -> Rates:
         start = half + along_columns
         after = _isotonic_rows(start.T).T
         along_columns = start - after
-        change, fit = float(np.abs(after - fit).max()), after
+        change = float(np.abs(after - fit).max())
+        fit = after
         if change < _CONVERGED:
             break
     return fit
@@ -260,11 +264,13 @@ def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate
     # errors of the jackknife over episodes (Efron and Stein 1981).
     if scores.shape[2] < EPISODES_TO_RECUR:
         return Estimate(math.nan, note=Reason(Why.TOO_FEW_TO_RECUR))
-    halves = [_similarities(scores[:, :, start::2]) for start in (0, 1)]
-    found = [_returned(halves[k], halves[1 - k], level) for k in (0, 1)]
-    if None in found:
+    even = _similarities(scores[:, :, 0::2])
+    odd = _similarities(scores[:, :, 1::2])
+    first = _returned(even, odd, level)
+    second = _returned(odd, even, level)
+    if first is None or second is None:
         return Estimate(math.nan, note=Reason(Why.ONLY_NOISE))
-    value, high, low = np.mean([ends for ends in found if ends], axis=0).tolist()
+    value, high, low = np.mean([first, second], axis=0).tolist()
     return Estimate(value, low, high, "episodes")
 
 

@@ -100,16 +100,19 @@ def _inner(matrix: Rates, value: float, start: Rates, answer: Rates) -> Rates:
     kept = np.block([[-matrix.T, np.zeros((columns, rows))], [-np.eye(rows), np.eye(rows)]])
     limits = np.append(np.full(columns, -value), np.zeros(rows))
     equal = np.repeat([1.0, 0.0], rows)
-    found = [np.where(start > _NOTHING, start, 0.0)]
+    mixtures = [np.where(start > _NOTHING, start, 0.0)]
     possible = matrix @ answer > value - _LESS
-    while (possible & (unused := ~np.any(found, axis=0))).any():
+    while True:
+        unused = ~np.any(mixtures, axis=0)
+        if not (possible & unused).any():
+            break
         ends = np.where(unused, 1.0 / rows, 0.0)
         bounds = [(0.0, None)] * rows + [(0.0, float(end)) for end in ends]
         mixture = _solve(np.repeat([0.0, -1.0], rows), kept, limits, equal, bounds)[:rows]
         if not (mixture[unused] > _NOTHING).any():
             break
-        found.append(np.where(mixture > _NOTHING, mixture, 0.0))
-    return _mixture(np.mean(found, axis=0))
+        mixtures.append(np.where(mixture > _NOTHING, mixture, 0.0))
+    return _mixture(np.mean(mixtures, axis=0))
 
 
 def _solve(

@@ -66,26 +66,27 @@ def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estima
     if 1 < len(scores) < intervals.RUNS_FOR_T:
         courses = zip(scores[:, np.newaxis], noise[:, np.newaxis], strict=True)
         return intervals.around([gain_of_runs(*each, level=level) for each in courses])
-    found = _gain_of_mean_course(scores, noise, level)
-    sign = 1.0 if found.value > 0.0 else -1.0
+    gain = _gain_of_mean_course(scores, noise, level)
+    sign = 1.0 if gain.value > 0.0 else -1.0
     least = 1.0 if setback(scores.mean(axis=0)) < OF_GAIN else 0.0
     if len(scores) > 1:
         left = _without_jumps(sign * scores) @ _slope_weights(scores.shape[1])
         # One end of this interval has the error of both of the other.
         least = min(least, t_ends(left, 2.0 * level - 1.0, (-1.0, 1.0))[0])
     if least > 0.0:
-        return found
-    low, high = found.ends
+        return gain
+    low, high = gain.ends
     if sign > 0.0:
-        return replace(found, low=min(low, least))
-    return replace(found, high=max(high, -least))
+        return replace(gain, low=min(low, least))
+    return replace(gain, high=max(high, -least))
 
 
 def _without_jumps(scores: Rates) -> Rates:
     """Return courses (runs, k) without the tenth around the time that best divides each in two."""
     # It divides where the means, weighted by the generations before and after, differ most: unlike
     # the steepest tenth this is not chosen by the noise of single generations.
-    steps, (_, k) = np.diff(scores, axis=1), scores.shape
+    steps = np.diff(scores, axis=1)
+    k = scores.shape[1]
     before = np.arange(1, k)
     sums = np.cumsum(scores, axis=1)
     means = sums[:, :-1] / before, (sums[:, -1:] - sums[:, :-1]) / (k - before)
@@ -101,13 +102,17 @@ def _gain_of_mean_course(scores: Rates, noise: Rates, level: float) -> Estimate:
     # Several runs have a second interval, Student's t over the runs' linear changes, which becomes
     # narrower with each run; it counts if the mean course is sustained, because a jump in the same
     # generation of all runs is no trend. Both have half of the error; what both contain remains.
-    runs, course, errors = len(scores), scores.mean(axis=0), noise.mean(axis=0) / len(scores)
+    runs = len(scores)
+    course = scores.mean(axis=0)
+    errors = noise.mean(axis=0) / runs
     changes = scores @ _slope_weights(scores.shape[1])
     if runs == 1 or not is_sustained(course):
         return strength_gain(course, errors, level=level)
     both = (1.0 + level) / 2.0
-    ends = [strength_gain(course, errors, level=both).ends, t_ends(changes, both, (-1.0, 1.0))]
-    low, high = (pick(side) for pick, side in zip((max, min), zip(*ends, strict=True), strict=True))
+    one_low, one_high = strength_gain(course, errors, level=both).ends
+    other_low, other_high = t_ends(changes, both, (-1.0, 1.0))
+    low = max(one_low, other_low)
+    high = min(one_high, other_high)
     if low > high:  # the two models disagree
         low, high = high, low
     return Estimate(float(np.clip(changes.mean(), low, high)), low, high, "runs")
@@ -117,7 +122,8 @@ def is_sustained(course: Rates) -> bool:
     """Return whether a course keeps its direction: that of its linear change. It may rest."""
     # No tenth of it, and no two steps, make half of the change; it goes back by a quarter at most.
     change = float(_slope_weights(len(course)) @ course)
-    forward, tenth = course * np.sign(change), _tenth(len(course))
+    forward = course * np.sign(change)
+    tenth = _tenth(len(course))
     jump = (forward[tenth:] - forward[:-tenth]).max()
     return bool(jump < abs(change) / 2.0) and setback(course) < SETBACK
 
@@ -159,12 +165,14 @@ def strength_change(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Est
 
     The interval is normal with the known noise, or Student's t with the scatter if all noise is 0.
     """
-    y, variances, weights, freedom = scores, noise, _slope_weights(len(scores)), np.inf
-    value = float(weights @ y)
+    weights = _slope_weights(len(scores))
+    value = float(weights @ scores)
+    variances = noise
+    freedom = np.inf
     if not variances.any():
-        freedom = len(y) - 2
-        residuals = y - y.mean() - weights * value / (weights**2).sum()
-        variances = np.full(len(y), (residuals**2).sum() / freedom)
+        freedom = len(scores) - 2
+        residuals = scores - scores.mean() - weights * value / (weights**2).sum()
+        variances = np.full(len(scores), (residuals**2).sum() / freedom)
     reach = float(t_quantile(level, freedom) * np.sqrt(weights**2 @ variances))
     return Estimate(value, value - reach, value + reach, "episodes")
 

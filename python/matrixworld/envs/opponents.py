@@ -14,7 +14,7 @@ from gymnasium import spaces
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape, expect
+from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.policies import GenomePolicy
 from matrixworld.solver import solve
@@ -69,9 +69,14 @@ class BuiltInTeam:
     def __init__(
         self, team: Team, opponents: Opponents, config: WorldConfig, n_worlds: int = 1
     ) -> None:
-        teams = range(config.n_pursuers), range(config.n_pursuers, config.n_agents)
-        self.agents, self.learners = teams if team == "pursuer" else teams[::-1]
-        self._team, self._config = team, config
+        pursuers = range(config.n_pursuers)
+        evaders = range(config.n_pursuers, config.n_agents)
+        if team == "pursuer":
+            self.agents, self.learners = pursuers, evaders
+        else:
+            self.agents, self.learners = evaders, pursuers
+        self._team = team
+        self._config = config
         self.opponents = self.resolve(opponents)
         self.chosen = np.zeros(n_worlds, np.int64)
         self.playing: list[Plays] = [self.opponents[0]] * n_worlds
@@ -79,13 +84,12 @@ class BuiltInTeam:
     def resolve(self, opponents: Opponents) -> tuple[Plays, ...]:
         """Return opponents in the form that is played."""
         name = f"{self._team}s"
-        found = [
-            policy
-            for given in _several(name, opponents)
-            for policy in _resolved(name, self._team, given, self._config)
-        ]
-        expect(found, name, "at least one opponent", "none")
-        return tuple(found)
+        policies: list[Plays] = []
+        for opponent in _several(name, opponents):
+            policies += _resolved(name, self._team, opponent, self._config)
+        if not policies:
+            raise ValueError(f"{name}: expected at least one opponent, got none")
+        return tuple(policies)
 
     @property
     def yields_in_turn(self) -> bool:
@@ -110,7 +114,9 @@ class BuiltInTeam:
             return
         if not callable(policy):
             world.decide(policy, acting, actions)
-        elif (living := np.array(acting)[world.alive[acting]]).size:
+            return
+        living = np.array(acting)[world.alive[acting]]
+        if living.size:
             views = world.views()[living]
             actions[living] = checked_actions(policy, views, self._config.n_actions)
 
@@ -124,7 +130,9 @@ class BuiltInWorlds(BuiltInTeam):
     def __init__(self, team: Team, opponents: Opponents, batch: Batch, waits: bool) -> None:
         super().__init__(team, opponents, batch.config, batch.n_worlds)
         self.last = np.zeros_like(self.chosen)
-        self._buffers, self._batch, self._waits = batch.buffers, batch, waits
+        self._batch = batch
+        self._buffers = batch.buffers
+        self._waits = waits
         self._actions: NDArray[np.int64] = np.zeros(self._buffers["alive"].shape, np.int64)
         self.begin(np.zeros(batch.n_worlds, np.bool_))
 
@@ -144,9 +152,9 @@ class BuiltInWorlds(BuiltInTeam):
         """Return a copy of seed and episode of every world, (2, W)."""
         return np.stack([self._buffers["seed"], self._buffers["episode"]])
 
-    def actions(self, given: ArrayLike) -> NDArray[np.int64]:
-        """Return the actions of all agents, (W, A), with those of the caller's agents given."""
-        chosen = integers("actions", given)
+    def actions(self, learners: ArrayLike) -> NDArray[np.int64]:
+        """Return the actions of all agents, (W, A), with those of the caller's agents."""
+        chosen = integers("actions", learners)
         check_shape("actions", chosen, len(self._actions), len(self.learners))
         self._actions[:, self.learners.start : self.learners.stop] = chosen
         engine = [None if callable(policy) else policy for policy in self._policies]
@@ -158,8 +166,8 @@ class BuiltInWorlds(BuiltInTeam):
         for number, policy in enumerate(self._policies):
             asked = acting & (self._numbers == number)[:, None]
             if callable(policy) and asked.any():
-                views, n_actions = self._buffers["views"][asked], self._config.n_actions
-                self._actions[asked] = checked_actions(policy, views, n_actions)
+                views = self._buffers["views"][asked]
+                self._actions[asked] = checked_actions(policy, views, self._config.n_actions)
         return self._actions
 
     def note_step(self) -> None:
@@ -175,12 +183,16 @@ def one_team(
     pursuers: Opponents | None, evaders: Opponents | None
 ) -> tuple[Team, Opponents] | None:
     """Return the team that an environment plays itself, and its opponents, if there is one."""
-    both = pursuers is not None and evaders is not None
-    got = "both; matrixworld.rollout plays matches of both"
-    expect(not both, "pursuers, evaders", "one team that the environment plays", got)
+    if pursuers is not None and evaders is not None:
+        raise ValueError(
+            "pursuers, evaders: expected one team that the environment plays, got both; "
+            "matrixworld.rollout plays matches of both"
+        )
     if pursuers is not None:
         return "pursuer", pursuers
-    return None if evaders is None else ("evader", evaders)
+    if evaders is not None:
+        return "evader", evaders
+    return None
 
 
 def with_opponent(team: Team | None, opponent: Opponents | None, settings: Any) -> Any:
@@ -201,7 +213,8 @@ class PlaysTeam:
     def _set_up(
         self, config: Any, changes: Any, action_mask: bool | str, mode: str | None, *modes: str
     ) -> None:
-        expect(mode in (None, *modes), "render_mode", f"None or one of {modes}", repr(mode))
+        if mode not in (None, *modes):
+            raise ValueError(f"render_mode: expected None or one of {modes}, got {mode!r}")
         self.config: WorldConfig = WorldConfig.of(config, **changes)
         self._masks = ActionMasks(action_mask, self.config)
         self.render_mode = mode
@@ -213,13 +226,13 @@ class PlaysTeam:
         """Return the space of one agent's observation, and keep which array that is."""
         check_choice("observation", observation, _OBSERVED)
         self._observed, dtypes = _OBSERVED[observation]
-        found: np.dtype[Any] = np.dtype(dtypes[0] if dtype is None else dtype)
-        check_choice("dtype", found.name, dtypes)
+        kind: np.dtype[Any] = np.dtype(dtypes[0] if dtype is None else dtype)
+        check_choice("dtype", kind.name, dtypes)
         (_, *shape), _ = array_specs(self.config)[self._observed]
         most = [bound or np.inf for *_, bound in _core.inputs()] if observation == "named" else 1
-        high = np.full(shape, most, found)
+        high = np.full(shape, most, kind)
         flat = check_bool("flatten", flatten)
-        return spaces.Box(0, high.ravel() if flat else high, dtype=found.type)
+        return spaces.Box(0, high.ravel() if flat else high, dtype=kind.type)
 
     @property
     def opponents(self) -> tuple[Plays, ...]:
@@ -242,42 +255,43 @@ def _several(name: str, opponents: Any) -> list[Any]:
     return [opponents] if one else list(check_sequence(name, opponents, "opponents"))
 
 
-def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterable[Plays]:
+def _resolved(name: str, team: Team, opponent: Any, config: WorldConfig) -> Iterable[Plays]:
     """Return the policies that an opponent stands for."""
-    if isinstance(given, str) and given in SCRIPTS:
-        check_script(name, given, config)
-        return [given]
-    if isinstance(given, str) and given == SOLVED:
+    if isinstance(opponent, str) and opponent in SCRIPTS:
+        check_script(name, opponent, config)
+        return [opponent]
+    if isinstance(opponent, str) and opponent == SOLVED:
         return [solve(config).policy(team)]
-    if isinstance(given, str | Path):
-        given = _named(name, team, given, config)
-    elif isinstance(given, GenomePolicy):
-        given = given.population()
-    elif hasattr(given, "teams"):  # a saved run; its class is not imported here
-        return _resolved(name, team, given.teams[team], config)
-    if isinstance(given, Population):
-        given.policy.check_fits(name, config)
-        check_team(name, given, config, team)
-        return [Population(genome, given.policy) for genome in given.genomes]
-    if callable(given) or isinstance(given, TablePolicy):
-        return [given]
+    if isinstance(opponent, str | Path):
+        opponent = _named(name, team, opponent, config)
+    elif isinstance(opponent, GenomePolicy):
+        opponent = opponent.population()
+    elif hasattr(opponent, "teams"):  # a saved run; its class is not imported here
+        return _resolved(name, team, opponent.teams[team], config)
+    if isinstance(opponent, Population):
+        opponent.policy.check_fits(name, config)
+        check_team(name, opponent, config, team)
+        return [Population(genome, opponent.policy) for genome in opponent.genomes]
+    if callable(opponent) or isinstance(opponent, TablePolicy):
+        return [opponent]
     raise TypeError(
         f"{name}: expected the name of a script or held-out opponent, a run directory, a "
-        f"Population, a NetworkPolicy, a SavedRun or a function, got {given!r}"
+        f"Population, a NetworkPolicy, a SavedRun or a function, got {opponent!r}"
     )
 
 
-def _named(name: str, team: Team, given: str | Path, config: WorldConfig) -> Population:
+def _named(name: str, team: Team, opponent: str | Path, config: WorldConfig) -> Population:
     # Co-evolution needs more packages and time to import than environments do.
     from matrixworld.coevolution import held_out
     from matrixworld.coevolution.storage import last_generation
 
-    known = held_out(team, config.rules).items()
-    evolved = {each: policy for each, policy in known if isinstance(policy, Population)}
-    if str(given) in evolved:
-        return evolved[str(given)]
-    if not str(given) or not Path(given).is_dir():  # an empty path is the current directory
+    text = str(opponent)
+    players = held_out(team, config.rules)
+    evolved = {key: player for key, player in players.items() if isinstance(player, Population)}
+    if text in evolved:
+        return evolved[text]
+    if not text or not Path(opponent).is_dir():  # an empty path is the current directory
         names = ", ".join([*SCRIPTS, SOLVED, *evolved])
-        raise ValueError(f"{name}: expected one of {names}, or a run directory, got {str(given)!r}")
-    population: Population = last_generation(given, team)
+        raise ValueError(f"{name}: expected one of {names}, or a run directory, got {text!r}")
+    population: Population = last_generation(opponent, team)
     return population

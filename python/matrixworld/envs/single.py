@@ -104,7 +104,9 @@ class MatrixWorldBase(PlaysTeam):
         checks.check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
         self._set_up(config, changes, action_mask, render_mode, *RENDER_MODES)
         self._space = self._space_of(observation, dtype, flatten)
-        self._read = {self._observed, *["views"] * self._masks.given}
+        self._read = {self._observed}
+        if self._masks.given:
+            self._read.add("views")
         self.world = World(self.config)
         variant = variant_name(self.config.rules).lower() or "custom"
         self.metadata |= {"name": f"pursuit_evasion_{variant}_v0", "is_parallelizable": True}
@@ -115,8 +117,8 @@ class MatrixWorldBase(PlaysTeam):
         self._index = {name: agent for agent, name in self._names.items()}
         self.possible_agents: list[str] = list(self._index)
         self.agents: list[str] = []
-        kept = checks.check_bool("record", record) or render_mode is not None
-        self._drawing = Drawing(self.world, render_mode) if kept else None
+        is_kept = checks.check_bool("record", record) or render_mode is not None
+        self._drawing = Drawing(self.world, render_mode) if is_kept else None
         self.observation_spaces: dict[str, spaces.Box] = {
             name: copy(self._space)  # not shared: each has a generator of its own
             for name in self.possible_agents
@@ -153,13 +155,13 @@ class MatrixWorldBase(PlaysTeam):
 
     def _observe(self, status: Status) -> tuple[Seen, list[Info]]:
         """Return what all agents observe now, in the form of the spaces, and their infos."""
-        moment, infos = self.world.read(*self._read), status.infos()
+        arrays = self.world.read(*self._read)
+        infos = status.infos()
         if self._masks.given:
-            for info, mask in zip(infos, self._allowed(moment["views"]), strict=True):
+            for info, mask in zip(infos, self._allowed(arrays["views"]), strict=True):
                 info["action_mask"] = mask
-        shape = len(infos), *self._space.shape
-        seen = moment[self._observed].reshape(shape).astype(self._space.dtype, copy=False)
-        return seen, infos
+        observations = arrays[self._observed].reshape(len(infos), *self._space.shape)
+        return observations.astype(self._space.dtype, copy=False), infos
 
     def _allowed(self, views: NDArray[np.uint8]) -> NDArray[np.int8]:
         """Return the masks of all agents, in one order with the teammates that are played."""
@@ -170,14 +172,14 @@ class MatrixWorldBase(PlaysTeam):
         return {agent: values[self._index[agent]] for agent in agents}
 
     def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
-        given = dict(options or {})
-        for unknown in set(given) - set(OPTIONS):
+        arguments = dict(options or {})
+        for unknown in set(arguments) - set(OPTIONS):
             warnings.warn(f"options: expected some of {OPTIONS}, ignored {unknown!r}", stacklevel=3)
-            del given[unknown]
+            del arguments[unknown]
         if seed is None and not self._seeded:
             # The first episode without a seed is a random one; later ones continue its seed.
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
-        self.world.reset(seed, **given)
+        self.world.reset(seed, **arguments)
         if seed is not None:
             self.np_random = np.random.default_rng(self.world.seed)
         for team in filter(None, (self._team, self._mates)):
@@ -287,8 +289,8 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
             By the name of the agent.
         """
         self._reset_world(seed, options)
-        seen, infos = self._observe(self.status)
-        return self._by_agent(self.agents, seen), self._by_agent(self.agents, infos)
+        observations, infos = self._observe(self.status)
+        return self._by_agent(self.agents, observations), self._by_agent(self.agents, infos)
 
     def step(
         self, actions: Mapping[str, Any]
@@ -325,15 +327,18 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         self.world.step(self._actions)
         self._note_round()
         status = Status(self.world)
-        seen, told = self._observe(status)
-        observations = self._by_agent(acting, seen)
-        rewards = self._by_agent(acting, status.rewards.tolist())
+        observations, infos = self._observe(status)
         terminations = self._by_agent(acting, status.terminations.tolist())
         truncations = self._by_agent(acting, status.truncations.tolist())
-        infos = self._by_agent(acting, told)
         # All that acted get their last results; agents that ended leave only now.
         self.agents: list[str] = [a for a in acting if not (terminations[a] or truncations[a])]
-        return observations, rewards, terminations, truncations, infos
+        return (
+            self._by_agent(acting, observations),
+            self._by_agent(acting, status.rewards.tolist()),
+            terminations,
+            truncations,
+            self._by_agent(acting, infos),
+        )
 
     def _choose_all(self, actions: Mapping[str, Any]) -> None:
         checks.check_instance("actions", actions, Mapping)
@@ -341,7 +346,8 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, Seen, int]):  # type
         if missing:
             raise ValueError(f"actions: expected one for each of agents, none came for {missing}")
         unknown = [agent for agent in actions if agent not in self._index]
-        checks.expect(not unknown, "actions", "names of agents", unknown)
+        if unknown:
+            raise ValueError(f"actions: expected names of agents, got {unknown}")
         self._actions = np.zeros(self.config.n_agents, np.int64)
         for agent in self.agents:
             self._choose(agent, actions[agent])
@@ -366,7 +372,8 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, Seen, int]):  # type: ignore[m
         """Start an episode; see `MatrixWorldParallel.reset`."""
         self._reset_world(seed, options)
         self._actions = np.zeros(self.config.n_agents, np.int64)
-        self.agent_selection, self._to_commit = self.agents[0], []
+        self.agent_selection = self.agents[0]
+        self._to_commit = []
         self.rewards: dict[str, float] = dict.fromkeys(self.agents, 0.0)
         self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
         self.terminations: dict[str, bool] = dict.fromkeys(self.agents, False)
@@ -439,8 +446,8 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, Seen, int]):  # type: ignore[m
     def _living_actors(self) -> list[str]:
         if self.world.terminated:
             return []
-        alive, actors = self.world.alive, self.world.actors
-        return [self._names[i] for i in actors if i in self._names and alive[i]]
+        alive = self.world.alive
+        return [self._names[i] for i in self.world.actors if i in self._names and alive[i]]
 
 
 parallel_env = MatrixWorldParallel
@@ -506,8 +513,12 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         **settings: Any,
     ) -> None:
         team: Team = "evader" if str(agent).startswith("evader") else "pursuer"
-        mates, others = (evaders, "pursuers") if team == "evader" else (pursuers, "evaders")
-        settings[others] = pursuers if team == "evader" else evaders
+        if team == "pursuer":
+            mates = pursuers
+            settings["evaders"] = evaders
+        else:
+            mates = evaders
+            settings["pursuers"] = pursuers
         self.env = MatrixWorldParallel(config, **settings)
         self._mates = self.env._mates = BuiltInTeam(team, mates, self.env.config)
         checks.check_choice("agent", agent, self.env.possible_agents)
@@ -534,9 +545,14 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         actions = np.zeros(env.config.n_agents, np.int64)
         self._mates.decide(env.world, range(len(actions)), actions)
         chosen = env._by_agent(env.agents, actions.tolist()) | {self.agent: action}
-        seen, reward, terminated, truncated, info = env.step(chosen)
-        mine = self.agent
-        return seen[mine], reward[mine], terminated[mine], truncated[mine], info[mine]
+        observations, rewards, terminations, truncations, infos = env.step(chosen)
+        return (
+            observations[self.agent],
+            rewards[self.agent],
+            terminations[self.agent],
+            truncations[self.agent],
+            infos[self.agent],
+        )
 
     def action_masks(self) -> NDArray[np.bool_]:
         """Return which actions are allowed now, bool (n_actions,): all without an `action_mask`."""

@@ -145,37 +145,44 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         self._set_up(config, changes, action_mask, render_mode, "rgb_array")
         self._space = self._space_of(observation, dtype, flatten)
         self.num_envs: int = checks.check_integer("n_worlds", n_worlds, 1)
-        given = getattr(autoreset_mode, "value", autoreset_mode)
-        checks.check_choice("autoreset_mode", given, [each.value for each in AutoresetMode])
-        mode = AutoresetMode(given)
+        mode_name = getattr(autoreset_mode, "value", autoreset_mode)
+        checks.check_choice("autoreset_mode", mode_name, [mode.value for mode in AutoresetMode])
+        mode = AutoresetMode(mode_name)
         self.metadata["autoreset_mode"] = mode
         self.copy: bool = checks.check_bool("copy", copy)
         built_in = one_team(pursuers, evaders)
-        asked = {self._observed}
+        large = {self._observed}  # arrays that are left out unless they are asked for
         waits = mode is not AutoresetMode.SAME_STEP
         if not waits:  # else the observations stay those of the episode's end for one step
-            asked.add(f"final_{self._observed}")
+            large.add(f"final_{self._observed}")
         if self._masks.given or built_in is not None:  # functions that play see views
-            asked.add("views")
-        kept = _make_buffers(self.config, self.num_envs, asked, self._observed, self._space.dtype)
-        n_worlds, reset = self.num_envs, Autoreset[mode.name]
-        self._batch = Batch(n_worlds, self.config, threads=threads, autoreset=reset, buffers=kept)
+            large.add("views")
+        buffers = _make_buffers(
+            self.config, self.num_envs, large, self._observed, self._space.dtype
+        )
+        self._batch = Batch(
+            self.num_envs,
+            self.config,
+            threads=threads,
+            autoreset=Autoreset[mode.name],
+            buffers=buffers,
+        )
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
         everyone = range(self.config.n_agents)
         self.agents: range = everyone if self._team is None else self._team.learners
-        mine = _of_agents(kept, self.agents)
+        of_agents = _of_agents(buffers, self.agents)
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
         shape = self.n_worlds, len(self.agents), *self._space.shape
-        self.observations: NDArray[Any] = mine[self._observed].reshape(shape)
-        self.rewards: NDArray[np.float32] = mine["rewards"]
-        self.terminations: NDArray[np.bool_] = mine["terminations"]
-        self.truncations: NDArray[np.bool_] = mine["truncations"]
-        self.infos: dict[str, Any] = _make_infos(mine, self.observations, self._observed)
+        self.observations: NDArray[Any] = of_agents[self._observed].reshape(shape)
+        self.rewards: NDArray[np.float32] = of_agents["rewards"]
+        self.terminations: NDArray[np.bool_] = of_agents["terminations"]
+        self.truncations: NDArray[np.bool_] = of_agents["truncations"]
+        self.infos: dict[str, Any] = _make_infos(of_agents, self.observations, self._observed)
         if self._team is not None:
             self.infos["opponent"] = self._team.chosen
             self.infos["episode"]["opponent"] = self._team.last
         if self._masks.given:
-            self._views: NDArray[Any] = mine["views"]
+            self._views: NDArray[Any] = of_agents["views"]
             self.infos["action_mask"] = self._masks.of(self._views, self.agents.start)
         n_actions = self.config.n_actions
         self.single_observation_space: spaces.Box = _widened(self._space, shape[1:])
@@ -222,13 +229,14 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
         return self._returned((self.observations, self.infos))
 
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
-        given = dict(options or {})
-        unknown = set(given) - set(OPTIONS)
-        checks.expect(not unknown, "options", f"some of {OPTIONS}", sorted(unknown))
+        arguments = dict(options or {})
+        unknown = set(arguments) - set(OPTIONS)
+        if unknown:
+            raise ValueError(f"options: expected some of {OPTIONS}, got {sorted(unknown)}")
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
-        mask = given.pop("reset_mask", None)
-        self._batch.reset(seed, mask=mask, **given)
+        mask = arguments.pop("reset_mask", None)
+        self._batch.reset(seed, mask=mask, **arguments)
         if self._team is not None:
             everywhere = np.ones(self.num_envs, np.bool_)
             self._team.begin(everywhere if mask is None else np.asarray(mask))
@@ -263,11 +271,12 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
     def _play(self, actions: ArrayLike | None) -> None:
         if not self._seeded:
             raise RuntimeError("call reset() before the first step")
-        given = self.actions if actions is None else actions
+        if actions is None:
+            actions = self.actions
         if self._team is None:
-            self._batch.step(given)
+            self._batch.step(actions)
         else:
-            self._batch.step(self._team.actions(given))
+            self._batch.step(self._team.actions(actions))
             self._team.note_step()
         self._write_masks()
 
@@ -313,8 +322,8 @@ def make_vec(
     VectorEnv
         The environment.
     """
-    known = WorldSettings.__annotations__.keys() | signature(VectorEnv).parameters.keys()
-    checks.check_keywords(settings, known - {"n_worlds", "changes"}, make_vec)
+    names = WorldSettings.__annotations__.keys() | signature(VectorEnv).parameters.keys()
+    checks.check_keywords(settings, names - {"n_worlds", "changes"}, make_vec)
     return VectorEnv(config, num_envs, **with_opponent(team, opponent, settings))
 
 
@@ -355,13 +364,15 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         parts = {"pursuer": worlds.pursuers, "evader": worlds.evaders, None: slice(None)}
         self._slice = parts[team]  # of the agents in the worlds' arrays
         self._agents = worlds.agents[self._slice]
-        checks.expect(self._agents, "team", "the one that the caller plays", repr(team))
+        if not self._agents:
+            raise ValueError(f"team: expected the one that the caller plays, got {team!r}")
         self.num_envs: int = worlds.n_worlds * len(self._agents)
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode
-        n_actions, one = worlds.config.n_actions, worlds._space
-        self.single_observation_space: spaces.Box = copy_of(one)
-        self.observation_space = _widened(one, (self.num_envs, *one.shape))
+        n_actions = worlds.config.n_actions
+        space = worlds._space
+        self.single_observation_space: spaces.Box = copy_of(space)
+        self.observation_space = _widened(space, (self.num_envs, *space.shape))
         self.single_action_space: spaces.Discrete = spaces.Discrete(n_actions)
         self.action_space = _widened(spaces.MultiDiscrete([n_actions]), (self.num_envs,))
 
@@ -372,10 +383,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
 
         As `VectorEnv.reset`, but ``reset_mask`` is (W * n,), the same for all agents of a world.
         """
-        given = dict(options or {})
-        if given.get("reset_mask") is not None:
-            given["reset_mask"] = self._worlds_of(given["reset_mask"])
-        self.worlds._start(seed, given)
+        arguments = dict(options or {})
+        if arguments.get("reset_mask") is not None:
+            arguments["reset_mask"] = self._worlds_of(arguments["reset_mask"])
+        self.worlds._start(seed, arguments)
         return self._seen()
 
     def _worlds_of(self, mask: ArrayLike) -> NDArray[Any]:
@@ -383,8 +394,11 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         checks.check_shape("reset_mask", agents, self.num_envs)
         by_world = agents.reshape(self.worlds.n_worlds, -1)
         differ = (by_world != by_world[:, :1]).any(axis=1)
-        expected, got = "the same value for all agents of a world", int(differ.argmax())
-        checks.expect(not differ.any(), "reset_mask", expected, f"both in world {got}")
+        if differ.any():
+            raise ValueError(
+                "reset_mask: expected the same value for all agents of a world, "
+                f"got both in world {int(differ.argmax())}"
+            )
         return by_world[:, 0]
 
     def step(
@@ -472,7 +486,8 @@ def _make_buffers(
 
 def _of_agents(buffers: dict[str, NDArray[Any]], agents: range) -> dict[str, NDArray[Any]]:
     """Return the same arrays with some agents only, without copies."""
-    fields, part = arrays.WORLD_FIELDS | arrays.BATCH_FIELDS, slice(agents.start, agents.stop)
+    fields = arrays.WORLD_FIELDS | arrays.BATCH_FIELDS
+    part = slice(agents.start, agents.stop)
     return {
         name: array[:, part] if fields[name].axes[:1] == ("agents",) else array
         for name, array in buffers.items()

@@ -48,7 +48,7 @@ class Recorder:
             )
         self._map = self.world.map
         self._start = self.world.steps
-        self._kept: dict[str, list[NDArray[Any]]] = {
+        self._arrays: dict[str, list[NDArray[Any]]] = {
             name: [] for name in (*MOMENT_ARRAYS, "actions", *STEP_ARRAYS)
         }
         self._conflicts: list[NDArray[np.int32]] = []
@@ -59,27 +59,29 @@ class Recorder:
         row = integers("actions", actions)
         check_shape("actions", row, self.world.config.n_agents)
         # The world counts its own rounds: a difference means that a call is missing.
-        noted, played = len(self._kept["actions"]) + 1, self.world.steps - self._start
+        noted = len(self._arrays["actions"]) + 1
+        played = self.world.steps - self._start
         if noted != played:
             raise RuntimeError(
                 f"expected begin() after a reset and note() after each round: this is note "
                 f"{noted}, and the world has played {played}"
             )
-        self._kept["actions"].append(row.astype(np.int8))
+        self._arrays["actions"].append(row.astype(np.int8))
         self._conflicts.append(self.world.conflict_table())
         self._keep(*MOMENT_ARRAYS, *STEP_ARRAYS)
 
     def _keep(self, *names: str) -> None:
         for name, array in self.world.read(*names).items():
-            self._kept[name].append(array)
+            self._arrays[name].append(array)
 
     def episode(self) -> Episode:
         """Return the recorded episode, as `matrixworld.record` returns one."""
-        return self._last(len(self._kept["actions"]))
+        return self._last(len(self._arrays["actions"]))
 
     def scene(self, *, trail: int = 6) -> Scene:
         """Return a drawing of the present moment with trails of `trail` steps."""
-        steps, trail = len(self._kept["actions"]), check_integer("trail", trail, 0)
+        steps = len(self._arrays["actions"])
+        trail = check_integer("trail", trail, 0)
         # A picture shows few steps; a copy of the whole recording for each would cost its length.
         window = self._last(min(steps, max(trail, MARK_STEPS)))
         title = capture_title(window, window.length, f"step {self.world.steps}")
@@ -90,11 +92,11 @@ class Recorder:
         config = self.world.config
         specs = {**array_specs(config), "actions": ((config.n_agents,), np.int8)}
         arrays: dict[str, Any] = {}
-        for name, kept in self._kept.items():
+        for name, rows in self._arrays.items():
             count = steps + (name in MOMENT_ARRAYS)
             shape, dtype = specs[name]
             # An array of no steps at all has a shape, too.
-            arrays[name] = np.array(kept[len(kept) - count :], dtype).reshape(count, *shape)
+            arrays[name] = np.array(rows[len(rows) - count :], dtype).reshape(count, *shape)
         tables = self._conflicts[len(self._conflicts) - steps :]
         numbered = [np.insert(table, 0, step, axis=1) for step, table in enumerate(tables, 1)]
         none = np.empty((0, 1 + len(CONFLICT_COLUMNS)), np.int32)

@@ -146,19 +146,23 @@ class SafetyMonitor:
         if not isinstance(infos, Mapping) or not {"_episode", "episode"} <= infos.keys():
             expected = "those of a matrixworld.VectorEnv"
             raise TypeError(f"infos: expected {expected}, got {checks.shown(infos)}")
-        ended, statistics = infos["_episode"], infos["episode"]
+        ended = infos["_episode"]
+        statistics = infos["episode"]
         if ended.any():
             self.add(*(statistics[name][ended] for name in _COUNTED))
 
     def add_episode(self, episode: Episode) -> None:
         """Collect a recorded episode."""
         checks.check_instance("episode", episode, Episode)
-        sides = slice(None, episode.n_pursuers), slice(episode.n_pursuers, None)
-        collisions, faults, agent_steps = (
-            np.stack([each[:, side].sum(axis=(0, 1)) for side in sides])
-            for each in (episode.involved, episode.fault, episode.alive[:-1])
-        )
-        self.add(collisions, faults, agent_steps, episode.capture_rate)
+
+        def by_team(array: NDArray[np.bool_]) -> NDArray[np.int64]:
+            """Count in an array (T, A, ...) for pursuers and evaders, (2, ...)."""
+            pursuers, evaders = array[:, : episode.n_pursuers], array[:, episode.n_pursuers :]
+            return np.stack([pursuers.sum(axis=(0, 1)), evaders.sum(axis=(0, 1))])
+
+        collisions = by_team(episode.involved)
+        faults = by_team(episode.fault)
+        self.add(collisions, faults, by_team(episode.alive[:-1]), episode.capture_rate)
 
     def summary(self, *, seed: int = 0) -> SafetySummary:
         """Summarize all episodes so far; `seed` is that of the bootstrap of intervals."""
@@ -183,8 +187,8 @@ class SafetyMonitor:
         )
 
 
-def _counts(name: str, given: ArrayLike, *shape: int) -> NDArray[np.int64]:
-    array = checks.check_integers(name, given, np.int64)
+def _counts(name: str, counts: ArrayLike, *shape: int) -> NDArray[np.int64]:
+    array = checks.check_integers(name, counts, np.int64)
     checks.check_shape(name, array, *shape)
     return array
 

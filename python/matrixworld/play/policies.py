@@ -25,7 +25,8 @@ class GenomePolicy:
 
     def __init__(self, policy: Policy, genome: NDArray[np.float32], seed: int | None) -> None:
         genomes = Population(genome, policy).genomes
-        checks.expect(len(genomes) == 1, "genome", "a single one", len(genomes))
+        if len(genomes) != 1:
+            raise ValueError(f"genome: expected a single one, got {len(genomes)}")
         self.genome = genomes[0].copy()
         self.policy = policy
         self._rng = np.random.default_rng(seed)
@@ -238,7 +239,8 @@ def acting(
     """Return a genome of any policy as what acts by it."""
     if isinstance(policy, Network):
         return NetworkPolicy(policy, genome, sampled=sampled, seed=seed)
-    checks.expect(sampled is None, "sampled", f"no value for a {policy.kind} policy", sampled)
+    if sampled is not None:
+        raise ValueError(f"sampled: expected no value for a {policy.kind} policy, got {sampled}")
     return RatingPolicy(policy, genome, seed=seed)
 
 
@@ -286,8 +288,11 @@ def read_genome(
         expected = "expected an array 'genome' of floats with 1 dimension"
         got = f"got dtype {genome.dtype} and shape {genome.shape}"
         raise DamagedFileError(path, f"{expected}, {got}")
-    team, _ = arrays["team"].tolist(), arrays["kind"]  # both must be there
-    plain = {name: each.tolist() for name, each in arrays.items() if name not in ("genome", "team")}
+    team = arrays["team"].tolist()
+    plain = {"kind": arrays["kind"].tolist()}
+    for name, array in arrays.items():
+        if name not in ("genome", "team"):
+            plain[name] = array.tolist()
     try:
         checks.check_choice("team", team, TEAMS)
         policy = policy_of(plain)

@@ -48,7 +48,8 @@ class Matches(NamedTuple):
         # `broadcast_arrays` is slow beside a short rollout, and rarely needed.
         if any(part.shape != broadcast[0].shape for part in broadcast):
             broadcast = np.broadcast_arrays(*broadcast)
-        checks.expect(broadcast[0].ndim == 1, "matches", "one axis", f"shape {broadcast[0].shape}")
+        if broadcast[0].ndim != 1:
+            raise ValueError(f"matches: expected one axis, got shape {broadcast[0].shape}")
         return cls(*(np.ascontiguousarray(part) for part in broadcast))
 
 

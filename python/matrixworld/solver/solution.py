@@ -92,8 +92,8 @@ class Solution(Readable):
         last = turn + 1 == self.states.n_turns  # the next turn is the first of a round
         values = self.values[0 if last else turn + 1]
         after = values[min(left - last, len(values) - 1)]
-        found = _backup(self.states, after, turn, left, self.fixed, None, chosen=True)
-        played = found[2] if team == "pursuer" else found[3]
+        _, _, *chosen = _backup(self.states, after, turn, left, self.fixed, None, chosen=True)
+        played = chosen[TEAMS.index(team)]
         assert played is not None  # it was asked for
         return played
 
@@ -102,15 +102,15 @@ class Solution(Readable):
         checks.check_choice("team", team, TEAMS)
         rounds = len(self.values[0]) - 1
         axis = 1 + TEAMS.index(team)
-        shapes = [
-            (rounds, each.shape[0], each.shape[axis])
-            for each in map(self.states.successors, range(self.states.n_turns))
-        ]
+        successors = [self.states.successors(turn) for turn in range(self.states.n_turns)]
+        shapes = [(rounds, array.shape[0], array.shape[axis]) for array in successors]
         tables = [np.empty(shape, np.float32) for shape in shapes]
         for turn, table in enumerate(tables):
             for left in range(1, rounds + 1):
-                if told := self.states.told("tables", turn * rounds + left, len(tables) * rounds):
-                    told(0.0)
+                done = turn * rounds + left
+                report = self.states.reporter("tables", done, len(tables) * rounds)
+                if report is not None:
+                    report(0.0)
                 table[left - 1] = self.probabilities(team, left, turn)
         return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
 
@@ -121,14 +121,16 @@ def _backup(
     turn: int,
     rounds: int,
     fixed: dict[Team, Fixed],
-    told: Callable[[float], None] | None,
+    report: Callable[[float], None] | None,
     chosen: bool = False,
 ) -> tuple[NDArray[np.float64], float, NDArray[np.float64] | None, NDArray[np.float64] | None]:
     """Return values, gap, and if wanted the play of both teams in one turn."""
-    given = [_play_of(fixed[t], t, turn, rounds) if t in fixed else None for t in TEAMS]
-    if told:
-        told(0.0)
-    return states.core.backup(turn, after, given[0], given[1], chosen, states.threads, told)
+    pursuers, evaders = (
+        _play_of(fixed[team], team, turn, rounds) if team in fixed else None for team in TEAMS
+    )
+    if report is not None:
+        report(0.0)
+    return states.core.backup(turn, after, pursuers, evaders, chosen, states.threads, report)
 
 
 def _play_of(fixed: Fixed, team: Team, turn: int, rounds: int) -> NDArray[np.float64]:
@@ -145,7 +147,8 @@ def induct(
     champions: Mapping[Team, Champion],
 ) -> Solution:
     """Check all arguments, list the states, and go back through the rounds."""
-    config, most = config_of(world), checks.INT_MAX
+    config = config_of(world)
+    most = checks.INT_MAX
     checks.check_choice("payoff", payoff, PAYOFFS)
     for champion in champions.values():
         _check_champion(champion, world)
@@ -154,8 +157,8 @@ def induct(
     rounds = checks.check_integer("steps", config.max_steps if steps is None else steps, 1, most)
     states = States.of(world)
     fixed: dict[Team, Fixed] = {
-        team: each if isinstance(each, Solution) else states.decisions(each, team)
-        for team, each in champions.items()
+        team: champion if isinstance(champion, Solution) else states.decisions(champion, team)
+        for team, champion in champions.items()
     }
     return _go_back(states, rounds, payoff, fixed)
 
@@ -183,9 +186,11 @@ def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, 
     if captures:
         values[0][0] = states.captured().mean(axis=1)
     first = values[0][0].copy()  # the row of the first turn
-    changes = any(isinstance(each, Solution) for each in fixed.values())
-    what, n_turns = "best responses" if fixed else "perfect play", states.n_turns
-    gap, left = 0.0, 0
+    changes = any(isinstance(play, Solution) for play in fixed.values())
+    what = "best responses" if fixed else "perfect play"
+    n_turns = states.n_turns
+    gap = 0.0
+    left = 0
     while left < rounds:
         left += 1
         if left == len(values[0]):
@@ -195,8 +200,8 @@ def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, 
                 values[turn].resize((room, count), refcheck=False)
         before = after = first
         for turn in reversed(range(states.n_turns)):
-            told = states.told(what, left * n_turns - turn - 1, rounds * n_turns)
-            after, wrong, _, _ = _backup(states, after, turn, left, fixed, told)
+            report = states.reporter(what, left * n_turns - turn - 1, rounds * n_turns)
+            after, wrong, _, _ = _backup(states, after, turn, left, fixed, report)
             gap = max(gap, wrong)
             if turn == 0 and not captures:
                 after -= 1.0

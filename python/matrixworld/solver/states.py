@@ -70,12 +70,16 @@ class States:
         report: Callable[[str, float], None] | None = None,
     ) -> None:
         checks.check_instance("config", config, WorldConfig)
-        self.config, self.threads = config, checks.check_threads(threads)
+        self.config = config
+        self.threads = checks.check_threads(threads)
         self.report = report
-        drawn = "obstacles that each episode draws anew"
-        checks.expect(not config.density, "obstacles", "none or a map", drawn)
+        if config.density:
+            raise ValueError(
+                "obstacles: expected none or a map, got obstacles that each episode draws anew"
+            )
         _check_size(config)
-        self.core = _core.States(config.setup, self.threads, _count(config), self.told("states"))
+        report_states = self.reporter("states")
+        self.core = _core.States(config.setup, self.threads, _count(config), report_states)
         self.n_turns = self.core.n_turns()
         self.starts = self.core.starts()
 
@@ -92,10 +96,12 @@ class States:
         """The number of states of all turns together."""
         return sum(map(self.count, range(self.n_turns)))
 
-    def told(self, what: str, part: int = 0, parts: int = 1) -> Callable[[float], None] | None:
-        """Return what tells `report` of a share of a part of some work."""
+    def reporter(self, what: str, part: int = 0, parts: int = 1) -> Callable[[float], None] | None:
+        """Return a function that tells `report` the share of a part of some work; None without."""
         report = self.report
-        return report and (lambda share: report(what, (part + share) / parts))
+        if report is None:
+            return None
+        return lambda share: report(what, (part + share) / parts)
 
     def count(self, turn: int = 0) -> int:
         """Return the number S of the states of a turn."""
@@ -124,11 +130,12 @@ class States:
         ValueError if a script sees nothing that it looks for in some state, and so walks on.
         """
         checks.check_choice("team", team, TEAMS)
-        plain, n = check_team("champion", policy, self.config, team), self.n_turns
-        return tuple(
-            self.core.weigh(turn, team == "evader", plain, self.threads, self.told("play", turn, n))
-            for turn in range(n)
-        )
+        player = check_team("champion", policy, self.config, team)
+        decisions = []
+        for turn in range(self.n_turns):
+            report = self.reporter("play", turn, self.n_turns)
+            decisions.append(self.core.weigh(turn, team == "evader", player, self.threads, report))
+        return tuple(decisions)
 
 
 def config_of(world: WorldConfig | States) -> WorldConfig:

@@ -181,8 +181,8 @@ class Batch(Turns):
         first, last = check_agents(agents)
         side = TEAMS[first >= self.config.n_pursuers]
         teams = [
-            None if each is None else check_team("policies", each, self.config, side)
-            for each in policies
+            None if policy is None else check_team("policies", policy, self.config, side)
+            for policy in policies
         ]
         check_written("actions", actions)
         numbers = np.ascontiguousarray(checks.check_integers("chosen", chosen, np.int32))
@@ -201,7 +201,8 @@ class Batch(Turns):
         return World.at(self.config, self._core.snapshot(number))
 
 
-def _mask(given: ArrayLike) -> NDArray[np.bool_]:
-    mask = np.ascontiguousarray(checks.unmasked("mask", given))
-    checks.expect(mask.dtype == np.bool_, "mask", "dtype bool", mask.dtype, TypeError)
+def _mask(worlds: ArrayLike) -> NDArray[np.bool_]:
+    mask = np.ascontiguousarray(checks.unmasked("mask", worlds))
+    if mask.dtype != np.bool_:
+        raise TypeError(f"mask: expected dtype bool, got {mask.dtype}")
     return mask

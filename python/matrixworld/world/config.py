@@ -97,7 +97,8 @@ def _all_fields(what: str, kind: type[Any], plain: Any) -> dict[str, Any]:
     """Return a copy of the values of all fields of a dataclass; refuse a missing or unknown one."""
     checks.check_instance(what, plain, Mapping)
     names = {item.name for item in fields(kind)}
-    checks.expect(plain.keys() == names, what, sorted(names), sorted(map(str, plain)))
+    if plain.keys() != names:
+        raise ValueError(f"{what}: expected {sorted(names)}, got {sorted(map(str, plain))}")
     return dict(plain)
 
 
@@ -199,11 +200,14 @@ class WorldConfig:
             rewards=rewards,
         )
         self.check_map(self.map)
-        sizes = self.rows, self.cols, self.n_pursuers, self.n_evaders
-        fits = min(sizes) <= 0 or self.n_agents <= self.rows * self.cols
-        teams = f"{self.n_pursuers} pursuers and {self.n_evaders} evaders"
-        cells = f"at least {self.n_agents} cells (rows x cols) for {teams}"
-        checks.expect(fits, "rows", cells, f"{self.rows} x {self.cols}")
+        # Of sizes below 1 the engine says below what is wrong.
+        are_positive = min(self.rows, self.cols, self.n_pursuers, self.n_evaders) > 0
+        if are_positive and self.n_agents > self.rows * self.cols:
+            raise ValueError(
+                f"rows: expected at least {self.n_agents} cells (rows x cols) for "
+                f"{self.n_pursuers} pursuers and {self.n_evaders} evaders, "
+                f"got {self.rows} x {self.cols}"
+            )
         # Building the engine's form checks the ranges, so a bad config fails here and not later.
         self.setup  # noqa: B018
         if not row.captures:
@@ -345,7 +349,8 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
 def _from_array(array: NDArray[Any]) -> NDArray[np.bool_]:
     if array.dtype.kind not in "biu":
         raise TypeError(f"map: expected dtype bool, or 0 and 1, got {array.dtype}")
-    checks.expect(array.ndim == 2 and array.size, "map", "shape (rows, cols)", array.shape)
+    if array.ndim != 2 or not array.size:
+        raise ValueError(f"map: expected shape (rows, cols), got {array.shape}")
     unknown = array[(array != 0) & (array != 1)]
     if unknown.size:
         raise ValueError(f"map: expected 0 (free) or 1 (obstacle), got {unknown[0]}")
@@ -354,11 +359,15 @@ def _from_array(array: NDArray[Any]) -> NDArray[np.bool_]:
 
 def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
     rows = [row.strip() for row in rows]  # programs leave blanks at the ends of lines
-    checks.expect(rows and rows[0], name, "at least one row of at least one cell", repr(rows))
+    if not rows or not rows[0]:
+        raise ValueError(f"{name}: expected at least one row of at least one cell, got {rows!r}")
+    cells = len(rows[0])
     for number, row in enumerate(rows):
-        where, cells = f"{name}, row {number}", len(rows[0])
-        checks.expect(len(row) == cells, where, f"{cells} cells as in row 0", len(row))
-        if unknown := sorted(set(row) - set(FREE + BLOCKED)):
+        where = f"{name}, row {number}"
+        if len(row) != cells:
+            raise ValueError(f"{where}: expected {cells} cells as in row 0, got {len(row)}")
+        unknown = sorted(set(row) - set(FREE + BLOCKED))
+        if unknown:
             expected = f"{FREE!r} (free) or {BLOCKED!r} (obstacle)"
             raise ValueError(f"{where}: expected {expected}, got {unknown}")
     return np.array([[cell in BLOCKED for cell in row] for row in rows])

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_choice, expect, shown
+from matrixworld._util.checks import check_choice, shown
 from matrixworld.world import policy
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.config import WorldConfig
@@ -30,8 +30,9 @@ def check_mask(name: str, mask: str, config: WorldConfig, user: str = "") -> Non
     """Raise ValueError unless a mask exists and agents see enough for it."""
     check_choice(name, mask, MASKS)
     least = LEAST_FOV[mask]  # type: ignore[index]  # one of the choices
-    expected = f"a fov of at least {least} for {user or f'the mask {mask}'}"
-    expect(config.fov >= least, name, expected, config.fov)
+    if config.fov < least:
+        user = user or f"the mask {mask}"
+        raise ValueError(f"{name}: expected a fov of at least {least} for {user}, got {config.fov}")
 
 
 def check_script(name: str, player: str, config: WorldConfig) -> None:
@@ -60,7 +61,8 @@ def forbidding_cells(
     A move is forbidden where one of its k numbers is 1; a number may be named twice. `step` is as
     for `right_of_way_cells`.
     """
-    fov, moves = config.fov, range(1, config.n_actions)
+    fov = config.fov
+    moves = range(1, config.n_actions)
     if mask == "none":
         return np.empty((len(moves), 0), np.intp)
     if mask == "obstacles":
@@ -68,9 +70,9 @@ def forbidding_cells(
     else:
         cells = right_of_way_cells(config, team, step)
     most = max(map(len, cells))
-    channels, rows, cols = np.moveaxis(
-        np.array([each + each[:1] * (most - len(each)) for each in cells]), -1, 0
-    )
+    # The first number of a move is repeated, so that all moves have equally many.
+    of_moves = [numbers + numbers[:1] * (most - len(numbers)) for numbers in cells]
+    channels, rows, cols = np.moveaxis(np.array(of_moves), -1, 0)
     indices: NDArray[np.intp] = (channels * fov + rows + fov // 2) * fov + cols + fov // 2
     return indices
 
@@ -79,9 +81,11 @@ class ActionMasks:
     """The masks of both teams: none for False, obstacles for True, or those of a name."""
 
     def __init__(self, chosen: bool | str, config: WorldConfig) -> None:
-        mask = ("obstacles" if chosen else "none") if isinstance(chosen, bool) else chosen
+        names = {False: "none", True: "obstacles"}
+        mask = names[chosen] if isinstance(chosen, bool) else chosen
         check_mask("action_mask", mask, config)
-        self._config, self._mask = config, mask
+        self._config = config
+        self._mask = mask
         self._cells: dict[int | None, list[NDArray[np.intp]]] = {}
         self.given: bool = mask != "none"
 

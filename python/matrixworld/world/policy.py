@@ -116,8 +116,11 @@ class Policy(ABC):
 
     def check_fits(self, name: str, config: WorldConfig) -> None:
         """Raise ValueError, naming the argument, unless it has the views and actions of a world."""
-        expected, got = (f"fov {each.fov} and {each.n_actions} actions" for each in (config, self))
-        checks.expect(self.fits(config), name, f"a policy for {expected}", got)
+        if not self.fits(config):
+            raise ValueError(
+                f"{name}: expected a policy for fov {config.fov} and {config.n_actions} actions, "
+                f"got fov {self.fov} and {self.n_actions} actions"
+            )
 
     @property
     @abstractmethod
@@ -140,8 +143,10 @@ class Policy(ABC):
         # A frozen dataclass lets its fields be set in this way only.
         object.__setattr__(self, "fov", checks.check_integer("fov", self.fov, 1, _MAX_FOV))
         object.__setattr__(self, "n_actions", checks.check_integer("n_actions", self.n_actions))
-        checks.expect(self.fov % 2, "fov", "an odd number", self.fov)
-        checks.expect(self.n_actions in (5, 9), "n_actions", "5 or 9", self.n_actions)
+        if self.fov % 2 == 0:
+            raise ValueError(f"fov: expected an odd number, got {self.fov}")
+        if self.n_actions not in (5, 9):
+            raise ValueError(f"n_actions: expected 5 or 9, got {self.n_actions}")
 
     def to_json(self) -> dict[str, Any]:
         """Return kind and fields as values that JSON can hold."""
@@ -333,8 +338,10 @@ class Network(Policy):
         terms = prod(n_in + 1 for n_in, _ in self.shapes)
         most = (-FORBIDDEN / 8 / terms) ** (1 / len(self.shapes))
         largest = np.abs(masked[masked != FORBIDDEN]).max(initial=0.0)
-        expected = f"weights of at most {most:.1e} beside a mask"
-        checks.expect(largest <= most, "genomes", expected, f"{largest:.1e}")
+        if not largest <= most:
+            raise ValueError(
+                f"genomes: expected weights of at most {most:.1e} beside a mask, got {largest:.1e}"
+            )
 
     # Networks are compared and hashed by their fields, so the engine's form is not one of them.
     @cached_property
@@ -361,14 +368,15 @@ class Population(Readable):
 
     def __post_init__(self) -> None:
         checks.check_instance("policy", self.policy, Policy)
-        given = np.atleast_2d(checks.unmasked("genomes", self.genomes))
-        if not np.issubdtype(given.dtype, np.floating):
-            raise TypeError(f"genomes: expected dtype float32, got {given.dtype}")
+        genomes = np.atleast_2d(checks.unmasked("genomes", self.genomes))
+        if not np.issubdtype(genomes.dtype, np.floating):
+            raise TypeError(f"genomes: expected dtype float32, got {genomes.dtype}")
         with np.errstate(over="ignore"):  # what is too large becomes infinite, and is refused
-            genomes = given.astype(np.float32, copy=False)
-        size, got = self.policy.genome_size, np.shape(self.genomes)
-        fits = genomes.shape == (len(genomes), size) and len(genomes) > 0
-        checks.expect(fits, "genomes", f"shape (n >= 1, {size})", got)
+            genomes = genomes.astype(np.float32, copy=False)
+        size = self.policy.genome_size
+        if len(genomes) == 0 or genomes.shape != (len(genomes), size):
+            shape = np.shape(self.genomes)
+            raise ValueError(f"genomes: expected shape (n >= 1, {size}), got {shape}")
         checks.check_finite("genomes", genomes)
         # The engine reads the genomes from one block of memory, without copying them.
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))

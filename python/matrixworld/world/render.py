@@ -301,7 +301,9 @@ def _badge_text(agents: list[int], numbers: bool) -> str:
     if not numbers:
         return str(len(agents)) if len(agents) < 10 else "+"
     shown = [str(agent) for agent in agents[:NUMBERS_IN_BADGE]]
-    return " ".join(shown + ["+"] * (len(agents) > NUMBERS_IN_BADGE))
+    if len(agents) > NUMBERS_IN_BADGE:
+        shown.append("+")
+    return " ".join(shown)
 
 
 def _shortened(title: str, room: int, size: int) -> str:

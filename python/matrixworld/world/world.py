@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from matrixworld import _core
-from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, expect, shown
+from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, shown
 from matrixworld.world import arrays
 from matrixworld.world.config import MapLike, WorldConfig, WorldSettings, read_map
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
@@ -162,7 +162,8 @@ class World(Turns, arrays.WorldArrays):
         """
         if seed is None:
             # Numbers of episodes wrap around, so that a world never runs out of them.
-            expect(episode == 0, "episode", "a seed with it", f"episode {episode} alone")
+            if episode != 0:
+                raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
             key = self.seed, (self.episode + 1) % (SEED_MAX + 1)
         else:
             key = (
