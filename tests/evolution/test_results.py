@@ -8,7 +8,6 @@ import pytest
 
 import actor_critic_baselines as baselines
 import actor_critic_claims
-import actor_critic_races
 import balance
 import balanced_races
 import convergence
@@ -45,9 +44,9 @@ def of(table):
 
 
 OF_A_TABLE = (
-    baselines, actor_critic_races, balanced_races, convergence, ground_truth, hall_of_fame, learned,
-    page_races, perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning,
-    yoked_races, yoked_variants, yoked_worlds,
+    baselines, balanced_races, convergence, ground_truth, hall_of_fame, learned, page_races,
+    perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
+    yoked_variants, yoked_worlds,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES = {
@@ -65,7 +64,7 @@ TABLES = {
 """Published tables, and how they are made from the other files of their directory."""
 ROUNDED = {"actor_critic_claims/table.md", "ground_truth/table.md", "paper_claims/table.md"}
 """Tables with numbers that another processor or SciPy may round otherwise."""
-LONG = ROUNDED | {"actor_critic_races/table.md", "coverage/coverage.md", "judgement/errors.md"}
+LONG = ROUNDED | {"coverage/coverage.md", "judgement/errors.md"}
 """Tables that take seconds."""
 
 
