@@ -78,4 +78,5 @@ if __name__ == "__main__":
         measure=measured,
         table=tables,
         seeds=10,
+        fewest=2,
     )

@@ -196,20 +196,18 @@ def table(found: Mapping[str, Any]) -> str:
 
 def main() -> None:
     """Search, and write what was found; what has been played is kept beside the races."""
-    parser = script_parser(__doc__, quick="some worlds and short races, some seconds")
-    parser.add_argument("--runs", type=Path, default=Path("runs", "balance"), help="of the races")
-    parser.add_argument("--results", type=Path, default=Path("balance"), help="where they go")
+    told = "some worlds and short races, some seconds"
+    parser = script_parser(__doc__, quick=told, runs=True)
     parser.add_argument("--threads", type=int, help="for training; default: one for each core")
     args = parser.parse_args()
     threads = check_threads(args.threads)
-    runs, results = (each / "quick" if args.quick else each for each in (args.runs, args.results))
-    found = kept(runs / "screen.json", lambda: screen(args.quick))
+    found = kept(args.runs / "screen.json", lambda: screen(args.quick))
     found["raced"] = []
     for row in best(found["retested"], 2):
-        place = runs / slug(name_of(row["world"]))
+        place = args.runs / slug(name_of(row["world"]))
         played = partial(race, row["world"], place, args.quick, threads)
         found["raced"].append(kept(place / "rates.json", played))
-    write_json(results, found, table(found))
+    write_json(args.results, found, table(found))
 
 
 if __name__ == "__main__":

@@ -65,11 +65,37 @@ def long_race(schedule: str) -> dict[str, Any]:
     return {"schedule": schedule, **epochs, **SAME_STEPS}
 
 
-def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argparse.ArgumentParser:
-    """Return a parser with a script's docstring, ``--quick`` and, if wanted, ``--cluster``."""
+class ScriptParser(argparse.ArgumentParser):
+    """Options of a script. What a quick run writes lies in directories ``quick`` of their own."""
+
+    directories: tuple[str, ...] = ()
+    """Names of the options that are directories."""
+
+    def parse_args(self, *given: Any, **options: Any) -> argparse.Namespace:  # type: ignore[override]
+        """Return the options, with the directories of a quick run or of a full one."""
+        args = super().parse_args(*given, **options)
+        for name in self.directories if args.quick else ():
+            setattr(args, name, getattr(args, name) / "quick")
+        return args
+
+
+def script_parser(
+    doc: str | None, *, quick: str, runs: bool = False, results: bool = True, cluster: bool = False
+) -> ScriptParser:
+    """Return a parser with a script's docstring and ``--quick``, and with what else it asks for.
+
+    Directories of runs and of results are named like the script.
+    """
     # Docstrings are None under python -OO.
-    parser = argparse.ArgumentParser(description=(doc or "").split("\n", 1)[0])
+    parser = ScriptParser(description=(doc or "").split("\n", 1)[0])
     parser.add_argument("--quick", action="store_true", help=quick)
+    name = Path(sys.argv[0]).stem
+    places = {"runs": Path("runs", name)} if runs else {}
+    places |= {"results": Path(name)} if results else {}
+    for option, place in places.items():
+        told = f"directory of {option}, of quick ones its directory quick; default: {place}"
+        parser.add_argument(f"--{option}", type=Path, default=place, metavar="DIRECTORY", help=told)
+    parser.directories = tuple(places)
     if cluster:
         parser.add_argument(
             "--cluster",
@@ -121,6 +147,7 @@ def experiment(
     table: Callable[[Numbers], str],
     seeds: int | Mapping[str, int],
     first_seed: int = 0,
+    fewest: int = 1,
     play: Play = play,
     then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
     draw: Callable[[Numbers], Figure | None] | None = None,
@@ -143,6 +170,8 @@ def experiment(
         Runs of each kind, if ``--seeds`` does not say another number; two with ``--quick``.
     first_seed : int, optional
         The seed of the first run of each kind.
+    fewest : int, optional
+        Seeds that the measures need: two if a run meets teams of other seeds.
     play : callable, optional
         Plays a run of races that are the script's own: of whatever `kinds` and `then` return.
     then : callable, optional
@@ -150,24 +179,19 @@ def experiment(
     draw : callable, optional
         Numbers -> the one figure of what they say, which goes to ``figure.png``, or None.
     """
-    name = Path(sys.argv[0]).stem
-    quick_help = "a small world and two seeds, some seconds"
-    parser = script_parser(doc, quick=quick_help, cluster=True)
+    told = "a small world and two seeds, some seconds"
+    parser = script_parser(doc, quick=told, runs=True, cluster=True)
     parser.add_argument("--kinds", nargs="+", metavar="KIND", help="beginnings of names")
     parser.add_argument("--seeds", type=int, help="runs of each kind")
-    parser.add_argument("--runs", type=Path, default=Path("runs", name), help="their directory")
-    parser.add_argument("--results", type=Path, default=Path(name), help="where they go")
     parser.add_argument("--threads", type=int, help="for training; default: one for each core")
     args = parser.parse_args()
-    if args.seeds is not None and args.seeds < 1:
-        parser.error(f"argument --seeds: expected at least 1, got {args.seeds}")
+    if args.seeds is not None and args.seeds < fewest:
+        parser.error(f"argument --seeds: expected at least {fewest}, got {args.seeds}")
     planned = {}
     for kind, settings in _chosen(parser, kinds(args.quick), args.kinds).items():
         usual = seeds if isinstance(seeds, int) else seeds[kind]
         count = args.seeds or (2 if args.quick else usual)
         planned[kind] = [replace(settings, seed=first_seed + run) for run in range(count)]
-    # Quick runs and full ones have directories of their own.
-    root, results = (each / "quick" if args.quick else each for each in (args.runs, args.results))
 
     def finished(planned: Mapping[str, list[Any]]) -> dict[str, list[SavedRun]]:
         # Seed by seed, so that what is finished at any time is a fair sample of the kinds.
@@ -177,7 +201,7 @@ def experiment(
             for kind, of_kind in planned.items()
             if run < len(of_kind)
         }
-        runs = finish_all(settings, root, play=play, threads=args.threads, where=args.cluster)
+        runs = finish_all(settings, args.runs, play=play, threads=args.threads, where=args.cluster)
         return {
             kind: [runs[f"{slug(kind)}/{first_seed + run}"] for run in range(len(of_kind))]
             for kind, of_kind in planned.items()
@@ -187,9 +211,9 @@ def experiment(
     runs = finished(planned)
     if then is not None:
         runs |= finished(then(runs, args.quick))
-    write(results, measure(runs, args.quick), table)
-    if draw and (figure := draw(dict(np.load(results / "numbers.npz")))):
-        save_figure(figure, results / "figure.png")
+    write(args.results, measure(runs, args.quick), table)
+    if draw and (figure := draw(dict(np.load(args.results / "numbers.npz")))):
+        save_figure(figure, args.results / "figure.png")
 
 
 def by_seed(runs: Runs, measure: Measure) -> dict[str, Any]:

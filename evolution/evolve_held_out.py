@@ -136,7 +136,6 @@ def main() -> None:
     parser = script_parser(__doc__, quick="a few epochs of two variants", cluster=True)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--processes", type=int, default=1)
-    parser.add_argument("--output", type=Path, default=Path("held_out.npz"))
     parser.add_argument("--table", type=Path, metavar="FILE", help="print this file's table only")
     args = parser.parse_args()
     variants = ["O", "SB"] if args.quick else list(mw.VARIANTS)
@@ -152,8 +151,10 @@ def main() -> None:
             for variant, evolved in zip(variants, pool.map(teach, variants), strict=True):
                 genomes |= evolved
                 print(f"{variant} done", flush=True)
-        save_arrays(args.output, genomes)
-        print(f"Written: {args.output}, {args.output.stat().st_size:,} bytes")
+        args.results.mkdir(parents=True, exist_ok=True)
+        file = args.results / "held_out.npz"
+        save_arrays(file, genomes)
+        print(f"Written: {file}, {file.stat().st_size:,} bytes")
 
 
 if __name__ == "__main__":

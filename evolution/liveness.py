@@ -142,7 +142,6 @@ def main() -> None:
     """Play all; print and write the tables."""
     parser = script_parser(__doc__, quick="two episodes of each")
     parser.add_argument("--learned", type=Path, help="a directory of runs: their last pursuers")
-    parser.add_argument("--results", type=Path, default=Path("liveness"))
     args = parser.parse_args()
     pursuers: dict[str, Sequence[TeamPolicy]] = {name: [name] for name in SCRIPTS}
     if args.learned is not None:

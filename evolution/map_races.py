@@ -236,4 +236,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, play=play, measure=measured, table=table, seeds=10)
+    experiment(__doc__, kinds=kinds, play=play, measure=measured, table=table, seeds=10, fewest=2)

@@ -19,7 +19,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from functools import cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -186,7 +185,6 @@ def table(rows: list[dict[str, Any]]) -> str:
 def main() -> None:
     """Solve all worlds; print and write them."""
     parser = script_parser(__doc__, quick="two small worlds")
-    parser.add_argument("--results", type=Path, default=Path("mask_price"))
     args = parser.parse_args()
     names = ["O", "SB"] if args.quick else [*VARIANTS]
     worlds = [World(n, *size) for n in names for size in SIZES[VARIANTS[n].capture]]

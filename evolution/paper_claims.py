@@ -561,4 +561,5 @@ if __name__ == "__main__":
         measure=measured,
         table=tables,
         seeds=seeds,
+        fewest=2,
     )

@@ -36,11 +36,9 @@ Worlds are the units of all tests and intervals (Student's t).
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Mapping
 from functools import partial
 from itertools import combinations
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -344,21 +342,19 @@ def play_worlds(
 
     `measure` takes the name of a world and whether ``--quick`` is given. Numbers are kept by world.
     """
-    parser = common.script_parser(doc, quick="four worlds and few generations, some seconds")
-    name = Path(sys.argv[0]).stem
+    told = "four worlds and few generations, some seconds"
+    parser = common.script_parser(doc, quick=told, runs=True)
     parser.add_argument("--worlds", type=int, default=len(WORLDS), help="how many, in their order")
-    parser.add_argument("--runs", type=Path, default=Path("runs", name))
-    parser.add_argument("--results", type=Path, default=Path(name))
     args = parser.parse_args()
-    quick = args.quick
-    runs, results = (each / "quick" if quick else each for each in (args.runs, args.results))
-    worlds = WORLDS[: QUICK_WORLDS if quick else None][: args.worlds]
+    if args.worlds < 2:  # one of each kind
+        parser.error(f"argument --worlds: expected at least 2, got {args.worlds}")
+    worlds = WORLDS[: QUICK_WORLDS if args.quick else None][: args.worlds]
     kept = [
-        common.kept(runs / f"{place}.json", partial(measure, world, quick))
+        common.kept(args.runs / f"{place}.json", partial(measure, world, args.quick))
         for place, world in enumerate(tqdm(worlds, unit=" worlds", disable=None))
     ]
-    common.write(results, stacked(kept), table)
-    save_figure(draw(dict(np.load(results / "numbers.npz"))), results / "figure.png")
+    common.write(args.results, stacked(kept), table)
+    save_figure(draw(dict(np.load(args.results / "numbers.npz"))), args.results / "figure.png")
 
 
 if __name__ == "__main__":

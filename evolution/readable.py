@@ -104,7 +104,7 @@ def co_evolve(turns, generations, size):
 
 def main():
     """Evolve programs, and print those that do best in new matches, with their scores."""
-    parser = script_parser(__doc__, quick="few and short turns")
+    parser = script_parser(__doc__, quick="few and short turns", results=False)
     parser.add_argument("--seed", type=int, default=0)
     args = parser.parse_args()
     random.seed(args.seed)  # DEAP uses Python's global generator

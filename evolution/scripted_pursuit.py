@@ -294,7 +294,6 @@ def main() -> None:
     """Play all rows; print and write them."""
     parser = script_parser(__doc__, quick="the smallest levels, two episodes each")
     parser.add_argument("--learned", type=Path, help="a directory of runs: their last pursuers")
-    parser.add_argument("--results", type=Path, default=Path("scripted_pursuit"))
     args = parser.parse_args()
     kinds = list(KINDS)
     if args.learned is not None:

@@ -657,4 +657,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30, draw=figure)
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30, fewest=2, draw=figure)

@@ -408,7 +408,6 @@ def main() -> None:
     """Repeat all simulations, print and write the results."""
     parser = script_parser(__doc__, quick="20 repetitions of the small cases")
     parser.add_argument("--repetitions", type=int, help="data sets of each case")
-    parser.add_argument("--results", type=Path, default=Path("coverage"))
     args = parser.parse_args()
     repetitions = args.repetitions or (20 if args.quick else 400)
     every = list(simulations(args.quick))

@@ -162,7 +162,6 @@ def main() -> None:
     parser = script_parser(__doc__, quick="one seed of each kind", cluster=True)
     parser.add_argument("--seeds", type=int, help=f"of each synthetic kind; default {SEEDS}")
     parser.add_argument("--development", action="store_true", help="kinds for development only")
-    parser.add_argument("--results", type=Path, default=Path("judgement"))
     parser.add_argument("--processes", type=int, default=1)
     args = parser.parse_args()
     args.results.mkdir(parents=True, exist_ok=True)

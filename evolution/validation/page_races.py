@@ -1,7 +1,7 @@
 """Are the races of the page evolve.html those of Python? Mean scores over seeds, with their draws.
 
     python evolution/validation/page_races.py           50 seeds of each kind, some minutes
-    python evolution/validation/page_races.py --quick   3 seeds, seconds
+    python evolution/validation/page_races.py --quick   three seeds of shorter races, seconds
 
 The page differs from Python in nothing but its random numbers: given those of NumPy, its genomes
 are the same (tests/web/test_race.py). Here both draw their own. A race has three scores: its mean
@@ -36,6 +36,7 @@ from matrixworld.play.rollout import Matches, rollout
 PROGRAM = Path(__file__).parents[2] / "web" / "play_races.mjs"
 SEEDS, QUICK_SEEDS = 50, 3
 SHORT: Mapping[str, Any] = {"schedule.generations": 6, "evaluation_episodes": 4}
+QUICK: Mapping[str, Any] = {**SHORT, "schedule.generations": 2}
 KINDS = {
     "generalists, es": ("generalist-generalist", ES),
     "generalists, ga": ("generalist-generalist", GA),
@@ -105,11 +106,11 @@ def of_pages(races: Sequence[RaceSettings]) -> list[list[float]]:
     ]
 
 
-def play(seeds: int) -> dict[str, FloatArray]:
+def play(seeds: int, changes: Mapping[str, Any]) -> dict[str, FloatArray]:
     """Return the scores (seeds, 3) of both, by kind."""
     numbers: dict[str, FloatArray] = {}
     for kind, (schedule, learner) in KINDS.items():
-        race = race_of(schedule, learner).changed(SHORT)
+        race = race_of(schedule, learner).changed(changes)
         races = [race.changed({"seed": seed}) for seed in range(seeds)]
         numbers[f"{kind} / Python"] = np.array([of_python(each) for each in tqdm(races, kind)])
         numbers[f"{kind} / page"] = np.array(of_pages(races))
@@ -134,10 +135,10 @@ def table(numbers: Mapping[str, FloatArray]) -> str:
 
 def main() -> None:
     """Play the races and print the table."""
-    parser = script_parser(__doc__, quick=f"{QUICK_SEEDS} seeds")
-    parser.add_argument("--results", type=Path, default=Path("page_races"))
+    parser = script_parser(__doc__, quick=f"{QUICK_SEEDS} seeds of shorter races")
     args = parser.parse_args()
-    write(args.results, play(QUICK_SEEDS if args.quick else SEEDS), table)
+    played = play(QUICK_SEEDS, QUICK) if args.quick else play(SEEDS, SHORT)
+    write(args.results, played, table)
 
 
 if __name__ == "__main__":

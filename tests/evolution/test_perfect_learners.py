@@ -1,7 +1,6 @@
 """Races of tables: exact responses and NashConv beside a slow reading, and the script's words."""
 
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,7 +8,7 @@ import pytest
 import matrixworld as mw
 import perfect_learners
 import tabular
-from evolution_scripts import RESULTS, read, run_quickly
+from evolution_scripts import RESULTS
 from matrixworld.coevolution import TEAMS, Team
 from matrixworld.coevolution.types import other
 from matrixworld.solver import solve
@@ -120,10 +119,3 @@ def test_kept_numbers_begin_as_the_races_do() -> None:
     assert len(names) == 60
     for name in names:
         np.testing.assert_allclose(found[name], kept[name][place, :5], atol=1e-4)
-
-
-@pytest.mark.nightly
-def test_the_script_goes_on_where_it_stopped(tmp_path: Path) -> None:
-    printed = run_quickly("perfect_learners", tmp_path)
-    assert printed.startswith(read(tmp_path / "perfect_learners/quick/table.md"))
-    assert run_quickly("perfect_learners", tmp_path) == printed

@@ -1,36 +1,50 @@
 """The scripts in evolution/ run, go on where they stopped, and their numbers are correct."""
 
 import random
-import re
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import common
 import readable
-from evolution_scripts import SCRIPTS, read, run_quickly
+from evolution_scripts import RESULTS, SCRIPTS, read, run_quickly
 from tiny_race import tiny_race
 
-LIBRARIES = {"common", "paper_runs", "tabular"}
-NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
-WITH_TORCH = re.compile("actor_critic|convergence|paper_surrounding|safe_learning")
-ONCE = {"evolve_held_out", "scripted_pursuit"}
-"""Scripts that tell the time that they took, or keep no runs."""
+NAMES = sorted(
+    path.relative_to(SCRIPTS).with_suffix("").as_posix()
+    for path in SCRIPTS.rglob("*.py")
+    if 'if __name__ == "__main__"' in read(path)
+)
+ONCE = {
+    "evolve_held_out", "mask_price", "scripted_pursuit",
+    "validation/interval_coverage", "validation/page_races",
+}  # fmt: skip
+"""Scripts that tell the time that they took, or keep nothing that makes a second run shorter."""
+
+
+def stamps(place):
+    """Return when each file below a directory was written."""
+    return {path: path.stat().st_mtime_ns for path in place.rglob("*") if path.is_file()}
 
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", NAMES)
-def test_a_script_says_the_same_again_from_what_it_keeps(name, tmp_path):
-    if WITH_TORCH.match(name):
-        pytest.importorskip("torch")
+def test_a_quick_run_writes_elsewhere_and_says_the_same_again(name, tmp_path):
+    published = stamps(RESULTS)
     told = run_quickly(name, tmp_path)
+    written = stamps(tmp_path)
+    assert told
+    assert written or "Written" not in told
+    assert all("quick" in path.relative_to(tmp_path).parts for path in written)
     for file in tmp_path.rglob("table.md"):
         assert told.startswith(read(file))
-    runs = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("runs/**/payoff.npz")}
     if name not in ONCE:
         assert run_quickly(name, tmp_path) == told
-    assert runs == {path: path.stat().st_mtime_ns for path in runs}
+    runs = tmp_path.rglob("runs/**/payoff.npz")
+    assert all(path.stat().st_mtime_ns == written[path] for path in runs)
+    assert stamps(RESULTS) == published
 
 
 def kinds(quick):
@@ -93,6 +107,24 @@ def test_an_unknown_kind_is_refused(tmp_path, monkeypatch, capsys):
         played(monkeypatch, "--kinds", "race-3")
     assert "races-1-epochs, races-2-epochs, got race-3" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("options", "fewest"), [((), 1), (("--quick",), 2)])
+def test_too_few_seeds_are_refused(options, fewest, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit):
+        played(monkeypatch, "--seeds", str(fewest - 1), *options, fewest=fewest)
+    assert f"--seeds: expected at least {fewest}, got {fewest - 1}" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("options", "below"), [((), ""), (("--quick",), "quick")])
+def test_a_quick_run_has_directories_of_its_own(options, below, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["place/script.py"])
+    parser = common.script_parser("What?", quick="seconds", runs=True)
+    usual = parser.parse_args(options)
+    assert (usual.runs, usual.results) == (Path("runs/script", below), Path("script", below))
+    assert parser.parse_args([*options, "--results", "kept"]).results == Path("kept", below)
 
 
 def test_the_readable_example_evolves_programs_that_beat_untrained_ones():

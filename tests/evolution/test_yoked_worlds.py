@@ -1,14 +1,11 @@
 """Yoked races of tables: whom they meet, and what is said of the differences."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import matrixworld as mw
 import tabular
 import yoked_worlds
-from evolution_scripts import read, run_quickly
 from matrixworld.coevolution import TEAMS
 
 GAME = tabular.Game(
@@ -55,11 +52,3 @@ def test_words_on_differences() -> None:
     strengths = np.add.outer([0.1, 0.2, 0.4], [0.0, 0.3, 0.1])
     assert yoked_worlds.interaction(strengths) == pytest.approx(0.0, abs=1e-9)
     assert yoked_worlds.interaction(np.eye(2)) == pytest.approx(1.0)
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize("name", ["yoked_worlds", "yoked_variants"])
-def test_the_scripts_go_on_where_they_stopped(name: str, tmp_path: Path) -> None:
-    printed = run_quickly(name, tmp_path)
-    assert printed.startswith(read(tmp_path / name / "quick/table.md"))
-    assert run_quickly(name, tmp_path) == printed
