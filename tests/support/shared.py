@@ -1,12 +1,14 @@
 """For all folders of tests: options for slow ones, settings of random ones, a finished race."""
 
 import os
+from itertools import compress
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 from matrixworld.coevolution.jobs import create_job, job_of
 from matrixworld.coevolution.run import finish
+from slow import PARTS, part_of
 from tiny_race import LONG, MEMORY, SCHEDULES, played, tiny_race
 
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
@@ -27,10 +29,17 @@ settings.register_profile(
 def pytest_addoption(parser):
     parser.addoption("--slow", action="store_true", help="run the tests that are marked as slow")
     parser.addoption("--nightly", action="store_true", help="run all tests")
+    told = f"run a part of the nightly tests, 0 to {PARTS - 1}, and all others"
+    parser.addoption("--nightly-part", type=int, choices=range(PARTS), metavar="N", help=told)
 
 
 def pytest_collection_modifyitems(config, items):
-    nightly = config.getoption("--nightly", False)
+    part = config.getoption("--nightly-part", None)
+    if part is not None:
+        left_out = ["nightly" in item.keywords and part_of(item.nodeid) != part for item in items]
+        config.hook.pytest_deselected(items=[*compress(items, left_out)])
+        items[:] = [item for item, out in zip(items, left_out, strict=True) if not out]
+    nightly = part is not None or config.getoption("--nightly", False)
     run = {"nightly": nightly, "slow": nightly or config.getoption("--slow", False)}
     for item in items:
         for mark in run:

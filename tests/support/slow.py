@@ -1,6 +1,16 @@
-"""Cases of which a plain call of pytest tries some, and an option all."""
+"""Cases of which a plain call of pytest tries some, and an option all; parts of nightly tests."""
+
+from hashlib import sha256
 
 import pytest
+
+PARTS = 10
+"""Of the nightly tests; `.ci/run` plays one."""
+
+
+def part_of(name):
+    """Return the part that a test belongs to, by its name (pytest's node id), on every machine."""
+    return int(sha256(name.encode()).hexdigest(), 16) % PARTS
 
 
 def quickly(parameter, cases, is_quick, name=str, *, others=pytest.mark.nightly):
