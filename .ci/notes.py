@@ -1,7 +1,7 @@
 """Print the release notes: the changelog's section of the version that the sources name.
 
     python .ci/notes.py           whenever they are wanted
-    python .ci/notes.py v0.2.0    of a tag, which must be this version's; the section needs its date
+    python .ci/notes.py v0.3.0    of a tag, which must be this version's; the section needs its date
 
 Changelog, citation and recipe must name the same version.
 """

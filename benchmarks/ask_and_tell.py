@@ -24,7 +24,6 @@ from numpy.typing import ArrayLike, NDArray
 import matrixworld as mw
 from matrixworld.coevolution import (
     TEAMS,
-    Against,
     Cells,
     CmaEs,
     EvolutionStrategy,
@@ -37,7 +36,7 @@ from matrixworld.coevolution import (
     Team,
 )
 from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
-from matrixworld.coevolution.learners.learner import adam, adam_state
+from matrixworld.coevolution.learners.optimizers import Adam
 
 Genomes = NDArray[np.float32]
 Fitness = NDArray[np.float64]
@@ -113,19 +112,19 @@ def es(
 
 def default_es(game: Game) -> None:
     """Play the evolution strategy with the defaults of a team that learns alone."""
-    usual = RaceSettings(schedule=Against(team=game.team)).learner
-    epochs = max(1, game.matches // usual.population)
-    drive(game, RaceSettings(schedule=Against(team=game.team, epochs=epochs)).learner)
+    alone = RaceSettings.of({"schedule": "against", "schedule.team": game.team})
+    epochs = max(1, game.matches // alone.learner.population)
+    drive(game, alone.changed({"schedule.epochs": epochs}).learner)
 
 
 def unpaired_es(game: Game, *, population: int, sigma: float, rate: float) -> None:
     """Play the evolution strategy without mirrored pairs, with new noise, all in one world."""
     rng, genome = np.random.default_rng([game.seed, 1]), game.untrained(1)[0]
-    state = adam_state(genome.size)
+    adam = Adam.start(genome.size)
     while game.goes_on(genome):
         changes = sigma * rng.standard_normal((population, genome.size), dtype=np.float32)
         ranks = centred_ranks(game.fitness(genome + changes)).astype(np.float32)
-        step, state = adam(state, ranks @ changes / (population * sigma**2), rate)
+        step, adam = adam.step(ranks @ changes / (population * sigma**2), rate)
         genome = genome + step
 
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from course.figures import CROSSINGS, may_go
 from matrixworld._util.files import load_toml
-from matrixworld.coevolution.storage import open_runs
+from matrixworld.coevolution.saved_run import open_runs
 from matrixworld.explorer.evolve_page import evolve_data
 from matrixworld.explorer.page import render_page, write_page
 from matrixworld.explorer.playground import page_data

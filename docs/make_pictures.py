@@ -43,7 +43,7 @@ def draw_chase(run: SavedRun, file: Path) -> None:
     names = {0: "untrained", last: "evolved"}
     matches = {
         (pursuers, evaders): mw.record(
-            run.settings.world,
+            run.settings.game.world,
             run.policy("pursuer", pursuers),
             run.policy("evader", evaders),
             seed=SEED,

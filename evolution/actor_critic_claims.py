@@ -49,7 +49,7 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
 
 def measured(runs: Runs, quick: bool) -> Numbers:
     """Return captures of the races, and the cross-play of all candidates."""
-    evaders = runs[GENERALISTS][0].settings.world.n_evaders
+    evaders = runs[GENERALISTS][0].settings.game.world.n_evaders
     return {"evaders": evaders, **captured(runs, quick), **generalization(runs, quick)}
 
 

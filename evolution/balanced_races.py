@@ -46,7 +46,8 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     for world in WORLDS:
         for schedule in SCHEDULES:
             usual = default_race(schedule)
-            short = {**QUICK, **{path: 1 for path in usual if path.endswith("epochs")}}
+            epochs = [path for path in RaceSettings.of(usual).values() if path.endswith("epochs")]
+            short = {**QUICK, **dict.fromkeys(epochs, 1)}
             found[f"{world}; {schedule}"] = RaceSettings.of(
                 usual, {"world": world, **(short if quick else {})}
             )

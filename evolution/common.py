@@ -26,7 +26,7 @@ from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create, finish, tournament
-from matrixworld.coevolution.pursuit import OVERLAP_PENALTY, Pursuit
+from matrixworld.coevolution.games.pursuit import OVERLAP_PENALTY, Pursuit
 from matrixworld.plots import save_figure
 from matrixworld.solver import Solution, best_response, solve
 
@@ -121,22 +121,22 @@ def play(settings: RaceSettings, directory: Path, *, threads: int | None = None)
     return finish(directory, threads=threads)
 
 
-class PenaltyOfRaces(Run):
-    """A run in which evaders that share cells lose as much as in races, if they learn alone."""
-
-    def __init__(self, directory: str | Path, **options: Any) -> None:
-        super().__init__(directory, **options)
-        game = self.settings.training_game
-        assert isinstance(game, Pursuit)
-        self.game = replace(game, penalty=min(game.penalty, OVERLAP_PENALTY))
+def finish_with_penalty_of_races(directory: str | Path, *, threads: int | None = None) -> SavedRun:
+    """Play what is left of a run; evaders alone that share cells lose as much as in races."""
+    run = Run(directory, threads=threads)
+    game = run.training.game
+    assert isinstance(game, Pursuit)
+    run.training.game = replace(game, penalty=min(game.penalty, OVERLAP_PENALTY))
+    run.run()
+    return SavedRun(directory)
 
 
 def play_with_penalty_of_races(
     settings: RaceSettings, directory: Path, *, threads: int | None = None
 ) -> SavedRun:
-    """Play what is left of a run with `PenaltyOfRaces`."""
+    """Begin a run and play it with the penalty of races."""
     create(settings, directory)
-    return PenaltyOfRaces(directory, threads=threads).run()
+    return finish_with_penalty_of_races(directory, threads=threads)
 
 
 def experiment(
@@ -355,7 +355,7 @@ def solved(world: mw.WorldConfig) -> Solution:
 
 def guaranteed(run: SavedRun, team: Team) -> NDArray[np.float64]:
     """Return the capture rate of each generation of a team against its best response, exactly."""
-    states, policy = solved(run.settings.world).states, run.teams[team]
+    states, policy = solved(run.settings.game.world).states, run.teams[team]
     champions = (mw.Population(genome[None], policy.policy) for genome in policy.genomes)
     return np.array([best_response(states, each, team).value for each in champions])
 

@@ -122,7 +122,7 @@ def mixtures(matrix: NDArray[np.float64], k: int) -> list[NDArray[np.float64]]:
 
 def shortfalls(run: SavedRun) -> dict[Team, NDArray[np.float64]]:
     """Return by how much what each generation of a team guarantees falls short of the value."""
-    value = common.solved(run.settings.world).value
+    value = common.solved(run.settings.game.world).value
     return {
         "pursuer": value - common.guaranteed(run, "pursuer"),
         "evader": common.guaranteed(run, "evader") - value,
@@ -134,7 +134,7 @@ def measured(runs: common.Runs, quick: bool) -> dict[str, Any]:
 
     A file beside a run keeps its numbers for the next call.
     """
-    world = next(iter(runs.values()))[0].settings.world
+    world = next(iter(runs.values()))[0].settings.game.world
     return {
         **common.by_seed(
             runs, lambda run: common.kept(run.path.with_suffix(".json"), partial(numbers_of, run))

@@ -28,11 +28,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import matrixworld as mw
-from common import PenaltyOfRaces, executor_of, markdown, script_parser
+from common import executor_of, finish_with_penalty_of_races, markdown, script_parser
 from matrixworld import coevolution
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import RaceSettings, Team, create
-from matrixworld.coevolution.evaluation.scores import NETWORK, held_out_scripts
+from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_scripts
 from matrixworld.coevolution.types import other
 
 LEARNER = {"learner.population": 32, "learner.learning_rate": 0.03, "learner.sigma": 0.15}
@@ -84,7 +84,7 @@ def evolve(
     # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:
         create(settings, f"{directory}/run", start=start)
-        run = PenaltyOfRaces(f"{directory}/run", threads=1).run()
+        run = finish_with_penalty_of_races(f"{directory}/run", threads=1)
         # Rounded already here: the next lesson starts from the genome that the file will hold.
         return run.teams[team].genomes[-1].astype(np.float16).astype(np.float32)
 

@@ -109,7 +109,10 @@ def last(run: SavedRun, team: Team, budget: int) -> mw.Population:
 def ranks(run: SavedRun, quick: bool) -> dict[str, float]:
     """Return the rank correlation of each estimate with exact regret, by team."""
     settings, rng = run.settings, np.random.default_rng(run.settings.seed)
-    shape, agents = (settings.world.rows, settings.world.cols), settings.world.n_agents
+    shape, agents = (
+        (settings.game.world.rows, settings.game.world.cols),
+        settings.game.world.n_agents,
+    )
     maps = np.array([random_map(shape, WALLS, agents, rng) for _ in range(RANKED[quick])])
     champions = {team: run.last(team) for team in TEAMS}
     matches = mw.Matches.of(0, 0, rng.integers(2**62, size=MATCHES))
@@ -135,7 +138,7 @@ def wins(
     run: SavedRun, team: Team, own: mw.Population, others: mw.Population, quick: bool
 ) -> float:
     """Return how often a team captures, or escapes, on held-out maps."""
-    world, rates = run.settings.world, []
+    world, rates = run.settings.game.world, []
     matches = len(others.genomes)
     teams = (own, others) if team == "pursuer" else (others, own)
     met = (0, np.arange(matches)) if team == "pursuer" else (np.arange(matches), 0)
@@ -158,7 +161,7 @@ def held_out(runs: Runs, quick: bool) -> dict[str, Any]:
     plain = next(of_kind for name, of_kind in runs.items() if name.endswith(NONE))
 
     def numbers_of(run: SavedRun) -> dict[str, Any]:
-        world, found = run.settings.world, {}
+        world, found = run.settings.game.world, {}
         own = {team: last(run, team, budget) for team in TEAMS}
         if world.rows <= SIDE:
             maps = held_out_maps(world.rows, world.cols, HELD_OUT[quick])

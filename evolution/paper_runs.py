@@ -15,8 +15,8 @@ from common import (
     FIRST_TEST_SEED,
     SAME_STEPS,
     SMALL_STEPS,
-    PenaltyOfRaces,
     Runs,
+    finish_with_penalty_of_races,
     long_race,
     pairs,
     scores_against,
@@ -86,7 +86,7 @@ def kinds(quick: bool) -> dict[str, coevolution.RaceSettings]:
         **{name: race.changed({"schedule": name}) for name in RACES},
         PURSUERS_ALONE: alone(race, "pursuer"),
         EVADERS_ALONE: evaders,
-        **{name: surround.changed({"fitness.measure": aim}) for aim, name in SURROUNDING.items()},
+        **{name: surround.changed({"learner.measure": aim}) for aim, name in SURROUNDING.items()},
         **{
             name: race.changed({"schedule": each, "schedule.generations": GENERATIONS[quick]})
             for each, name in LONG.items()
@@ -114,7 +114,7 @@ def teach(runs: Runs) -> list[coevolution.SavedRun]:
             settings = begun.settings.changed({"schedule.epochs": half})
             genome = begun.teams["evader"].genomes[1]
             coevolution.create(settings, directory, opponents=rival.last("pursuer"), start=genome)
-        found.append(PenaltyOfRaces(directory).run())
+        found.append(finish_with_penalty_of_races(directory))
     return found
 
 
@@ -134,7 +134,7 @@ def cross_play(team: coevolution.Team, runs: Runs, quick: bool) -> np.ndarray:
     # One population of all candidates and one of all opponents: a single tournament.
     opponents = np.concatenate([each.genomes[:: EVERY[quick]] for each in rivals])
     met = mw.Population(opponents, rivals[0].policy)
-    world, seeds = runs[RACES[0]][0].settings.world, len(runs[RACES[0]])
+    world, seeds = runs[RACES[0]][0].settings.game.world, len(runs[RACES[0]])
     own, episodes = last_of(team, runs), EPISODES[quick]
     payoff = scores_against(world, team, own, met, seed=0, episodes=episodes)
     return payoff.reshape(len(CANDIDATES[team]), seeds, len(RACES), seeds, -1)
@@ -152,7 +152,7 @@ def captured(runs: Runs, quick: bool) -> Numbers:
     for name in (*RACES, FEW_EPOCHS):
         if name in runs:
             rates = np.stack([run.payoff().scores for run in runs[name]])
-            captured = np.rint(rates * runs[name][0].settings.world.n_evaders)
+            captured = np.rint(rates * runs[name][0].settings.game.world.n_evaders)
             numbers[f"captured {name}"] = captured.astype(np.uint8)
     return numbers
 
@@ -173,7 +173,7 @@ def generalization(runs: Runs, quick: bool) -> Numbers:
     for team, kinds in CANDIDATES.items():
         # float32 halves the file and keeps far more digits than ten episodes give.
         numbers[f"cross-play of {team}s"] = cross_play(team, runs, quick).astype("f4")
-        own, world = last_of(team, runs), runs[EVADERS_ALONE][0].settings.world
+        own, world = last_of(team, runs), runs[EVADERS_ALONE][0].settings.game.world
         scores = coevolution.score_policy(own, team, world, episodes=10 * EPISODES[quick])
         numbers[f"held-out of {team}s"] = scores.means.reshape(len(kinds), -1).astype("f4")
     return numbers
@@ -192,7 +192,7 @@ def _surrounding(runs: Runs, quick: bool) -> Numbers:
             pursuers = run.teams["pursuer"]
             each = np.arange(len(pursuers.genomes))
             matches = mw.Matches.of(each, 0, each)
-            scores = mw.rollout(run.settings.world, pursuers, "random", matches, episodes=100)
+            scores = mw.rollout(run.settings.game.world, pursuers, "random", matches, episodes=100)
             captured.append(scores.capture_rate.mean(axis=1))
             steps = scores.agent_steps[:, :, 0].sum(axis=1)
             collisions.append(1000 * scores.collisions[:, :, 0, 1].sum(axis=1) / steps)
@@ -206,7 +206,7 @@ def _tenths(runs: Runs, quick: bool) -> Numbers:
 
     Opponents are the pursuers of the training, which move at random, and held-out ones.
     """
-    world, episodes = runs[IN_TENTHS][0].settings.world, 10 * EPISODES[quick]
+    world, episodes = runs[IN_TENTHS][0].settings.game.world, 10 * EPISODES[quick]
     found: dict[str, list[np.ndarray]] = {"random": [], "held-out": []}
     for run in runs[IN_TENTHS]:
         evaders = run.teams["evader"]
@@ -230,7 +230,7 @@ def _safety(runs: Runs, quick: bool) -> Numbers:
     for name in SURROUNDING.values():
         rewards, colliding, faults = [], [], []
         for run in runs[name]:
-            world, log, teams = run.settings.world, run.log(), run.teams["pursuer"]
+            world, log, teams = run.settings.game.world, run.log(), run.teams["pursuer"]
             ends = mw.Matches.of([0, len(teams.genomes) - 1], 0, FIRST_TEST_SEED)
             tested = mw.rollout(world, teams, "random", ends, episodes=100)
             rewards.append(tested.pursuer_return.mean(axis=1))
@@ -259,7 +259,7 @@ MEASURED: tuple[tuple[tuple[str, ...], Callable[[Runs, bool], Numbers]], ...] = 
 
 def measured(runs: Runs, quick: bool) -> Numbers:
     """Return the numbers of the kinds that have been played, and ``evaders``, those of a race."""
-    evaders = kinds(quick)[GENERALISTS].world.n_evaders
+    evaders = kinds(quick)[GENERALISTS].game.world.n_evaders
     numbers: Numbers = {"evaders": np.array(evaders)}
     for needed, measure in MEASURED:
         if all(kind in runs for kind in needed):

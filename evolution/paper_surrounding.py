@@ -85,7 +85,7 @@ def of_run(run: SavedRun) -> Numbers:
     last generation in new episodes ``last captured``, ``last length`` and, in all of them, ``last
     fault`` (kinds) and ``last agent-steps``.
     """
-    log, own, world = run.log(), run.teams["pursuer"], run.settings.world
+    log, own, world = run.log(), run.teams["pursuer"], run.settings.game.world
 
     def play(generations: Any, episodes: int, seed: int) -> mw.EpisodeStatistics:
         matches = mw.Matches.of(generations, 0, seed)

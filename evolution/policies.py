@@ -43,8 +43,8 @@ from numpy.typing import ArrayLike
 import matrixworld as mw
 from common import SMALL_RACE, Numbers, Runs, by_seed, experiment, kept, markdown, mean, solved
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, create, finish
-from matrixworld.coevolution.evaluation.scores import held_out_scripts
-from matrixworld.coevolution.pursuit import Pursuit
+from matrixworld.coevolution.evaluation.held_out import held_out_scripts
+from matrixworld.coevolution.games.pursuit import Pursuit
 from matrixworld.solver import best_response
 from matrixworld.world.policy import CAREFUL, SCRIPTS
 
@@ -133,7 +133,10 @@ def race(settings: RaceSettings, directory: Path) -> dict[str, Any]:
     run = finish(directory, threads=1)
     seconds, last = process_time() - begun, {team: run.last(team) for team in TEAMS}
     return {
-        **{t: result(settings.world, t, last[t], episodes_of(is_quick(settings))) for t in TEAMS},
+        **{
+            t: result(settings.game.world, t, last[t], episodes_of(is_quick(settings)))
+            for t in TEAMS
+        },
         "seconds": seconds,
         "matches": run.log()["matches"][-1].item(),
         "genes": np.mean([genes(each) for each in last.values()]).item(),
@@ -184,7 +187,10 @@ def random_programs(settings: RaceSettings) -> dict[str, Any]:
     seconds = process_time() - begun
     best = {team: mw.Population(teams[team][0], game.policy) for team in TEAMS}
     return {
-        **{t: result(settings.world, t, best[t], episodes_of(is_quick(settings))) for t in TEAMS},
+        **{
+            t: result(settings.game.world, t, best[t], episodes_of(is_quick(settings)))
+            for t in TEAMS
+        },
         "seconds": seconds,
         "matches": matches,
         "genes": np.mean([genes(each) for each in best.values()]).item(),
@@ -201,7 +207,7 @@ def play(settings: RaceSettings, directory: Path, *, threads: int | None = None)
 
 def is_program(settings: RaceSettings) -> bool:
     """Return whether the policies of a race are programs."""
-    return settings.policy.kind == PROGRAM
+    return settings.game.policy.kind == PROGRAM
 
 
 def numbers_of(settings: RaceSettings, directory: Path) -> dict[str, Any]:
@@ -240,7 +246,7 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
             continue
         control = {f"{place}: {CONTROL}": of_kind}
         numbers |= by_seed(control, lambda run: control_of(run.settings, run.path))
-        world = first.settings.world
+        world = first.settings.game.world
         file = first.path.parent.with_suffix(".scripts.json")
         scripts = kept(file, partial(script_results, world, episodes_of(quick)))
         for team, results in scripts.items():

@@ -58,7 +58,7 @@ class Method(NamedTuple):
     seeds: int = SEEDS
 
 
-LEARNER_LIMIT, FITNESS_LIMIT, MASK = "learner.cost_limit", "fitness.cost_limit", "policy.mask"
+COST_LIMIT, MASK = "learner.cost_limit", "policy.mask"
 
 
 def _penalty(size: float) -> Changes:
@@ -71,17 +71,17 @@ FREE: Changes = _penalty(0.0)
 GRADIENTS: dict[str, Method] = {
     "no penalty": Method(FREE),
     "penalty 12, as in the paper": Method({}, FEW_SEEDS),
-    "limit, by a multiplier": Method({**FREE, LEARNER_LIMIT: LIMIT}, FEW_SEEDS),
+    "limit, by a multiplier": Method({**FREE, COST_LIMIT: LIMIT}, FEW_SEEDS),
     "mask of obstacles": Method({**FREE, MASK: "obstacles"}),
     "right of way": Method({**FREE, MASK: "right-of-way"}),
 }
 EVOLUTION: dict[str, Method] = {
     "captures": Method({}),
-    "rewards with penalty 1": Method({"fitness.measure": "rewards", **_penalty(1.0)}, FEW_SEEDS),
-    "captures within a limit": Method({FITNESS_LIMIT: LIMIT}, FEW_SEEDS),
+    "rewards with penalty 1": Method({"learner.measure": "rewards", **_penalty(1.0)}, FEW_SEEDS),
+    "captures within a limit": Method({COST_LIMIT: LIMIT}, FEW_SEEDS),
     "captures, right of way": Method({MASK: "right-of-way"}),
     "rewards, right of way, 16 times the matches": Method({
-        MASK: "right-of-way", "fitness.measure": "rewards", "learner.population": 128,
+        MASK: "right-of-way", "learner.measure": "rewards", "learner.population": 128,
         "match_episodes": 4, "learner.sigma": 0.3, "learner.learning_rate": 0.1,
     }, FEW_SEEDS),
 }  # fmt: skip
@@ -170,7 +170,7 @@ def budget(quick: bool) -> int:
     """Return the steps of all pursuers in a training by gradients, if no episode ends early."""
     one = base_of("gradients", quick)
     epochs = one.schedule.total_epochs("pursuer")
-    return epochs * one.learner.population * one.train_steps * one.world.n_pursuers
+    return epochs * one.learner.population * one.game.train_steps * one.game.world.n_pursuers
 
 
 def of_run(run: SavedRun, quick: bool) -> dict[str, NDArray[Any]]:
@@ -183,7 +183,7 @@ def of_run(run: SavedRun, quick: bool) -> dict[str, NDArray[Any]]:
     settings, log = run.settings, run.log()
     schedule: Any = settings.schedule
     # Here no agent disappears: each world step is one step of all pursuers.
-    steps = settings.world.n_pursuers * np.concatenate([[0], log["steps"]])
+    steps = settings.game.world.n_pursuers * np.concatenate([[0], log["steps"]])
     episodes_played = settings.learner.population * settings.match_episodes
     collisions = np.concatenate([[0.0], np.cumsum(log["pursuer_faults"]) * episodes_played])
     ends = np.minimum(
@@ -204,7 +204,9 @@ def tested(run: SavedRun, episodes: int) -> tuple[NDArray[Any], NDArray[Any], ND
     settings, own = run.settings, run.teams["pursuer"]
     generations = np.arange(len(own.genomes))
     matches = mw.Matches.of(generations, 0, FIRST_TEST_SEED)
-    played = mw.rollout(settings.world, own, settings.schedule.opponent, matches, episodes=episodes)
+    played = mw.rollout(
+        settings.game.world, own, settings.schedule.opponent, matches, episodes=episodes
+    )
     steps = played.agent_steps[:, :, 0].sum(axis=1, keepdims=True)
     faults = 1000 * played.faults[:, :, 0].sum(axis=1) / steps
     return played.capture_rate.mean(axis=1), played.length.mean(axis=1), faults
@@ -220,7 +222,9 @@ def long_test(run: SavedRun, agent_steps: float) -> tuple[int, int]:
         seed += 1
         match = mw.Matches.of(len(own.genomes) - 1, 0, seed)
         settings = run.settings
-        played = mw.rollout(settings.world, own, settings.schedule.opponent, match, episodes=1000)
+        played = mw.rollout(
+            settings.game.world, own, settings.schedule.opponent, match, episodes=1000
+        )
         steps += int(played.agent_steps[..., 0].sum())
         faults += int(played.faults[:, :, 0].sum())
     return steps, faults

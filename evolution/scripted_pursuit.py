@@ -33,7 +33,7 @@ from tqdm import tqdm
 import matrixworld as mw
 from common import markdown, mean, script_parser, write_json
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.storage import find_runs
+from matrixworld.coevolution.runs.places import find_runs
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.policy import TeamPolicy
 

@@ -24,8 +24,9 @@ interval lies within .05, the margin of the judgement.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -55,11 +56,12 @@ from matrixworld.coevolution import (
     Run,
     SavedRun,
     Team,
+    Training,
     create,
     evolve,
     tournament,
 )
-from matrixworld.coevolution.types import other
+from matrixworld.coevolution.types import Genomes, other
 from matrixworld.solver import best_response, expected_payoff
 
 RACE, YOKED = "race", "yoked race"
@@ -111,33 +113,40 @@ NAMES = {
 }
 
 
-class YokedRace(Run):
-    """A race in turns whose opponents are replayed from the finished race of another seed.
+class YokedTraining(Training):
+    """A race in turns whose opponents are `replayed` from the archive of another one.
 
     ::
 
         P, E the archives of the other race; all else as in `InTurns`
         p[k] = p[k-1], improved for some epochs against evaders that its sampler chooses in E
         e[k] = e[k-1], improved for some epochs against pursuers that its sampler chooses in P
-
-    The settings are those of the other race, but for the seed.
     """
 
-    def __init__(
-        self, settings: RaceSettings, directory: str | Path, replayed: SavedRun, **options: Any
-    ) -> None:
-        expected = replayed.settings.changed({"seed": settings.seed})
-        if not replayed.finished or settings != expected or settings == replayed.settings:
-            told = "expected a finished race of these settings with another seed"
-            raise ValueError(f"{replayed.path}: {told}")
-        self.replayed = replayed.archive()
-        create(settings, directory)
-        super().__init__(directory, **options)
+    def __init__(self, *args: Any, replayed: Mapping[str, Genomes], **options: Any) -> None:
+        super().__init__(*args, **options)
+        self.replayed = replayed
 
     def opponents(self, team: Team) -> mw.Population:
         """Return as many generations of the other race as this one has itself."""
-        replayed, own = self.replayed[other(team)], self.archive[other(team)]
-        return self.population(other(team), replayed[: len(own)])
+        rival = other(team)
+        return self.population(rival, self.replayed[rival][: len(self.archive[rival])])
+
+
+def begun(
+    settings: RaceSettings, directory: str | Path, replayed: SavedRun, *, threads: int | None = None
+) -> Run:
+    """Return a race before it goes on whose opponents are those of a finished race.
+
+    The settings are those of the other race, but for the seed.
+    """
+    expected = replace(replayed.settings, seed=settings.seed)
+    if not replayed.finished or settings != expected or settings == replayed.settings:
+        why = "expected a finished race of these settings with another seed"
+        raise ValueError(f"{replayed.path}: {why}")
+    create(settings, directory)
+    training = partial(YokedTraining, replayed=replayed.archive())
+    return Run(directory, threads=threads, training=training)
 
 
 @dataclass(frozen=True)
@@ -152,7 +161,8 @@ def play(planned: RaceSettings | Yoked, directory: Path, *, threads: int) -> Sav
     """Play what is left of a race, or of a yoked one."""
     if isinstance(planned, RaceSettings):
         return evolve(planned, directory, threads=threads)
-    return YokedRace(planned.settings, directory, SavedRun(planned.race), threads=threads).run()
+    begun(planned.settings, directory, SavedRun(planned.race), threads=threads).run()
+    return SavedRun(directory)
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
@@ -208,7 +218,7 @@ def gain_against_met(team: Team, run: SavedRun, met: SavedRun) -> float:
     """Return a team's gain against the other team of the race that it met in training."""
     settings, teams = run.settings, {team: run.teams[team], other(team): met.teams[other(team)]}
     sides, episodes = (teams["pursuer"], teams["evader"]), settings.evaluation_episodes
-    payoff = tournament(settings.world, *sides, seed=settings.seed, episodes=episodes)
+    payoff = tournament(settings.game.world, *sides, seed=settings.seed, episodes=episodes)
     return gain(payoff.scores, team)
 
 
@@ -229,7 +239,7 @@ def against_common(team: Team, seed: int, run: SavedRun, races: Sequence[SavedRu
     own = run.teams[team]
     chosen = np.concatenate([own.genomes[:1], own.genomes[late(run, team)]])
     teams = (mw.Population(each, own.policy) for each in (chosen, np.concatenate(pools)))
-    scores = scores_against(run.settings.world, team, *teams, seed=seed, episodes=EPISODES)
+    scores = scores_against(run.settings.game.world, team, *teams, seed=seed, episodes=EPISODES)
     first, *last = scores.mean(axis=1)
     return float(np.mean(last) - first)
 
@@ -239,7 +249,7 @@ def exact_rises(team: Team, run: SavedRun) -> NDArray[np.float64]:
 
     Against perfect play, and against the best response to each generation: what it guarantees.
     """
-    solution, policy = solved(run.settings.world), run.teams[team]
+    solution, policy = solved(run.settings.game.world), run.teams[team]
     rates = []
     for genome in [policy.genomes[0], *policy.genomes[late(run, team)]]:
         champion = mw.Population(genome[np.newaxis], policy.policy)

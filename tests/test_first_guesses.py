@@ -43,7 +43,10 @@ GUESSES = [
     (lambda run: mw.make_vec("SB", n_envs=64), "did you mean num_envs?"),
     (lambda run: run.payoff_matrix, "did you mean run.payoff()?"),
     (lambda run: run.resume(generations=25), "did you mean run.extend(generations="),
-    (lambda run: mw.make(run.settings.world, opponent=run.best("evader")), "team: expected one of"),
+    (
+        lambda run: mw.make(run.settings.game.world, opponent=run.best("evader")),
+        "team: expected one of",
+    ),
     (lambda run: mw.plot, "mw.plots.payoff_heatmap(run.payoff()) or mw.plots.ciao_triangles(run.p"),
     (lambda run: mw.evaluate, "mw.score_policy(policy,"),
     (lambda run: mw.evolve("O", "a", learner=Climber), LEARNER),
@@ -102,7 +105,7 @@ def test_a_function_of_one_agent_is_scored():
 
 
 def test_environments_play_the_best_of_a_run(run):
-    world, best = run.settings.world, run.best("evader")
+    world, best = run.settings.game.world, run.best("evader")
     env = mw.make(world, team="pursuer", opponent=best)
     assert env.possible_agents == [f"pursuer_{i}" for i in range(world.n_pursuers)]
     assert mw.make_vec(world, 2, team="pursuer", opponent=best).agents == range(world.n_pursuers)

@@ -29,7 +29,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from matrixworld.coevolution.types import TEAMS, FloatArray, State, Team
+from matrixworld.coevolution.states import State
+from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.solver import States, best_response, solve
 from matrixworld.world.config import WorldConfig

@@ -188,7 +188,7 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
         "deviation": [deviation_ratings(own).tolist() for own in sides],
         "condorcet": [soft_condorcet(own).tolist() for own in sides],
         "held_out": [held_out[team].rates.mean(axis=(1, 2)).tolist() for team in TEAMS],
-        "value": solved(run.settings.world).value,
+        "value": solved(run.settings.game.world).value,
     }
 
 
@@ -277,7 +277,7 @@ def soft_condorcet(scores: FloatArray) -> FloatArray:
 
 def against_others(runs: Runs, kind: str, run: SavedRun) -> list[FloatArray]:
     """Return the scores of each generation of a race against champions of all other seeds."""
-    world, seed, place = run.settings.world, run.settings.seed, kind.split(", ")[0]
+    world, seed, place = run.settings.game.world, run.settings.seed, kind.split(", ")[0]
     of_world = [each for name, each in runs.items() if name.startswith(f"{place}, ")]
     strangers = [
         each

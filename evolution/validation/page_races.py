@@ -64,7 +64,9 @@ def against_scripts(run: SavedRun, team: Team) -> float:
         sides = (team_policy, script) if team == "pursuer" else (script, team_policy)
         places = (own, other) if team == "pursuer" else (other, own)
         matches = Matches.of(*places, np.full(count, seed, np.uint64))
-        scores = rollout(run.settings.world, *sides, matches, episodes=FIXED_EPISODES, threads=1)
+        scores = rollout(
+            run.settings.game.world, *sides, matches, episodes=FIXED_EPISODES, threads=1
+        )
         rates.append(float(scores.capture_rate.mean(dtype=np.float64)))
     rate = float(np.mean(rates))
     return rate if team == "pursuer" else 1.0 - rate
@@ -90,7 +92,7 @@ def node() -> str:
 
 def races_in_node(races: Sequence[RaceSettings]) -> list[dict[str, Any]]:
     """Play races as the page does; returns seconds, counts, and scores of each."""
-    jobs = [{"settings": race.to_json(), "masks": masks_of(race.world)} for race in races]
+    jobs = [{"settings": race.to_json(), "masks": masks_of(race.game.world)} for race in races]
     lines = "".join(f"{json.dumps(job)}\n" for job in jobs)
     command = [node(), "--no-warnings", str(PROGRAM)]
     done = subprocess.run(command, input=lines, capture_output=True, text=True, check=True)

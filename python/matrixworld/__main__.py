@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import sys
 
-INTERRUPTED = 130
-"""Exit code of a program that Ctrl-C has ended: 128 + SIGINT, as shells report it."""
+from matrixworld._util.exit_codes import INTERRUPTED
 
 
 def main() -> None:

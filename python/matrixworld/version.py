@@ -7,7 +7,7 @@ Modules import them from here, which does not import the whole package. The buil
 from importlib import import_module
 from typing import Any
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"
 
 #: What ``pip`` installs. `matrixworld` on the Python package index is another project.
 DISTRIBUTION = "matrixworld-pursuit"

@@ -9,7 +9,6 @@ from PIL import Image
 
 from command_line import JOB, matrixworld_command, words
 from executors import jobs_in_threads
-from matrixworld.cli import evolve
 
 
 @pytest.fixture(autouse=True)
@@ -41,7 +40,7 @@ def quick_jobs(no_processes):
 @pytest.fixture
 def undrawn(monkeypatch):
     """Draw no figures and write no page, in tests of something else."""
-    monkeypatch.setattr(evolve, "draw", lambda *args: None)
+    monkeypatch.setattr("matrixworld.cli.report.draw", lambda *args: None)
 
 
 @pytest.fixture

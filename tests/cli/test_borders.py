@@ -21,7 +21,7 @@ from PIL import Image
 from command_line import RACE
 from matrixworld.cli import main
 from matrixworld.cli.console import printable
-from matrixworld.coevolution.settings import paths_of
+from matrixworld.coevolution.settings.race_settings import paths_of
 
 # ---- What makes a command small and complete -----------------------------------------------------
 

@@ -5,12 +5,15 @@ import re
 import signal
 import subprocess
 import sys
+from concurrent.futures import Executor, Future
 from contextlib import suppress
 from pathlib import Path
+from types import SimpleNamespace
+from unittest.mock import MagicMock
 
 import pytest
 
-from command_line import RACE, matrixworld_command, words
+from command_line import RACE, matrixworld_command, run_together, words
 from matrixworld.cli import cluster
 from matrixworld.coevolution import evolve, open_runs
 from tiny_race import results, tiny_race
@@ -40,6 +43,46 @@ def test_workers_of_another_version_are_refused(race, dask, monkeypatch):
     address = dask.scheduler_address
     done = matrixworld_command("tournament", race, "--cluster", address, code=1)
     assert "--cluster: expected workers with the versions ('9', " in done.output
+
+
+def test_a_worker_of_another_version_that_comes_later_does_nothing():
+    assert cluster.call_in(cluster.versions(), max, 1, 2) == 2
+    with pytest.raises(cluster.OtherWorkerError, match=r"the versions \('9', '9'\) of matrixworld"):
+        cluster.call_in(("9", "9"), max, 1, 2)
+
+
+class Cancelling(Executor):
+    """Dask's executor after the scheduler was lost."""
+
+    def submit(self, function, /, *args, **kwargs):
+        future = Future()
+        future.cancel()
+        future.set_running_or_notify_cancel()
+        return future
+
+
+class Interrupted(Executor):
+    def submit(self, function, /, *args, **kwargs):
+        raise KeyboardInterrupt
+
+
+@pytest.mark.usefixtures("undrawn")
+@pytest.mark.parametrize(
+    ("executor", "code", "message"),
+    [(Cancelling, 1, "--cluster: the scheduler was lost"), (Interrupted, 130, "Stopped. ")],
+)
+def test_a_lost_or_interrupted_cluster_is_told(executor, code, message, monkeypatch):
+    client = MagicMock()
+    client.__enter__.return_value.run.return_value = {}
+    client.__enter__.return_value.get_executor.return_value = executor()
+    dask = SimpleNamespace(Client=lambda *args, **options: client)
+    monkeypatch.setattr(cluster, "imported", lambda *names: dask)
+    typed = ("--seeds", "0-1", *OPTIONS, "--cluster", "tcp://nowhere:1", "--out", "job")
+    told = run_together(matrixworld_command("evolve", *typed, code=code).stderr)
+    assert message in told
+    assert "matrixworld evolve --resume job Runs that have begun go on at the workers;" in told
+    refused = matrixworld_command("tournament", "job", "--cluster", "tcp://nowhere:1", code=code)
+    assert message in refused.stderr
 
 
 COMMANDS = {

@@ -2,6 +2,8 @@
 
 import json
 import os
+import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -17,16 +19,22 @@ from command_line import FIGURES, MAIN_JOB, PLACES, PNG, RACE, WORLD, evolved, w
 from matrixworld.cli import options as cli_options
 from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.setting_options import settings_of
-from matrixworld.coevolution import SCHEDULES, RaceSettings, Run, create, evolve, open_run
-from matrixworld.coevolution import jobs as jobs_module
-from matrixworld.coevolution import run as run_module
-from matrixworld.coevolution.jobs import found_job
-from matrixworld.coevolution.sections import values_of
-from matrixworld.coevolution.settings import default_race
-from matrixworld.coevolution.storage import find_runs
+from matrixworld.coevolution import SCHEDULES, TEAMS, RaceSettings, Run, create, evolve, open_run
+from matrixworld.coevolution.jobs import play as jobs_module
+from matrixworld.coevolution.jobs.job import found_job
+from matrixworld.coevolution.runs.places import find_runs
+from matrixworld.coevolution.settings.race_settings import default_race
+from matrixworld.coevolution.types import other
 from scripts import group_lives, wait_until
 from slow import quickly
 from tiny_race import StopAt, playing, results, tiny_race, tiny_single
+
+
+def results_of(directory):
+    """Return the files of a run: config.json without what was chosen, and what thus follows."""
+    config = json.loads((directory / "config.json").read_text())
+    del config["settings"]["chosen"]
+    return {**results(directory), "config.json": config}
 
 
 def test_the_help_of_all_settings_has_every_one_with_its_default():
@@ -36,14 +44,14 @@ def test_the_help_of_all_settings_has_every_one_with_its_default():
     for kind in ("es", "ga", "cma", "actor-critic", "own"):
         assert f" learner={kind}: " in shown
     for schedule in ("alternating", "hall-of-fame", "against"):
-        settings = RaceSettings(schedule=schedule)
-        for path in values_of(settings):
+        settings = RaceSettings.of(schedule=schedule)
+        for path in settings.values():
             if path not in ("learner", "schedule") and not path.endswith("s_meet"):
                 assert f"{path.replace('evaders_meet', 'pursuers_meet')} " in shown
     for default in (
         "learner.population INTEGER candidates per epoch [default: 48; ",
         "other defaults, schedule=hall-of-fame: learner.population 24",
-        "train_steps 500 schedule.pursuer_epochs 400",
+        "learner=actor-critic: train_steps 500 policy.hidden 400,300 schedule.pursuer_epochs 400",
     ):
         assert default in shown
 
@@ -102,11 +110,15 @@ def test_settings_from_a_file(undrawn, tmp_path):
             }
         )
     ]  # fmt: skip
-    # Options come after the file; what a schedule of another kind lacks has its default there.
+    # Options come after the file; a schedule of another kind keeps what it has, too.
     options = {"schedule": ("alternating",), "rows": 9, "sets": [("learner.elites", 3)]}
     (race,) = settings_of({**options, "config": plain})
-    assert race.schedule == RaceSettings.of({"schedule": "alternating", "learner": "ga"}).schedule
-    assert (race.world.rows, race.learner.mutation, race.learner.elites) == (9, 0.2, 3)
+    kept = {"schedule": "alternating", "learner": "ga", "schedule.generations": 2}
+    assert race.schedule == RaceSettings.of(kept).schedule
+    assert (race.game.world.rows, race.learner.mutation, race.learner.elites) == (9, 0.2, 3)
+    plain["schedule"]["joint_epochs"] = 7
+    with pytest.raises(click.UsageError, match="joint_epochs: .* setting of schedule=hall-of-fame"):
+        settings_of({**options, "config": plain})
 
     create(tiny_race(learner="ga", mutation=1 / 3), tmp_path / "run")
     evolved("--out", "again", "--config", "run/config.json", "--seed", 6)
@@ -175,7 +187,7 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     result = evolved("--out", "first", *words({**alone, "team": "evader"}))
     evolve(tiny_single(team="evader", **steps), "again")
     first = Path("first/evader-against-random/seed-5")
-    assert results(first) == results(Path("again"))
+    assert results_of(first) == results_of(Path("again"))
     numbers = open_run(first).summary()
     rate, low, high = (numbers[f"capture_rate{end}"] for end in ("", "_low", "_high"))
     assert f"  capture rate {rate:.3f} ({low:.3f} to {high:.3f})\n" in result.stdout
@@ -188,15 +200,101 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     assert np.array_equal(archive["evader"], last[None])
 
 
+def asked(*typed):
+    """Return the settings of the one run that options ask for."""
+    with evolve_command.make_context("evolve", [str(word) for word in typed]) as context:
+        [settings] = job_of(cli_options.given(context.params)).values()
+    return settings
+
+
+SMALL = (
+    "--set", "schedule.epochs=2", "--set", "learner.population=4", "--set", "train_steps=5",
+    "--set", "evaluation_episodes=2",
+)  # fmt: skip
+ALONE = {
+    "the courtyard": (),
+    "the paper's world": ("--paper",),
+    "another world": ("--world", "park", "--n-pursuers", 3),
+    "a map": ("--paper", "--set", "world.obstacles=map.map", "--set", "world.fov=5"),
+    "another learner": ("--learner", "ga", "--set", "learner.mutation=0.1"),
+    "other steps": ("--set", "learner.sigma=0.2", "--seed", 7),
+    "other epochs": ("--set", "schedule.epochs=50", "--set", "schedule.archive_every=5"),
+    "gradients": ("--paper", "--learner", "actor-critic"),
+}
+
+
+def against(team, *options):
+    return ["--schedule", "against", "--set", f"schedule.team={team}", *options]
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("start", [(), ("--paper",)], ids=["courtyard", "paper"])
+def test_the_opponent_of_a_run_learns_by_the_command_that_it_prints(team, start, undrawn):
+    told = evolved("--out", "first", *against(team, *start, *SMALL)).stdout
+    [typed] = re.findall(r"Its opponent learns:\n  matrixworld evolve (.+)", told)
+    opponent = other(team)
+    first = Path(f"first/{team}-against-random/seed-0")
+    assert typed.split() == [
+        "--config", str(first / "config.json"), "--set", f"schedule.team={opponent}",
+        "--set", "schedule.opponent=first",
+    ]  # fmt: skip
+    found = asked(*shlex.split(typed))
+    afresh = against(opponent, "--set", "schedule.opponent=first", *start, *SMALL)
+    assert found == asked(*afresh)
+    # The other team learns from what it meets, as the first one from the script.
+    evolved("--out", "second", *shlex.split(typed))
+    second = open_run(f"second/{opponent}-against-{team}-against-random/seed-0")
+    assert second.settings == found
+    met = second.archive()[team]
+    np.testing.assert_array_equal(met, open_run(first).archive()[team][-1:])
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("start", ALONE.values(), ids=ALONE)
+def test_its_settings_are_those_of_asking_afresh(team, start):
+    """Of what nobody chose, such as epochs and steps, each team has what follows for it."""
+    Path("map.map").write_text("type octile\nheight 12\nwidth 12\nmap\n" + ("." * 12 + "\n") * 12)
+    if "actor-critic" in start:
+        pytest.importorskip("torch")
+    opponent = other(team)
+    first = asked(*against(team, *start))
+    path = create(first, "first").path  # nothing is played
+    change = ("--set", f"schedule.team={opponent}", "--set", f"schedule.opponent={path}")
+    found = asked("--config", path / "config.json", *change)
+    afresh = asked(*against(opponent, *start, *change[2:]))
+    assert found == afresh
+    assert found.choices() == afresh.choices()
+    assert found.values().keys() == first.values().keys()
+    if "schedule.epochs" not in first.chosen and "actor-critic" not in start:
+        epochs = {"pursuer": 6000, "evader": 4000}
+        assert (first.schedule.epochs, found.schedule.epochs) == (epochs[team], epochs[opponent])
+        assert found.game.train_steps != first.game.train_steps
+    # And back again, by its own file.
+    again = create(found, "second").path
+    change = ("--set", f"schedule.team={team}", "--set", "schedule.opponent=random")
+    assert asked("--config", again / "config.json", *change) == first
+
+
+def test_its_opponent_starts_untrained_unless_it_is_asked(undrawn):
+    """A genome to start from is one of the team that learned."""
+    create(asked(*against("pursuer")), "begin")
+    start = ("--set", "schedule.start=begin")
+    told = evolved("--out", "first", *against("pursuer", *start, *SMALL)).stdout
+    [typed] = re.findall(r"Its opponent learns:\n  matrixworld evolve (.+)", told)
+    found = asked(*shlex.split(typed))
+    assert found == asked(*against("evader", "--set", "schedule.opponent=first", *SMALL))
+    assert found.schedule.start is None
+
+
 def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeypatch):
     play = StopAt(7)  # in the middle of an epoch
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
     with monkeypatch.context() as patch:
 
         def stopped(path, *, threads, **told):
-            return playing(Run(path, threads=threads), play).run(**told)
+            playing(Run(path, threads=threads), play).run(**told)
 
-        patch.setattr(run_module, "finish", stopped)
+        patch.setattr(jobs_module, "go_on", stopped)
         result = evolved("--out", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = evolved("--resume", "out")
@@ -215,7 +313,7 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
     assert find_runs(Path("out") / MAIN_JOB[2]) == [Path("out") / name for name in names[2:]]
     assert [*found_job(Path("out"))] == names
     evolve(tiny_race(seed=10, schedule=MAIN_JOB[2]), "alone")
-    assert results(Path("out") / names[3]) == results(Path("alone"))
+    assert results_of(Path("out") / names[3]) == results_of(Path("alone"))
     assert "[4/4] evaders" in said.stderr
     before = {path: path.read_bytes() for path in Path("out").rglob("*.*") if path.is_file()}
     again = evolved("--resume", "out")
@@ -230,8 +328,8 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
 def test_a_failed_run_is_named_and_the_others_are_reported(monkeypatch):
     reported = []
 
-    def keep(job, root, runs, *rest):
-        reported.append([run.path for run in runs])
+    def keep(job, root, finished, *rest):
+        reported.append(finished)
 
     monkeypatch.setattr("matrixworld.cli.evolve.report", keep)
     evolved("--out", "out", "--seeds", "0-2", "--schedule", MAIN_JOB[2], *words(ONE))
@@ -285,4 +383,4 @@ def test_stopped_and_killed_and_resumed_ends_the_same(send, monkeypatch):
     evolved("--resume", "out")
     settings = tiny_race(**{**longer, "hidden": (4,)}, schedule=MAIN_JOB[0], seed=1)
     evolve(settings, "straight")
-    assert results(Path(f"out/{MAIN_JOB[0]}/seed-1")) == results(Path("straight"))
+    assert results_of(Path(f"out/{MAIN_JOB[0]}/seed-1")) == results_of(Path("straight"))

@@ -13,10 +13,10 @@ from matrices import circular, logistic
 from matrixworld._util.files import read_json
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import CONDITIONS, MEASURES, judge, measure_all, read_payoffs, sentence
-from matrixworld.cli.evolve import report
+from matrixworld.cli.report import report
 from matrixworld.coevolution import evolve, open_run, score
 from matrixworld.coevolution.groups import open_groups
-from matrixworld.coevolution.jobs import found_job
+from matrixworld.coevolution.jobs.job import found_job
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import LONG, SCHEDULES, tiny_race
 
@@ -123,7 +123,8 @@ def job(seeds):
 
 
 def results(root):
-    return [run for group in open_groups(root) for run in group.runs]
+    """Return the directories of finished runs."""
+    return [run.path for group in open_groups(root) for run in group.runs]
 
 
 def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, undrawn):
@@ -149,7 +150,7 @@ def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, u
         middle = kept["held_out"]["evaders"]["interquartile mean"]
         assert middle["value"] == pytest.approx(stats.trim_mean(scores["evader"], 0.25, axis=None))
     assert "untrained teams" in said
-    assert said.count("Not finished: seeds 3.") == 2
+    assert said.count("Not finished: seed 3.") == 2
     assert [*written["runs"]] == [f"{name}/seed-{seed}" for name in SCHEDULES for seed in (0, 1)]
     one, run = written["runs"][f"{FIRST}/seed-1"], open_run(job / FIRST / "seed-1")
     assert one.items() >= run.summary().items()

@@ -57,6 +57,21 @@ def test_a_game_of_your_own_is_raced_judged_and_shown(game):
     assert "expected a run of pursuers and evaders, got one of the game numbers_game" in refused
 
 
+NEEDING_THE_GAME = ["tournament out", "evolve --resume out", "explore out", "replay out"]
+
+
+def test_without_the_game_a_sentence_says_what_to_install(game):
+    evolved("--out", "out", *TYPED)
+    refused = matrixworld_command("playground", "out", code=2).stderr
+    assert "expected a run of pursuers and evaders, got one of the game numbers_game" in refused
+    changed(game, GAME, "")
+    game.unlink()
+    for typed in NEEDING_THE_GAME:
+        refused = matrixworld_command(*typed.split(), code=2).stderr
+        assert "numbers_game:numbers: expected a module that can be imported" in refused, typed
+    assert matrixworld_command("judge", "out").stdout
+
+
 def test_a_changed_game_goes_on_by_force_only(game):
     evolved("--out", "out", *TYPED)
     changed(game, "SCALE = 1.0", "SCALE = 2.0")

@@ -9,6 +9,8 @@ import pytest
 
 from command_line import matrixworld_command, run_together
 from matrices import circular
+from matrixworld.cli.evolve import evolve_command, job_of
+from matrixworld.cli.options import given
 from matrixworld.coevolution import Run, create, evolve, open_run
 from matrixworld.play import save_genome
 from rows import archive, random_walks
@@ -58,14 +60,26 @@ ALONE = ["--schedule", "against"]
 EVOLVE = [
     (["--cluster", "scheduler.json"], 1, "scheduler.json: expected a scheduler file of Dask"),
     (["--paper", "--n-pursuers", 30, "--rows", 6, "--cols", 6], 2, "--rows: expected at least "),
-    (["--variant", "Q"], 2, "--variant: expected one of D, R, B, O, S, SB"),
-    (["--config", "q.toml"], 2, "--variant: expected one of D, R, B, O, S, SB"),
+    (["--variant", "Q"], 2, "--variant: expected one of O, D, R, B, S, SB, SD, SDB, TO, got 'Q'"),
+    (["--config", "q.toml"], 2, "--variant: expected one of O, D, R, B, S, SB, SD, SDB, TO, got "),
     (["--set", "learner.sigma"], 2, "expected PATH=VALUE, such as learner.sigma=0.1, got 'learner"),
     (["--set", "learner.sigmma=1"], 2, "; did you mean learner.sigma?"),
     (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, gp, actor-critic, or mod"),
     (["--set", "learner.mutation=0.1"], 2, "; it is a setting of learner=ga"),
-    (["--set", "schedule=1,2"], 2, "--schedule: expected one of alternating, specialist-"),
-    (["--learner", "actor-critic"], 2, "actor-critic, got rating; give --paper, too"),
+    (["--set", "fitness.measure=rewards"], 2, "; did you mean learner.measure?"),
+    (["--set", "evader_learner=ga"], 2, "; did you mean schedule.evader_learner?"),
+    (["--set", "schedule=1,2"], 2, "--schedule: expected one of alternating, hall-of-fame, ag"),
+    (["--learner", "actor-critic"], 2,
+     "policy: expected cells with the learner actor-critic, got rating; give --paper, too"),
+    (["--config", "rating.toml", "--learner", "actor-critic"], 2,
+     "the learner actor-critic, got rating; give --set policy=cells, too"),
+    (["--set", "learner.sigma=nan"], 2, "learner.sigma: expected a finite number, got nan"),
+    (["--set", "learner.sigma=-Infinity"], 2, "sigma: expected a finite number, got -inf"),
+    (["--set", "learner.sigma=0"], 2, "learner.sigma: expected a number above 0, got 0"),
+    (["--set", "seed=-1"], 2, "--seed: expected an integer of at least 0, got -1"),
+    (["--seed", -1], 2, "'--seed': expected an integer of at least 0, got -1"),
+    (["--seed", 2**63], 2, f"'--seed': expected an integer of at most {2**63 - 1}, got {2**63}"),
+    (["--set", "world=lake"], 2, "--world: expected one of courtyard, thicket, park, got 'lake'"),
     (["--learner", "gp"], 2, "got rating; give --set policy=program, too"),
     (["--paper", "--set", "game=games:nim"], 2, "--paper: expected no --game beside it"),
     ([*ALONE, "--generations", 3], 2, "--generations: expected one of the settings te"),
@@ -79,6 +93,7 @@ EVOLVE = [
     (["--resume", "race", "--set", "seed=1"], 2, "expected no --out, --set beside it"),
     *(([flag, "--seed", 3], 2, f"{flag}: expected no --out, --seed beside it")
       for flag in ("--page", "--variants", "--worlds", "--help-all")),
+    (["--worlds", "--variants"], 2, "--variants: expected no --out, --worlds beside it"),
     *((words, 2, "expected one value of a setting, got several")
       for words in (["--rows", 5, "--set", "world.rows=7"], ["--seed", 2, "--set", "seed=1"],
                     ["--seeds", "2-3", "--set", "seed=1"], ["--set", "seed=1", "--set", "seed=1"],
@@ -128,6 +143,7 @@ def place(race, tmp_path_factory):
         playing(Run(root / "stopped", threads=1), StopAt(2)).run()
     (root / "scheduler.json").write_text('{"address": 3}')
     (root / "q.toml").write_text('seed = 3\n[learner]\nkind = "ga"\n[world]\nrules = "Q"\n')
+    (root / "rating.toml").write_text('policy = "rating"\n')
     (root / "bad.csv").write_text("0.5,2\n0.5,0.5\n")
     for name, size in (("small", 12), ("large", 14)):
         np.savez(root / f"{name}.npz", payoff=circular(size))
@@ -178,3 +194,17 @@ def test_it_is_refused_in_a_sentence(place, monkeypatch, words, code, message):
     assert message in run_together(refused.stderr)
     assert refused.stdout == ""
     assert sorted(place.rglob("*")) == before
+
+
+@pytest.mark.parametrize(("learner", "advice"), [
+    ("actor-critic", ["--paper"]), ("gp", ["--set", "policy=program"]),
+])  # fmt: skip
+def test_what_a_refusal_says_to_give_too_is_enough(learner, advice):
+    """In the world of the command, and in another one."""
+    for world in ([], ["--world", "park"]):
+        told = matrixworld_command("evolve", "--out", "out", "--learner", learner, *world, code=2)
+        assert f"give {' '.join(advice)}, too" in run_together(told.stderr)
+        typed = ["--schedule", "psro", "--learner", learner, *advice, *world]
+        with evolve_command.make_context("evolve", typed) as context:
+            [settings] = job_of(given(context.params)).values()
+        assert settings.learner.kind == learner

@@ -50,7 +50,7 @@ def test_a_genome_of_a_file_plays_as_in_its_run(race):
     replayed(race, "--pursuer", "champion.npz", "--out", "again.npz")
     again = Episode.load("again.npz")
     expected = record(
-        run.settings.world,
+        run.settings.game.world,
         run.policy("pursuer").population(),
         run.teams["evader"],
         seed=evaluation_seed(run.settings.seed, 0, 2),
@@ -99,6 +99,16 @@ def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     said = played("job", "--episodes", 2)
     assert "\njob/a\n" in said
     assert "\njob/b\n" in said
+
+
+def test_no_tournament_is_played_if_the_file_of_another_one_exists(run):
+    shutil.copytree(run, "job/a")
+    shutil.copytree(run, "job/b")
+    file = Path("job/b/tournament-2-seed0.npz")
+    file.write_bytes(b"precious")
+    refused = matrixworld_command("tournament", "job", "--episodes", 2, code=2)
+    assert f"Error: {file}: exists; give --force to replace it\n" in refused.stderr
+    assert [*Path("job").glob("*/tournament-*")] == [file]
 
 
 def test_scores_of_a_run_are_those_of_the_package(race):

@@ -34,7 +34,7 @@ def test_the_best_opponents_of_runs(tmp_path):
     before = sorted(tmp_path.rglob("*"))
     result = matrixworld_command("solve", "--run", "job", "--json", "-")
     (group,) = json.loads(result.stdout)["groups"].values()
-    states = States(settings[0].world)
+    states = States(settings[0].game.world)
     assert group["seeds"] == [0, 1]
     assert group["value"] == solve(states).value
     for number, run in enumerate(runs):

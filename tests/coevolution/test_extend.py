@@ -1,11 +1,12 @@
 """Races that become longer."""
 
+import numpy as np
 import pytest
 
 from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution import Run, open_run
-from matrixworld.coevolution.evaluation.scores import kept_scores
-from matrixworld.coevolution.run import lengthen
+from matrixworld.coevolution.evaluation.kept_scores import kept_scores
+from matrixworld.coevolution.runs.play import lengthen
 from tiny_race import StopAt, alternating, played, playing, results, tiny_race, tiny_single
 
 LONG = {
@@ -30,6 +31,21 @@ def test_a_longer_race_is_the_same_as_one_that_was_long_from_the_beginning(kind,
     assert results(tmp_path / "short") == results(tmp_path / "long")
     short.extend(4)  # nothing is left to play
     assert results(tmp_path / "short") == results(tmp_path / "long")
+
+
+def test_a_run_that_was_extended_stays_as_it_was_first_read(tmp_path):
+    short = open_run(played(tiny_race(generations=1), tmp_path / "race").path)
+    longer = short.extend(2, threads=1)
+    for run, last in ((short, 1), (longer, 2)):
+        assert run.generation("pursuer", -1) == last
+        genomes = run.teams["pursuer"].genomes
+        np.testing.assert_array_equal(run.policy("pursuer").genome, genomes[-1])
+        assert run.generation_at("pursuer", 10**6) == last
+        episode = run.record(evader=0)
+        np.testing.assert_array_equal(episode.positions, longer.record(last, 0).positions)
+        with pytest.raises(IndexError, match=f"expected a generation from 0 to {last}"):
+            run.policy("pursuer", last + 1)
+        assert run.payoff().matrix.shape == (3, 3)  # what the files hold now
 
 
 def test_a_longer_race_can_be_stopped_and_plays_new_cells_only(tmp_path):

@@ -1,16 +1,20 @@
 """Fitness from statistics, competitive sharing, limits; seeds of matches."""
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import FitnessSettings
-from matrixworld.coevolution.fitness import feasible_first, mean_over_opponents, shared_fitness
-from matrixworld.coevolution.game import Scores
-from matrixworld.coevolution.pursuit import Pursuit
-from matrixworld.coevolution.seeding import Phase, evaluation_seed, training_seeds
+from matrixworld.coevolution.games.game import Scores
+from matrixworld.coevolution.games.pursuit import Pursuit
+from matrixworld.coevolution.learners.fitness import (
+    feasible_first,
+    mean_over_opponents,
+    shared_fitness,
+)
+from matrixworld.coevolution.seeding import Phase, evaluation_seed, explanation_seed, training_seeds
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import begun, tiny_single
 
@@ -32,7 +36,7 @@ STATISTICS = {
         ("capture-rate", "pursuer", [0.5, 0.5]),
         ("capture-rate", "evader", [0.5 - 0.5 * 0.2, 0.5]),
         ("rewards", "pursuer", [15.0, 0.0]),
-        ("rewards", "evader", [-20.0 - 0.5 * 0.2, 1.0]),
+        ("rewards", "evader", [-20.0, 1.0]),  # they have penalties of their own
     ],
 )
 def test_fitness(measure, team, expected):
@@ -84,14 +88,14 @@ def test_a_limit_decides_the_fitness_of_a_run(tmp_path):
     settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
     initial = settings.evaluation_game.policy.initial
     genomes = np.stack([initial(np.random.default_rng(k), head=2.0) for k in range(8)])
-    run = begun(settings, tmp_path / "run", threads=1)
+    run = begun(settings, tmp_path / "run", threads=1).training
     seeds = np.zeros((8, 1), np.uint64)
     scores = run.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)
     rates = run.game.costs(scores, "pursuer")
     limit = float(np.sort(rates)[3:5].mean())  # between the fourth and the fifth of eight
     plain, limited = (
         each.fitness(run.game, scores, "pursuer", lambda values: values[:, None])
-        for each in (settings.fitness, FitnessSettings(cost_limit=limit))
+        for each in (settings.learner, replace(settings.learner, cost_limit=limit))
     )
     assert (rates <= limit).sum() == 4
     np.testing.assert_allclose(limited, feasible_first(plain, rates - limit))
@@ -109,5 +113,6 @@ def test_training_seeds_are_the_words_of_a_seed_sequence(key):
 def test_seeds_of_all_matches_differ():
     keys = itertools.product(range(3), range(3), range(3), Phase, range(3))
     seeds = [seed for key in keys for seed in training_seeds(*key, 5).tolist()]
-    seeds += [evaluation_seed(*key) for key in itertools.product(range(3), repeat=3)]
-    assert len(set(seeds)) == len(seeds) == 3**4 * len(Phase) * 5 + 3**3
+    seeds += [evaluation_seed(*key) for key in itertools.product(range(3), range(9), range(9))]
+    seeds += [explanation_seed(*key) for key in itertools.product(range(3), range(9))]
+    assert len(set(seeds)) == len(seeds) == 3**4 * len(Phase) * 5 + 3**5 + 3**3

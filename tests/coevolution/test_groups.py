@@ -8,10 +8,11 @@ import pytest
 
 from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import judge
-from matrixworld.coevolution import open_runs, score
-from matrixworld.coevolution.evaluation.scores import estimates_of, kept_scores
+from matrixworld.coevolution import compare, open_runs, score
+from matrixworld.coevolution.evaluation.kept_scores import kept_scores
+from matrixworld.coevolution.evaluation.scores import estimates_of
 from matrixworld.coevolution.groups import open_groups
-from matrixworld.coevolution.storage import find_runs
+from matrixworld.coevolution.runs.places import find_runs
 from tiny_race import SCHEDULES, StopAt, played, tiny_race, tiny_single
 
 FIRST, SECOND = SCHEDULES
@@ -98,3 +99,10 @@ def test_one_team_alone_has_means_over_seeds_or_over_its_episodes(tmp_path):
     assert (mean.value, mean.across) == (pytest.approx(np.mean(rates)), "runs")
     alone = group.singles[0].means()["length"]
     assert (alone.value, alone.across) == (group.runs[0].summary()["length"], "episodes")
+
+
+def test_runs_of_different_teams_cannot_be_compared(tmp_path):
+    one = played(tiny_single(team="pursuer"), tmp_path / "pursuers")
+    other = played(tiny_single(team="evader"), tmp_path / "evaders")
+    with pytest.raises(ValueError, match="other: expected runs in which the same team learns"):
+        compare(one, other)

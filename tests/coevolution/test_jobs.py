@@ -12,7 +12,14 @@ import pytest
 import own_code
 from executors import Reversed
 from matrixworld import coevolution as co
-from matrixworld.coevolution.jobs import check_job, create_job, found_job, job_of
+from matrixworld.coevolution.jobs import job as jobs
+from matrixworld.coevolution.jobs.job import (
+    change_settings,
+    check_job,
+    create_job,
+    found_job,
+    job_of,
+)
 from scripts import python
 from tiny_race import hall_of_fame, played, results, straight, tiny_race, tiny_single
 
@@ -136,6 +143,8 @@ def test_an_error_of_own_code_is_that_of_its_run(tmp_path, monkeypatch):
     settings = {"bad": tiny_race(learner="own_code:Fails"), "good": tiny_single()}
     failures, finished = failures_of(settings, tmp_path / "job", executor=ThreadPoolExecutor(1))
     assert ({*failures}, finished) == ({"bad"}, ["good"])
+    told = str(co.FailedRunsError({Path("bad"): failures["bad"]}))
+    assert told.startswith("1 run failed:\nbad: ZeroDivisionError: ")
     assert isinstance(failures["bad"], ZeroDivisionError)
 
 
@@ -186,8 +195,9 @@ def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
                 future.set_result(fn(*args, **kwargs))
             return future
 
-    with pytest.warns(co.DisengagementWarning, match=r"^generalist-generalist/seed-1: "):
+    with pytest.warns(co.DisengagementWarning, match=r"^generalist-generalist/seed-1: ") as warned:
         co.evolve(settings, tmp_path / "job", executor=Silent())
+    assert {each.filename for each in warned} == {__file__}  # where it was called
 
 
 BAD = [
@@ -214,7 +224,7 @@ def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp
 
 def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
     monkeypatch.setattr("matrixworld._util.checks.available_memory", lambda: 300_000_000)
-    monkeypatch.setattr(co.jobs, "run_memory", lambda settings: {"candidates": 10**8})
+    monkeypatch.setattr(jobs, "run_memory", lambda settings: {"candidates": 10**8})
     check_job(job_of(SETTINGS), tmp_path, 2)
     with pytest.raises(ValueError, match=r"^5 runs at one time: expected .* 0\.3 GB .* 0\.5 GB"):
         check_job(job_of(SETTINGS), tmp_path, 3)
@@ -230,8 +240,8 @@ def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
     before = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")}
     for other, message in (
         (SETTINGS[:1], r"runs of this job, got others: generalist-generalist/seed-2$"),
-        (SETTINGS, r"runs of this job, got others: evader-against-random/seed-1, "),
-        (SETTINGS[0], r"runs of this job, got others: \., generalist-generalist/seed-1, "),
+        (SETTINGS, r"expected all runs of this job, got a directory without hall-of-fame/seed-1, "),
+        (SETTINGS[0], r"runs of this job, got others: generalist-generalist/seed-1, "),
         ([tiny_race(seed=1), tiny_race(seed=2, sigma=0.3)], "other settings: learner.sigma$"),
     ):
         with pytest.raises(ValueError, match=message):
@@ -262,3 +272,41 @@ def test_a_bar_in_a_terminal_begins_with_what_is_done():
     said = out.getvalue()
     assert "too early" not in said
     assert re.search(r"\r1 of 3 runs:  50%\|[#█]{8} {8}\| .* left", said)
+
+
+def test_rows_come_at_once_where_runs_are_played_in_this_process(tmp_path, monkeypatch):
+    monkeypatch.setattr("matrixworld._util.imports.HAS_PROCESSES", False)
+    rows = []
+
+    def look(row):
+        stages = [*(tmp_path / row["run"]).glob("stage-*.npz")]
+        rows.append((row["run"], row["stage"], len(stages)))
+
+    runs = co.evolve(SETTINGS, tmp_path, on_epoch=look)
+    check_equal(tmp_path)
+    assert len(rows) == sum(len(run.rows(0)) for run in runs)
+    assert all(saved == stage for _, stage, saved in rows)  # stage 0, and those before this one
+
+
+@pytest.mark.parametrize("stop", [co.StopRun, ZeroDivisionError, ValueError])
+@pytest.mark.parametrize("argument", ["on_epoch", "report"])
+def test_what_a_callback_raises_is_no_failure_of_a_run(stop, argument, tmp_path, monkeypatch):
+    monkeypatch.setattr("matrixworld._util.imports.HAS_PROCESSES", False)
+
+    def fail(_):
+        raise stop
+
+    with pytest.raises(stop):
+        co.evolve(SETTINGS, tmp_path, **{argument: fail})
+    co.evolve(SETTINGS, tmp_path)
+    check_equal(tmp_path)
+
+
+def test_races_of_a_job_become_longer_all_or_none(tmp_path):
+    settings = tiny_race(generations=1)
+    annealed = settings.changed({"learner": "es", "learner.anneal": True})
+    co.evolve({"a": settings, "b": annealed}, tmp_path)
+    before = [files_in(tmp_path / name) for name in "ab"]
+    with pytest.raises(ValueError, match="anneal"):
+        change_settings(tmp_path, generations=3)
+    assert [files_in(tmp_path / name) for name in "ab"] == before

@@ -14,7 +14,7 @@ import killed
 import power_cut
 from killed import JOB, RUNS, SETTINGS, SHORT_RUNS, Events, play_run, process, watched
 from matrixworld.coevolution import LockedError, Run, create, evolve, open_run
-from matrixworld.coevolution.jobs import found_job
+from matrixworld.coevolution.jobs.job import found_job
 from slow import quickly
 from tiny_race import results, straight
 
@@ -130,4 +130,4 @@ def test_killed_process_releases_the_lock(tmp_path):
     open_run(directory)  # reading needs no lock
     child.kill()
     child.join()
-    assert Run(directory).stage == 0
+    assert Run(directory).training.stage == 0

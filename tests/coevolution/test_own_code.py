@@ -138,6 +138,9 @@ def test_a_module_or_a_class_that_fails_is_named_with_its_error(folder):
     with pytest.raises(co.PluginError, match="^mine:Hill: import: ZeroDivisionError: d") as caught:
         tiny_race(learner="mine:Hill").learner_of("pursuer")
     assert isinstance(caught.value.__cause__, ZeroDivisionError)
+    (folder / "mine.py").write_text("import os\nos.no_such_name\n")
+    with pytest.raises(co.PluginError, match="^mine:Hill: import: AttributeError: module 'os'"):
+        tiny_race(learner="mine:Hill").learner_of("pursuer")
     # Workers send it to the main process.
     assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args  # noqa: S301
 
@@ -221,7 +224,11 @@ def samples(*chosen):
         (tells(lambda state: {**state, "a.x": np.zeros(1)}), "state: expected names such as sig"),
         (changed(genome=lambda self, state: state["genome"][:3]), "genome: expected an array of"),
         (changed(seed_groups=np.arange(4) // 3), "seed_groups: expected 4 numbers of groups fr"),
-        (changed(start=lambda self, task: [1]), "state: expected a dict of arrays, got"),
+        (
+            changed(untrained=lambda self, game, team, rng: np.zeros(140)),
+            r"untrained: expected an array of float32 \(140,\), got float64",
+        ),
+        (changed(start=lambda self, task: [1]), "state: expected a dict or named tuple of arr"),
         (samples(1), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[1\]"),
         (samples(0, 0), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[0 0\]"),
         (samples(), r"sample: expected .* got \[\]"),
@@ -230,6 +237,13 @@ def samples(*chosen):
 def test_a_broken_promise_is_named(broken, message):
     with pytest.raises(co.PluginError, match=f"^{message}"):
         (co.check_learner if isinstance(broken, HillClimber) else co.check_sampler)(broken)
+
+
+@pytest.mark.parametrize("learner", [co.ActorCritic(), co.GeneticProgramming()])
+def test_a_learner_of_pursuit_alone_is_not_checked(learner):
+    expected = f"learner: expected one .*any_game.*, got {type(learner).__name__}"
+    with pytest.raises(ValueError, match=f"^{expected}"):
+        co.check_learner(learner)
 
 
 def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
@@ -245,7 +259,7 @@ def test_an_error_in_the_code_is_raised_as_it_is(monkeypatch, tmp_path):
         played(tiny_race(learner="own_code:Fails"), tmp_path / "run")
     if sys.version_info >= (3, 11):
         assert caught.value.__notes__ == [f"in stage 1 of the run {tmp_path / 'run'}"]
-    assert co.Run(tmp_path / "run").stage == 0  # the last finished one
+    assert co.Run(tmp_path / "run").training.stage == 0  # the last finished one
     for end in (partial(co.check_learner, Exits()), partial(played, EXITS, tmp_path / "exits")):
         with pytest.raises(co.PluginError, match="called exit"):  # it does not end the program
             end()

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from matrixworld import coevolution as co
-from matrixworld.coevolution.game import digest_of
+from matrixworld.coevolution.games.own_game import digest_of
 from own_games import chance, coins, fewer, higher, numbers
 from scripts import python
 from tiny_race import results, straight
@@ -24,13 +24,14 @@ RACES = {
     "cma": {"schedule": "psro", **IN_TURNS, "learner.sigma": 0.3},
     "hall": {**HALL, "learner": "ga", "learner.mutation": 0.3, "retest_episodes": 2},
     "sharing": {
-        **HALL, "learner": "ga", "learner.mutation": 0.3, "fitness.sharing": "competitive",
+        **HALL, "learner": "ga", "learner.mutation": 0.3, "learner.sharing": "competitive",
         "schedule.pursuers_meet": "shared-sampling", "schedule.hall_sample": 2,
     },
     "sampled": {
         **SAMPLED, "schedule.pursuers_meet": "prioritized",
         "schedule.evaders_meet": "newest-and-older",
-        "learner": "ga", "learner.mutation": 0.3, "evader_learner": "es", "match_episodes": 2,
+        "learner": "ga", "learner.mutation": 0.3, "schedule.evader_learner": "es",
+        "match_episodes": 2,
     },
 }  # fmt: skip
 
@@ -189,6 +190,59 @@ def test_a_digest_is_of_all_that_a_game_is_made_of(change, own):
     assert digest(PARTS.replace(*change)) != digest(PARTS)
 
 
+LAMBDAS = """
+from matrixworld.coevolution import Game
+half = lambda a: a.mean(1)
+whole = lambda a: a.sum(1)
+NAMES = {"half", "whole", "both"}
+def play(a, b, rng):
+    return 0.5 + 0 * half(a) + 0 * whole(b) + 0 * len(NAMES)
+play_all = lambda a, b, rng: 0.5 + 0 * a[:, 0]
+first = lambda rng: [0.1]
+class Player:
+    def __init__(self, level):
+        self.level = level
+    def play(self, a, b, rng):
+        return self.level + 0 * a[:, 0]
+game = Game(play, genes=3, teams=("ones", "others"))
+method = Game(Player(0.7).play, genes=1, teams=("ones", "others"))
+short = Game(play_all, genes=1, teams=("ones", "others"), initial=first)
+"""
+DIGESTS = """
+import mine
+from matrixworld.coevolution.games.own_game import digest_of
+print(digest_of(mine.game), digest_of(mine.short))
+"""
+
+
+def test_a_digest_is_the_same_in_every_process(own, tmp_path, monkeypatch):
+    own(LAMBDAS)
+    module = importlib.import_module("mine")
+    expected = f"{digest_of(module.game)} {digest_of(module.short)}\n"
+    for seed in ("1", "2", "3"):  # of the order of sets
+        monkeypatch.setenv("PYTHONHASHSEED", seed)
+        assert python("-c", DIGESTS, cwd=tmp_path).stdout == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "change"),
+    [
+        ("game", ("a.mean", "a.min")),
+        ("game", ("a.sum", "a.max")),
+        ("game", ('"both"', '"none"')),
+        ("short", ("[0.1]", "[0.2]")),
+        ("short", ("0.5 + 0 * a[:, 0]", "0.6 + 0 * a[:, 0]")),
+        ("method", ("0.7", "0.8")),
+    ],
+)
+def test_a_change_of_any_part_is_noticed(name, change, own):
+    def digest(text):
+        own(text)
+        return digest_of(getattr(importlib.import_module("mine"), name))
+
+    assert digest(LAMBDAS.replace(*change)) != digest(LAMBDAS)
+
+
 def results_of(directory):
     return {path.name: path.read_bytes() for path in directory.iterdir() if path.is_file()}
 
@@ -205,10 +259,10 @@ def test_a_run_of_a_game_is_no_chase(tmp_path):
 
 def test_settings_that_a_game_has_not_are_refused():
     for name, value in {
-        "world.rows": 5, "policy.mask": "obstacles", "train_steps": 9, "fitness.measure": "rewards",
-        "fitness.cost_limit": 1.0,
+        "world.rows": 5, "policy.mask": "obstacles", "train_steps": 9, "learner.measure": "rewards",
+        "learner.cost_limit": 1.0,
     }.items():  # fmt: skip
-        with pytest.raises(ValueError, match=f"^{name.partition('.')[0]}.*: expected no value in"):
+        with pytest.raises(ValueError, match=f"^{name}: expected no value.* in a game of your own"):
             race(**{name: value})
     for learner in ("actor-critic", "gp"):
         with pytest.raises(ValueError, match="^learner: expected es, ga, cma or your own in "):
@@ -300,4 +354,4 @@ def test_matches_are_seen_by_nobody_else(tmp_path):
     alone = coins.scores(*teams, (a[3:4], b[3:4], seeds[3:4]), episodes=40, threads=1).scores
     np.testing.assert_array_equal(scores[3:4], alone)
     assert not np.array_equal(scores[0], scores[4])
-    assert co.Run(tmp_path / "run").counts["matches"] == run.summary()["training_matches"]
+    assert co.Run(tmp_path / "run").training.counts["matches"] == run.summary()["training_matches"]

@@ -6,11 +6,12 @@ import pytest
 from matrixworld import Matches, Population, rollout
 from matrixworld.analysis import interval_over_runs
 from matrixworld.analysis.games import nash_averaging
-from matrixworld.coevolution import TEAMS, Run, available, open_run
-from matrixworld.coevolution.game import Scores
-from matrixworld.coevolution.race import pairings
+from matrixworld.coevolution import TEAMS, Run, available, evolve, open_run
+from matrixworld.coevolution.games.game import Scores
+from matrixworld.coevolution.runs.stored import last_generation
 from matrixworld.coevolution.seeding import Phase, training_seeds
-from matrixworld.coevolution.storage import last_generation
+from matrixworld.coevolution.training.loops import pairings
+from matrixworld.coevolution.training.training import Training
 from matrixworld.coevolution.types import other
 from matrixworld.world.policy import Network
 from tiny_race import (
@@ -98,11 +99,11 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
         {"schedule.pursuers_meet.episodes": 2, "schedule.evaders_meet.episodes": 2}
     )
     played(settings, tmp_path / "run")
-    run = Run(tmp_path / "run")
+    training = Run(tmp_path / "run").training
     policy = settings.evaluation_game.policy
-    pursuers, evaders = (Population(run.genomes(team), policy) for team in TEAMS)
+    pursuers, evaders = (Population(training.genomes(team), policy) for team in TEAMS)
     for team, shape in (("pursuer", (3, 3)), ("evader", (3, 4))):
-        state = run.states[f"{team}.opponents"]
+        state = training.memories[team]
         expected = np.zeros(shape)
         for own, opponent in np.ndindex(shape):
             g, h = (own, opponent) if team == "pursuer" else (opponent, own)
@@ -117,13 +118,21 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
         np.testing.assert_allclose(state["weights"], mixture, atol=1e-6)
 
 
-class Crowning(Run):
-    def champion(self, team, generation, candidates, fitness, opponents, met):
-        chosen = super().champion(team, generation, candidates, fitness, opponents, met)
+@pytest.fixture
+def crowned(monkeypatch):
+    """Of each champion: among whom it was chosen, and by which matches."""
+    seen = []
+    champion = Training.champion
+
+    def watched(self, team, generation, candidates, played):
+        chosen = champion(self, team, generation, candidates, played)
         genome = self.learners[team].genome(self.states[team])
-        best = candidates[np.argsort(-fitness, kind="stable")[:2]]
-        self.crowned.append((team, generation, [genome, *best], opponents, met, chosen))
+        best = candidates[np.argsort(-played.fitness, kind="stable")[:2]]
+        seen.append((team, generation, [genome, *best], played.opponents, played.met, chosen))
         return chosen
+
+    monkeypatch.setattr(Training, "champion", watched)
+    return seen
 
 
 @pytest.mark.parametrize(
@@ -136,14 +145,12 @@ class Crowning(Run):
     ],
     ids=["es", "ga", "hall-of-fame", "single"],
 )
-def test_champions_are_the_best_of_new_matches(settings, tmp_path):
+def test_champions_are_the_best_of_new_matches(settings, tmp_path, crowned):
     """The mean fitness of the learner's genome and of the fittest two, match by match."""
-    begun(settings, tmp_path / "run")
-    run = Crowning(tmp_path / "run", threads=1)
-    run.crowned = []
+    run = begun(settings, tmp_path / "run", threads=1)
     run.run()
     number = []
-    for team, generation, genomes, opponents, met, chosen in run.crowned:
+    for team, generation, genomes, opponents, met, chosen in crowned:
         episodes, means = settings.retest_episodes, []
         key = (settings.seed, generation, generation, Phase.RETEST, TEAMS.index(team))
         seeds = training_seeds(*key, len(met) * episodes).reshape(len(met), episodes)
@@ -156,13 +163,13 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path):
                     sides, pair = sides[::-1], pair[::-1]
                 match = Matches.of(*pair, seeds[opponent, e])
                 scores = rollout(settings.training_game.world, *sides, match)
-                game, measure = settings.training_game, settings.fitness.measure
+                game, measure = settings.training_game, settings.learner.measure
                 found = Scores(scores.capture_rate, vars(scores))
                 values.append(game.values(found, team, measure).mean())
             means.append(np.mean(values))
         number.append(int(np.argmax(means)))
         assert np.array_equal(chosen, genomes[number[-1]])
-        assert np.array_equal(run.archive[team][generation], chosen)
+        assert np.array_equal(run.training.archive[team][generation], chosen)
     of_a_stage = 2 if settings.schedule.kind == "hall-of-fame" else 1
     assert len(number) == of_a_stage * settings.schedule.n_stages
     assert len(set(number)) > 1  # not always the learner's own
@@ -230,7 +237,13 @@ def test_several_opponents_take_turns(tmp_path):
     saved = begun(settings, tmp_path / "run", opponents=opponents).run()
     assert saved.log()["opponent"].tolist() == [0, 1, 0, 1, 0]
     assert saved.payoff().scores.shape == (2, 1, 3)
-    assert open_run(tmp_path / "run").settings.schedule.opponent == "given as genomes"
+    again = open_run(tmp_path / "run").settings
+    assert again.schedule.opponent == "given as genomes"
+    before = results(tmp_path / "run")
+    assert evolve(again, tmp_path / "run", threads=1).settings == again  # the text is no path
+    assert results(tmp_path / "run") == before
+    with pytest.raises(ValueError, match="expected a run directory, got 'given as genomes'"):
+        evolve(again, tmp_path / "without them")
 
 
 @pytest.mark.parametrize("learner", ["es", "ga", "actor-critic"])
@@ -258,8 +271,11 @@ def test_bad_opponents_and_starts_are_refused(other_run, tmp_path):
     with pytest.raises(ValueError, match="^opponents: "):
         begun(settings, run, opponents=others)
     size = settings.evaluation_game.policy.genome_size
-    for start in (np.zeros(size - 1), np.full(size, np.nan)):
-        with pytest.raises(ValueError, match="^start: "):
+    for start, message in (
+        (np.zeros(size - 1), rf"genome of shape \({size},\), got \({size - 1},\)"),
+        (np.full(size, np.nan), "finite genes, got nan"),
+    ):
+        with pytest.raises(ValueError, match=f"^start: expected (a )?{message}$"):
             begun(settings, run, start=start)
     with pytest.raises(ValueError, match="^start: "):  # a genome of another network
         begun(tiny_single(start=str(other_run.path)), run)

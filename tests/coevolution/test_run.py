@@ -6,8 +6,8 @@ import pytest
 from matrixworld import Matches, Population, rollout
 from matrixworld import coevolution as co
 from matrixworld._util.files import load_arrays
+from matrixworld._util.sections import names_in
 from matrixworld.coevolution.learners.learner import DivergedError
-from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.coevolution.seeding import evaluation_seed
 from tiny_race import (
     WORLDS,
@@ -24,7 +24,7 @@ from tiny_race import (
     tiny_single,
 )
 
-SAMPLERS = [name for name in sections_in(hints_of(co.InTurns)["pursuers_meet"]) if name != "own"]
+SAMPLERS = names_in(co.opponents.Opponents)
 IN_WORLDS = {
     "in turns": tiny_race(training_worlds=WORLDS),
     "psro": tiny_race(training_worlds=WORLDS, schedule="psro", retest_episodes=1),
@@ -98,15 +98,15 @@ def test_matches_and_epochs_are_counted_and_logged(name, tmp_path):
 
 @pytest.mark.parametrize("settings", [tiny_race(), hall_of_fame(), alternating("nash")])
 def test_a_race_in_memory_is_the_one_in_a_directory(settings, tmp_path):
-    run, race = played(settings, tmp_path / "run"), co.RunInMemory(settings, threads=1)
-    race.train()
+    run, race = played(settings, tmp_path / "run"), co.Training(settings, threads=1)
+    assert co.train(race) is race
     for team, genomes in run.archive().items():
         np.testing.assert_array_equal(race.genomes(team), genomes)
     fitness = [f"{row['fitness_mean']:.9g}" for row in race.rows]
     assert fitness == [f"{mean:.9g}" for mean in run.log()["fitness_mean"]]
     assert race.counts["matches"] == run.summary()["training_matches"]
     with pytest.raises(ValueError, match="expected those of a race, got those of one team alone"):
-        co.RunInMemory(tiny_single())
+        co.Training(tiny_single())
 
 
 def test_another_seed_is_another_race():
@@ -115,13 +115,14 @@ def test_another_seed_is_another_race():
 
 
 def test_every_cell_can_be_replayed_alone(race):
-    run = playing(co.Run(race), StopAt(0)).run()  # of a finished run nothing is played
+    playing(co.Run(race), StopAt(0)).run()  # of a finished run nothing is played
+    run = co.open_run(race)
     settings, payoff = run.settings, run.payoff()
     assert payoff.scores.shape == (3, 3, 3)
     teams = [Population(run.archive()[team], settings.evaluation_game.policy) for team in co.TEAMS]
     for g, h in [(0, 2), (2, 0), (1, 1)]:
         seed = evaluation_seed(settings.seed, g, h)
-        scores = rollout(settings.world, *teams, Matches.of(g, h, seed), episodes=3)
+        scores = rollout(settings.game.world, *teams, Matches.of(g, h, seed), episodes=3)
         assert np.array_equal(scores.capture_rate[0], payoff.scores[g, h])
         assert np.array_equal(scores.length[0], payoff.extras["lengths"][g, h])
         assert np.array_equal(scores.faults[0].mean(axis=0), payoff.extras["faults"][g, h])
@@ -231,13 +232,13 @@ def test_the_run_stays_readable_to_its_last_good_generation(kind, tmp_path):
     settings, lower = DIVERGING[kind]
     if settings.learner.kind == "actor-critic":
         pytest.importorskip("torch")
-    section = "evader_learner" if kind == "evaders" else "learner"
-    learner = getattr(settings, section)
+    section = "schedule.evader_learner" if kind == "evaders" else "learner"
+    learner = settings.learner_settings("evader" if kind == "evaders" else "pursuer")
     with pytest.raises(DivergedError, match=f"^{section} {learner.kind}: .*lower ") as told:
         played(settings, tmp_path / "run")
     assert f"{section}.{lower} (now {getattr(learner, lower):g})" in str(told.value)
     assert np.isfinite(co.open_run(tmp_path / "run").teams["pursuer"].genomes).all()
     left = co.Run(tmp_path / "run", threads=1)
-    assert 0 <= left.stage < settings.schedule.n_stages
+    assert 0 <= left.training.stage < settings.schedule.n_stages
     with pytest.raises(DivergedError):
         left.run()

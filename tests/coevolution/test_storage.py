@@ -12,7 +12,8 @@ import pytest
 
 from matrixworld import coevolution as co
 from matrixworld._util import files
-from matrixworld.coevolution.storage import FORMAT, RunWriter
+from matrixworld.coevolution.runs.stored_files import FORMAT
+from matrixworld.coevolution.runs.writer import RunWriter
 from scripts import wait_until
 from tiny_race import StopAt, begun, played, results, tiny_race, tiny_single
 
@@ -43,7 +44,7 @@ def state(stage):
 def new_run(path):
     path.mkdir()
     made = RunWriter(path)
-    made.begin({"seed": 1}, archive(1), state(0))
+    made.begin(tiny_race(seed=1), archive(1), state(0))
     return made
 
 
@@ -60,7 +61,7 @@ def test_the_stage_before_is_used_if_the_newest_one_is_damaged(tmp_path, name):
     reopened = RunWriter(run.path)
     with pytest.warns(UserWarning, match=f"{name}: cut.*; continuing from the stage"):
         _, genomes, states = reopened.restore()
-    assert states["pursuer"]["mean"].tolist() == [1]
+    assert states["pursuer.mean"].tolist() == [1]
     assert len(genomes["evader"]) == 2
     save(reopened, 2)  # played again, so that no warning, which is an error here, comes
     assert len(RunWriter(run.path).restore()[0]) == len(run.archive()["evader"]) == 3
@@ -71,6 +72,21 @@ def test_the_stage_before_is_used_if_the_newest_one_is_damaged(tmp_path, name):
         co.DamagedFileError, match=r"checkpoint-0002.npz: .*checkpoint-0001.npz: cut"
     ):
         RunWriter(run.path).restore()
+
+
+def test_a_checkpoint_that_lacks_a_part_of_a_state_is_damaged(tmp_path):
+    settings = tiny_race(learner="es", generations=2)
+    run = played(settings, tmp_path / "run")
+    newest = f"checkpoint-{settings.schedule.n_stages:04}.npz"
+    arrays = files.load_arrays(run.path / newest)
+    of_states = [name for name in arrays if name.startswith("pursuer.")]
+    assert len(of_states) > 3
+    for number, name in enumerate(of_states):
+        copy = Path(shutil.copytree(run.path, tmp_path / str(number)))
+        others = {other: array for other, array in arrays.items() if other != name}
+        files.save_arrays(copy / newest, others)
+        with pytest.raises(co.DamagedFileError, match=f"{newest}: expected an array '{name}'"):
+            co.open_run(copy).extend(3)
 
 
 def test_a_stage_costs_the_same_in_every_generation(tmp_path):
@@ -235,7 +251,10 @@ def test_damage_is_repaired_or_reported(copy, race, name, damage):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda config: config.update(format=99, matrixworld="9.9"), r"written by matrixworld 9.9"),
+        (
+            lambda config: config.update(format=99, matrixworld="9.9"),
+            r"which matrixworld 9.9 has written",
+        ),
         (lambda config: config.pop("format"), rf"expected format {FORMAT}, got None"),
         (lambda config: config["settings"].update(speed=1), "speed: expected one of the settings"),
         (lambda config: config["settings"]["world"].update(rows="many"), "rows"),

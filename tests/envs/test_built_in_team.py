@@ -57,7 +57,7 @@ def test_an_episode_is_the_engine_s(name, team):
 
 def test_held_out_genomes_runs_and_policies_are_opponents(race):
     saved = open_run(race)
-    config = saved.settings.world
+    config = saved.settings.game.world
     archive = saved.teams["evader"].genomes
     policy = saved.policy("evader", 1)
     for given, genomes in [

@@ -53,7 +53,7 @@ def test_the_script_plays_solves_and_goes_on_where_it_stopped(tmp_path):
     assert printed.startswith(read(results / "table.md"))
     run = open_run(tmp_path / "runs/ground_truth/quick/chase-generalists/1")
     last = run.last("evader")
-    best = best_response(run.settings.world, last, "evader").value
+    best = best_response(run.settings.game.world, last, "evader").value
     kept = run.path.with_suffix(".json")
     assert json.loads(read(kept))["truth"][1][-1] == pytest.approx(1 - best)
     written = kept.stat().st_mtime_ns

@@ -7,7 +7,7 @@ import pytest
 
 import matrixworld as mw
 from maps.archive import MAP_FITNESS, playable
-from maps.race import MapRace, MapSettings
+from maps.race import MapSettings, MapTraining, begun
 from matrixworld.coevolution import TEAMS
 from matrixworld.solver import States, best_response
 from tiny_race import Listening, playing, results, stop_and_continue, tiny_race
@@ -24,21 +24,21 @@ def settings_of(fitness, **changes):
     return replace(small, **changes)
 
 
-class Watched(MapRace):
+class Watched(MapTraining):
     """A race that lists its maps generation by generation."""
 
-    def learn(self, stage):
-        super().learn(stage)
-        if stage % 2:
+    def end_stage(self):
+        super().end_stage()
+        if self.stage % 2 == 0:
             self.archives = [*getattr(self, "archives", []), vars(self.maps)]
 
 
 def played(settings, directory):
     """Return the arguments and scores of all matches, the maps of each generation, and the race."""
     listening = Listening()
-    race = playing(Watched(settings, directory), listening)
+    race = playing(begun(settings, directory, training=Watched), listening)
     race.run()
-    return listening.calls, race.archives, race
+    return listening.calls, race.training.archives, race
 
 
 @pytest.mark.parametrize("fitness", MAP_FITNESS)
@@ -60,7 +60,7 @@ def test_teams_learn_on_archived_maps_and_are_evaluated_in_the_world(tmp_path, f
 def test_regret_is_how_far_both_champions_fall_short(tmp_path):
     _, archives, race = played(settings_of("regret"), tmp_path / "run")
     pair = [
-        mw.Population(race.archive[team][-1][None], race.settings.evaluation_game.policy)
+        mw.Population(race.training.archive[team][-1][None], race.settings.evaluation_game.policy)
         for team in TEAMS
     ]
     for walls, score in zip(archives[-1]["maps"], archives[-1]["scores"], strict=True):
@@ -73,9 +73,9 @@ def test_regret_is_how_far_both_champions_fall_short(tmp_path):
     ("fitness", "call"), [("learnability", 7), ("regret", 9), ("none", 6), ("max-monte-carlo", 12)]
 )
 def test_a_stopped_race_ends_as_if_never_stopped(tmp_path, fitness, call):
-    make = partial(MapRace, settings_of(fitness))
+    make = partial(begun, settings_of(fitness))
     make(tmp_path / "straight", threads=3).run()
     stop_and_continue(make, call, tmp_path / "run")
     assert results(tmp_path / "run") == results(tmp_path / "straight")
     with pytest.raises(ValueError, match="holds a race on maps of other settings"):
-        MapRace(settings_of(fitness, edits=9), tmp_path / "run")
+        begun(settings_of(fitness, edits=9), tmp_path / "run")

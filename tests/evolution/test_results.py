@@ -33,7 +33,7 @@ import yoked_races
 import yoked_variants
 import yoked_worlds
 from evolution_scripts import RESULTS, read
-from matrixworld.coevolution.race import HIDES_CYCLING
+from matrixworld.coevolution.settings.schedules import HIDES_CYCLING
 
 NUMBER = r"-?\d+\.\d+"
 

@@ -10,7 +10,7 @@ import pytest
 
 from matrixworld.coevolution import TEAMS, SavedRun, available
 from tiny_race import Listening, alternating, played, playing, results, stop_and_continue, tiny_race
-from yoked_races import YokedRace
+from yoked_races import begun
 
 SEED = tiny_race().seed
 
@@ -22,7 +22,7 @@ def real(tmp_path_factory):
 
 def yoked_to(run, directory, *, seed=SEED + 1, **options):
     """Return a race of another seed that is yoked to a run."""
-    return YokedRace(replace(run.settings, seed=seed), directory, run, **options)
+    return begun(replace(run.settings, seed=seed), directory, run, **options)
 
 
 def test_teams_meet_the_generations_of_the_other_race(real, tmp_path):
@@ -50,7 +50,7 @@ def test_a_stopped_race_ends_as_if_never_stopped(real, tmp_path, call):
 def test_a_race_that_does_not_fit_is_refused(real, tmp_path, changes):
     settings = real.settings.changed({"seed": SEED + 1, **changes})
     with pytest.raises(ValueError, match="real: expected a finished race of these settings"):
-        YokedRace(settings, tmp_path / "run", real)
+        begun(settings, tmp_path / "run", real)
     shutil.copytree(real.path, tmp_path / "unfinished")
     (tmp_path / "unfinished/summary.json").unlink()
     with pytest.raises(ValueError, match="unfinished: expected a finished race"):

@@ -259,7 +259,7 @@ def test_a_match_played_by_keys_is_that_of_the_world_of_its_file_and_of_its_link
     take_over(browser, races, number, g, h, step)
     play_on(browser, keys, number)
     played = shown(browser)
-    world = World(run.settings.world)
+    world = World(run.settings.game.world)
     world.reset(evaluation_seed(run.settings.seed, g, h))
     before = run.record(g, h).actions[:step, played["seat"]]
     assert played["moves"][:step] == before.tolist()
@@ -276,7 +276,7 @@ def test_a_match_played_by_keys_is_that_of_the_world_of_its_file_and_of_its_link
     [file] = tmp_path.glob("*.npz")
     episode = Episode.load(file)
     assert (episode.seat, episode.length) == (played["seat"], len(played["moves"]))
-    assert WorldConfig.from_json(episode.config) == run.settings.world
+    assert WorldConfig.from_json(episode.config) == run.settings.game.world
     press_button(browser, "Link")
     link = browser.js("document.querySelector('.play-ending input').value")
     browser.driver.get("about:blank")
@@ -321,7 +321,7 @@ def test_rounds_are_harder_and_harder_and_standing_still_wins_none():
 
 def test_a_run_gives_its_generations_to_the_page(job):
     opponents = of_run(job["race"])
-    assert opponents.world == job["race"].settings.world
+    assert opponents.world == job["race"].settings.game.world
     for team in TEAMS:
         players = opponents.players[team]
         assert [*players] == [f"generation {number}" for number in range(3)]

@@ -156,7 +156,7 @@ def rated(tmp_path_factory):
         tiny_race(policy="program", learner="gp", obstacles=0.15),
     ]
     out = tmp_path_factory.mktemp("rated")
-    return [evolve(each, out / each.policy.kind, threads=1) for each in settings]
+    return [evolve(each, out / each.game.policy.kind, threads=1) for each in settings]
 
 
 @quickly("damage", ["missing", "cut", "no base64", "a NaN"], lambda damage: damage == "cut")
@@ -202,10 +202,12 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race):
     assert [[int(seed) for seed in row] for row in data["seeds"]] == [
         [evaluation_seed(settings.seed, g, h) for h in range(3)] for g in range(3)
     ]
-    assert WorldConfig.from_json(data["world"]).to_json() == settings.world.to_json()
+    assert WorldConfig.from_json(data["world"]).to_json() == settings.game.world.to_json()
     shown = {each["name"]: each["value"] for each in data["settings"]}
     assert shown["world.rows"] == "6"
-    assert not {"learner", "seed"} & shown.keys()
+    assert shown["learner"] == "es"  # which was chosen, and is the usual one
+    # The sigma follows from what was chosen; schedule and seed are told elsewhere.
+    assert not {"learner.sigma", "schedule", "seed"} & shown.keys()
 
 
 def test_the_command_of_the_settings_plays_the_same_race(job):
@@ -218,6 +220,12 @@ def test_the_command_of_the_settings_plays_the_same_race(job):
     ):
         changed = RaceSettings.of(start, changes)
         every[changed] = command_of(changed)
+    whole = RaceSettings.of(world=WorldConfig("TO", rows=9, cols=9, n_pursuers=2, n_evaders=2))
+    of_values = whole.to_json()
+    del of_values["chosen"]  # as of a race that a page has saved
+    for settings in (whole, RaceSettings.from_json(of_values)):
+        every[settings] = command_of(settings)
+        assert "world.rules=TO" in every[settings]
     for expected, typed in every.items():
         program, command, *options = shlex.split(typed)
         assert (program, command) == ("matrixworld", "evolve")

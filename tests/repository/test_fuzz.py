@@ -11,7 +11,7 @@ import fuzz
 import matrixworld as mw
 from matrixworld._util import files
 from matrixworld.cli import options
-from matrixworld.coevolution import storage
+from matrixworld.coevolution.runs.writer import RunWriter
 
 
 @contextmanager
@@ -31,12 +31,12 @@ def a_move_is_lost():
 
 @contextmanager
 def an_unknown_directory_is_no_sentence():
-    plain = storage.find_runs
+    plain = options.find_runs
 
     def planted(path):
         return plain(path) or {}["run"]
 
-    with mock.patch.object(storage, "find_runs", planted):
+    with mock.patch.object(options, "find_runs", planted):
         yield
 
 
@@ -56,7 +56,7 @@ def what_a_killed_writer_left_stays():
 @contextmanager
 def a_clock_decides():
     """Old checkpoints are removed if time has passed since the last one."""
-    save, last = storage.RunWriter.save, [-1e300]
+    save, last = RunWriter.save, [-1e300]
 
     def planted(run, *args):
         last.append(time.time())
@@ -64,7 +64,7 @@ def a_clock_decides():
         with mock.patch.object(Path, "unlink") if keep else mock.MagicMock():
             save(run, *args)
 
-    with mock.patch.object(storage.RunWriter, "save", planted):
+    with mock.patch.object(RunWriter, "save", planted):
         yield
 
 

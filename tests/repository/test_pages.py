@@ -8,7 +8,7 @@ import pytest
 
 from course.questions import Exercise, exercises
 from matrixworld.coevolution import Game, Pursuit, evolve
-from matrixworld.coevolution.storage import COLUMNS
+from matrixworld.coevolution.runs.facts import COLUMNS
 from notebooks import NOTEBOOKS
 from pages import DOCS, ROOT, page_id, read
 from tiny_race import tiny_race

@@ -18,7 +18,7 @@ import matrixworld as mw
 from matrixworld import coevolution, explorer
 from matrixworld.coevolution import Run, create
 from rows import random_walks
-from tiny_race import tiny_race, tiny_single
+from tiny_race import results, straight, tiny_race, tiny_single
 
 NOT_COPIED = {
     "Batch": "its buffers belong to the caller",
@@ -54,10 +54,17 @@ def public_classes():
     }
 
 
+class Content(pickle.Pickler):
+    """Keeps a method by its name: the training of a run calls methods of the run."""
+
+    def persistent_id(self, value):
+        return value.__qualname__ if inspect.ismethod(value) else None
+
+
 def content(value):
     """Return what pickle keeps, whether or not equal parts are one object."""
     out = io.BytesIO()
-    pickler = pickle.Pickler(out)
+    pickler = Content(out)
     pickler.fast = True
     pickler.dump(value)
     return out.getvalue()
@@ -101,7 +108,7 @@ def of_runs(directory):
         run = Run(directory / name, threads=1)
         yield from (settings, run)
         yield from (run.run(), run)
-    yield coevolution.RunInMemory(tiny_race(), threads=1)
+    yield coevolution.Training(tiny_race(), threads=1)
     saved = coevolution.open_run(directory / "race")
     yield from (saved, saved.policy("pursuer", -1, seed=0), saved.payoff(), saved)
     [group] = coevolution.open_groups(directory / "race")
@@ -119,6 +126,15 @@ def test_copies_are_equal(tmp_path):
             changed.append(type(each).__name__)
     assert changed == []
     assert public_classes().keys() - classes - NOT_COPIED.keys() == set()
+
+
+@pytest.mark.parametrize("copied", [pickled, copy.deepcopy])
+def test_a_copy_of_a_run_goes_on_by_itself(copied, tmp_path):
+    create(tiny_race(), tmp_path / "run")
+    run = Run(tmp_path / "run", threads=1)
+    again = copied(run)
+    assert results(again.run().path) == straight(tiny_race())
+    assert (run.training.stage, again.training.stage) == (0, 4)
 
 
 @pytest.mark.parametrize("copied", [pickle.dumps, copy.deepcopy])

@@ -7,7 +7,7 @@ from click.testing import CliRunner
 from matrixworld.analysis import CONDITIONS
 from matrixworld.cli import main
 from matrixworld.cli.options import option_name
-from matrixworld.coevolution.settings import paths_of
+from matrixworld.coevolution.settings.race_settings import paths_of
 from tiny_race import TINY
 
 WORLD = {**TINY, "hidden": "4"}

@@ -14,8 +14,8 @@ from multiprocessing import forkserver
 from unittest import mock
 
 from matrixworld._util import files
-from matrixworld.coevolution.jobs import create_job, job_of
-from matrixworld.coevolution.storage import RunWriter
+from matrixworld.coevolution.jobs.job import create_job, job_of
+from matrixworld.coevolution.runs.writer import RunWriter
 from matrixworld.play.rollout import rollout
 from tiny_race import played, tiny_race, tiny_single
 

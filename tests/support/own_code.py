@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from matrixworld.coevolution import Learner
+from matrixworld.coevolution import EvolutionStrategy, GeneticAlgorithm, Learner
 from matrixworld.coevolution.opponents import Opponents
 
 
@@ -38,6 +38,20 @@ class HillClimber(Learner):
         best = int(np.argmax(results.fitness))
         sigma = state["sigma"] * (self.shrink if best == 0 else 1.0)
         return {"genome": state["candidates"][best].copy(), "sigma": np.array(sigma)}
+
+
+@dataclass(frozen=True)
+class Bred(GeneticAlgorithm):
+    """A genetic algorithm with a setting more."""
+
+    bits: int = 1
+
+
+@dataclass(frozen=True)
+class Steps(EvolutionStrategy):
+    """An evolution strategy with a setting more."""
+
+    longest: float = 1.0
 
 
 @dataclass(frozen=True)

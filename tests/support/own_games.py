@@ -45,7 +45,7 @@ silent = Game(toss, genes=3, teams=HOSTS)
 
 def short_race(game, generations=3, schedule="hall-of-fame", **changes):
     """Return the settings of a race that takes a fraction of a second."""
-    race = RaceSettings(game=game, schedule=schedule, learner="ga")
+    race = RaceSettings.of(game=game, schedule=schedule, learner="ga")
     epochs = ("joint",) if schedule == "hall-of-fame" else ("pursuer", "evader")
     tiny = {"learner.population": 6, **{f"schedule.{each}_epochs": 2 for each in epochs}}
     return race.changed({**tiny, "schedule.generations": generations, **changes})

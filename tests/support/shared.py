@@ -6,8 +6,8 @@ from itertools import compress
 import pytest
 from hypothesis import HealthCheck, settings
 
-from matrixworld.coevolution.jobs import create_job, job_of
-from matrixworld.coevolution.run import finish
+from matrixworld.coevolution.jobs.job import create_job, job_of
+from matrixworld.coevolution.saved_run import finish
 from slow import PARTS, part_of
 from tiny_race import LONG, MEMORY, SCHEDULES, played, tiny_race
 

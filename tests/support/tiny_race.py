@@ -1,5 +1,6 @@
 """Runs that take a fraction of a second, and a way to interrupt them."""
 
+import json
 import os
 import shutil
 import tempfile
@@ -10,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from matrixworld.coevolution import RaceSettings, Run, create, finish
+from matrixworld.coevolution import RaceSettings, Run, SavedRun, create, finish
 from matrixworld.play.rollout import Matches, rollout
 
 TINY = {
@@ -92,7 +93,7 @@ def begun(settings, directory, *, opponents=None, start=None, play=rollout, **op
 
 def playing(run, play):
     """Let a function with the arguments of `rollout` play all matches of a run."""
-    run.game = replace(run.game, play=play)
+    run.training.game = replace(run.training.game, play=play)
     evaluation = replace(run.settings.evaluation_game, play=play)
     vars(run.settings)["evaluation_game"] = evaluation
     return run
@@ -104,7 +105,8 @@ def played(settings, directory, play=rollout, **options):
     if play is rollout:
         return finish(directory, **{"threads": 1, **options})
     threads = options.pop("threads", 1)
-    return playing(Run(directory, threads=threads), play).run(**options)
+    playing(Run(directory, threads=threads), play).run(**options)
+    return SavedRun(directory)
 
 
 def results(directory):
@@ -147,8 +149,14 @@ class StopAt:
         return rollout(*args, **options)
 
 
-@cache
 def straight(settings):
+    """Return the results of a run that was never stopped."""
+    return _straight(settings, json.dumps(settings.to_json()))
+
+
+@cache
+def _straight(settings, plain):
+    # Equal settings may have been chosen by other words, which config.json keeps.
     with directory_in_memory() as directory:
         return results(played(settings, directory / "run", threads=2).path)
 

@@ -10,18 +10,20 @@ import pytest
 
 from browser import data_of
 from command_line import matrixworld_command, run_together
+from matrixworld._util.files import read_json
 from matrixworld.analysis import CONDITIONS, judge
 from matrixworld.cli.options import unpacked
-from matrixworld.coevolution import RaceSettings, evolve, open_run, seeding
-from matrixworld.coevolution import run as run_module
-from matrixworld.coevolution.evaluation.explanation import PHRASES, WORDS, sentence
-from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution import RaceSettings, create, evolve, open_run, seeding
+from matrixworld.coevolution.evaluation.effects import PHRASES, WORDS, sentence
+from matrixworld.coevolution.games.tournament import tournament
 from matrixworld.coevolution.learners import learner as learner_module
-from matrixworld.coevolution.storage import FORMAT
+from matrixworld.coevolution.learners import noise as noise_module
+from matrixworld.coevolution.runs.facts import Facts
+from matrixworld.coevolution.runs.places import CONFIG
+from matrixworld.coevolution.training import training as training_module
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.explorer.evolve_page import masks_of
+from matrixworld.explorer.evolve_page import evolve_data, masks_of, plain_race
 from matrixworld.explorer.runs_page import explorer_page
-from matrixworld.version import __version__
 from node import run_node
 from page_races import against_scripts
 from slow import quickly
@@ -88,12 +90,16 @@ def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
         name = " ".join([purpose.name.lower(), *map(str, key)])
         return Recorder(seeding.keyed_generator(seed, purpose, *key), draws[name])
 
-    for module in (run_module, learner_module):
+    for module in (training_module, learner_module, noise_module):
         monkeypatch.setattr(module, "keyed_generator", recorded)
-    learner_module._table.cache_clear()  # or its numbers would not be drawn again
+    noise_module._table.cache_clear()  # or its numbers would not be drawn again
     settings = RaceSettings.of({**SMALL, **changes})
     run = evolve(settings, tmp_path, threads=1)
-    given = {"settings": settings.to_json(), "masks": masks_of(settings.world), "draws": draws}
+    given = {
+        "settings": plain_race(settings),
+        "masks": masks_of(settings.game.world),
+        "draws": draws,
+    }
     told = run_node("race.mjs", given)
     for team in TEAMS:
         genomes = run.archive()[team]
@@ -111,6 +117,8 @@ def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
 
 
 MAP = ["........", ".##.....", "........", "...#....", "...#....", ".....#..", "........"]
+FORMAT = {name: evolve_data()[name] for name in ("format", "version", "game")}
+"""What the page knows of the files of a run."""
 SAVED = {
     "as it began": [{}],
     "in another world": [{"policy.hidden": [4]}, {"world.obstacles": MAP, "world.n_pursuers": 3}],
@@ -133,10 +141,10 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(par
     each = [RaceSettings.of({**SMALL, **a, **b}) for a, b in zip(turns, parts, strict=True)]
     last = each[-1]
     given = {
-        "settings": each[0].to_json(),
-        "changes": {"2": last.to_json()} if len(each) > 1 else {},
-        "masks": masks_of(last.world),
-        "format": {"format": FORMAT, "version": __version__},
+        "settings": plain_race(each[0]),
+        "changes": {"2": plain_race(last)} if len(each) > 1 else {},
+        "masks": masks_of(last.game.world),
+        "format": FORMAT,
     }
     told = run_node("race.mjs", given)
     archive = tmp_path / "race.zip"
@@ -144,10 +152,11 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(par
     run = open_run(unpacked(archive))
     assert run.finished
     assert run.settings == last
+    assert read_json(create(last, tmp_path / "of python").path / CONFIG).keys() <= run.config.keys()
+    assert run.facts == Facts.of(last.game)
     payoff = run.payoff()
-    again = tournament(
-        last.world, run.teams["pursuer"], run.teams["evader"], seed=last.seed, episodes=3, threads=1
-    )
+    teams = run.teams["pursuer"], run.teams["evader"]
+    again = tournament(last.game.world, *teams, seed=last.seed, episodes=3, threads=1)
     for name, found in again.arrays().items():
         np.testing.assert_array_equal(payoff.arrays()[name], found)
     assert run.record(1, 3, episode=2).length == payoff.extras["lengths"][1, 3, 2]
@@ -165,9 +174,12 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(par
 @pytest.mark.slow
 @needs_packages
 def test_commands_read_a_saved_race(tmp_path):
-    settings = RaceSettings.of({**SMALL, **TURNS}).to_json()
-    masks = masks_of(RaceSettings.of(SMALL).world)
-    given = {"settings": settings, "masks": masks, "format": {"format": FORMAT, "version": "1"}}
+    settings = RaceSettings.of({**SMALL, **TURNS})
+    given = {
+        "settings": plain_race(settings),
+        "masks": masks_of(settings.game.world),
+        "format": {**FORMAT, "version": "1"},
+    }
     archive = tmp_path / "race.zip"
     archive.write_bytes(base64.b64decode(run_node("race.mjs", given)["saved"]))
     told = matrixworld_command("judge", archive).output

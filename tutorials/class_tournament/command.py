@@ -19,7 +19,7 @@ from matrixworld.cli.console import TERMS, note, say
 from matrixworld.cli.pages import open_page
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import ProgressBar, open_run
-from matrixworld.coevolution.settings import MOST_SEED
+from matrixworld.coevolution.settings.race_settings import MOST_SEED
 from matrixworld.explorer.page import write_page
 from matrixworld.play import save_genome
 from matrixworld.world.config import WorldConfig

@@ -9,7 +9,8 @@ import numpy as np
 from course.checks import Mistake, array, comparison, function
 from course.toys import AT_ONCE, PAYOFF, WEIGHTED, WEIGHTED_HANDS, BestHand
 from matrixworld import analysis
-from matrixworld.coevolution import TEAMS, RaceSettings, RunInMemory
+from matrixworld.coevolution import TEAMS, RaceSettings, Training
+from matrixworld.coevolution.training.loops import run_stage
 from matrixworld.coevolution.types import FloatArray
 
 # ---- Cures, in a toy -----------------------------------------------------------------------------
@@ -32,10 +33,9 @@ def race(source: str, budget: int, seed: int) -> FloatArray:
     settings = RaceSettings.of(
         game=WEIGHTED_HANDS, learner=BestHand(), schedule=schedule, seed=seed
     )
-    run, course = RunInMemory(settings, threads=1), []
+    run, course = Training(settings, threads=1), []
     while run.counts["matches"] < budget:
-        run.learn(run.stage)
-        run.end_stage()
+        run_stage(run)
         hands = [np.argmax(run.archive[team], axis=1) for team in TEAMS]
         p, q = (np.bincount(played, minlength=3) / len(played) for played in hands)
         if source == "nash":

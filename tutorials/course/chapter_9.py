@@ -17,7 +17,7 @@ import matrixworld as mw
 from course.checks import Mistake, array, function, near, number, whole
 from matrixworld import analysis
 from matrixworld.coevolution import EvolutionStrategy, Task
-from matrixworld.coevolution.types import State
+from matrixworld.coevolution.states import State
 from matrixworld.world.arrays import MOVES
 
 # ---- Packs ---------------------------------------------------------------------------------------

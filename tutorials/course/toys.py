@@ -26,18 +26,20 @@ reduced virulence are rewarded for winning less than the most.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import solve_ivp
 
-from matrixworld.coevolution import Game, GeneticAlgorithm, RaceSettings, RunInMemory
-from matrixworld.coevolution.game import Scores
+from matrixworld.coevolution import Game, GeneticAlgorithm, RaceSettings, Task, Training, train
+from matrixworld.coevolution.games.game import Scores
+from matrixworld.coevolution.learners.generational import unscored
 from matrixworld.coevolution.learners.genetic_algorithm import TOURNAMENT
-from matrixworld.coevolution.learners.learner import Task, select_tournament
+from matrixworld.coevolution.learners.selection import select_tournament
+from matrixworld.coevolution.states import State
 from matrixworld.coevolution.types import (
     TEAMS,
     BoolArray,
@@ -47,7 +49,6 @@ from matrixworld.coevolution.types import (
     IntArray,
     Matches,
     Rng,
-    State,
     Team,
 )
 
@@ -83,7 +84,7 @@ class BestHand(GeneticAlgorithm):
     def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
         """Return the hands in random order: of equals the first one is best."""
         hands = rng.permutation(np.eye(3, dtype=np.float32))
-        return hands, {**state, "candidates": hands}
+        return hands, state._replace(candidates=hands)
 
 
 ALL = 10**6
@@ -104,8 +105,7 @@ def race_of_hands(name: str, generations: int, seed: int = 0) -> dict[Team, list
     """
     schedule = {**RACES_OF_HANDS[name], "generations": generations}
     settings = RaceSettings.of(game=HANDS, learner=BestHand(), schedule=schedule, seed=seed)
-    race = RunInMemory(settings, threads=1)
-    race.train()
+    race = train(Training(settings, threads=1))
     return {team: np.argmax(race.archive[team], axis=1).tolist() for team in TEAMS}
 
 
@@ -168,8 +168,8 @@ NIM = Game(_play_nim, STONES * MOST, ("first", "second"), deterministic=True)
 def race_of_nim(seed: int, generations: int = 20) -> list[Genomes]:
     """Play a race of generalists, and return the champions of both players by generation."""
     schedule = {"kind": "generalist-generalist", "generations": generations}
-    race = RunInMemory(RaceSettings.of(game=NIM, learner="ga", schedule=schedule, seed=seed))
-    race.train()
+    settings = RaceSettings.of(game=NIM, learner="ga", schedule=schedule, seed=seed)
+    race = train(Training(settings))
     return [np.array(race.archive[team]) for team in TEAMS]
 
 
@@ -231,6 +231,17 @@ def beats(game: Game, a: ArrayLike, b: ArrayLike) -> BoolArray:
     return np.asarray(game.play(np.asarray(a), np.asarray(b), rng)) == 1.0
 
 
+class Counted(NamedTuple):
+    """A population of ones and its wins; the bits of each of its numbers, and the team's bias."""
+
+    population: Genomes
+    fitness: FloatArray
+    champion: NDArray[np.intp]
+    bits: IntArray
+    bias: FloatArray
+    candidates: Genomes | None = None
+
+
 @dataclass(frozen=True)
 class Bits(GeneticAlgorithm):
     """A genetic algorithm of ones: children are their parents with redrawn bits."""
@@ -243,20 +254,21 @@ class Bits(GeneticAlgorithm):
     """Whether parents are drawn in proportion to their wins, instead of by tournaments."""
 
     def start(self, task: Task) -> State:
-        """Return a population, the bits of each of its numbers, and the bias of its team."""
+        """Return a population that nobody has scored yet."""
         bits, bias = BITS // task.game.genome_size("pursuer"), (self.host_bias, self.parasite_bias)
         facts = {"bits": np.array(bits), "bias": np.array(bias[task.team])}
-        return {**super().start(task), **facts}
+        return Counted(**unscored(task.genomes(self.population)), **facts)
 
-    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
-        """Return the children of the population; at first itself."""
-        ones, wins, bias = state["population"], state["fitness"], state["bias"]
-        if len(wins):
-            parents = ones[self._parents(wins, rng)].astype(int)
-            gained = rng.binomial(state["bits"] - parents, self.redrawn * bias)
-            lost = rng.binomial(parents, self.redrawn * (1.0 - bias))
-            ones = (parents + gained - lost).astype(np.float32)
-        return ones, {**state, "candidates": ones}
+    def offspring(self, state: State, rng: Rng) -> Genomes:
+        """Return the children of a population."""
+        parents = state.population[self._parents(state.fitness, rng)].astype(int)
+        gained = rng.binomial(state.bits - parents, self.redrawn * state.bias)
+        lost = rng.binomial(parents, self.redrawn * (1.0 - state.bias))
+        return (parents + gained - lost).astype(np.float32)
+
+    def fitness(self, game: Any, scores: Scores, team: Team, table: Any) -> FloatArray:
+        """Return the fitness of individuals by their wins, which the game counts."""
+        return np.asarray(game.fitness(team), float)
 
     def _parents(self, wins: FloatArray, rng: Rng) -> Indices:
         if not self.proportionate:
@@ -302,25 +314,26 @@ class History:
         return self.game.play(a, b, rng).reshape(shape)
 
 
-class _Watched(RunInMemory):
-    """A race that keeps its populations and their wins, and selects by wins alone."""
+@dataclass(frozen=True, eq=False)
+class _Watched(Game):
+    """A game that keeps who has played in each epoch, and how many matches they have won."""
 
-    ones: list[list[Genomes]]
-    wins: list[list[IntArray]]
-    parasites: Callable[[FloatArray], Any]
+    parasites: Callable[[FloatArray], Any] = np.asarray
+    ones: list[list[Genomes]] = field(default_factory=list)
+    wins: list[list[IntArray]] = field(default_factory=list)
 
-    def play(self, pursuers: Any, evaders: Any, matches: Matches) -> Scores:
-        """Play the matches of an epoch."""
-        scores = super().play(pursuers, evaders, matches)
+    def scores(self, first: Any, second: Any, matches: Matches, **options: Any) -> Scores:
+        """Play the matches of an epoch; draws are worth nothing."""
+        scores = super().scores(first, second, matches, **options)
         won = zip(matches[:2], (scores.of(team)[:, 0] == 1.0 for team in TEAMS), strict=True)
-        self.ones.append([pursuers.genomes, evaders.genomes])
+        self.ones.append([first.genomes, second.genomes])
         self.wins.append([np.bincount(*each, POPULATION) for each in won])
         return scores
 
-    def fitness(self, team: Team, scores: Scores, table: Any) -> FloatArray:
-        """Return the fitness of individuals by their wins; draws are worth nothing."""
+    def fitness(self, team: Team) -> FloatArray:
+        """Return the fitness (n,) of a team's individuals in the last epoch."""
         hosts, parasites = self.wins[-1]
-        return np.asarray(hosts if team == "pursuer" else self.parasites(parasites * 1.0), float)
+        return hosts if team == "pursuer" else self.parasites(parasites * 1.0)
 
 
 def evolve(
@@ -343,10 +356,11 @@ def evolve(
         "contemporaries": opponents, "hall_sample": 0,
     }  # fmt: skip
     settings = RaceSettings.of(game=game, learner=learner, schedule=schedule, seed=seed)
-    race = _Watched(settings, threads=1)
-    race.ones, race.wins, race.parasites = [], [], parasites
-    race.train()
-    return History(game, np.array(race.ones).astype(int), np.array(race.wins))
+    watched = _Watched(**vars(game), parasites=parasites)
+    race = Training(settings, threads=1)
+    race.game = watched
+    train(race)
+    return History(game, np.array(watched.ones).astype(int), np.array(watched.wins))
 
 
 def numbers_game(name: str, seed: int, *, generations: int = 600, flips: float = 0.005) -> History:

@@ -39,7 +39,7 @@ def settings(seed: int) -> RaceSettings:
 
 def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:
     """Return the mean held-out scores (k,) of both teams."""
-    world = run.settings.world
+    world = run.settings.game.world
     found = []
     for team in TEAMS:
         genomes = mw.Population(run.teams[team].genomes[generations], run.teams[team].policy)
@@ -54,10 +54,10 @@ def main() -> None:
         print(f"seed {seed}", flush=True)
         run = finish(settings(seed), RUNS / str(seed))
         generations = np.arange(0, run.settings.schedule.generations + 1, EVERY)
-        captured.append(counts(run.payoff().scores.sum(axis=2), run.settings.world.n_evaders))
+        captured.append(counts(run.payoff().scores.sum(axis=2), run.settings.game.world.n_evaders))
         held_out.append(scores(run, generations))
     pursuer, evader = np.array(held_out).swapaxes(0, 1)
-    met = run.settings.evaluation_episodes * run.settings.world.n_evaders
+    met = run.settings.evaluation_episodes * run.settings.game.world.n_evaders
     arrays = {"captured": np.array(captured), "evaders_met": np.array(met)}
     arrays |= {"generations": generations, "pursuer": pursuer, "evader": evader}
     save_arrays(DATA / "chapter_4.npz", arrays)

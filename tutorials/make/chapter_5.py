@@ -20,7 +20,7 @@ from matrixworld.coevolution import SCHEDULES, ProgressBar, RaceSettings, evolve
 
 RUNS = Path("runs/chapter_5")
 SEEDS = range(10)
-EVADERS = RaceSettings().world.n_evaders
+EVADERS = RaceSettings().game.world.n_evaders
 
 
 def settings_of(schedule: str, seed: int) -> RaceSettings:

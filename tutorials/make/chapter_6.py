@@ -30,7 +30,7 @@ RACE = RaceSettings.of({
     "world.rows": 16, "world.cols": 16, "world.n_pursuers": 4, "world.n_evaders": 8, "world.fov": 9,
     "world.max_steps": 200, "train_steps": 100, "learner.population": 32,
 })  # fmt: skip
-WORLD = RACE.world
+WORLD = RACE.game.world
 CROSS_EPISODES = 5
 
 

@@ -15,13 +15,12 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
-import matrixworld as mw
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import RaceSettings, SavedRun, Team, create
+from matrixworld.coevolution import EvolutionStrategy, RaceSettings, SavedRun
 from matrixworld.coevolution.types import TEAMS, FloatArray
 
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
-from races import DATA, SMALL, Penalised, counts
+from races import DATA, SMALL, counts, penalised
 
 from course.toys import reduced_virulence
 
@@ -39,22 +38,22 @@ RACES = {"even": EVEN, "few evader epochs": FEW, "restrained pursuers": FEW}
 """Settings of the races by name, without their seeds."""
 
 
-class Restrained(Penalised):
-    """A race whose pursuers are selected by reduced virulence."""
+class Restrained(EvolutionStrategy):
+    """A learner that is selected by reduced virulence."""
 
-    def fitness(self, team: Team, scores: mw.EpisodeStatistics, table: Any) -> FloatArray:
+    def fitness(self, *matches: Any) -> FloatArray:
         """Return the fitness (n,) of the candidates."""
-        found = super().fitness(team, scores, table)
-        return reduced_virulence(found, 0.75) if team == "pursuer" else found
+        return reduced_virulence(super().fitness(*matches), 0.75)
 
 
 def race(name: str, seed: int, runs: Path) -> SavedRun:
     """Return one of `RACES`; play it if it is missing in the directory `runs`."""
-    settings = replace(RACES[name], seed=seed)
     directory = runs / name.replace(" ", "-") / str(seed)
-    create(settings, directory)
-    kind = Restrained if name == "restrained pursuers" else Penalised
-    return kind(directory, 0.5, threads=1).run()
+    run = penalised(replace(RACES[name], seed=seed), directory, 0.5)
+    if name == "restrained pursuers":
+        run.training.learners["pursuer"] = Restrained(**vars(run.settings.learner))
+    run.run()
+    return SavedRun(directory)
 
 
 def spread(run: SavedRun) -> np.ndarray:
@@ -70,11 +69,11 @@ def spread(run: SavedRun) -> np.ndarray:
 
 def captures(run: SavedRun) -> np.ndarray:
     """Return the evaders captured in each episode, uint8 of shape (n, n, episodes)."""
-    return counts(run.payoff().scores[..., :EPISODES], EVEN.world.n_evaders)
+    return counts(run.payoff().scores[..., :EPISODES], EVEN.game.world.n_evaders)
 
 
 def main() -> None:
-    arrays: dict[str, np.ndarray] = {"evaders": np.array(EVEN.world.n_evaders)}
+    arrays: dict[str, np.ndarray] = {"evaders": np.array(EVEN.game.world.n_evaders)}
     for name in RACES:
         played = [race(name, seed, RUNS) for seed in tqdm(SEEDS, desc=name)]
         arrays[f"captured: {name}"] = np.stack([captures(run) for run in played])

@@ -209,7 +209,7 @@ def halls(seed: int) -> Effects:
 def disengaged(name: str, seed: int) -> bool:
     """Return whether disengagement is present in the last half of a race."""
     captured = chapter_7.captures(chapter_7.race(name, seed, RUNS / "chapter_7"))
-    rates = captured / chapter_7.EVEN.world.n_evaders
+    rates = captured / chapter_7.EVEN.game.world.n_evaders
     judged = analysis.judge(rates, per_episode=True)
     return judged.windows["last half"]["disengagement"].verdict == "present"
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -18,18 +17,18 @@ SMALL = {
 """Settings of the races of notebooks 4, 6 and 7."""
 
 
-class Penalised(Run):
-    """A run with such a penalty."""
-
-    def __init__(self, directory: Path, penalty: float, **options: Any) -> None:
-        super().__init__(directory, **options)
-        self.game = replace(self.game, penalty=penalty)
+def penalised(settings: RaceSettings, directory: Path, penalty: float) -> Run:
+    """Return the run of these settings, with a penalty on evaders that share cells."""
+    create(settings, directory)
+    run = Run(directory, threads=1)
+    run.training.game = replace(run.training.game, penalty=penalty)
+    return run
 
 
 def finish(settings: RaceSettings, directory: Path, penalty: float = 0.5) -> SavedRun:
-    """Return the finished run of these settings, with a penalty on evaders that share cells."""
-    create(settings, directory)
-    return Penalised(directory, penalty, threads=1).run()
+    """Return the finished run of these settings, with such a penalty."""
+    penalised(settings, directory, penalty).run()
+    return SavedRun(directory)
 
 
 def counts(rates: np.ndarray, evaders: int) -> np.ndarray:

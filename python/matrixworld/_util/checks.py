@@ -42,14 +42,6 @@ def shown(value: object) -> str:
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
-def expect(
-    kept: object, name: str, expected: object, got: object, kind: type[Exception] = ValueError
-) -> None:
-    """Raise an error that says what was expected and what came, unless a condition is kept."""
-    if not kept:
-        raise kind(f"{name}: expected {expected}, got {got}")
-
-
 def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MAX) -> int:
     """Return an argument that Python takes for an index, but no bool, as an int within limits."""
     if isinstance(value, bool | np.bool_):
@@ -59,8 +51,8 @@ def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MA
     except TypeError:
         raise TypeError(f"{name}: expected an integer, got {shown(value)}") from None
     if not low <= number <= high:
-        # A caller below the lower limit does not need to read the engine's upper limit.
-        expected = f"at least {low}" if number < low and high == INT_MAX else f"{low} to {high}"
+        # A caller below the lower limit does not need to read the upper limit of an integer.
+        expected = f"at least {low}" if number < low and high >= INT_MAX else f"{low} to {high}"
         raise ValueError(f"{name}: expected {expected}, got {shown(number)}")
     return number
 

@@ -8,10 +8,11 @@ from typing import Any, NamedTuple
 
 from matrixworld._util.checks import check_choice, check_instance
 from matrixworld._util.readable import Parts, Readable, plain_values
+from matrixworld._util.teams import BOTH
 from matrixworld.analysis.intervals import RUNS_FOR_T, Estimate
 from matrixworld.analysis.measures import MEASURES
 from matrixworld.analysis.reasons import Reason, Why
-from matrixworld.analysis.teams import TEAMS, keys_of, listed, names_of
+from matrixworld.analysis.teams import keys_of, listed, names_of
 
 PRESENT = "present"
 ABSENT = "absent"
@@ -46,7 +47,7 @@ class Judgement(Readable):
     episodes: int | None
     level: float
     windows: Mapping[str, Findings]
-    teams: tuple[str, str] = TEAMS
+    teams: tuple[str, str] = BOTH
     exact: bool = False
 
     def _parts(self) -> Parts:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld._util.checks import check_choice
+from matrixworld._util.teams import BOTH
 from matrixworld.analysis import cycles, games, intervals, progress, ratings, strength
 from matrixworld.analysis.intervals import LEVEL, UNBOUNDED, UNIT, Bounds, Estimate
 from matrixworld.analysis.payoffs import (
@@ -28,7 +29,7 @@ from matrixworld.analysis.payoffs import (
     swap_teams,
 )
 from matrixworld.analysis.reasons import NOTHING, Reason, Why
-from matrixworld.analysis.teams import TEAMS, keys_of, names_of
+from matrixworld.analysis.teams import keys_of, names_of
 
 GAIN: Bounds = (-1.0, 1.0)  # bounds of a difference of two rates
 LABEL_WIDTH = 53  # least width of the first column of `measure_table`
@@ -73,11 +74,11 @@ class Measure:
         is_long = half.generations >= GENERATIONS_TO_JUDGE
         return half if self.late and is_long else payoffs.windows["whole"]
 
-    def label(self, teams: tuple[str, str] = TEAMS) -> str:
+    def label(self, teams: tuple[str, str] = BOTH) -> str:
         """Return what tables of measures call the number, in the words of a game."""
         return self.text.format(**names_of(teams))
 
-    def brief(self, teams: tuple[str, str] = TEAMS) -> str:
+    def brief(self, teams: tuple[str, str] = BOTH) -> str:
         """Return what the table of a judgement calls the number, in the words of a game."""
         return (self.short or self.text).format(**names_of(teams))
 

@@ -22,7 +22,8 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util.checks import check_bool, check_floats, check_integer
 from matrixworld._util.files import DamagedFileError, load_arrays, read_text
 from matrixworld._util.readable import Parts, Readable, matrix_table
-from matrixworld.analysis.teams import TEAMS, names_of
+from matrixworld._util.teams import BOTH
+from matrixworld.analysis.teams import names_of
 
 Rates = NDArray[np.float64]  # capture rates, or other float64 numbers of the analysis
 OfTeam = TypeVar("OfTeam")
@@ -75,7 +76,7 @@ class Payoffs(Readable):
     matrices: Rates
     scores: Rates | None = None  # (runs, n, m, episodes), capture rates of single episodes
     episodes: int | None = None
-    teams: tuple[str, str] = TEAMS
+    teams: tuple[str, str] = BOTH
     exact: bool = False  # whether all episodes are equal, as in a game without chance
 
     def __len__(self) -> int:
@@ -225,7 +226,7 @@ def read_payoffs(
     per_episode: bool = False,
     episodes: int | None = None,
     exact: bool = False,
-    teams: tuple[str, str] = TEAMS,
+    teams: tuple[str, str] = BOTH,
 ) -> Payoffs:
     """Read payoffs from an array, a file or several files.
 
@@ -267,7 +268,7 @@ def read_payoffs(
         payoffs = source.payoffs()
     else:
         payoffs = _payoffs(source, per_episode)
-    if teams != TEAMS:
+    if teams != BOTH:
         payoffs = replace(payoffs, teams=teams)
     if episodes is not None:
         number = check_integer("episodes", episodes, 1)

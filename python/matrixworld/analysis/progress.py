@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_floats
 from matrixworld._util.readable import Readable
+from matrixworld._util.teams import BOTH
 from matrixworld.analysis import payoffs
 from matrixworld.analysis.intervals import Estimate
-from matrixworld.analysis.teams import TEAMS, names_of
+from matrixworld.analysis.teams import names_of
 
 
 def generalization(payoff: ArrayLike) -> payoffs.ByTeam[payoffs.Rates]:
@@ -94,7 +95,7 @@ class Disengagement:
     def __str__(self) -> str:
         return self.in_words()
 
-    def in_words(self, teams: tuple[str, str] = TEAMS) -> str:
+    def in_words(self, teams: tuple[str, str] = BOTH) -> str:
         """Return what happened, and what to do, in the words of a game with these teams."""
         names = names_of(teams)
         winner = names[self.winner]

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from enum import Enum, unique
 
 from matrixworld._util.readable import Worded
+from matrixworld._util.teams import BOTH
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, EPISODES_TO_RECUR, GENERATIONS_TO_JUDGE
-from matrixworld.analysis.teams import TEAMS, listed, names_of
+from matrixworld.analysis.teams import listed, names_of
 
 
 @unique
@@ -125,7 +126,7 @@ class Reason(Worded):
     def __repr__(self) -> str:
         return repr(self.in_words())
 
-    def in_words(self, teams: tuple[str, str] = TEAMS) -> str:
+    def in_words(self, teams: tuple[str, str] = BOTH) -> str:
         """Return the reason in the words of a game whose teams have these names."""
         names = {**names_of(teams), "teams": listed(self.teams, teams)}
         return self.why.value.format(number=self.number, **names)

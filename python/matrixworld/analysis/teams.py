@@ -6,13 +6,9 @@ one ``"evaders"``. Texts for people use the names that a game gives its teams.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-TEAMS = ("pursuers", "evaders")
-"""What the teams are called, unless a game has other names."""
-
-SINGULARS: Mapping[str, str] = {"pursuers": "pursuer", "evaders": "evader"}
-"""One member of each team, by the name of the team."""
+from matrixworld._util.teams import BOTH, SINGULARS
 
 
 def keys_of(number: str) -> dict[str, str]:
@@ -23,7 +19,7 @@ def keys_of(number: str) -> dict[str, str]:
 def names_of(teams: tuple[str, str]) -> dict[str, str]:
     """Return the words of a game for the placeholders of texts: both teams and their score."""
     pursuers, evaders = teams
-    score = "capture rate" if teams == TEAMS else "score"
+    score = "capture rate" if teams == BOTH else "score"
     return {"pursuers": pursuers, "evaders": evaders, "score": score}
 
 

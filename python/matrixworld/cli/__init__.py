@@ -12,21 +12,21 @@ from typing import Any
 
 import click
 
-from matrixworld.__main__ import INTERRUPTED
+from matrixworld._util.exit_codes import INTERRUPTED
 from matrixworld.version import __version__
 
 __all__ = ["main"]
 
 COMMANDS = {
     "evolve": ("evolve", "Start races, or continue them."),
-    "explain": ("evaluate", "Say what teams do, input by input."),
+    "explain": ("explain", "Say what teams do, input by input."),
     "explore": ("pages", "Show runs as a page or as figures."),
-    "judge": ("evaluate", "Say what happened in races."),
+    "judge": ("judge", "Say what happened in races."),
     "playground": ("pages", "Play an agent or conflicts on a page."),
     "replay": ("replay", "Watch an episode, or write it to files."),
-    "score": ("evaluate", "Play against held-out opponents."),
+    "score": ("score", "Play against held-out opponents."),
     "solve": ("solve", "Solve a small world exactly."),
-    "tournament": ("evaluate", "Play every generation against every other."),
+    "tournament": ("tournament", "Play every generation against every other."),
 }
 """Module and summary of each command."""
 
@@ -49,25 +49,30 @@ class Commands(click.Group):
             formatter.write_dl([(name, text) for name, (_, text) in COMMANDS.items()])
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command."""
+        """Run the command; Ctrl-C stops it."""
         try:
-            from matrixworld._util.files import printable, sentence_of
-            from matrixworld.cli import options
-
-            return super().invoke(ctx)
-        except KeyboardInterrupt:  # first: it may come before the names below are there
+            return self._invoke(ctx)
+        except KeyboardInterrupt:
             click.echo("\nStopped. No file is half written.", err=True)
             raise click.exceptions.Exit(INTERRUPTED) from None
+
+    def _invoke(self, ctx: click.Context) -> Any:
+        """Run the command; failures become messages."""
+        from matrixworld._util.files import printable, sentence_of
+        from matrixworld.cli.options import FAILURES  # half a second
+
+        try:
+            return super().invoke(ctx)
         except click.ClickException as error:
-            # It may quote a name or a file; the attribute is final for others.
-            vars(error)["message"] = printable(error.message)
+            # It may quote a name or a file.
+            error.message = printable(error.message)  # type: ignore[misc]  # Final
             raise
         except BrokenPipeError:  # the reader of the output has gone, which click handles
             raise
         except MemoryError as error:
             problem = "this machine has too little memory for these sizes"
             raise click.ClickException(problem) from error
-        except options.FAILURES as error:
+        except FAILURES as error:
             raise click.ClickException(printable(sentence_of(error))) from error
 
 

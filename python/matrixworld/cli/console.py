@@ -75,10 +75,16 @@ def command(name: str, *words: Path | str) -> str:
     return " ".join(["matrixworld", name, *quoted])
 
 
+def counted(number: int, noun: str) -> str:
+    """Return a number with its noun, such as "1 race" or "2,000 races"."""
+    return f"{number:,} {noun if number == 1 else f'{noun}s'}"
+
+
 def print_missing(group: RunGroup) -> None:
     """Name the seeds of a group that are not finished, if there are any."""
     if group.missing:
-        print_wrapped(f"Not finished: seeds {', '.join(map(str, group.missing))}.")
+        what = "seed" if len(group.missing) == 1 else "seeds"
+        print_wrapped(f"Not finished: {what} {', '.join(map(str, group.missing))}.")
 
 
 def seeds_finished(group: RunGroup) -> str:

@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
-import shlex
 import time
 import traceback
-from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import Executor
+from collections.abc import Iterator, Mapping
+from concurrent.futures import CancelledError, Executor
 from contextlib import contextmanager
-from dataclasses import replace
 from itertools import groupby
 from pathlib import Path, PurePath
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
-from tqdm import tqdm
 
-from matrixworld.__main__ import INTERRUPTED
-from matrixworld._util import checks
-from matrixworld._util.files import DamagedFileError, LockedError, save_json
-from matrixworld.analysis import sentence
+from matrixworld._util.exit_codes import INTERRUPTED
+from matrixworld._util.files import DamagedFileError, LockedError
+from matrixworld._util.sections import names_in
 from matrixworld.cli import cluster, console, options, pages, setting_options
-from matrixworld.coevolution import Progress, ProgressBar, SavedRun, jobs, storage
-from matrixworld.coevolution.evaluation.explanation import sentence_of
-from matrixworld.coevolution.evaluation.scores import kept_scores
-from matrixworld.coevolution.groups import RunGroup, by_clarity, grouped
-from matrixworld.coevolution.race import ALL_SCHEDULES, Against
-from matrixworld.coevolution.sections import kinds_in
-from matrixworld.coevolution.types import TEAMS, other
+from matrixworld.cli.report import counted_runs, report
+from matrixworld.coevolution import Progress, ProgressBar
+from matrixworld.coevolution.games.pursuit import PursuitSettings
+from matrixworld.coevolution.jobs import job as jobs
+from matrixworld.coevolution.jobs.job import Job
+from matrixworld.coevolution.jobs.play import play_job
+from matrixworld.coevolution.learners.learner import Learner
+from matrixworld.coevolution.runs.places import check_empty, find_runs
+from matrixworld.coevolution.settings.schedules import ALL_SCHEDULES, Against
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, GrowingPage
@@ -130,8 +128,7 @@ def _shows(function: Any) -> Any:
 @click.option(
     "--learner",
     metavar="NAME",
-    help=f"{', '.join(kinds_in(setting_options.HINTS['learner']))}, or one of your own, as "
-    "module:object  [default: es]",
+    help=f"{', '.join(names_in(Learner))}, or one of your own, as module:object  [default: es]",
 )
 @click.option(
     "--generations",
@@ -204,269 +201,175 @@ def evolve_command(
       matrixworld evolve --resume my-race
     """
     context = click.get_current_context()
-    everything = options.given(context.params)
-    for name in SHOWS.keys() & everything:
-        options.refuse_beside(options.option_name(name), [n for n in everything if n != name])
-        SHOWS[name][0](context)
+    names = options.names_given()
+    shows = SHOWS.keys() & names
+    if shows:
+        name = min(shows)
+        options.refuse_beside(options.option_name(name), names - {name})
+        show, _ = SHOWS[name]
+        show(context)
         return
-    given = options.given({n: each for n, each in settings.items() if n not in SHOWS})
+    chosen = {name: value for name, value in settings.items() if name in names}
     with console.warnings_as_notes():
         if resumed is None:
-            checks.expect(not force, "--force", "--resume beside it", "none", click.UsageError)
-            root, job = _new_job(given, output)
+            plan = _new_plan(chosen, output, force=force)
         else:
-            root, job = _found(resumed, given, output, force=force)
+            plan = _stored_plan(resumed, chosen, output, force=force)
         # Some settings can be checked only when opponents and start genomes have been read.
         with setting_options.usage_errors():
-            jobs.check_job(job, root, threads, elsewhere=where is not None)
+            jobs.check_job(plan.job, plan.root, threads, elsewhere=where is not None)
         began = time.monotonic()
-        with _resumable(root):
+        with _resumable(plan.root, where):
             with cluster.on_cluster(where, threads) as executor:
-                jobs.create_job(job, root)
-                console.note(f"{root / PAGE} shows the runs while they go on.")
-                console.note(_plan(job, root))
-                if resumed is None and not given:
+                jobs.create_job(plan.job, plan.root)
+                console.note(f"{plan.root / PAGE} shows the runs while they go on.")
+                console.note(plan.sentence)
+                if resumed is None and not chosen:
                     console.note(PAGE_HINT)
-                results, failed = play(job, root, threads, executor)
-            report(job, root, results, failed, began, threads)
+                failed = play(plan, threads, executor)
+            finished = [path for path in plan.paths if path not in failed]
+            report(plan.job, plan.root, finished, failed, began, threads)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
-                f"{len(failed)} of {len(job)} runs failed:{lines}\nTo try them again:\n"
-                f"  {options.resume_command(root)}"
+                f"{len(failed)} of {console.counted(len(plan.job), 'run')} failed:{lines}\n"
+                f"To try them again:\n  {options.resume_command(plan.root)}"
             )
 
 
 @contextmanager
-def _resumable(root: Path) -> Iterator[None]:
-    """Tell the user how to continue after Ctrl-C, or an error such as a full disk."""
+def _resumable(root: Path, where: str | None) -> Iterator[None]:
+    """Tell the user how to continue after Ctrl-C, or an error such as a full disk.
+
+    `where` is the cluster that plays, if there is one.
+    """
     try:
         yield
     except (Exception, KeyboardInterrupt) as error:
         # Stopped before anything was made, the command itself is repeated; damage stays.
-        known = click.ClickException | DamagedFileError | LockedError
-        if isinstance(error, known) or not storage.find_runs(root):
+        known = click.ClickException | DamagedFileError | LockedError | cluster.OtherWorkerError
+        if isinstance(error, known) or not find_runs(root):
             raise
         again = options.resume_command(root)
         console.note(f"\nStopped. Finished parts are saved; to continue:\n  {again}")
+        if where not in (None, cluster.AUTO):
+            console.note(
+                "Runs that have begun go on at the workers; wait for them before --resume."
+            )
         if isinstance(error, KeyboardInterrupt):
             raise click.exceptions.Exit(INTERRUPTED) from None
         raise
 
 
-# Jobs:
+# Plans:
 
 
-def job_of(given: Mapping[str, Any]) -> jobs.Job:
+class Plan(NamedTuple):
+    """What is going to be played, and where."""
+
+    root: Path
+    job: Job
+
+    @property
+    def paths(self) -> list[Path]:
+        """The directories of the runs."""
+        return [self.root / name for name in self.job]
+
+    @property
+    def sentence(self) -> str:
+        """The plan in words."""
+        settings = next(iter(self.job.values()))
+        name = settings.game.variant
+        teams = " and ".join(settings.teams)
+        if isinstance(settings.game, PursuitSettings):
+            world = settings.game.world
+            pursuers = console.counted(world.n_pursuers, "pursuer")
+            teams = f"{pursuers} and {console.counted(world.n_evaders, 'evader')}"
+            if world_name(world):
+                name = f"{world_name(world)} ({name})"
+        count = counted_runs(len(self.job), self.job.values())
+        return f"{name}, {teams}, {count}, in {self.root}"
+
+
+def job_of(chosen: Mapping[str, Any]) -> Job:
     """Return the job of the runs that options ask for, of several schedules and seeds."""
-    seeds, one = given.get("seeds"), "seeds" not in given or "seed" not in given
-    checks.expect(one, "--seeds", "it without --seed", "both", click.UsageError)
-    # The order in which find_runs finds them, so that --resume prints and draws the same.
-    settings = setting_options.settings_of(given)
-    settings.sort(key=lambda each: storage.place_in_job(each.schedule.name))
+    seeds = chosen.get("seeds")
+    if seeds is not None and "seed" in chosen:
+        raise click.UsageError("--seeds: expected it without --seed, got both")
+    settings = setting_options.settings_of(chosen)
     if seeds is not None:
-        settings = [replace(each, seed=seed) for each in settings for seed in seeds]
+        settings = [each.changed({"seed": seed}) for each in settings for seed in seeds]
     with setting_options.usage_errors():
         return jobs.job_of(settings)
 
 
-def _new_job(given: Mapping[str, Any], output: Path | None) -> tuple[Path, jobs.Job]:
-    """Return a new directory, and the job that options ask for."""
-    job = job_of(given)
+def _new_plan(chosen: Mapping[str, Any], output: Path | None, *, force: bool) -> Plan:
+    """Return the job that options ask for, in a new directory."""
+    if force:
+        raise click.UsageError("--force: expected --resume beside it, got none")
+    job = job_of(chosen)
     root = output or jobs.default_directory(job)
     try:
-        storage.check_empty(root)
+        check_empty(root)
     except FileExistsError as error:
-        told = f"--out: expected a new or empty directory, got {str(root)!r}"
-        if storage.find_runs(root):
+        message = f"--out: expected a new or empty directory, got {str(root)!r}"
+        if find_runs(root):
             again = "continues the run in it, or prints its result again"
-            told = f"{told}; {options.resume_command(root)} {again}"
-        raise click.UsageError(told) from error
-    return root, job
+            message = f"{message}; {options.resume_command(root)} {again}"
+        raise click.UsageError(message) from error
+    return Plan(root, job)
 
 
-def _found(
-    root: Path, given: Mapping[str, Any], output: Path | None, *, force: bool
-) -> tuple[Path, jobs.Job]:
-    """Return a directory that holds runs, and its job; its races become longer if that is asked."""
-    if not storage.find_runs(root):
+def _stored_plan(
+    root: Path, chosen: Mapping[str, Any], output: Path | None, *, force: bool
+) -> Plan:
+    """Return the job of a directory that holds runs; its races become longer if that is asked."""
+    if not find_runs(root):
         refused = options.refusal(root, "a directory that holds a run")
         raise click.UsageError(f"--resume: {refused}")
-    generations = given.get("generations")
-    beside = [*(["output"] if output else []), *(name for name in given if name != "generations")]
+    beside = [name for name in chosen if name != "generations"]
+    if output is not None:
+        beside.append("output")
     options.refuse_beside("--resume", beside, ": a run keeps its own, all but --generations")
     with setting_options.usage_errors():
-        jobs.change(root, generations=generations, force=force)
-    return root, jobs.found_job(root)
+        jobs.change_settings(root, generations=chosen.get("generations"), force=force)
+        job = jobs.found_job(root)
+        for game in {settings.game for settings in job.values()}:
+            game.evaluation()  # the page plays it, even if all runs are finished
+    return Plan(root, job)
 
 
-def _plan(job: jobs.Job, root: Path) -> str:
-    """Return what is going to be played, and where."""
-    first, *_ = settings = [*job.values()]
-    world, what = first.world, "race" if all(each.is_race for each in settings) else "run"
-    teams = " and ".join(first.teams)
-    if world:
-        teams = f"{world.n_pursuers} pursuers and {world.n_evaders} evaders"
-    count = f"{len(settings)} {what}{'s' * (len(settings) > 1)}"
-    name = world and world_name(world)
-    variant = f"{name} ({first.variant})" if name else first.variant
-    return f"{variant}, {teams}, {count}, in {root}"
+# Playing:
 
 
-def shown(job: jobs.Job) -> list[str]:
+def shown(job: Job) -> list[str]:
     """Return the runs that go on and are shown: those of the page of finished runs."""
     groups = [[*names] for _, names in groupby(job, key=lambda name: PurePath(name).parent)]
     return pages.first_seeds(groups, MOST_RUNS)
 
 
-def play(
-    job: jobs.Job, root: Path, threads: int | None, executor: Executor | None
-) -> tuple[list[SavedRun], dict[Path, str]]:
-    """Play the runs of a job; return the finished ones, and why the others failed.
+def play(plan: Plan, threads: int | None, executor: Executor | None) -> dict[Path, str]:
+    """Play the runs of a job; return why runs failed, by their directories.
 
-    The page shows the runs while they go on. The error of a single run is raised.
+    The page shows the runs while they go on. The error of a single run is raised, and that of a
+    cluster that is lost.
     """
-    page = GrowingPage(root, shown(job))
-
-    def tell(progress: Progress) -> None:
-        bar(progress)
-        page.write()
-
+    page = GrowingPage(plan.root, shown(plan.job))
     with ProgressBar() as bar:
-        errors = jobs.play_job(job, root, executor=executor, threads=threads, report=tell)
+
+        def tell(progress: Progress) -> None:
+            bar(progress)
+            page.write()
+
+        errors = play_job(plan.job, plan.root, executor=executor, threads=threads, report=tell)
+    if errors and len(plan.job) == 1:
+        [error] = errors.values()
+        raise error  # as it is: one sentence, or the traceback of the user's own code
+    cancelled = [error for error in errors.values() if isinstance(error, CancelledError)]
+    if cancelled:  # the cluster is lost, and all runs with it
+        raise cancelled[0]
     for error in errors.values():
-        if len(job) == 1:
-            raise error  # as it is: one sentence, or the traceback of the user's own code
         if not isinstance(error, options.FAILURES):  # such as of the user's own code
             console.note("".join(traceback.format_exception(error)))
-    failed = {root / name: jobs.described(root / name, error) for name, error in errors.items()}
-    return [SavedRun(root / name) for name in job if name not in errors], failed
-
-
-# The report at the end: what a newcomer asks first. Tables and intervals are those of `judge`.
-
-
-def report(
-    job: jobs.Job,
-    root: Path,
-    results: Sequence[SavedRun],
-    failed: Mapping[Path, str],
-    began: float,
-    threads: int | None = None,
-) -> None:
-    """Score and judge the finished runs of a job, draw figures, and print the results.
-
-    `failed` says why other runs of the job failed, by their directories; `began` is the time of
-    `time.monotonic` when it began.
-    """
-    runs = [SavedRun(root / name) for name in job]
-    for run, settings in zip(runs, job.values(), strict=True):
-        run.settings = settings  # a run that has failed may have lost its own
-    found = grouped(runs, finished=[run.path for run in results])
-    groups = [group.inside(root) for group in found]
-    finished = [group for group in groups if group.runs]
-    races = [group for group in finished if group.is_race]
-    with ProgressBar() as bar:
-        of_pursuit = [group for group in races if not group.runs[0].settings.game]
-        kept_scores([run for g in of_pursuit for run in g.runs], threads=threads, report=bar)
-    if finished:
-        draw(finished, root)
-    took = tqdm.format_interval(time.monotonic() - began)
-    # The summary of a run that was started by itself lies in the same directory.
-    if root not in [run.path for run in results]:
-        singles = [single for group in finished for single in group.singles]
-        numbers = {
-            "groups": {group.name: group.to_json() for group in groups},
-            "runs": {_place(one.runs[0].path, root): one.run_to_json() for one in singles},
-            "failed": {_place(path, root): problem for path, problem in failed.items()},
-        }
-        save_json(root / "summary.json", numbers)
-    what = "races" if len(races) == len(finished) else "runs"
-    done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
-    page = f" Open {root / PAGE}" if finished else ""
-    console.say(f"{done} in {took}.{page}", bold=True)
-    for group in by_clarity(groups):
-        console.print_head(group.name)
-        console.print_wrapped("\n".join(_lines(group)))
-        console.print_missing(group)
-    if any(group.several for group in races):
-        clearest = by_clarity([single for group in races for single in group.singles])[0]
-        console.print_head(f"The clearest race: {clearest.inside(root).name}")
-        console.print_wrapped(sentence(clearest.judgement))
-    if of_pursuit:
-        console.say()
-        console.print_table(_against_strangers(of_pursuit), "<<<")
-    for group in of_pursuit:
-        if words := [said for team in TEAMS if (said := sentence_of(group.runs[0], team))]:
-            console.print_head(f"What evolved: {group.name}, seed {group.seeds[0]}")
-            console.print_wrapped("\n".join(words))
-    for path, problem in failed.items():
-        console.print_wrapped(f"Failed: {path}: {problem}")
-    for why, typed in _hints(finished, root) if finished else ():
-        console.say(f"\n{why}\n  {typed}")
-
-
-def _against_strangers(groups: Sequence[RunGroup]) -> list[list[str]]:
-    """Return a table of the scores of races against held-out opponents, and what stands beside."""
-    beside = [kept_scores(groups[0].runs)[0][f"{team}s"] for team in TEAMS]
-    scripts = [each["best script"] for each in beside]
-    return [
-        ["score against strangers", "pursuers", "evaders"],
-        *([g.name, *(f"{g.held_out(team).mean():.2f}" for team in TEAMS)] for g in groups),
-        ["the best script", *(f"{value:.2f} {name}" for name, value in scripts)],
-        ["untrained teams", *(f"{each['untrained']:.2f}" for each in beside)],
-    ]
-
-
-def draw(groups: Sequence[RunGroup], root: Path) -> None:
-    """Draw the figures and write the page; figures of an earlier report are replaced."""
-    from matrixworld import plots
-    from matrixworld.plots.saved import figures_of
-
-    files = figures_of(groups, root)
-    with ProgressBar() as bar:
-        for number, (file, figure) in enumerate(files.items()):
-            bar(Progress("draw figures", number, len(files)))
-            plots.save_figure(figure(), file)
-    pages.write_explorer(groups, root / PAGE)
-
-
-def _lines(group: RunGroup) -> list[str]:
-    if not group.runs:
-        return [console.seeds_finished(group)]
-    if group.is_race:
-        return [sentence(group.judgement)]
-    settings, means = group.runs[0].settings, group.means()
-    schedule = settings.schedule
-    assert isinstance(schedule, Against)  # one team evolved
-    team = settings.teams[TEAMS.index(schedule.team)]
-    lines = [
-        f"{settings.kind_of_game.score_words[0]} {next(iter(means.values()))}",
-        f"{team} after {schedule.epochs:,} epochs against {schedule.opponent}",
-    ]
-    if "length" in means:
-        lines.append(f"an episode takes {means['length'].value:.0f} steps")
-    return lines
-
-
-def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
-    """Return what to do next, and the command for it."""
-    last = groups[-1].runs[-1]
-    schedule = last.settings.schedule
-    path = root if sum(len(group.runs) for group in groups) == 1 else last.path
-    if isinstance(schedule, Against):
-        team = f"--set schedule.team={other(schedule.team)}"
-        met = f"--set schedule.opponent={shlex.quote(str(path))}"
-        same = ("evolve --config", last.path / "config.json", team, met)
-        untrained = "--set schedule.start=null"
-        opponent = console.command(*same, *([untrained] if schedule.start else []))
-        return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]
-    more = ("Verdict on each seed:", console.command("judge --each", root))
-    if not any(group.several for group in groups):
-        why = "One seed is one anecdote; with your other options:"
-        more = (why, console.command("evolve --seeds 0-9"))
-    return [more, ("Reasons and intervals:", console.command("judge --explain", root))]
-
-
-def _place(path: Path, root: Path) -> str:
-    return path.relative_to(root).as_posix()
+    failures = {plan.root / name: error for name, error in errors.items()}
+    return {path: jobs.described(path, error) for path, error in failures.items()}

@@ -15,11 +15,15 @@ import click
 from click.core import ParameterSource
 
 from matrixworld._util import checks, files
+from matrixworld._util.constraints import Whole
 from matrixworld.cli import cluster, console
-from matrixworld.coevolution import groups, storage
+from matrixworld.coevolution import groups
+from matrixworld.coevolution.games.pursuit import WORLD_HELP
 from matrixworld.coevolution.learners.learner import DivergedError
-from matrixworld.coevolution.pursuit import WORLD_HELP
-from matrixworld.coevolution.settings import MOST_SEED
+from matrixworld.coevolution.runs.places import CONFIG, abbreviated, find_runs, new_directory
+from matrixworld.coevolution.runs.stored_files import OtherVersionError
+from matrixworld.coevolution.saved_run import SavedRun
+from matrixworld.coevolution.settings.race_settings import MOST_SEED
 from matrixworld.version import MissingExtraError
 from matrixworld.world.rules import VARIANTS
 
@@ -34,9 +38,10 @@ FAILURES = (
     MissingExtraError,
     OSError,
     checks.OutOfMemoryError,
+    cluster.OtherWorkerError,
     files.DamagedFileError,
     files.LockedError,
-    storage.OtherVersionError,
+    OtherVersionError,
 )
 """Errors whose message says all that a user can do; any other one is a mistake in the program."""
 
@@ -49,10 +54,14 @@ def option_name(field_name: str) -> str:
     return written.get(field_name, "--" + field_name.replace("_", "-"))
 
 
-def refuse_beside(option: str, names: Iterable[str], why: str = "") -> None:
-    """Raise click.UsageError if settings of these names are given beside an option."""
-    if named := ", ".join(map(option_name, sorted(names))):
-        raise click.UsageError(f"{option}: expected no {named} beside it{why}")
+def refuse_beside(subject: str, names: Iterable[str], why: str = "", *, fact: str = "") -> None:
+    """Raise click.UsageError if options of these names are given beside an option or argument.
+
+    The message begins with this `subject`, perhaps with a `fact` about it: "my-race is a run".
+    """
+    if refused := ", ".join(map(option_name, sorted(names))):
+        begin = f"{subject} {fact}" if fact else subject
+        raise click.UsageError(f"{begin}: expected no {refused} beside it{why}")
 
 
 def refusal(path: str | Path, expected: str) -> str:
@@ -76,27 +85,31 @@ def seeds_of(
     seeds: list[int] = []
     for part in value.split(","):
         first, _, last = part.partition("-")
-        found = range(int(first), int(last or first) + 1)
+        count = int(last or first) - int(first) + 1
         # Before a list is made: 0-9999999999 would fill the memory.
-        if not 0 < found.stop - found.start <= MOST_SEEDS:
+        if not 0 < count <= MOST_SEEDS:
             expected = f"1 to {MOST_SEEDS:,} seeds, the lower one first"
             raise click.BadParameter(f"expected {expected}, got {part}")
-        seeds += found
+        seeds += range(int(first), int(first) + count)
     return tuple(dict.fromkeys(seeds))
 
 
-def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
+def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) -> float | str | None:
+    """Return a density or the path of a file."""
     # A file that is named like a number can be given as ./0.1.
+    if value is None:
+        return None
     try:
-        return None if value is None else float(value)
+        return float(value)
     except ValueError:
-        if os.path.exists(value or ""):
+        if os.path.exists(value):
             return value
         expected = "a density in [0, 1) or a .map file"
-        raise click.BadParameter(refusal(value or "", expected)) from None
+        raise click.BadParameter(refusal(value, expected)) from None
 
 
 def _cluster(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+    """Return the name, address or file of a cluster."""
     if value is None or value == cluster.AUTO or "://" in value or Path(value).is_file():
         return value
     expected = f"{cluster.AUTO}, an address such as tcp://HOST:8786 or a scheduler file"
@@ -106,13 +119,24 @@ def _cluster(ctx: click.Context, param: click.Parameter, value: str | None) -> s
 # The options:
 
 
+class Integers(click.IntRange):
+    """Integers in a range; others are refused in the words of the settings."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the integer; click.BadParameter for any other value."""
+        number = click.INT.convert(value, param, ctx)
+        if expected := Whole(int(self.min or 0), int(self.max or 0)).expected(number):
+            self.fail(f"expected {expected}, got {value}", param, ctx)
+        return number
+
+
 def integer(
     *names: str, least: int = 1, most: int = checks.INT_MAX, default: int | None = None
 ) -> Option:
     """Return an option of an integer: its names, and the help text as the last of them."""
     return click.option(
         *names[:-1],
-        type=click.IntRange(least, most),
+        type=Integers(least, most),
         default=default,
         show_default=default is not None,
         metavar="INTEGER",
@@ -208,12 +232,19 @@ def out(text: str, **attributes: Any) -> Option:
     )
 
 
-def given(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return those options of the current command that the user has given."""
+def names_given() -> set[str]:
+    """Return the names of the options of the current command that the user has given."""
     # Not by comparing values with defaults: a default may be given, too, and settings such as
     # --seed must be refused beside --resume even then.
-    source = click.get_current_context().get_parameter_source
-    return {name: each for name, each in values.items() if source(name) != ParameterSource.DEFAULT}
+    context = click.get_current_context()
+    default = ParameterSource.DEFAULT
+    return {name for name in context.params if context.get_parameter_source(name) != default}
+
+
+def given(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return those options of the current command that the user has given."""
+    names = names_given()
+    return {name: value for name, value in values.items() if name in names}
 
 
 # Runs as arguments:
@@ -221,13 +252,15 @@ def given(values: Mapping[str, Any]) -> dict[str, Any]:
 
 def runs(*suffixes: str) -> Option:
     """Return the argument of directories of jobs or runs, and of files with these suffixes."""
-    expected = "run directories" + f", or {' or '.join(suffixes)} files" * bool(suffixes)
+    expected = "run directories"
+    if suffixes:
+        expected += f", or {' or '.join(suffixes)} files"
 
-    def found(ctx: click.Context, param: click.Parameter, values: Sequence[Path]) -> list[Path]:
+    def checked(ctx: click.Context, param: click.Parameter, values: Sequence[Path]) -> list[Path]:
         paths = [unpacked(path) for path in dict.fromkeys(values)]
         for path in paths:
             is_file = path.is_file() and path.suffix.lower() in suffixes
-            if not is_file and not storage.find_runs(path):
+            if not is_file and not find_runs(path):
                 raise click.BadParameter(refusal(path, expected))
         return paths
 
@@ -237,7 +270,7 @@ def runs(*suffixes: str) -> Option:
         required=True,
         type=click.Path(path_type=Path),
         metavar="RUN|FILE..." if suffixes else "RUN...",
-        callback=found,
+        callback=checked,
     )
 
 
@@ -250,15 +283,17 @@ def unpacked(path: Path) -> Path:
         return path
     directory = path.with_suffix("")
     parts = files.read_archive(path, "archive of a race", lambda part: part.read())
-    if storage.CONFIG not in parts or not all(re.fullmatch(r"\.?\w[\w.-]*", n) for n in parts):
+    if CONFIG not in parts or not all(re.fullmatch(r"\.?\w[\w.-]*", name) for name in parts):
         raise click.BadParameter(f"{path}: expected an archive of a race, got none of its files")
     if not directory.exists():
-        with storage.new_directory(directory) as place:
+        with new_directory(directory) as place:
             for name, content in parts.items():
                 (place / name).write_bytes(content)
-    own = {name: directory / name for name in parts}
-    if any(not (f.is_file() and f.read_bytes() == parts[name]) for name, f in own.items()):
-        raise click.BadParameter(f"{path}: expected its own run in {directory}, got other files")
+    for name, content in parts.items():
+        file = directory / name
+        if not file.is_file() or file.read_bytes() != content:
+            expected = f"its own run in {directory}"
+            raise click.BadParameter(f"{path}: expected {expected}, got other files")
     return directory
 
 
@@ -269,49 +304,45 @@ def finished_groups(
 
     With `unfinished` a single run need not be finished.
     """
-    found = groups.open_groups(*directories)
-    every = [run for directory in directories for run in storage.find_runs(directory)]
-    if unfinished and len(every) == 1:
-        return groups.grouped(map(storage.SavedRun, every), finished=every)
-    if not any(group.runs for group in found):
+    paths = [path for directory in directories for path in find_runs(directory)]
+    if unfinished and len(paths) == 1:
+        return groups.grouped(map(SavedRun, paths), finished=paths)
+    with console.warnings_as_notes():  # of runs of other versions
+        opened = groups.open_groups(*directories)
+    if not any(group.runs for group in opened):
         again = resume_command(directories[0])
         raise click.UsageError(f"{directories[0]}: expected a finished run; {again} continues it")
-    for group in found:
+    for group in opened:
         if not group.runs:
             console.note(f"{group.name}: no seed is finished yet, and it is left out")
-    return [group for group in found if group.runs]
+    return [group for group in opened if group.runs]
 
 
-def run_in(
-    path: str | Path,
-    race: str | None = None,
-    *,
-    setting: str = "",
-    expected: str = "a directory that holds a run",
-) -> Path:
-    """Return the run of a directory, which an argument names or else a setting.
+def run_in(path: str | Path, race: str | None = None) -> Path:
+    """Return the run of a directory.
 
     Of several runs `race` chooses those below the directory of this name. The first one of them is
-    taken, and a note says so; a setting has to name exactly one.
+    taken, and a note says so.
     """
-    found = {run.relative_to(path): run for run in storage.find_runs(Path(path))}
-    begin, wanted = f"{setting}: " if setting else "", PurePath(race or "").parts
-    if not found:
-        raise click.UsageError(f"{begin}{refusal(path, expected)}")
-    size = len(wanted)
-    chosen = [
-        run for name, run in found.items() if wanted in (name.parts[:size], name.parts[-size:])
-    ]
-    if len(chosen) == 1:
-        return chosen[0]
-    listed = storage.some([*map(str, found)])
-    several = f"a directory of several: {listed}"
-    checks.expect(not setting, setting, "one run", several, click.UsageError)
-    expected = f"--race with one of its races, {listed}"
-    checks.expect(chosen, str(path), expected, race, click.UsageError)
-    others = f"the first of {len(chosen)} races; --race chooses another: {listed}"
-    console.note(f"{chosen[0]}: {others}")
+    runs = find_runs(Path(path))
+    if not runs:
+        raise click.UsageError(refusal(path, "a directory that holds a run"))
+    listed = abbreviated([str(run.relative_to(path)) for run in runs])
+    chosen = [run for run in runs if _is_in_race(run.relative_to(path), race or "")]
+    if not chosen:
+        races = f"--race with one of its races, {listed}"
+        raise click.UsageError(f"{path}: expected {races}, got {race}")
+    if len(chosen) > 1:
+        others = f"the first of {len(chosen)} races; --race chooses another: {listed}"
+        console.note(f"{chosen[0]}: {others}")
     return chosen[0]
+
+
+def _is_in_race(name: Path, race: str) -> bool:
+    """Return whether the name of a run in its job begins, or ends, with that of a race."""
+    wanted = PurePath(race).parts
+    size = len(wanted)
+    return wanted in (name.parts[:size], name.parts[-size:])
 
 
 def resume_command(root: Path) -> str:

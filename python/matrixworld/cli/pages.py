@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import webbrowser
-from collections.abc import Iterable, Sequence
-from itertools import zip_longest
+from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -62,29 +62,41 @@ def explore_command(
     """
     with usage_errors():
         groups = options.finished_groups(runs)
-    root = runs[0]
-    if len(runs) > 1:
-        root = Path(os.path.commonpath([path.absolute() for path in runs]))
-        root = root if runs[0].is_absolute() else Path(os.path.relpath(root))
-    if not figures:
-        for option, value in {"--format": suffix, "--each": each}.items():
-            if value:
-                raise click.UsageError(f"{option}: expected --figures beside it")
-        page = out or root / runs_page.PAGE
-        options.check_outputs(page, force=force)
-        with console.warnings_as_notes(), usage_errors():
-            write_explorer(groups, page)
-        console.say(page)
-        open_page(page, opens)
+    root = _root_of(runs)
+    if figures:
+        if out is not None:
+            raise click.UsageError("--out: expected no --figures beside it: they have their places")
+        _draw_figures(groups, root, suffix or "png", each=each, force=force)
         return
-    if out is not None:
-        raise click.UsageError("--out: expected no --figures beside it: they have their places")
+    for option, value in {"--format": suffix, "--each": each}.items():
+        if value:
+            raise click.UsageError(f"{option}: expected --figures beside it")
+    page = out or root / runs_page.PAGE
+    options.check_outputs(page, force=force)
+    with console.warnings_as_notes(), usage_errors():
+        write_explorer(groups, page)
+    console.say(page)
+    open_page(page, opens)
+
+
+def _root_of(directories: Sequence[Path]) -> Path:
+    """Return the directory that holds all of these, relative if the first one is."""
+    if len(directories) == 1:
+        return directories[0]
+    root = os.path.commonpath([path.absolute() for path in directories])
+    return Path(root if directories[0].is_absolute() else os.path.relpath(root))
+
+
+def _draw_figures(
+    groups: Sequence[RunGroup], root: Path, suffix: str, *, each: bool, force: bool
+) -> None:
+    """Draw figures into the directories of runs, and those of several runs into `root`."""
     from matrixworld import plots
     from matrixworld.plots.saved import figures_of
 
     with usage_errors():
         inside = [group.inside(root) for group in groups]
-        files = figures_of(inside, root, suffix=suffix or "png", each=each)
+        files = figures_of(inside, root, suffix=suffix, each=each)
         # All files are checked before the first is drawn.
         options.check_outputs(*files, force=force)
         for file, drawn in files.items():
@@ -95,7 +107,8 @@ def explore_command(
 def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:
     """Write the page of finished runs, of the first ones if there are many, and say which."""
     shown = first_seeds([group.runs for group in groups], runs_page.MOST_RUNS)
-    count, left_out = sum(len(group.runs) for group in groups), ""
+    count = sum(len(group.runs) for group in groups)
+    left_out = ""
     if len(shown) < count:
         left_out = (
             f"The page shows {len(shown)} of {count} runs, the first seeds of each group; "
@@ -105,12 +118,13 @@ def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:
     write_page(page, runs_page.explorer_page(shown, note=left_out, groups=groups))
 
 
-def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:
+def first_seeds(groups: Sequence[Sequence[Run]], most: int) -> list[Run]:
     """Return at most so many runs, in their order: of each group the first seeds, in turn."""
-    runs = [*groups]
-    turns = zip_longest(*runs)
-    chosen = [run for turn in turns for run in turn if run is not None][:most]
-    return [run for group in runs for run in group if run in chosen]
+    turns = sorted(
+        (turn, number) for number, group in enumerate(groups) for turn in range(len(group))
+    )
+    shares = Counter(number for _, number in turns[:most])
+    return [run for number, group in enumerate(groups) for run in group[: shares[number]]]
 
 
 @click.command("playground")
@@ -138,12 +152,16 @@ def playground_command(
       matrixworld playground runs/courtyard-seed0 --race hall-of-fame
     """
     title = "matrixworld playground"
+    directory = Path()
     if isinstance(source, Rules):
-        directory, opponents = Path(), playground.shipped(source)
+        opponents = playground.shipped(source)
     else:
         directory = options.run_in(source, race)
-        run = open_run(directory)
-        title, opponents = f"{run.title} - {title}", playground.of_run(run)
+        with usage_errors():
+            run = open_run(directory)
+            run.check_pursuit()
+        title = f"{run.title} - {title}"
+        opponents = playground.of_run(run)
     page = out or directory / playground.PAGE
     options.check_outputs(page, force=force)
     write_page(page, playground.playground_page("", opponents, title))

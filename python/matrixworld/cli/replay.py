@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,12 +11,14 @@ import click
 
 from matrixworld._util import checks
 from matrixworld._util.files import replacing
+from matrixworld._util.teams import PLURALS
 from matrixworld.cli import options
-from matrixworld.cli.console import say, warnings_as_notes
+from matrixworld.cli.console import counted, say, warnings_as_notes
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, ProgressBar, SavedRun, Team, open_run
+from matrixworld.coevolution.games.own_game import OwnGame
+from matrixworld.coevolution.runs.places import find_runs
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.storage import find_runs
 from matrixworld.envs.opponents import SOLVED
 from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
@@ -50,8 +51,8 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
         return rules_of(value)
     except ValueError:
         expected = "the directory of a run, the file of an episode, or a variant"
-        told = options.refusal(value, f"{expected} ({', '.join(VARIANTS)})")
-        raise click.BadParameter(told) from None
+        refused = options.refusal(value, f"{expected} ({', '.join(VARIANTS)})")
+        raise click.BadParameter(refused) from None
 
 
 @click.command("replay")
@@ -117,59 +118,84 @@ def replay_command(
       matrixworld replay SB --pursuer surrounder --obstacles 0.1
       matrixworld replay my-race --step 17 --explain
     """
-    given = options.given(click.get_current_context().params)
+    chosen = options.given(click.get_current_context().params)
+    run = None
     if isinstance(source, Path) and source.is_dir():
-        run = open_run(options.run_in(source, given.get("race")))
-        if run.settings.game:
-            show_match(run, given, out, force=force)
+        with usage_errors():
+            run = open_run(options.run_in(source, chosen.get("race")))
+        if isinstance(run.settings.game, OwnGame):
+            show_match(run, chosen, out, force=force)
             return
     suffix = out.suffix.lower() if out else ""
     if suffix in ("", ".npz"):  # the terminal shows no numbers
-        options.refuse_beside("--out writes no picture", given.keys() & {"numbers"})
+        options.refuse_beside("--out", chosen.keys() & {"numbers"}, fact="writes no picture")
     if suffix not in ("", ".png"):
-        options.refuse_beside("--out writes no .png", given.keys() & {"step"})
+        options.refuse_beside("--out", chosen.keys() & {"step"}, fact="writes no .png")
     options.check_outputs(out, force=force)
+    of_game = options.given(game)
+    episode = game["episode"]
     with usage_errors():
-        played = _match(source, options.given(game))(episode=game["episode"])
+        if run is not None:
+            played = _match_of_run(run, of_game, episode)
+        elif isinstance(source, Rules):
+            played = _new_match(source, of_game, episode)
+        else:
+            played = _saved_episode(source, of_game)
         step = None if step is None else step_number(step, played.length)
-        steps = range(1, played.length + 1) if step is None else [step]
-        lines = [f"step {now}  {why}" for now in steps if explain for why in played.explain(now)]
-    if explain and not lines:
-        lines = ["no conflicts" if step is None else f"step {step}  no conflicts"]
-    every = max(1, round(played.length / FRAMES))
-    if out and suffix == ".npz":
-        played.save(out)
-    elif out:
-        moment = -1 if step is None else step
-        replay.save(played, out, every=every, step=moment, numbers=numbers)
-    if every > 1 and suffix in (".gif", ".mp4"):
-        say(f"Every {every} steps are a frame.")
-    if not out and step is not None:
+        lines = _explained(played, step) if explain else []
+    if out:
+        _write(played, out, step, numbers=numbers)
+    elif step is not None:
         replay.print_moment(played, step=step)
-    elif not (out or explain):
+    elif not explain:
         replay.animate_terminal(played)
     for line in lines:
         say(line)
-    caught, of = int(played.counted[-1].sum()), played.n_evaders
-    say(f"{caught} of {of} evaders captured, {played.length} steps  {out or ''}".rstrip())
+    captured = int(played.counted[-1].sum())
+    evaders = counted(played.n_evaders, "evader")
+    steps = counted(played.length, "step")
+    say(f"{captured} of {evaders} captured, {steps}  {out or ''}".rstrip())
+
+
+def _write(played: Episode, out: Path, step: int | None, *, numbers: bool) -> None:
+    """Write an episode as data, as a film, or as the picture of a step, by default the last."""
+    suffix = out.suffix.lower()
+    if suffix == ".npz":
+        played.save(out)
+        return
+    every = max(1, round(played.length / FRAMES))
+    moment = -1 if step is None else step
+    replay.save(played, out, every=every, step=moment, numbers=numbers)
+    if every > 1 and suffix in (".gif", ".mp4"):
+        say(f"Every {every} steps are a frame.")
+
+
+def _explained(played: Episode, step: int | None) -> list[str]:
+    """Return why agents bounced or disappeared in a step, or in all of them."""
+    lines = []
+    for now in range(1, played.length + 1) if step is None else [step]:
+        lines += [f"step {now}  {reason}" for reason in played.explain(now)]
+    if not lines:
+        lines.append("no conflicts" if step is None else f"step {step}  no conflicts")
+    return lines
 
 
 # The match of a game of your own:
 
 
-def show_match(run: SavedRun, given: Mapping[str, Any], out: Path | None, *, force: bool) -> None:
+def show_match(run: SavedRun, chosen: Mapping[str, Any], out: Path | None, *, force: bool) -> None:
     """Print or write what the game of a run shows of two genomes."""
-    known = {"source", "race", "out", "force", *TEAMS}
-    options.refuse_beside(f"{run.path} is a run of a game of your own", given.keys() - known)
+    others = chosen.keys() - {"source", "race", "out", "force", *TEAMS}
+    options.refuse_beside(str(run.path), others, fact="is a run of a game of your own")
     options.check_outputs(out, force=force)
     with warnings_as_notes(), usage_errors():
         genomes = []
         for team, key in zip(TEAMS, run.settings.keys, strict=True):
-            number = _generation(run, key, str(given.get(team, -1)), team)
+            number = _generation(run, key, str(chosen.get(team, -1)), team)
             genomes.append(run.teams[key].genomes[number])
         shown = run.settings.evaluation_game.shown(*genomes)
     if isinstance(shown, str):
-        options.refuse_beside("the game shows text", {"out"} & given.keys())
+        options.refuse_beside("the game", {"out"} & chosen.keys(), fact="shows text")
         say(shown)
         return
     if not out or out.suffix.lower() != ".png":
@@ -180,33 +206,35 @@ def show_match(run: SavedRun, given: Mapping[str, Any], out: Path | None, *, for
     say(out)
 
 
-# The match of a source:
+# The episode of a source; each function refuses options that say nothing about it:
 
 
-def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
-    """Return `record` for the episodes of a source; refuse options that say nothing about it."""
-    if isinstance(source, Path) and source.is_file():
-        options.refuse_beside(f"{source} is a single episode", given)
-        return lambda episode: Episode.load(source)
-    given.pop("episode", None)
-    race = given.pop("race", None)
-    named = {team: given.pop(team) for team in TEAMS if team in given}
-    if isinstance(source, Rules):
-        run, seed = None, given.pop("seed", 0)
-        if "steps" in given:
-            given["max_steps"] = given.pop("steps")
-        config = WorldConfig(source, **given)
-        named = {"pursuer": CHASER, "evader": FLEER, **named}
-    else:
-        run = open_run(options.run_in(source, race))
-        options.refuse_beside(f"{run.path} is a run", given)
-        config = run.settings.world
-        named = {"pursuer": "-1", "evader": "-1", **named}
-    pursuers, g = _player(config, run, "pursuer", named["pursuer"])
-    evaders, h = _player(config, run, "evader", named["evader"])
-    if run is not None:
-        seed = evaluation_seed(run.settings.seed, g, h)
-    return partial(record, config, pursuers, evaders, seed=seed, pursuer=g, evader=h)
+def _saved_episode(file: Path, chosen: Mapping[str, Any]) -> Episode:
+    """Return the episode in a file."""
+    options.refuse_beside(str(file), chosen, fact="is a single episode")
+    return Episode.load(file)
+
+
+def _match_of_run(run: SavedRun, chosen: Mapping[str, Any], episode: int) -> Episode:
+    """Play an episode of a run's payoff matrix, perhaps with others in place of generations."""
+    others = chosen.keys() - {"race", "episode", *TEAMS}
+    options.refuse_beside(str(run.path), others, fact="is a run")
+    config = run.pursuit.world
+    pursuers, g = _player(config, run, "pursuer", chosen.get("pursuer", "-1"))
+    evaders, h = _player(config, run, "evader", chosen.get("evader", "-1"))
+    seed = evaluation_seed(run.settings.seed, g, h)
+    return record(config, pursuers, evaders, seed=seed, pursuer=g, evader=h, episode=episode)
+
+
+def _new_match(rules: Rules, chosen: Mapping[str, Any], episode: int) -> Episode:
+    """Play an episode under some rules, of scripts or what files hold."""
+    world = {name: chosen[name] for name in ("rows", "cols", "obstacles") if name in chosen}
+    if "steps" in chosen:
+        world["max_steps"] = chosen["steps"]
+    config = WorldConfig(rules, **world)
+    pursuers, _ = _player(config, None, "pursuer", chosen.get("pursuer", CHASER))
+    evaders, _ = _player(config, None, "evader", chosen.get("evader", FLEER))
+    return record(config, pursuers, evaders, seed=chosen.get("seed", 0), episode=episode)
 
 
 def _player(
@@ -217,8 +245,10 @@ def _player(
         with ProgressBar(after=1.0) as bar:
             return solve(States(config, report=bar.share)).policy(team), 0
     if who.lower().endswith(".npz"):
-        found, population = read_genome(who)
-        checks.expect(found == team, team, f"a file of {team}s", f"one of {found}s: {who}")
+        of_team, population = read_genome(who)
+        if of_team != team:
+            got = f"one of {PLURALS[of_team]}: {who}"
+            raise ValueError(f"{team}: expected a file of {PLURALS[team]}, got {got}")
         return population, 0
     if run is None:
         checks.check_choice(team, who, (*SCRIPTS, SOLVED))
@@ -227,6 +257,6 @@ def _player(
 
 
 def _generation(run: SavedRun, key: str, who: str, option: Team) -> int:
-    is_number = re.fullmatch(r"-?\d+", who)
-    checks.expect(is_number, option, "a generation of the run", repr(who))
+    if not re.fullmatch(r"-?\d+", who):
+        raise ValueError(f"{option}: expected a generation of the run, got {who!r}")
     return run.generation(key, int(who), option)

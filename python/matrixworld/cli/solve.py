@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
 from matrixworld.analysis import interval_over_runs
 from matrixworld.cli import console, options
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import ProgressBar, RunGroup, Team
+from matrixworld.coevolution import ProgressBar, RunGroup, SavedRun, Team
 from matrixworld.coevolution.evaluation.scores import SCORE
 from matrixworld.coevolution.types import other
 from matrixworld.solver import States, best_response, expected_payoff, solve
@@ -27,6 +27,11 @@ RUN_LEGEND = (
     "opponent in its own run. Exploitability: score of the best response minus that under perfect "
     "play of both teams. In brackets: 95% interval of the mean over the seeds."
 )
+
+GAME: dict[str, Any] = {"variant": "O", "steps": 20, "n_pursuers": 2, "n_evaders": 1}
+"""The game where options do not say otherwise."""
+SIZE = {"rows": 6, "cols": 6}
+"""Its grid, if no map gives one."""
 
 
 @click.command("solve")
@@ -64,34 +69,33 @@ def solve_command(
       matrixworld solve --run runs/small-race
     """
     options.check_outputs(json_file, force=force)
-    given = options.given(world)
+    chosen = options.given(world)
     if run is not None:
-        options.refuse_beside("--run", given, ": the run has a world")
+        options.refuse_beside("--run", chosen, ": the run has a world")
     with console.warnings_as_notes(), usage_errors():
         if run is None:
-            numbers = _solve_world(given, threads)
+            numbers = _solve_world(chosen, threads)
         else:
             groups = options.finished_groups([run], unfinished=True)
             with ProgressBar(after=1.0) as bar:
-                found = {group.name: _solve_runs(group, threads, bar) for group in groups}
-            numbers = {"groups": found}
+                of_groups = {group.name: _solve_runs(group, threads, bar) for group in groups}
+            numbers = {"groups": of_groups}
     console.print_wrapped(SOLVE_LEGEND if run is None else f"\n{RUN_LEGEND}")
     options.write_json(json_file, numbers)
 
 
-def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any]:
+def _solve_world(chosen: Mapping[str, Any], threads: int | None) -> dict[str, Any]:
     """Print the exact numbers of a small world; return them as JSON has them."""
-    world = {"variant": "O", "steps": 20, "n_pursuers": 2, "n_evaders": 1, **given}
-    if "obstacles" not in given:  # which have a size
-        world = {"rows": 6, "cols": 6, **world}
-    variant, steps = world.pop("variant"), world.pop("steps")
-    config = WorldConfig(variant, max_steps=steps, **world)
+    size = {} if "obstacles" in chosen else SIZE  # a map has its own
+    world = {**size, **GAME, **chosen}
+    variant = world.pop("variant")
+    config = WorldConfig(variant, max_steps=world.pop("steps"), **world)
     began = time.perf_counter()
     with ProgressBar(after=1.0) as bar:
         solution = solve(States(config, threads=threads, report=bar.share))
     seconds = time.perf_counter() - began
-    size = f"{config.rows} x {config.cols} cells"
-    console.print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
+    cells = f"{config.rows} x {config.cols} cells"
+    console.print_head(f"{variant}, {cells}, {config.n_pursuers} against {config.n_evaders}")
     console.say(solution)
     console.say(f"It took {seconds:.2f} seconds.\n")
     return {
@@ -104,36 +108,59 @@ def _solve_world(given: Mapping[str, Any], threads: int | None) -> dict[str, Any
     }
 
 
+class ExactScores(NamedTuple):
+    """Scores of the opponents of a champion, by the names that JSON has for them."""
+
+    met: float
+    best: float
+    gain: float
+    exploitability: float
+
+
 def _solve_runs(group: RunGroup, threads: int | None, bar: ProgressBar) -> dict[str, Any]:
     """Print exact scores of the opponents of each team of a group; return them as JSON has them."""
     states = States(group.runs[0].pursuit.world, threads=threads, report=bar.share)
     value = solve(states).value
-    found: dict[str, Any] = {"value": value, "seeds": list(group.seeds)}
+    plain: dict[str, Any] = {"value": value, "seeds": list(group.seeds)}
     for champion in group.runs[0].settings.learning_teams:
-        perfect, rate = _score(value, champion), SCORE[other(champion)]
-        rows = [
-            ["seed", f"the {other(champion)}s of the run", "the best", "gain", "exploitability"]
-        ]
-        numbers = []
-        for run in group.runs:
-            rates = expected_payoff(states, run.last("pursuer"), run.last("evader"))
-            met = _score(rates, champion)
-            best = _score(best_response(states, run.last(champion), champion).value, champion)
-            numbers.append((met, best, best - met, best - perfect))
-            # Adding 0.0 turns the -0.0 of a rounding error into 0.0.
-            cells = (f"{round(number, 3) + 0.0:.3f}" for number in numbers[-1])
-            rows.append([str(run.settings.seed), *cells])
-        names = ("met", "best", "gain", "exploitability")
-        columns = dict(zip(names, map(list, zip(*numbers, strict=True)), strict=True))
-        if len(group.runs) > 1:
-            means = (interval_over_runs(columns[name]) for name in ("gain", "exploitability"))
-            rows.append(["mean", "", "", *map(str, means)])
+        scores = [_exact_scores(states, run, champion, value) for run in group.runs]
+        columns: dict[str, list[float]] = {name: [] for name in ExactScores._fields}
+        for of_run in scores:
+            for name, number in of_run._asdict().items():
+                columns[name].append(number)
+        plain[f"{champion}s"] = columns
+        rate = SCORE[other(champion)]
         console.print_head(f"{group.name}: exact {rate} against the last {champion}s")
-        console.print_table(rows, ">>><<")
+        console.print_table(_score_rows(group, champion, scores), ">>><<")
+        perfect = _score(value, champion)
         console.print_wrapped(f"Under perfect play of both teams the {rate} is {perfect:.3f}.")
-        found[f"{champion}s"] = columns
     console.print_missing(group)
-    return found
+    return plain
+
+
+def _exact_scores(states: States, run: SavedRun, champion: Team, value: float) -> ExactScores:
+    """Return the scores against the last generation of a run; `value` is that of perfect play."""
+    last = expected_payoff(states, run.last("pursuer"), run.last("evader"))
+    met = _score(last, champion)
+    best = _score(best_response(states, run.last(champion), champion).value, champion)
+    return ExactScores(met, best, best - met, best - _score(value, champion))
+
+
+def _score_rows(group: RunGroup, champion: Team, scores: Sequence[ExactScores]) -> list[list[str]]:
+    """Return the table of the scores against the champions of a group, a row for each seed."""
+    rows = [["seed", f"the {other(champion)}s of the run", "the best", "gain", "exploitability"]]
+    for seed, of_run in zip(group.seeds, scores, strict=True):
+        rows.append([str(seed), *map(_three_digits, of_run)])
+    if len(scores) > 1:
+        gain = interval_over_runs([of_run.gain for of_run in scores])
+        exploitability = interval_over_runs([of_run.exploitability for of_run in scores])
+        rows.append(["mean", "", "", str(gain), str(exploitability)])
+    return rows
+
+
+def _three_digits(number: float) -> str:
+    # Adding 0.0 turns the -0.0 of a rounding error into 0.0.
+    return f"{round(number, 3) + 0.0:.3f}"
 
 
 def _score(captured: float, champion: Team) -> float:

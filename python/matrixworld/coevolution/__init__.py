@@ -11,10 +11,10 @@ The same call continues after an interruption. ``coevolution.evolve("O", "my-rac
 does so for many, side by side. ``coevolution.open_run("my-race").record(pursuer=30, evader=10)``
 plays an episode again.
 
-All matches are played by one pure function with the arguments of `matrixworld.rollout`. A race is
-its settings and its loop (`race`), a learner its settings and three functions of its state
-(`learners`), and so is a sampler of opponents (`opponents`). A `run` is what a loop works with, and
-`jobs` play many of them.
+All matches are played by one pure function with the arguments of `matrixworld.rollout`. Games are
+in `games`, a learner is its settings and three functions of its state (`learners`), and so is a
+sampler of opponents (`opponents`). Races are `settings`, which are data; `training` runs their
+stages in memory, `runs` keeps them in files, `saved_run` is what users hold, and `jobs` play many.
 """
 
 from __future__ import annotations

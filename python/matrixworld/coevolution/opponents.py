@@ -7,15 +7,18 @@ know which one it is: if the teams are swapped, so is the result.
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Mapping
-from typing import Any, ClassVar, TypeAlias
+from collections.abc import Callable
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.constraints import OneOf, Range, Whole
+from matrixworld._util.own_code import OwnCode
+from matrixworld._util.sections import NAMES, OWN, Named, Section, name_section, section, setting
 from matrixworld.analysis.games import nash_averaging
-from matrixworld.coevolution.sections import OwnCode, Section, section, setting
-from matrixworld.coevolution.types import FloatArray, Indices, Rng, State
+from matrixworld.coevolution.states import State
+from matrixworld.coevolution.types import FloatArray, Indices, Rng
 
 __all__ = [
     "Latest",
@@ -31,14 +34,14 @@ __all__ = [
 PayoffFunction = Callable[[Indices, Indices], ArrayLike]
 """Generations (n,) of the team and (m,) of its opponents -> payoffs (n, m) to the team, in [0, 1].
 
-One pair always has the same payoff.
+One pair always has the same payoff. Both teams have at least one generation: n, m >= 1.
 """
 UNKNOWN = 0.5  # assumed win rate against an opponent without games
 WEIGHT_DECIMALS = 6
 """Decimals of the weights of a mixture: the last bits differ from processor to processor."""
 
 
-@section
+@section()
 class Opponents(Section):
     """Base of the samplers of opponents. A sampler is its settings; its state is a dict of arrays.
 
@@ -78,18 +81,16 @@ class Opponents(Section):
         return state
 
 
-@section
+@section("latest")
 class Latest(Opponents):
     """The newest opponents: ``available - 1, available - 2, ...``."""
-
-    kind: ClassVar[str] = "latest"
 
     def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the newest opponents, the newest first."""
         return np.arange(available)[::-1][:count]
 
 
-@section
+@section("uniform")
 class Uniform(Opponents):
     """Opponents drawn evenly without replacement.
 
@@ -97,21 +98,17 @@ class Uniform(Opponents):
     1951, "Iterative solution of games by fictitious play").
     """
 
-    kind: ClassVar[str] = "uniform"
-
     def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return opponents in random order."""
         return rng.choice(available, size=min(count, available), replace=False)
 
 
-@section
+@section("round-robin")
 class RoundRobin(Opponents):
     """All opponents in turn: ``epoch mod available``, as the paper's generalists.
 
     Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
     """
-
-    kind: ClassVar[str] = "round-robin"
 
     def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the next opponents in the cycle."""
@@ -120,7 +117,7 @@ class RoundRobin(Opponents):
         return np.asarray((epoch * count + turns) % available)
 
 
-@section
+@section("newest-and-older")
 class NewestAndOlder(Opponents):
     """Half of the opponents are the newest, and the other half, or one more, older ones by chance.
 
@@ -128,8 +125,6 @@ class NewestAndOlder(Opponents):
 
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
-
-    kind: ClassVar[str] = "newest-and-older"
 
     def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the newest opponents, the newest first, and then the older ones."""
@@ -140,10 +135,11 @@ class NewestAndOlder(Opponents):
         return np.append(newest, drawn)
 
 
-def _longer(rows: FloatArray, size: int, unknown: float = 0.0) -> FloatArray:
-    """Return rows, one for each opponent, with `unknown` ones up to a size."""
-    widths = [(0, max(0, size - len(rows))), *[(0, 0)] * (rows.ndim - 1)]
-    return np.pad(rows, widths, constant_values=unknown)
+def _padded(rows: FloatArray, length: int, value: float = 0.0) -> FloatArray:
+    """Return rows, one for each opponent, with rows of a value appended up to a length."""
+    missing = max(0, length - len(rows))
+    widths = [(0, missing)] + [(0, 0)] * (rows.ndim - 1)
+    return np.pad(rows, widths, constant_values=value)
 
 
 WEIGHTINGS: dict[str, Callable[[FloatArray], FloatArray]] = {
@@ -154,7 +150,7 @@ WEIGHTINGS: dict[str, Callable[[FloatArray], FloatArray]] = {
 beaten, or on those that are beaten half of the time."""
 
 
-@section
+@section("prioritized")
 class Prioritized(Opponents):
     """Opponents drawn with probability ~ f(win rate), without replacement.
 
@@ -170,21 +166,15 @@ class Prioritized(Opponents):
     learning", Nature 575, "prioritized fictitious self-play".
     """
 
-    kind: ClassVar[str] = "prioritized"
-    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
-        f"prioritized-{name}": {"weighting": name} for name in WEIGHTINGS
-    }
-
     weighting: str = setting(
         "hard",
         "most weight on opponents that are seldom beaten (hard), or half of the time (even)",
-        choices=WEIGHTINGS,
+        OneOf(WEIGHTINGS),
     )
     decay: float = setting(
         0.99,
         "factor on earlier games against an opponent with each new one",
-        most=1.0,
-        positive=True,
+        Range(most=1.0, open=True),
     )
 
     def start(self) -> State:
@@ -193,7 +183,8 @@ class Prioritized(Opponents):
 
     def probabilities(self, state: State, available: int) -> FloatArray:
         """Return the probability (available,) of each opponent; even if all weights are 0."""
-        wins, games = (_longer(state[name], available)[:available] for name in ("wins", "games"))
+        wins = _padded(state["wins"], available)[:available]
+        games = _padded(state["games"], available)[:available]
         rates = np.full(available, UNKNOWN)
         # Where there are no games, `out` keeps the assumed rate.
         np.divide(wins, games, out=rates, where=games > 0.0)
@@ -216,7 +207,8 @@ class Prioritized(Opponents):
         """Count one game against each opponent, won by the mean of its scores."""
         # The archive grows during a run, and so do the counts.
         size = int(opponents.max()) + 1
-        wins, games = (_longer(state[name], size) for name in ("wins", "games"))
+        wins = _padded(state["wins"], size)
+        games = _padded(state["games"], size)
         wins[opponents] = self.decay * wins[opponents] + scores.mean(axis=0)
         games[opponents] = self.decay * games[opponents] + 1.0
         return {"wins": wins, "games": games}
@@ -233,7 +225,8 @@ def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
     matrix = np.asarray(beats, np.float64)
     # argmax takes the first of equals, so a random order of the rows decides ties at random.
     order = rng.permutation(len(matrix))
-    shuffled, covered = matrix[order], np.zeros(matrix.shape[1])
+    shuffled = matrix[order]
+    covered = np.zeros(matrix.shape[1])
     chosen: list[int] = []
     for _ in range(min(count, len(matrix))):
         value = (shuffled / (1.0 + covered)).sum(axis=1)
@@ -244,7 +237,7 @@ def shared_sample(beats: ArrayLike, count: int, rng: Rng) -> Indices:
     return np.asarray(order[chosen], dtype=np.intp)
 
 
-@section
+@section("shared-sampling")
 class SharedSampling(Opponents):
     """Strong and different opponents, by the last scores against each (`shared_sample`).
 
@@ -252,15 +245,14 @@ class SharedSampling(Opponents):
     number of candidates changes, all scores are forgotten.
     """
 
-    kind: ClassVar[str] = "shared-sampling"
-
     def start(self) -> State:
         """Return no scores."""
         return {"beats": np.ones((0, 1))}
 
     def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the sample, the strongest first."""
-        return shared_sample(_longer(state["beats"], available, 1.0)[:available], count, rng)
+        beats = _padded(state["beats"], available, 1.0)[:available]
+        return shared_sample(beats, count, rng)
 
     def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
         """Record one minus the scores for each opponent."""
@@ -268,12 +260,12 @@ class SharedSampling(Opponents):
         # Columns are candidates; with another number of them old scores fit none.
         if beats.shape[1] != len(scores):
             beats = np.ones((0, len(scores)))
-        beats = _longer(beats, int(opponents.max()) + 1, 1.0)
+        beats = _padded(beats, int(opponents.max()) + 1, 1.0)
         beats[opponents] = 1.0 - scores.T
         return {"beats": beats}
 
 
-@section
+@section("nash")
 class NashOpponents(Opponents):
     """Opponents drawn from a Nash mixture of all generations: policy-space response oracles (PSRO).
 
@@ -290,9 +282,7 @@ class NashOpponents(Opponents):
     NeurIPS 30.
     """
 
-    kind: ClassVar[str] = "nash"
-
-    episodes: int = setting(10, "matches of each pair in the payoff matrix", least=1)
+    episodes: int = setting(10, "matches of each pair in the payoff matrix", Whole(1))
 
     def start(self) -> State:
         """Return an empty game."""
@@ -301,13 +291,17 @@ class NashOpponents(Opponents):
     def update(self, state: State, own: int, available: int, payoff: PayoffFunction) -> State:
         """Add new generations to the game, and solve it."""
         known = state["payoffs"]
-        rows, columns = np.arange(own), np.arange(available)
+        rows = np.arange(own)
+        columns = np.arange(available)
         n, m = known.shape
 
         def played(rows: Indices, columns: Indices) -> FloatArray:
-            pairs = len(rows), len(columns)
-            return np.asarray(payoff(rows, columns)) if all(pairs) else np.zeros(pairs)
+            if not len(rows) or not len(columns):
+                return np.zeros((len(rows), len(columns)))
+            return np.asarray(payoff(rows, columns))
 
+        # Blocks: earlier generations against earlier opponents, whose payoffs are known, and
+        # against new ones; below these, new generations against all opponents.
         payoffs = np.block([[known, played(rows[:n], columns[m:])], [played(rows[n:], columns)]])
         # The opponents' own mixture: the game as they see it has their payoffs.
         rounded = np.round(nash_averaging(payoffs).evaders, WEIGHT_DECIMALS)
@@ -323,20 +317,13 @@ class NashOpponents(Opponents):
         return rng.choice(support, size=size, replace=False, p=weights[support])
 
 
-@section
+@section()
 class OwnOpponents(OwnCode):
     """Opponents by a sampler of your own (see `Opponents`)."""
 
     base: ClassVar[type[Section]] = Opponents
 
 
-AnyOpponents: TypeAlias = (
-    Latest
-    | Uniform
-    | RoundRobin
-    | NewestAndOlder
-    | Prioritized
-    | SharedSampling
-    | NashOpponents
-    | OwnOpponents
-)
+for _weighting in WEIGHTINGS:
+    name_section(f"prioritized-{_weighting}", Prioritized, weighting=_weighting)
+NAMES[Opponents][OWN] = Named(OwnOpponents)

@@ -59,13 +59,13 @@ def silent(progress: Progress) -> None:
 
 
 def part_of(report: Report, number: int, count: int, place: str = "") -> Report:
-    """Return what reports one of `count` parts, about equally long, as a share of the whole."""
+    """Return what reports part `number` of `count` about equally long ones, as one of the whole."""
 
-    def tell(part: Progress) -> None:
-        done, total = number * part.total + part.done, count * part.total
-        report(Progress(f"{place}{part.what}", done, total))
+    def report_part(part: Progress) -> None:
+        done = number * part.total + part.done
+        report(Progress(f"{place}{part.what}", done, count * part.total, part.before))
 
-    return tell
+    return report_part
 
 
 class ProgressBar:
@@ -81,26 +81,35 @@ class ProgressBar:
         clock: Callable[[], float] = time.monotonic,
         after: float = 0.0,
     ) -> None:
-        self._stream, self._clock, self._first = stream or sys.stderr, clock, clock() + after
+        self._stream = stream or sys.stderr
+        self._clock = clock
+        self._show_from = clock() + after
         self._began: float | None = None
-        self._what = ""
-        self._next_time, self._next_share = 0.0, 0.0
+        self._next_time = 0.0
+        self._next_share = 0.0
         self._bar: tqdm[None] | None = None
+        self._what: str | None = None  # the part of `share`, and what was done of it before
+        self._before = 0
 
     def share(self, what: str, share: float) -> None:
         """Show the share of a part of some work; the time left is that of the part."""
         done = round(SHARES * share)
         if what != self._what or self._began is None:  # it begins with this share
-            self.__exit__()
-            self._what, self._before, self._began, self._bar = what, done, None, None
+            self._close()
+            self._what = what
+            self._before = done
+            self._began = None
         self(Progress(what, done, SHARES, self._before))
 
     def __call__(self, progress: Progress) -> None:
         """Show the progress of a run, or of a job."""
-        if (now := self._clock()) < self._first:
+        now = self._clock()
+        if now < self._show_from:
             return
         if self._began is None:
-            self._began, self._next_time, self._next_share = now, now, progress.share + TENTH
+            self._began = now
+            self._next_time = now
+            self._next_share = progress.share + TENTH
         # Bars redraw their lines, which makes a log file unreadable.
         if not self._stream.isatty():
             self._write(progress, now - self._began)
@@ -113,8 +122,12 @@ class ProgressBar:
         return self
 
     def __exit__(self, *error: object) -> None:
+        self._close()
+
+    def _close(self) -> None:
         if self._bar is not None:
             self._bar.close()
+            self._bar = None
 
     def _draw(self, progress: Progress) -> None:
         if self._bar is None:
@@ -124,7 +137,8 @@ class ProgressBar:
             )  # fmt: skip
         bar = self._bar
         bar.initial = progress.before  # more and more runs tell what was played before
-        bar.total, bar.n = progress.total, min(progress.done, progress.total)
+        bar.total = progress.total
+        bar.n = min(progress.done, progress.total)
         bar.bar_format = BAR if bar.n > bar.initial else STARTING
         bar.set_description_str(progress.what)
 

@@ -9,6 +9,8 @@ random numbers         key
 =====================  ===========================================================================
 untrained genomes      run seed, `Purpose.INITIAL`, team
 noise table            run seed, `Purpose.NOISE`, team
+first weights of       run seed, `Purpose.NOISE`, team (actor-critic, which has no noise table)
+critics
 candidates of an       run seed, `Purpose.LEARN`, team, generation, epoch
 epoch
 opponents of an epoch  run seed, `Purpose.OPPONENTS`, team, generation, epoch (both teams of a
@@ -17,18 +19,22 @@ world of an epoch      run seed, `Purpose.WORLD`, team, generation, epoch (as op
 training matches       run seed, generation of the pursuers and of the evaders, `Phase`, epoch
 matches that choose a  run seed, generation twice, `Phase.RETEST`, team
 champion
-matches of PSRO        run seed, generation of the pursuers and of the evaders, `Phase.ARCHIVE`
+matches of PSRO        run seed, generation of the pursuers and of the evaders, `Phase.ARCHIVE`,
+                       0
 held-out matches       seed of the scores, team, number of the opponent, `Phase.HELD_OUT`
-matches that explain   seed of the explanation, `Phase.EXPLAIN`, number; then as held-out matches
+matches that explain   seed of the explanation, number, 0, `Phase.EXPLAIN`; the result is the seed
+                       of held-out matches, or of the matches in which inputs are seen
 evaluation matches     run seed, generation of the pursuers and of the evaders
 =====================  ===========================================================================
 
-The team is its index in `TEAMS`.
+The team is its index in `TEAMS`. Keys of evaluation matches have three numbers; the others have the
+phase as the fourth, and some a fifth. So of one seed no two kinds of matches have the same key.
 """
 
 from __future__ import annotations
 
 from enum import IntEnum
+from typing import cast
 
 import numpy as np
 
@@ -61,7 +67,7 @@ class Phase(IntEnum):
 def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generator:
     """Return a new generator for one purpose at one position, such as (team, generation, epoch)."""
     # A spawn key keeps these generators apart from match seeds, which have plain keys.
-    sequence = np.random.SeedSequence(seed, spawn_key=(int(purpose), *key))
+    sequence = np.random.SeedSequence(seed, spawn_key=(purpose, *key))
     return np.random.Generator(np.random.SFC64(sequence))
 
 
@@ -80,12 +86,17 @@ def evaluation_seed(run_seed: int, pursuer_generation: int, evader_generation: i
     return match_seed(run_seed, pursuer_generation, evader_generation)
 
 
+def explanation_seed(seed: int, number: int) -> int:
+    """Return the seed of a numbered set of matches that explain a policy."""
+    return match_seed(seed, number, 0, Phase.EXPLAIN)
+
+
 def training_seeds(run_seed: int, g: int, h: int, phase: Phase, epoch: int, count: int) -> Seeds:
     """Return the seeds (count,) of an epoch; `g` and `h` are the generations of both teams.
 
     Seed `i` does not depend on `count`.
     """
     # One sequence for all matches: to make one for each takes a noticeable share of a run.
-    key = (run_seed, g, h, int(phase), epoch)
-    seeds: Seeds = np.random.SeedSequence(key).generate_state(count, np.uint64).astype(np.uint64)
-    return seeds
+    key = (run_seed, g, h, phase, epoch)
+    # NumPy's stubs also allow for words of 32 bits.
+    return cast("Seeds", np.random.SeedSequence(key).generate_state(count, np.uint64))

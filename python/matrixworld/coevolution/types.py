@@ -7,22 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from matrixworld._util.readable import Parts, Readable, matrix_table
+from matrixworld._util.teams import BOTH as BOTH
+from matrixworld._util.teams import TEAMS as TEAMS
+from matrixworld._util.teams import Team as Team
+from matrixworld._util.teams import other as other
 from matrixworld.analysis.payoffs import Payoffs, read_payoffs
-
-Team: TypeAlias = Literal["pursuer", "evader"]
-TEAMS: tuple[Team, Team] = get_args(Team)
-"""The first and the second team of a game."""
-
-
-def other(team: Team) -> Team:
-    """Return the opposing team."""
-    return "evader" if team == "pursuer" else "pursuer"
 
 
 def team_size(team: Any) -> int:
@@ -34,8 +29,10 @@ Genome = NDArray[np.float32]
 """What a member of a team is, such as the weights of its policy, shape (genes,)."""
 Genomes = NDArray[np.float32]  # one genome a row, shape (n, genes)
 Seeds = NDArray[np.uint64]  # seeds of matches
-State = dict[str, NDArray[Any]]  # all that changes in a learner or sampler, as plain arrays by name
 Rng = np.random.Generator  # what all random numbers are drawn from
+
+Row = dict[str, Any]  # an epoch in the log, by column
+Archive = dict[str, Genomes]  # the genomes of each team
 
 SEVERAL = -1  # value of `opponent` in the log of an epoch with several opponents
 
@@ -47,7 +44,7 @@ Matches: TypeAlias = tuple[NDArray[Any], NDArray[Any], Seeds]
 """M matches: numbers of both players (M,) in their populations, and seeds (M,)."""
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Payoff(Readable):
     """Results of G members of the first team against H of the second, in n episodes a pair.
 
@@ -64,19 +61,22 @@ class Payoff(Readable):
 
     scores: NDArray[np.float32]
     extras: Mapping[str, NDArray[Any]] = field(default_factory=dict)
-    teams: tuple[str, str] = ("pursuers", "evaders")
+    teams: tuple[str, str] = BOTH
     exact: bool = False
     words: str = "capture rate"
 
     def _parts(self) -> Parts:
-        episodes, (first, second) = self.scores.shape[2], self.teams
-        played = f"{episodes} episode{'s' * (episodes > 1)} a pair"
+        episodes = self.scores.shape[2]
+        first, second = self.teams
+        played = f"{episodes} episode{'' if episodes == 1 else 's'} a pair"
         head = f"{self.words.capitalize()}s of {first} (rows) against {second}, {played}:"
         return [head, matrix_table(self.matrix)]
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         """Return the payoff matrix, so that figures and measures take the results as they are."""
-        return np.array(self.matrix, dtype)
+        if copy is False:
+            raise ValueError("copy: expected True or None, as means are a new array, got False")
+        return np.asarray(self.matrix, dtype)
 
     @property
     def matrix(self) -> FloatArray:
@@ -89,12 +89,13 @@ class Payoff(Readable):
         return payoffs_of([self])
 
     def arrays(self) -> dict[str, NDArray[Any]]:
-        """Return scores, their means and standard deviations, and extras, as payoff.npz does."""
+        """Return `scores`, their `mean` and `std` over episodes, and the extras: payoff.npz."""
         spread = np.asarray(self.scores.std(axis=2, dtype=np.float64))
         return {"scores": self.scores, "mean": self.matrix, "std": spread, **self.extras}
 
 
 def payoffs_of(runs: Sequence[Payoff]) -> Payoffs:
     """Return the payoffs of runs with the same settings as the analysis reads them."""
-    scores, first = np.stack([run.scores for run in runs]), runs[0]
+    scores = np.stack([run.scores for run in runs])
+    first = runs[0]
     return read_payoffs(scores, per_episode=True, exact=first.exact, teams=first.teams)

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape
+from matrixworld._util.teams import PLURALS
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.policies import GenomePolicy
 from matrixworld.solver import solve
@@ -83,7 +84,7 @@ class BuiltInTeam:
 
     def resolve(self, opponents: Opponents) -> tuple[Plays, ...]:
         """Return opponents in the form that is played."""
-        name = f"{self._team}s"
+        name = PLURALS[self._team]
         policies: list[Plays] = []
         for opponent in _several(name, opponents):
             policies += _resolved(name, self._team, opponent, self._config)
@@ -283,7 +284,7 @@ def _resolved(name: str, team: Team, opponent: Any, config: WorldConfig) -> Iter
 def _named(name: str, team: Team, opponent: str | Path, config: WorldConfig) -> Population:
     # Co-evolution needs more packages and time to import than environments do.
     from matrixworld.coevolution import held_out
-    from matrixworld.coevolution.storage import last_generation
+    from matrixworld.coevolution.runs.stored import last_generation
 
     text = str(opponent)
     players = held_out(team, config.rules)

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable, plain_values
+from matrixworld._util.teams import BOTH
 from matrixworld.analysis.intervals import rate_intervals
-from matrixworld.analysis.teams import TEAMS
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.world.rules import COLLISION_KINDS
@@ -58,7 +58,7 @@ class SafetySummary(Readable):
 
     def _parts(self) -> Parts:
         plural = "" if self.episodes == 1 else "s"
-        kinds = np.ndindex(len(TEAMS), len(COLLISION_KINDS))
+        kinds = np.ndindex(len(BOTH), len(COLLISION_KINDS))
         return [
             f"{self.episodes} episode{plural}, capture rate {self.capture_rate:.2f}, "
             f"{self.safe_episodes:.0%} without anybody at fault",
@@ -71,7 +71,7 @@ class SafetySummary(Readable):
 
     def _row(self, t: int, k: int) -> tuple[str, ...]:
         return (
-            TEAMS[t],
+            BOTH[t],
             COLLISION_KINDS[k],
             _printed(self.involved_rate[t, k], self.involved_interval[t, k]),
             _printed(self.fault_rate[t, k], self.fault_interval[t, k]),

@@ -11,10 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from matrixworld._util.files import load_toml
-from matrixworld.coevolution.evaluation.explanation import PHRASES, WORDS
-from matrixworld.coevolution.race import SCHEDULES, AtOnce
-from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import FORMAT
+from matrixworld.coevolution.evaluation.effects import PHRASES, WORDS
+from matrixworld.coevolution.games.pursuit import PursuitSettings
+from matrixworld.coevolution.runs.facts import Facts
+from matrixworld.coevolution.runs.stored_files import FORMAT
+from matrixworld.coevolution.settings.race_settings import RaceSettings
+from matrixworld.coevolution.settings.schedules import SCHEDULES, AtOnce
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.page import render_page
 from matrixworld.version import __version__
@@ -47,6 +49,20 @@ def race_of(
     })  # fmt: skip
 
 
+def plain_race(settings: RaceSettings) -> dict[str, Any]:
+    """Return settings of a race as the page reads and changes them."""
+    plain = settings.to_json()
+    del plain["chosen"]  # the page chooses
+    return plain
+
+
+def world_of(place: str) -> WorldConfig:
+    """Return a world of the page."""
+    game = race_of(place=place).game
+    assert isinstance(game, PursuitSettings)
+    return game.world
+
+
 def masks_of(config: WorldConfig) -> dict[str, Any]:
     """Return the `right_of_way_cells` of each team."""
     return {team: right_of_way_cells(config, team) for team in TEAMS}
@@ -58,17 +74,19 @@ def evolve_data() -> dict[str, Any]:
     return {
         "version": __version__,
         "format": FORMAT,
-        "worlds": {name: race_of(place=name).to_json()["world"] for name in PARTS["worlds"]},
+        "game": Facts.of(race_of().game)._asdict(),
+        "worlds": {name: world_of(name).to_json() for name in PARTS["worlds"]},
         "races": {
             policy: {
                 learner: {
-                    schedule: race_of(schedule, learner, policy).to_json() for schedule in schedules
+                    schedule: plain_race(race_of(schedule, learner, policy))
+                    for schedule in schedules
                 }
                 for learner in PARTS["learners"]
             }
             for policy in PARTS["policies"]
         },
-        "masks": masks_of(race_of().world),
+        "masks": masks_of(world_of("meadow")),
         "phrases": PHRASES,
         "words": WORDS,
     }

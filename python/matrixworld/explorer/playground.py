@@ -44,10 +44,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from matrixworld._util.checks import check_choice, check_instance, check_integer, expect
+from matrixworld._util.checks import check_choice, check_instance, check_integer
 from matrixworld._util.files import load_toml
-from matrixworld.coevolution.evaluation.scores import held_out
-from matrixworld.coevolution.storage import SavedRun
+from matrixworld.coevolution.evaluation.held_out import held_out
+from matrixworld.coevolution.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.envs import VARIANT_TEXTS
 from matrixworld.explorer.page import mime_bundle, render_page, write_page
@@ -189,7 +189,7 @@ def of_run(run: SavedRun) -> Opponents:
     """Return the world of a run and its generations, as many as a page can hold."""
     step = step_of([run])
     players = {team: _generations(run.teams[team], step) for team in TEAMS}
-    return Opponents(run.settings.world, players)
+    return Opponents(run.pursuit.world, players)
 
 
 def _generations(team: TeamPolicy, step: int) -> dict[str, TeamPolicy]:
@@ -295,7 +295,8 @@ def scene_link(
     """
     check_instance("world", world, World)
     config = world.config
-    expect(not world.turn, "world", "the end of a round", f"turn {world.turn}")
+    if world.turn:
+        raise ValueError(f"world: expected the end of a round, got turn {world.turn}")
     for name, most in MOST.items():
         check_integer(f"world, {name}", getattr(config, name), 1, most)
     parts = {
@@ -326,7 +327,8 @@ def _agents_text(world: World) -> dict[str, str]:
 
 
 def _commands_text(config: WorldConfig, actions: Sequence[Command]) -> str:
-    expect(len(actions) == config.n_agents, "actions", f"{config.n_agents} (agents)", len(actions))
+    if len(actions) != config.n_agents:
+        raise ValueError(f"actions: expected {config.n_agents} (agents), got {len(actions)}")
     text = ""
     for action in actions:
         if isinstance(action, str):

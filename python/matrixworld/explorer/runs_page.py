@@ -34,21 +34,22 @@ from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.coevolution.evaluation.explanation import sentence_of
-from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.games.own_game import OwnGame
+from matrixworld.coevolution.games.pursuit import PursuitSettings
+from matrixworld.coevolution.games.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup, by_clarity, grouped
-from matrixworld.coevolution.race import Against, AtOnce, curve_window
-from matrixworld.coevolution.sections import different_settings, leaves, values_of
+from matrixworld.coevolution.saved_run import SavedRun, open_run, open_runs
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.settings import RaceSettings, default_race
-from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
-from matrixworld.coevolution.types import TEAMS, Payoff, team_size
+from matrixworld.coevolution.settings.race_settings import RaceSettings
+from matrixworld.coevolution.settings.usual import DEFAULTS, SCHEDULE
+from matrixworld.coevolution.types import BOTH, TEAMS, Payoff, team_size
 from matrixworld.episodes.episode import scene
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import page_data, playground_page
 from matrixworld.explorer.teams import MOST_BYTES, plain_game, plain_team, step_of
 from matrixworld.version import __version__
 from matrixworld.world.render import png
-from matrixworld.world.rules import variant_name
+from matrixworld.world.rules import REWARDS, variant_name
 
 PAGE = "explorer.html"  # name of the page in a run directory, or beside several
 MOST_RUNS = 12  # the most runs of a page
@@ -101,7 +102,9 @@ def explore(
         raise ValueError(f"runs: expected 1 to {MOST_RUNS} finished runs, got {len(saved)}")
     page = _common(paths) / PAGE if file is None else Path(file)
     write_page(page, explorer_page(saved), force=force)
-    return Explorer(page, b"" if saved[0].settings.game else png(scene(saved[0].record())))
+    first = saved[0]
+    shows_world = isinstance(first.settings.game, PursuitSettings)
+    return Explorer(page, png(scene(first.record())) if shows_world else b"")
 
 
 def _common(paths: Sequence[Path]) -> Path:
@@ -135,8 +138,9 @@ def explorer_page(
     for one, told in zip(plain, together, strict=False):
         one["together"] = told
     games = {run.settings.game for run in runs}
-    notes = [note, *(CHANGED.format(game.code) for game in games if game and game.changed())]
-    pursuit = None in games
+    own = [game for game in games if isinstance(game, OwnGame)]
+    notes = [note, *(CHANGED.format(game.code) for game in own if game.changed())]
+    pursuit = len(own) < len(games)
     if pursuit:
         blobs["playground"] = without_engine(playground_page()).encode()
     data = {
@@ -175,11 +179,12 @@ def heading(runs: Sequence[SavedRun]) -> str:
     kind = "race" if all(each.is_race for each in settings) else "run"
     words = f"{len(runs)} {kind}{'s' if len(runs) > 1 else ''} of "
     teams = {each.teams for each in settings}
-    games = {each.variant for each in settings}
+    games = {each.game.variant for each in settings}
     if len(teams) > 1:
         return f"{words}{len(games)} games"
     words += " and ".join(*teams)
-    what, names = "game" if settings[0].game else "variant", games - {"own-rules"}
+    what = "game" if isinstance(settings[0].game, OwnGame) else "variant"
+    names = games - {"own-rules"}
     return f"{words}, {what} {names.pop()}" if len(names) == 1 else words
 
 
@@ -200,16 +205,17 @@ def runs_data(
     There are genomes of as many generations as fit into `most` bytes.
     """
     step = step_of([run for _, run in runs], most)
-    plain, genomes = [], dict[str, bytes]()
-    own_games = sum(run.settings.game is not None for _, run in runs)
+    plain = []
+    genomes: dict[str, bytes] = {}
+    own_games = sum(isinstance(run.settings.game, OwnGame) for _, run in runs)
     for n, (name, run) in enumerate(runs):
         shown = run_data(name, run, (so_far or {}).get(run.path))
         teams = {
             team: plain_team(each, f"genomes-{n}-{team}", step, genomes)
             for team, each in zip(TEAMS, run.teams.values(), strict=True)
         }
-        for team in TEAMS if so_far is None else ():
-            if teams[team]["policy"]:
+        for team in TEAMS:
+            if so_far is None and teams[team]["policy"]:
                 teams[team]["words"] = sentence_of(run, team)
         game = plain_game(run, own_games, ended=so_far is None)
         plain.append({**shown, "teams": teams, "game": game})
@@ -218,18 +224,23 @@ def runs_data(
 
 def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str, Any]:
     """Return what a page shows of a run, without its teams; a race that goes on is not judged."""
-    settings, payoff = run.settings, so_far or run.payoff()
+    settings = run.settings
+    payoff = so_far or run.payoff()
     shape = tuple(map(team_size, run.teams.values()))
-    limits, found = "", None
+    limits = ""
+    judged = None
     if settings.is_race:
         limits = f"{too_few_episodes(payoff)} {settings.schedule.limits}".strip()
-        found = findings(payoff, ended=so_far is None)
+        judged = findings(payoff, ended=so_far is None)
+    world = None
+    if isinstance(settings.game, PursuitSettings):
+        world = settings.game.world.to_json()
     return {
         "name": name,
         "schedule": settings.schedule.name if settings.is_race else "one team",
         "learning": list(settings.learning_teams),
         "seed": str(settings.seed),
-        "world": settings.world.to_json() if settings.world else None,
+        "world": world,
         "settings": plain_settings(settings),
         "command": command_of(settings),
         "training": training_curve(run.log(), settings),
@@ -239,7 +250,7 @@ def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str
             [str(evaluation_seed(settings.seed, g, h)) for h in range(shape[1])]
             for g in range(shape[0])
         ],
-        "findings": found,
+        "findings": judged,
         "limits": limits,
     }
 
@@ -269,8 +280,8 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
     many ``epochs``; ``window`` has the points of a moving average.
     """
     learner = (log["team"] == settings.keys[1]).astype(int)
-    score, *_ = settings.kind_of_game.columns
-    if isinstance(settings.schedule, AtOnce):
+    score, *_ = settings.game.game_class.columns
+    if settings.schedule.at_once:
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)
@@ -282,55 +293,45 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
         "generation": log["generation"][starts].tolist(),
         "learner": learner[starts].tolist(),
         "epochs": every,
-        "window": max(1, round(curve_window(settings.schedule) / every)),
+        "window": max(1, round(settings.schedule.curve_window / every)),
         "matches": int(log["matches"][-1]) if len(learner) else 0,
     }
 
 
 def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
-    """Return path, value and meaning of each setting that differs from what `start_of` says."""
-    start, found = values_of(start_of(settings)[1]), values_of(settings)
-    others = [f"{name}." for name in ("learner", "policy") if found.get(name) != start.get(name)]
-    # Those of another kind begin from its defaults, and so do those for which it states some.
-    own = (*others, *getattr(settings.learner, "defaults", ()))
-    usual = {path: value for path, value in start.items() if not path.startswith(own)}
-    variant = variant_name(settings.world.rules) if settings.world else ""
-    different = []
-    for path, value, text in leaves(settings):
-        plain = variant if path == "world.rules" and variant else plain_values(value)
-        shown = plain if isinstance(plain, str) else json.dumps(plain)
-        if value != usual.get(path):
-            different.append({"name": path, "value": shown, "help": text})
-    if settings.game is None:
-        return different
-    return [{"name": "game", "value": settings.game.code, "help": "a game of your own"}, *different]
-
-
-def start_of(settings: RaceSettings) -> tuple[list[str], RaceSettings]:
-    """Return options of the command and the settings that they mean, the nearest to the given."""
-    schedule = settings.schedule
-    same: dict[str, Any] = {"schedule": schedule.name, "seed": settings.seed}
-    sets: list[str] = []
-    if isinstance(schedule, Against):
-        own = {f"schedule.{name}": getattr(schedule, name) for name in ("team", "opponent")}
-        same |= {"schedule": schedule.kind, **own}
-        sets = [part for path, value in own.items() for part in ("--set", f"{path}={value}")]
-    options = ["--schedule", same["schedule"], "--seed", str(settings.seed), *sets]
-    plain = RaceSettings.of(same, game=settings.game)
-    if settings.game:
-        return options, plain
-    usual = RaceSettings.of(default_race(same["schedule"]), same)
-    starts = [(options, usual), (["--paper", *options], plain)]
-    return min(starts, key=lambda start: len(different_settings(settings, start[1])))
+    """Return path, value and meaning of each setting that was chosen, but for schedule and seed."""
+    help_texts = {**settings.help(), "world.rules": "game variant, or its rules one by one"}
+    choices = settings.choices()
+    if isinstance(settings.game, PursuitSettings):
+        world = settings.game.world
+        rewards = next((name for name, each in REWARDS.items() if each == world.rewards), "")
+        for path, name in (("world.rules", variant_name(world.rules)), ("world.rewards", rewards)):
+            parts = [part for part in choices if part == path or part.startswith(f"{path}.")]
+            if name and parts:
+                choices = {part: value for part, value in choices.items() if part not in parts}
+                choices[path] = name
+    chosen = []
+    for path, value in choices.items():
+        if path in ("schedule", "seed", DEFAULTS) or path.startswith("game."):
+            continue
+        shown = value if isinstance(value, str) else json.dumps(value)
+        chosen.append({"name": path, "value": shown, "help": help_texts.get(path, "")})
+    return chosen
 
 
 def command_of(settings: RaceSettings) -> str:
-    """Return the command that plays a run again: by its own file, if options cannot name a game."""
+    """Return the command that plays a run again: by its own file, if options cannot say all."""
+    choices = settings.choices()
     sets = [f"{each['name']}={each['value']}" for each in plain_settings(settings)]
-    if any("={" in each for each in sets):
+    if any("={" in each or "[{" in each for each in sets):
         return "matrixworld evolve --config config.json"
-    options = [part for each in sets for part in ("--set", each)]
-    return shlex.join(["matrixworld", "evolve", *start_of(settings)[0], *options])
+    words = ["matrixworld", "evolve"]
+    if isinstance(settings.game, PursuitSettings) and DEFAULTS not in choices:
+        words.append("--paper")
+    words += ["--schedule", choices.get("schedule", SCHEDULE), "--seed", str(settings.seed)]
+    for each in sets:
+        words += ["--set", each]
+    return shlex.join(words)
 
 
 # ---- What the analysis says ----------------------------------------------------------------------
@@ -371,7 +372,7 @@ def curves(payoff: Payoff) -> dict[str, Any]:
                 "stripes": triangle.stripes,
                 "period": triangle.period,
             }
-            for team, triangle in zip(("pursuers", "evaders"), analysis.ciao(matrix), strict=True)
+            for team, triangle in zip(BOTH, analysis.ciao(matrix), strict=True)
         },
         "ratings": {
             "offset": ratings.offset * ELO_POINTS,
@@ -386,7 +387,7 @@ def _with_bands(
     """Return means of both teams in a unit, with intervals where episodes allow them."""
     curves: dict[str, Any] = {
         team: {"mean": plain_values(getattr(means, team) * unit), "low": None, "high": None}
-        for team in ("pursuers", "evaders")
+        for team in BOTH
     }
     if payoff.scores.shape[2] >= 2:
         for curve, band in zip(curves.values(), over_episodes(payoff.scores), strict=True):

@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.coevolution.game import Game
-from matrixworld.coevolution.storage import SavedRun
+from matrixworld.coevolution.games.game import Game
+from matrixworld.coevolution.games.own_game import OwnGame
+from matrixworld.coevolution.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Genomes
 from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.program import Program
@@ -91,15 +92,20 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
     The page is one of `share` runs with such games.
     """
     own = run.settings.game
-    if own is None:
+    if not isinstance(own, OwnGame):
         return None
-    game, shows = run.settings.evaluation_game, dict[str, dict[str, str]]()
+    game = run.settings.evaluation_game
+    shows: dict[str, dict[str, str]] = {}
     if game.show is not None and ended:
         most = MOST_SHOWN // share, MOST_SHOWN_BYTES // share
         shows = shows_of(game, [*run.archive().values()], *most)
     why = WHY_NOT["none" if game.show is None else "few" if ended else "later"]
-    facts = {"teams": list(own.teams), "exact": own.deterministic}
-    return {**facts, "shows": shows, "missing": why.format(n=len(shows))}
+    return {
+        "teams": list(own.teams),
+        "exact": own.deterministic,
+        "shows": shows,
+        "missing": why.format(n=len(shows)),
+    }
 
 
 def shows_of(

@@ -17,9 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
+from matrixworld._util.teams import BOTH
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff
-from matrixworld.analysis.teams import TEAMS
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -35,7 +35,7 @@ _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
 
 def payoff_heatmap(
-    payoff: ArrayLike, *, teams: Sequence[str] = TEAMS, title: str | None = None
+    payoff: ArrayLike, *, teams: Sequence[str] = BOTH, title: str | None = None
 ) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
@@ -65,7 +65,7 @@ def ciao_triangles(
     payoff: ArrayLike,
     *,
     every: int = 1,
-    teams: Sequence[str] = TEAMS,
+    teams: Sequence[str] = BOTH,
     title: str = "CIAO: current individuals against ancestral opponents",
 ) -> Figure:
     """Draw the CIAO plots of both teams: current individuals against ancestral opponents.
@@ -102,7 +102,7 @@ def comparison(
     payoffs: Mapping[str, Source],
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
-    teams: Sequence[str] = TEAMS,
+    teams: Sequence[str] = BOTH,
 ) -> Figure:
     """Draw races side by side, on the same scales, at most 3 in a row.
 
@@ -252,7 +252,7 @@ def training_curve(
     *,
     generations: NDArray[Any] | None = None,
     window: int = 1,
-    teams: Sequence[str] = TEAMS,
+    teams: Sequence[str] = BOTH,
     title: str = "",
 ) -> Figure:
     """Draw the score (T,) over epochs, shaded by the team that learns, with its moving average.
@@ -294,7 +294,7 @@ def collision_rates(rates: NDArray[np.float64], *, title: str) -> Figure:
                 curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
                 linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
             )  # fmt: skip
-        axes.set_title(TEAMS[team], color=colors.TEAMS[team])
+        axes.set_title(BOTH[team], color=colors.TEAMS[team])
         axes.set_xlabel("generation")
         axes.xaxis.set_major_locator(style.whole_numbers())
         style.plain_axis(axes)

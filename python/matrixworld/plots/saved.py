@@ -14,10 +14,12 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
+from matrixworld._util.teams import PLURALS
 from matrixworld.analysis import Judgement
 from matrixworld.analysis.intervals import UNIT
+from matrixworld.coevolution.games.own_game import OwnGame
 from matrixworld.coevolution.groups import RunGroup
-from matrixworld.coevolution.race import Against, AtOnce, curve_window
+from matrixworld.coevolution.settings.schedules import Against
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.plots import race as of_race
 from matrixworld.plots import style
@@ -37,14 +39,15 @@ def figures_of(
     seeds = [group for group in races if group.several]
     together = ["comparison"] if len(races) > 1 or seeds else []
     if seeds:
-        own_games = any(group.runs[0].settings.game for group in groups)
+        own_games = any(isinstance(group.runs[0].settings.game, OwnGame) for group in groups)
         together += ["verdicts", *([] if own_games else ["held_out"])]
     found: dict[Path, Callable[[], Figure]] = {}
     alone = [group for group in groups if each or group not in seeds]
     for single in [single for group in alone for single in group.singles]:
         for figure, draw in OF_RUN.items():
             # A run of one team alone has the curve of its training only.
-            missing = figure in OF_PURSUIT and single.runs[0].settings.game is not None
+            own_game = isinstance(single.runs[0].settings.game, OwnGame)
+            missing = figure in OF_PURSUIT and own_game
             if (single.is_race and not missing) or figure == "training":
                 found[single.runs[0].path / f"{figure}.{suffix}"] = partial(draw, single)
     drawn = {group.name: group for group in seeds or races}
@@ -59,20 +62,28 @@ def _title(group: RunGroup, shown: str) -> str:
 
 def _training(group: RunGroup) -> Figure:
     [run] = group.runs
-    log, schedule, teams = run.log(), run.settings.schedule, run.settings.teams
+    log = run.log()
+    schedule = run.settings.schedule
+    teams = run.settings.teams
     evaders = log["team"] == run.settings.keys[1]
-    score, *_ = run.settings.kind_of_game.columns
-    shown, kept = f"{' and '.join(teams)} learn in turn", np.ones(len(evaders), bool)
+    score, *_ = run.settings.game.game_class.columns
+    learning: NDArray[np.bool_] | None = evaders
+    generations: NDArray[np.int64] | None = log["generation"]
+    kept = np.ones(len(evaders), bool)
+    shown = f"{' and '.join(teams)} learn in turn"
     if isinstance(schedule, Against):
         shown = f"{teams[TEAMS.index(schedule.team)]} learn"
-    elif isinstance(schedule, AtOnce):
+        generations = None
+    elif schedule.at_once:
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
-        shown, kept = "both teams learn", ~evaders
+        shown = "both teams learn"
+        learning = None
+        kept = ~evaders
     return of_race.training_curve(
         log[score][kept],
-        None if isinstance(schedule, AtOnce) else evaders,
-        generations=None if isinstance(schedule, Against) else log["generation"][kept],
-        window=curve_window(schedule),
+        learning,
+        generations=None if generations is None else generations[kept],
+        window=schedule.curve_window,
         teams=teams,
         title=_title(group, style.words_of(teams).begin(f" while {shown}")),
     )
@@ -132,7 +143,7 @@ def _verdicts(groups: Groups) -> Figure:
 
 def _held_out(groups: Groups) -> Figure:
     scores = {
-        f"{name}, {team}s": group.held_out(team).mean(axis=1)
+        f"{name}, {PLURALS[team]}": group.held_out(team).mean(axis=1)
         for name, group in groups.items()
         for team in TEAMS
     }

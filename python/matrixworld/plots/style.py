@@ -19,9 +19,9 @@ from numpy.typing import ArrayLike
 from matrixworld._util import colors
 from matrixworld._util.checks import check_instance, check_sequence
 from matrixworld._util.files import replacing
+from matrixworld._util.teams import BOTH
 from matrixworld.analysis.intervals import Band
 from matrixworld.analysis.payoffs import require
-from matrixworld.analysis.teams import TEAMS
 
 OfName = TypeVar("OfName")
 
@@ -45,7 +45,7 @@ MOST_LINES = 10  # with more runs the single ones are not drawn: their lines wou
 class Words(NamedTuple):
     """What the axes and legends of a game say; of pursuit by default."""
 
-    teams: tuple[str, str] = TEAMS
+    teams: tuple[str, str] = BOTH
     score: str = "capture rate"
     generations: tuple[str, str] = ("pursuer generation", "evader generation")
     lag: str = "lag: pursuer minus\nevader generation"
@@ -65,7 +65,7 @@ def words_of(teams: Sequence[str]) -> Words:
     names = check_sequence("teams", teams, "two texts")
     require(len(names) == 2, "names of two teams", names)
     first, second = names
-    if (first, second) == TEAMS:
+    if (first, second) == BOTH:
         return Words()
     return Words(
         (first, second),

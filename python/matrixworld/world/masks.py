@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import check_choice, shown
+from matrixworld._util.teams import PLURALS
 from matrixworld.world import policy
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.config import WorldConfig
@@ -144,8 +145,8 @@ def _check_right_of_way(
         cells = forbidding_cells(config, "right-of-way", team)
         if not forbids[masked][:, cells, np.arange(len(cells))[:, np.newaxis]].all():
             raise ValueError(
-                f"{name}: expected networks that keep the right of way of {team}s under these "
-                "rules, got a mask of other rules or of the other team"
+                f"{name}: expected networks that keep the right of way of {PLURALS[team]} under "
+                "these rules, got a mask of other rules or of the other team"
             )
 
 

@@ -19,12 +19,9 @@ from matrixworld import _core
 from matrixworld._util import checks
 from matrixworld._util.files import load_toml
 from matrixworld._util.readable import Readable, plain_values
+from matrixworld._util.teams import TEAMS as TEAMS
+from matrixworld._util.teams import Team as Team
 from matrixworld.world.config import WorldConfig
-
-Team: TypeAlias = Literal["pursuer", "evader"]
-
-TEAMS: tuple[Team, Team] = ("pursuer", "evader")
-"""The two teams, in the order of every team axis."""
 
 Script: TypeAlias = str
 """One of `SCRIPTS`."""

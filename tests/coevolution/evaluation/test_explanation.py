@@ -10,8 +10,8 @@ import pytest
 
 import matrixworld as mw
 from command_line import matrixworld_command
-from matrixworld.coevolution.evaluation import explanation
-from matrixworld.coevolution.seeding import Phase, match_seed
+from matrixworld.coevolution.evaluation import effects, explanation, imitation
+from matrixworld.coevolution.seeding import explanation_seed
 from matrixworld.coevolution.types import other
 from tiny_race import played, tiny_race, tiny_single
 
@@ -47,10 +47,10 @@ SENTENCES = [
 ]
 
 
-@pytest.mark.parametrize(("team", "effects", "expected"), SENTENCES)
-def test_sentences(team, effects, expected):
-    assert explanation.sentence(team, effects) == expected
-    assert [*explanation.PHRASES] == [*mw.INPUTS]
+@pytest.mark.parametrize(("team", "moved", "expected"), SENTENCES)
+def test_sentences(team, moved, expected):
+    assert effects.sentence(team, moved) == expected
+    assert [*effects.PHRASES] == [*mw.INPUTS]
 
 
 @pytest.mark.parametrize(("team", "weight", "said"), [("pursuer", -1, 0), ("evader", 1, 1)])
@@ -79,7 +79,7 @@ def test_an_input_left_out_is_one_that_the_policy_does_not_have(hidden):
     acts = mw.RatingPolicy(policy, policy.initial(np.random.default_rng(2), 1.0))
     seen = inputs_seen(60)
     told = explanation.explain(acts, "pursuer", WORLD, episodes=6, seed=4)
-    match = {"episodes": 6, "seed": match_seed(4, Phase.EXPLAIN, 0)}
+    match = {"episodes": 6, "seed": explanation_seed(4, 0)}
     own = mw.score_policy(acts, "pursuer", WORLD, **match)
     assert told.score == own.mean()
     for place, name in enumerate(inputs):
@@ -101,13 +101,13 @@ def test_effects_are_weights_by_spread_and_dependence_is_a_mean():
     seen = inputs_seen(120)
     acts = rating([-2.0, 0.5], ("adversary", "exits"))
     allowed = seen[..., NAMES.index("room")] > 0
-    for term in explanation.terms_of(acts, seen):
+    for term in effects.terms_of(acts, seen):
         x = seen[..., NAMES.index(term.input)]
         spread = np.mean([np.var(row[free]) for row, free in zip(x, allowed, strict=True)]) ** 0.5
         assert term.effect == pytest.approx(term.weight * spread, rel=1e-3)
     policy = mw.Rating.for_config(WORLD, inputs=("exits", "room"), hidden=(4,))
     acts = mw.RatingPolicy(policy, policy.initial(np.random.default_rng(0), 1.0))
-    [room] = [term for term in explanation.terms_of(acts, seen) if term.input == "room"]
+    [room] = [term for term in effects.terms_of(acts, seen) if term.input == "room"]
     assert len(room.dependence) == 5
     for value, mean in room.dependence:
         changed = seen.copy()
@@ -141,7 +141,7 @@ def slow_features(view, team):
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
 def test_features_of_views(team):
     views = (np.random.default_rng(1).random((200, 3, 7, 7)) < 0.08).astype(np.uint8)
-    found = explanation.features(views, team)
+    found = imitation.features(views, team)
     for number, view in enumerate(views):
         slow = slow_features(view, team)
         assert {name: each[number] for name, each in found.items()} == slow
@@ -167,7 +167,7 @@ def test_a_tree_is_scored_by_its_own_matches():
             moves.append(mw.Action[names["move"].upper()])
         return moves
 
-    match = {"episodes": 5, "seed": match_seed(2, Phase.EXPLAIN, 0)}
+    match = {"episodes": 5, "seed": explanation_seed(2, 0)}
     own, its = (mw.score_policy(each, "evader", WORLD, **match) for each in (acts, by_rules))
     assert (told.score, told.tree.score) == (own.mean(), its.mean())
     assert told.tree.cost.value == pytest.approx((own.means - its.means)[0])

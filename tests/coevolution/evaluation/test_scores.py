@@ -59,7 +59,7 @@ def test_scores_are_those_of_the_matches(race):
         for number, opponent in enumerate(against.values()):
             sides = (own, opponent) if team == "pursuer" else (opponent, own)
             match = mw.Matches.of(0, 0, np.uint64(match_seed(0, TEAMS.index(team), number, 4)))
-            played = mw.rollout(run.settings.world, *sides, match, episodes=4)
+            played = mw.rollout(run.settings.game.world, *sides, match, episodes=4)
             captured = played.capture_rate[0].astype(float)
             expected = captured if team == "pursuer" else 1 - captured
             assert np.array_equal(found.rates[0, number], expected)
@@ -146,3 +146,30 @@ def test_the_best_script_of_a_team_meets_what_a_run_meets():
     best = max(scores, key=lambda script: scores[script])
     assert found["pursuer"] == (best, pytest.approx(scores[best]))
     assert found["evader"][0] in ("fleer", "dodger")
+
+
+@pytest.mark.parametrize(
+    ("bad", "kind", "message"),
+    [
+        (
+            {"policy": 5},
+            TypeError,
+            "policy: expected a function, .* or the name of a script, got 5",
+        ),
+        ({"policy": "nobody"}, ValueError, "policy: expected one of random, "),
+        ({"opponents": {"a": 5}}, TypeError, "opponents: expected a function, "),
+        ({"opponents": {}}, ValueError, "opponents: expected at least one, got none"),
+    ],
+)
+def test_what_cannot_play_is_refused(bad, kind, message):
+    arguments = {"policy": "chaser", "team": "pursuer", "config": "O", "episodes": 2}
+    with pytest.raises(kind, match=message):
+        mw.score_policy(**{**arguments, **bad})
+
+
+def test_an_opponent_is_a_single_genome():
+    world = mw.WorldConfig("O", rows=7, cols=7, n_pursuers=2, n_evaders=2, max_steps=5)
+    one = random_team(world, 1, hidden=())
+    two = mw.Population(np.repeat(one.genomes, 2, axis=0), one.policy)
+    with pytest.raises(ValueError, match="opponents: expected a single genome, got 2"):
+        mw.score_policy("chaser", "pursuer", world, opponents={"two": two}, episodes=2)

@@ -10,6 +10,7 @@ from matrixworld.coevolution import Cells, Pursuit, Results, create, open_run
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import ActorCritic, Update, advantages
 from matrixworld.coevolution.learners.learner import Task
+from matrixworld.coevolution.states import flat
 from matrixworld.play.experience import experience
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
@@ -34,7 +35,7 @@ def new(network=NETWORK, epochs=1, **changes):
 
 
 def genome(update):
-    return update.state()["actor_weights"]
+    return update.state().actor.weights
 
 
 def seen_by(update, *, seed=0, matches=4, config=CONFIG):
@@ -122,7 +123,8 @@ def test_the_critic_s_gradient_is_that_of_finite_differences():
     one = new(SMOOTH)
     seen = seen_by(one)
     target = rng().normal(size=len(seen)).astype(np.float32)
-    critic, given = one._critics["critic"], []
+    critic = one._critic
+    given = []
     critic.ascend = lambda gradient, share: given.append(gradient)
     one._fit(critic, one._parts(seen.views), target)
     assert len(given) == 5
@@ -152,7 +154,7 @@ def test_it_learns_to_catch_in_a_small_world():
     """Pursuers learn to reach evaders that stand still, to a level that chance does not reach."""
     config = WorldConfig("O", rows=6, cols=6, n_pursuers=2, n_evaders=3, fov=5, max_steps=30)
     update = new(actor_rate=0.01, critic_rate=0.01, actor_updates=4, clip=0.2)
-    one, state = update.chosen, update.state()
+    one, state = update.settings, update.state()
     # Seeds that training does not reach.
     test = Matches.of(0, 0, np.arange(10_000, 10_100, dtype=np.uint64))
 
@@ -185,8 +187,11 @@ COSTS = {"learner.cost_limit": 2.0, "clip": 0.2, "actor_updates": 2, "minibatche
 RUNS = {
     "O": (HALL, 5),
     "TO": (HALL.changed({"world.rules": "TO"}), 5),
-    "pursuers": (tiny_race().changed({"learner": "actor-critic", "evader_learner": "es"}), 5),
-    "evaders": (tiny_race().changed({"evader_learner": "actor-critic"}), 5),
+    "pursuers": (
+        tiny_race().changed({"learner": "actor-critic", "schedule.evader_learner": "es"}),
+        5,
+    ),
+    "evaders": (tiny_race().changed({"schedule.evader_learner": "actor-critic"}), 5),
     "central": (tiny_single(**LEARNER, central_critic=True, match_episodes=2), 2),
     "costs": (tiny_single(**{**LEARNER, **COSTS}), 2),
 }
@@ -215,8 +220,10 @@ def test_rates_fall_to_a_tenth():
     first = new(epochs=4, actor_updates=2, anneal=True)
     shares = []
     for updates in (0, 2, 4, 8, 20):
-        state = first.state() | {"actor_updates": np.array(updates)}
-        one = Update(first.chosen, state)
+        state = first.state()
+        adam = state.actor.adam._replace(updates=np.array(updates))
+        state = state._replace(actor=state.actor._replace(adam=adam))
+        one = Update(first.settings, state)
         one._actor.ascend = lambda _, share: shares.append(share)
         one.learn(seen_by(first))
     np.testing.assert_allclose(shares[::2], [1.0, 0.775, 0.55, 0.1, 0.1])
@@ -225,10 +232,11 @@ def test_rates_fall_to_a_tenth():
 def test_an_update_changes_no_array_of_the_state_before():
     one = new(cost_limit=3.0)
     state, seen = one.state(), seen_by(one)
-    before = {name: value.copy() for name, value in state.items()}
+    before = {name: value.copy() for name, value in flat(state).items()}
     one.learn(seen)
-    assert all(np.array_equal(state[name], before[name]) for name in before)
-    assert not np.array_equal(genome(one), before["actor_weights"])
+    after = flat(state)
+    assert all(np.array_equal(after[name], before[name]) for name in before)
+    assert not np.array_equal(genome(one), before["actor.weights"])
 
 
 def test_minibatches_and_chunks_divide_the_transitions(monkeypatch):

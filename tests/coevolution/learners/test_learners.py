@@ -8,14 +8,12 @@ from deap import cma
 from threadpoolctl import threadpool_limits
 
 from matrixworld.coevolution import CmaEs, EvolutionStrategy, GeneticAlgorithm, Results, Task
-from matrixworld.coevolution.game import Game
+from matrixworld.coevolution.games.game import Game
 from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
-from matrixworld.coevolution.learners.genetic_algorithm import (
-    mate_uniform,
-    select_tournament,
-    select_truncation,
-)
-from matrixworld.coevolution.learners.learner import adam_state
+from matrixworld.coevolution.learners.genetic_algorithm import mate_uniform, select_truncation
+from matrixworld.coevolution.learners.optimizers import Adam, Momentum
+from matrixworld.coevolution.learners.selection import select_tournament
+from matrixworld.coevolution.states import flat
 
 SIZE = 20
 TARGET = np.linspace(-1.0, 1.0, SIZE)
@@ -93,13 +91,12 @@ def test_annealed_strategies_find_the_target_and_steps_fall_to_a_tenth(learner):
     annealing = replace(learner, anneal=True)
     state = teach(annealing, begun(annealing, epochs=400), 400)
     assert closeness(annealing.genome(state)) > -0.01 > closeness(np.zeros(SIZE))
-    still = {**state, "velocity": np.zeros(SIZE, np.float32)}  # of momentum, none from before
-    still |= adam_state(SIZE) if learner.momentum is None else {}
+    optimizer = (Adam if learner.momentum is None else Momentum).start(SIZE)
     for updates, share in ((0, 1.0), (200, 0.55), (400, 0.1), (900, 0.1)):
-        begin = {**still, "updates": np.array(updates)}
+        begin = state._replace(optimizer=optimizer._replace(updates=np.array(updates)))
         steps = [
-            np.abs(each.genome(teach(each, begin, 1)) - each.genome(begin)).mean()
-            for each in (annealing, learner)
+            np.abs(each.genome(teach(each, at, 1)) - each.genome(at)).mean()
+            for each, at in ((annealing, begin), (learner, begin._replace(epochs=None)))
         ]
         assert steps[0] == pytest.approx(share * steps[1], rel=1e-2)
 
@@ -129,9 +126,9 @@ def test_cma_goes_where_deap_s_own_strategy_goes(monkeypatch):
         with threadpool_limits(limits=1, user_api="blas"):  # as ours: threads change the last bits
             theirs.update(population)
     for name in ("centroid", "sigma", "C", "pc", "ps"):
-        assert np.array_equal(state[name], getattr(theirs, name)), name
+        assert np.array_equal(getattr(state, name), getattr(theirs, name)), name
     assert np.array_equal(CMA.genome(state), theirs.centroid.astype(np.float32))
-    assert state["update_count"] == 30
+    assert state.update_count == 30
     assert theirs.sigma != pytest.approx(0.3, rel=0.1)  # it went somewhere at all
 
 
@@ -141,7 +138,8 @@ def test_cma_does_not_depend_on_the_threads_of_the_linear_algebra():
     for threads in (1, 2):
         with threadpool_limits(threads, "blas"):
             ended.append(teach(learner, begun(learner, genes=330), 3, score=sphere))
-    assert all(np.array_equal(ended[0][name], ended[1][name]) for name in ended[0])
+    one, two = map(flat, ended)
+    assert all(np.array_equal(one[name], two[name]) for name in one)
 
 
 @pytest.mark.parametrize("learner", LEARNERS)
@@ -150,6 +148,18 @@ def test_bad_fitness_is_refused(learner, fitness):
     _, asked = learner.ask(begun(learner), generator())
     with pytest.raises(ValueError, match="^fitness: "):
         learner.tell(asked, Results(fitness))
+
+
+@pytest.mark.parametrize("learner", LEARNERS)
+def test_fitness_without_candidates_is_refused(learner):
+    with pytest.raises(RuntimeError, match="^tell: expected a state of `ask`"):
+        learner.tell(begun(learner), Results(np.zeros(learner.population)))
+
+
+def test_cma_that_cannot_go_on_has_a_genome_of_nan_which_a_run_reports():
+    state = begun(CMA)._replace(C=np.full((SIZE, SIZE), np.inf))
+    _, asked = CMA.ask(state, generator())
+    assert np.isnan(CMA.genome(CMA.tell(asked, Results(np.arange(16.0))))).all()
 
 
 @pytest.mark.parametrize("options", [{}, {"crossover": 0.7}, {"truncation": 0.25, "elites": 0}])
@@ -190,7 +200,7 @@ class Zeros(GeneticAlgorithm):
     @property
     def toolbox(self):
         toolbox = super().toolbox
-        toolbox.register("mutate", lambda genomes, rng, state: genomes * np.float32(0))
+        toolbox.register("mutate", lambda genomes, rng, noise: genomes * np.float32(0))
         return toolbox
 
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.coevolution import Programs, Pursuit
 from matrixworld.coevolution.learners import genetic_programming as gp
-from matrixworld.coevolution.learners.learner import Task
-from matrixworld.coevolution.pursuit import Programs, Pursuit
+from matrixworld.coevolution.learners.learner import Results, Task
 from tiny_race import played, tiny_race
 
 POLICY = mw.Program(fov=5, length=120)
@@ -108,16 +108,14 @@ def test_the_learner_finds_programs_that_rate_as_wanted():
     for epoch in range(30):
         candidates, state = learner.ask(state, draw([0, epoch]))
         error = [np.abs(rated(genome) - wanted).mean(dtype=float) for genome in candidates]
-        state = learner.tell(state, gp.learner.Results(-np.array(error)))
+        state = learner.tell(state, Results(-np.array(error)))
         errors.append(min(error))
     assert errors == sorted(errors, reverse=True)  # elites are kept
     assert errors[-1] < 0.65 * errors[0]
 
 
 def test_a_race_of_programs_is_played_and_other_learners_are_refused(tmp_path):
-    values = {name: v for name, v in tiny_race().to_json().items() if name != "policy"}
-    values |= {"policy": "program", "learner": {"kind": "gp", "population": 6}}
-    settings = mw.coevolution.RaceSettings.of(values)
+    settings = tiny_race(policy="program", learner="gp", population=6)
     run = played(settings, tmp_path / "run")
     assert run.payoff().matrix.shape == (3, 3)
     team = run.teams["pursuer"]
@@ -125,4 +123,4 @@ def test_a_race_of_programs_is_played_and_other_learners_are_refused(tmp_path):
     assert team.policy.genome(team.policy.expression(team.genomes[-1])).any()
     for policy, learner in (("program", "es"), ("cells", "gp"), ("rating", "gp")):
         with pytest.raises(ValueError, match="policy: expected "):
-            mw.coevolution.RaceSettings(policy=policy, learner=learner)
+            mw.coevolution.RaceSettings.of(policy=policy, learner=learner)

@@ -11,9 +11,20 @@ export type LearnerName = "es" | "ga";
 /** What a genome is: weights of named inputs that rate moves, or a network over cells. */
 export type PolicyName = "rating" | "cells";
 
+/** What the files of a run say of its game (`matrixworld.coevolution.runs.stored.Facts`). */
+export interface GameFacts {
+  readonly teams: readonly [string, string];
+  readonly keys: readonly [string, string];
+  readonly exact: boolean;
+  readonly score: string;
+  /** The names of the log's columns, and of their types. */
+  readonly columns: Readonly<Record<string, string>>;
+}
+
 export interface EvolveData {
   readonly version: string;
   readonly format: number;
+  readonly game: GameFacts;
   /** By name; the page begins with the first one. */
   readonly worlds: Readonly<Record<string, WorldConfig>>;
   /** The settings of races, by policy, learner and schedule; their worlds are those of a choice. */

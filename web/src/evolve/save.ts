@@ -12,8 +12,8 @@ import { COLUMNS } from "./race.ts";
 import type { Cell, Race } from "./race.ts";
 import type { RaceSettings } from "./settings.ts";
 
-/** What Python calls the format of a run's files, and its version. */
-type Format = Pick<EvolveData, "format" | "version">;
+/** What Python calls the format of a run's files, its version, and what they say of the game. */
+type Format = Pick<EvolveData, "format" | "version" | "game">;
 
 /** What is saved of a race. */
 export type Finished = Pick<Race, "settings" | "archive" | "rows" | "cells" | "counters" | "finished">;
@@ -94,10 +94,10 @@ function payoff(race: Finished): Record<string, NpyArray> {
 }
 
 /** Return the files of a run by their names. */
-function filesOf(race: Finished, { format, version }: Format): Record<string, Uint8Array> {
+function filesOf(race: Finished, { format, version, game }: Format): Record<string, Uint8Array> {
   const generations = race.finished - 1;
   const settings: RaceSettings = { ...race.settings, schedule: { ...race.settings.schedule, generations } };
-  const config = { format, matrixworld: version, settings, drawn_by: "page" };
+  const config = { format, matrixworld: version, game, settings, drawn_by: "page" };
   const stages = stagesOf(race);
   const { matches, steps, agent_steps } = race.counters.evader[generations]!;
   const counted = { training_matches: matches, training_steps: steps, training_agent_steps: agent_steps };

@@ -1,21 +1,26 @@
-"""A genetic algorithm with operators in the shape of DEAP's: select, mate, mutate.
+"""A genetic algorithm whose operators, select, mate and mutate, are in a DEAP toolbox.
 
-DEAP's own operators draw from Python's global `random` and visit genes one by one. These take an
-explicit generator and work on whole arrays; a DEAP toolbox registers them in the same way. As in
-DEAP, mating and mutation change their argument and return it.
+DEAP's own operators draw from Python's global `random` and take one or two individuals. These take
+an explicit generator and arrays of genomes, so DEAP's own do not fit in their place. As in DEAP,
+mating and mutation change their argument and return it.
 """
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from deap import base
+from numpy.typing import NDArray
 
+from matrixworld._util.constraints import Range, Whole
+from matrixworld._util.sections import SettingError, section, setting
+from matrixworld.coevolution.games.game import clipped
 from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.learners.learner import fittest, select_tournament
-from matrixworld.coevolution.sections import by_race, section, setting
-from matrixworld.coevolution.types import FloatArray, Genomes, Indices, Rng, State
+from matrixworld.coevolution.learners.generational import Generational, unscored
+from matrixworld.coevolution.learners.noise import Noise, draw_windows, noise_of
+from matrixworld.coevolution.learners.selection import fittest, select_tournament
+from matrixworld.coevolution.types import FloatArray, Genomes, Indices, Rng
 
 TOURNAMENT = 5  # individuals in a tournament, unless another number is given
 
@@ -36,24 +41,37 @@ def mate_uniform(
     mixed = rng.random(len(genomes)) < probability
     # Without crossover, the default, no random number for each gene is drawn.
     if mixed.any():
-        first, second = genomes[mixed], population[mates[mixed]]
+        first = genomes[mixed]
+        second = population[mates[mixed]]
         from_second = rng.random(first.shape, dtype=np.float32) < 0.5
         genomes[mixed] = np.where(from_second, second, first)
     return genomes
 
 
-def mutate(genomes: Genomes, rng: Rng, *, state: State, sigma: float) -> Genomes:
+def mutate(genomes: Genomes, rng: Rng, *, noise: Noise, sigma: float) -> Genomes:
     """Add Gaussian noise to genomes, in place, and return them."""
     # Row by row: no array holds the noise of all of them.
     genes = genomes.shape[1]
-    noise = learner.noise_of(state, learner.draw_windows(len(genomes), genes, rng), genes, sigma)
-    for genome, change in zip(genomes, noise, strict=True):
+    windows = draw_windows(len(genomes), genes, rng)
+    changes = noise_of(noise, windows, genes, sigma)
+    for genome, change in zip(genomes, changes, strict=True):
         np.add(genome, change, out=genome)
     return genomes
 
 
-@section
-class GeneticAlgorithm(learner.Generational):
+class State(NamedTuple):
+    """A population and its fitness; that of a new one is empty."""
+
+    population: Genomes
+    fitness: FloatArray
+    champion: NDArray[np.intp]
+    noise: Noise
+    bounds: learner.Bounds | None
+    candidates: Genomes | None = None
+
+
+@section("ga")
+class GeneticAlgorithm(Generational):
     """A generational genetic algorithm with elitism, its operators in a DEAP toolbox.
 
     ::
@@ -69,29 +87,27 @@ class GeneticAlgorithm(learner.Generational):
     Such et al. 2017, "Deep neuroevolution", arXiv:1712.06567, for mutation alone and truncation.
     """
 
-    kind: ClassVar[str] = "ga"
+    keeps_mask: ClassVar[bool] = True
     steps: ClassVar[tuple[str, ...]] = ("mutation",)
 
-    mutation: float = by_race(learner.MUTATION, "standard deviation of a mutation", positive=True)
-    crossover: float = setting(0.0, "probability that a child has two parents", most=1.0)
+    mutation: float = setting(
+        learner.MUTATION, "standard deviation of a mutation", Range(open=True)
+    )
+    crossover: float = setting(0.0, "probability that a child has two parents", Range(most=1.0))
     tournament: int | None = setting(
-        None, "individuals in a tournament that selects a parent; default: 5", least=1
+        None, f"individuals in a tournament that selects a parent; default: {TOURNAMENT}", Whole(1)
     )
     truncation: float | None = setting(
         None,
         "share of the population that parents are drawn from; default: tournaments instead",
-        most=1.0,
-        positive=True,
+        Range(most=1.0, open=True),
     )
 
-    elites: int = setting(2, "fittest individuals kept unchanged")
-
     def check(self) -> None:
-        """Raise ValueError if two ways to select are given, or too many elites."""
-        if self.tournament is not None and self.truncation is not None:
-            expected = "no value beside truncation"
-            raise ValueError(f"tournament: expected {expected}, got {self.tournament}")
+        """Raise SettingError for two ways to select, or too many elites."""
         super().check()
+        if self.tournament is not None and self.truncation is not None:
+            raise SettingError("tournament", "no value beside truncation", str(self.tournament))
 
     @property
     def toolbox(self) -> base.Toolbox:
@@ -108,12 +124,14 @@ class GeneticAlgorithm(learner.Generational):
     def start(self, task: learner.Task) -> State:
         """Return a population that nobody has scored yet."""
         population = task.genomes(self.population, self.mutation)
-        return {**learner.unscored(population), **task.noise_state()}
+        return State(**unscored(population), noise=task.noise(), bounds=task.bounds())
 
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def offspring(self, state: State, rng: Rng) -> Genomes:
         """Return the next population: the elites unchanged, and then children."""
-        population, fitness, toolbox = state["population"], state["fitness"], self.toolbox
+        population = state.population
+        fitness = state.fitness
+        toolbox = self.toolbox
         n_children = len(population) - self.elites
         # Both parents are selected independently, so that they may be the same individual.
         fathers = toolbox.select(fitness, n_children, rng)
@@ -124,7 +142,7 @@ class GeneticAlgorithm(learner.Generational):
         offspring: Genomes = population[np.concatenate([elite, fathers])]
         children = offspring[self.elites :]
         mated = toolbox.mate(children, population, mothers, rng)
-        mutants = toolbox.mutate(mated, rng, state=state)
+        mutants = toolbox.mutate(mated, rng, noise=state.noise)
         if mutants is not children:  # another operator in the toolbox
             children[:] = mutants
-        return learner.inside_bounds(state, offspring)
+        return clipped(offspring, state.bounds)

@@ -8,17 +8,20 @@ Python's global `random`.
 from __future__ import annotations
 
 import json
-from functools import lru_cache
-from typing import Any, ClassVar, TypeAlias
+from functools import lru_cache, partial
+from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
 from deap import gp
+from numpy.typing import NDArray
 
-from matrixworld.coevolution.learners import learner
-from matrixworld.coevolution.learners.learner import fittest, select_tournament
-from matrixworld.coevolution.pursuit import OPERATIONS, Program, policy_of
-from matrixworld.coevolution.sections import section, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
+from matrixworld._util.constraints import Range, Whole
+from matrixworld._util.sections import section, setting
+from matrixworld.coevolution.games.pursuit import OPERATIONS, Program, Pursuit, policy_of
+from matrixworld.coevolution.learners.generational import Generational, unscored
+from matrixworld.coevolution.learners.learner import Task
+from matrixworld.coevolution.learners.selection import fittest, select_tournament
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng
 
 Tree: TypeAlias = gp.PrimitiveTree
 
@@ -88,31 +91,55 @@ def mate(tree: Tree, other: Tree, rng: Rng) -> Tree:
 
 
 def mutate(policy: Program, tree: Tree, rng: Rng) -> Tree:
-    """Return a tree with one change: a part, a node or a number."""
-    # A part is drawn anew or replaced by a part of itself, a node by another one with the same
-    # arguments, or a number is moved.
-    primitives, child = primitives_of(policy), Tree(tree)
+    """Return a tree after one mutation, which may leave it as it is.
+
+    At a random node, in one of four ways: a new part is drawn; a part of the part replaces it; the
+    node alone is changed; or it is changed unless it is an operation.
+    """
     place = place_in(tree, rng)
     assert place is not None
-    node, part = tree[place], tree.searchSubtree(place)
+    node = tree[place]
+    part = tree.searchSubtree(place)
+    child = Tree(tree)
     way = rng.integers(4)
     if way == 0:
-        drawn = tree_of(policy, policy.initial(rng, DEPTH))
-        child[part] = _typed(drawn, node.ret, primitives.mapping)
+        child[part] = _drawn_part(policy, node.ret, rng)
     elif way == 1:
-        inner = Tree(tree[part])
-        source = place_in(inner, rng, node.ret)
-        assert source is not None  # at least the part itself
-        child[part] = inner[inner.searchSubtree(source)]
-    elif way == 2 and isinstance(node, gp.Primitive):
-        same = [p for p in primitives.primitives[node.ret] if p.args == node.args]
-        child[place] = same[rng.integers(len(same))]
-    elif isinstance(node, gp.Terminal):
-        if isinstance(node.value, float):
-            child[place] = _number(round(node.value + rng.normal(0.0, 0.5), 2))
-        else:
-            [child[place]] = tree_of(policy, policy.initial(rng, 0))
+        child[part] = _inner_part(Tree(tree[part]), rng)
+    elif isinstance(node, gp.Terminal):  # two ways of four
+        child[place] = _changed_terminal(policy, node, rng)
+    elif way == 2:
+        child[place] = _other_operation(policy, node, rng)
     return child
+
+
+def _drawn_part(policy: Program, kind: type, rng: Rng) -> list[Any]:
+    """Return the nodes of a new part of a type."""
+    drawn = tree_of(policy, policy.initial(rng, DEPTH))
+    return _typed(drawn, kind, primitives_of(policy).mapping)
+
+
+def _inner_part(part: Tree, rng: Rng) -> list[Any]:
+    """Return the nodes of a random part of a part, of the same type; it may be the part itself."""
+    place = place_in(part, rng, part[0].ret)
+    assert place is not None
+    nodes: list[Any] = part[part.searchSubtree(place)]
+    return nodes
+
+
+def _changed_terminal(policy: Program, node: gp.Terminal, rng: Rng) -> gp.Terminal:
+    """Return a number near that of a node, or in place of an input a new input or number."""
+    if isinstance(node.value, float):
+        return _number(round(node.value + rng.normal(0.0, 0.5), 2))
+    [terminal] = tree_of(policy, policy.initial(rng, 0))
+    return terminal
+
+
+def _other_operation(policy: Program, node: gp.Primitive, rng: Rng) -> gp.Primitive:
+    """Return a random operation with the types of a node; it may be the same one."""
+    operations = primitives_of(policy).primitives[node.ret]
+    same = [operation for operation in operations if operation.args == node.args]
+    return same[rng.integers(len(same))]
 
 
 def select_twice(
@@ -129,8 +156,25 @@ def select_twice(
     return chosen
 
 
-@section
-class GeneticProgramming(learner.Generational):
+class State(NamedTuple):
+    """A population of programs and its fitness; that of a new one is empty."""
+
+    population: Genomes
+    fitness: FloatArray
+    champion: NDArray[np.intp]
+    policy: NDArray[np.str_]  # whose programs they are, as JSON
+    candidates: Genomes | None = None
+
+
+def _policy_in(state: State) -> Program:
+    """Return the policy whose programs a state holds."""
+    policy = policy_of(json.loads(str(state.policy)))
+    assert isinstance(policy, Program)  # as written by `start`
+    return policy
+
+
+@section("gp")
+class GeneticProgramming(Generational):
     """Genetic programming of rating programs.
 
     ::
@@ -145,45 +189,43 @@ class GeneticProgramming(learner.Generational):
     Evolutionary Computation 3(2).
     """
 
-    kind: ClassVar[str] = "gp"
     policies: ClassVar[tuple[str, ...]] = ("program",)
     any_game: ClassVar[bool] = False
 
-    tournament: int = setting(4, "individuals in a tournament by fitness", least=1)
+    tournament: int = setting(4, "individuals in a tournament by fitness", Whole(1))
     parsimony: float = setting(
         0.5,
         "probability that the shorter one of two winners becomes a parent; 0.5: length does not "
         "matter",
-        most=1.0,
+        Range(most=1.0),
     )
-    crossover: float = setting(0.6, "share of children with a part of another parent", most=1.0)
-    elites: int = setting(2, "fittest individuals kept unchanged")
+    crossover: float = setting(
+        0.6, "share of children with a part of another parent", Range(most=1.0)
+    )
 
-    def start(self, task: learner.Task) -> State:
+    def start(self, task: Task) -> State:
         """Return a population that nobody has scored yet."""
-        policy: Any = getattr(task.game, "policy", None)
-        population = learner.unscored(task.genomes(self.population))
-        return {**population, "policy": np.array(json.dumps(policy.to_json()))}
+        assert isinstance(task.game, Pursuit)  # as its `any_game` says
+        policy = np.array(json.dumps(task.game.policy.to_json()))
+        return State(**unscored(task.genomes(self.population)), policy=policy)
 
     def genome(self, state: State) -> Genome:
         """Return the champion of the last scored population, simplified."""
-        policy: Any = policy_of(json.loads(str(state["policy"])))
-        genome: Genome = policy.simplified(super().genome(state))
-        return genome
+        return _policy_in(state).simplified(super().genome(state))
 
     def offspring(self, state: State, rng: Rng) -> Genomes:
         """Return the next population: the elites unchanged, and then children."""
-        population, fitness = state["population"], state["fitness"]
-        policy: Any = policy_of(json.loads(str(state["policy"])))
+        population = state.population
+        fitness = state.fitness
+        policy = _policy_in(state)
         trees = [tree_of(policy, genome) for genome in population]
         count = len(population) - self.elites
-        parents, mates = (
-            select_twice(
-                fitness, np.array([*map(len, trees)]), count, rng,
-                size=self.tournament, parsimony=self.parsimony,
-            )
-            for _ in range(2)
-        )  # fmt: skip
+        sizes = np.array([len(tree) for tree in trees])
+        select = partial(
+            select_twice, fitness, sizes, count, rng, size=self.tournament, parsimony=self.parsimony
+        )
+        parents = select()
+        mates = select()
         children = []
         for parent, other in zip(parents, mates, strict=True):
             if rng.random() < self.crossover:

@@ -1,22 +1,37 @@
-"""What a learner is: its settings, and three functions of its state. Parts that learners share."""
+"""What a learner is: its settings, and functions of its state; and what it starts and learns from.
+
+Parts of learners are in `fitness`, `generational`, `noise`, `optimizers` and `selection`.
+"""
 
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_floats, expect, shown
+from matrixworld._util.checks import check_floats, shown
+from matrixworld._util.constraints import OneOf, Whole
+from matrixworld._util.plugins import PluginError
+from matrixworld._util.sections import Section, SettingError, section, setting
 from matrixworld.coevolution import types
-from matrixworld.coevolution.game import Game
-from matrixworld.coevolution.sections import PluginError, Section, by_race, section
+from matrixworld.coevolution.games.game import Game, GameSettings, Scores, clipped
+from matrixworld.coevolution.games.pursuit import FITNESS, REWARDED, PursuitSettings
+from matrixworld.coevolution.learners.fitness import (
+    COMPETITIVE,
+    NO_SHARING,
+    Table,
+    feasible_first,
+    mean_over_opponents,
+    shared_fitness,
+)
+from matrixworld.coevolution.learners.noise import Noise
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, State
+from matrixworld.coevolution.states import State
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng, Team
 
 MUTATION = 0.05  # standard deviation of a mutation, unless another one is given
 
@@ -25,7 +40,14 @@ class DivergedError(ArithmeticError):
     """A learner has left the range of float32; the run holds what was before."""
 
 
-@dataclass(frozen=True)
+class Bounds(NamedTuple):
+    """Least and largest value of the genes, as a state holds them."""
+
+    low: NDArray[np.float32]
+    high: NDArray[np.float32]
+
+
+@dataclass(frozen=True, eq=False)
 class Task:
     """What a learner starts from: a team of a run of a `seed`, in the `game` as it is evaluated.
 
@@ -57,26 +79,29 @@ class Task:
             genomes = np.repeat(self.begin[np.newaxis], count, axis=0)
             noise = rng.standard_normal(genomes[1:].shape, dtype=np.float32)
             genomes[1:] += np.float32(sigma) * noise
-        genomes = self.game.clipped(genomes)
-        return genomes if self.mask is None else self.mask.write(genomes)
+        genomes = clipped(genomes, self.game.bounds)
+        if self.mask is not None:
+            genomes = self.mask.write(genomes)
+        return genomes
 
-    def noise_state(self) -> State:
-        """Return what a state holds of mutations: the key of their noise, and genes without."""
+    def noise(self) -> Noise:
+        """Return what a state holds of mutations."""
         key = np.array([self.seed, Purpose.NOISE, self.team], np.int64)
-        state = {"noise": key, **self.bounds()}
-        return state if self.mask is None else {**state, "fixed": self.mask.fixed}
+        return Noise(key, None if self.mask is None else self.mask.fixed)
 
-    def bounds(self) -> State:
-        """Return what a state holds of the bounds of genes; nothing without any."""
-        bounds = self.game.bounds
-        return {} if bounds is None else {"low": np.array(bounds[0]), "high": np.array(bounds[1])}
+    def bounds(self) -> Bounds | None:
+        """Return what a state holds of the bounds of genes; None without any."""
+        if self.game.bounds is None:
+            return None
+        low, high = self.game.bounds
+        return Bounds(np.array(low), np.array(high))
 
 
 def _no_experience(**options: Any) -> Any:
     raise TypeError("experience: expected matches of a run, got fitness alone")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Results:
     """The `fitness` (n,) of the candidates of an epoch; higher is better.
 
@@ -88,9 +113,9 @@ class Results:
     experience: Callable[..., Any] = _no_experience
 
 
-@section
+@section()
 class Learner(Section):
-    """Base of the learners. A learner is its settings; its state is a dict of arrays.
+    """Base of the learners. A learner is its settings; its state is a tuple, or a dict, of arrays.
 
     ::
 
@@ -102,25 +127,25 @@ class Learner(Section):
 
     The state between `tell` and `ask` is what a checkpoint holds. No method changes the arrays that
     it gets; random numbers come only from the generator of `ask`. A learner of your own is a frozen
-    dataclass with this base, in the settings itself or by its name ``module:object``, with fields
-    of numbers, text, true or false: see `check_learner`. With a field ``anneal`` that is true, a
-    race cannot become longer.
+    dataclass with this base, or with `Evolutionary` to be selected by any measure, in the settings
+    itself or by its name ``module:object``, with fields of numbers, text, true or false: see
+    `check_learner`. With a field ``anneal`` that is true, a race cannot become longer.
     """
 
-    ignores: ClassVar[tuple[str, ...]] = ("policy.mask",)
-    """Settings of a run, or sections of them, that have no effect with the learner."""
     policies: ClassVar[tuple[str, ...]] = ("cells", "rating")
     """Kinds of policies in pursuit whose genomes the learner improves."""
     any_game: ClassVar[bool] = True
     """Whether it improves any vectors, and so the genomes of a game of your own, too."""
-    defaults: ClassVar[Mapping[str, Any]] = {}
-    """Settings of a run that have other defaults with the learner, by their paths."""
+    keeps_mask: ClassVar[bool] = False
+    """Whether it leaves the weights of a mask in a network as they are."""
+    replays: ClassVar[bool] = False
+    """Whether it learns from the rewards of matches that are played again (`Results`)."""
     learning_time: ClassVar[float] = 1.0
     """About how long a training match takes with what is learned from it, in times of another."""
     steps: ClassVar[tuple[str, ...]] = ()
     """Settings that say how far the learner goes at a time: too far, if it diverges."""
 
-    population: int = by_race(48, "candidates per epoch", least=2)
+    population: int = setting(48, "candidates per epoch", Whole(2))
 
     @abstractmethod
     def start(self, task: Task) -> State:
@@ -136,7 +161,17 @@ class Learner(Section):
 
     def genome(self, state: State) -> Genome:
         """Return the genome (genes,) float32 that represents the team: champion or mean."""
-        return state["genome"]
+        genome: Genome = state["genome"] if isinstance(state, dict) else state.genome
+        return genome
+
+    def fitness(self, game: Game, scores: Scores, team: Team, table: Table) -> FloatArray:
+        """Return the fitness (n,) of a team's candidates from their matches (M,)."""
+        return mean_over_opponents(table(game.values(scores, team, FITNESS[0]).mean(axis=1)))
+
+    @property
+    def rewarded(self) -> bool:
+        """Whether the rewards of a world have an effect."""
+        return self.replays
 
     @property
     def seed_groups(self) -> Indices:
@@ -145,6 +180,21 @@ class Learner(Section):
         All groups have the same size. By default all candidates are one group.
         """
         return np.zeros(self.population, dtype=np.intp)
+
+    def check_race(self, path: str, game: GameSettings) -> None:
+        """Raise SettingError if the learner, of the setting `path`, cannot learn what is raced."""
+        name = self.kind or type(self).__name__
+        if isinstance(game, PursuitSettings):
+            policy = game.policy
+            if policy.kind not in self.policies:
+                expected = f"{' or '.join(self.policies)} with the learner {name}"
+                raise SettingError("policy", expected, policy.kind, fits=self.policies[0])
+            if policy.kind == "cells" and policy.mask != "none" and not self.keeps_mask:
+                raise SettingError("policy.mask", f"'none' with {name}", repr(policy.mask))
+        elif not self.any_game:
+            raise SettingError(path, "es, ga, cma or your own in a game of your own", name)
+        # A run is read without an import of its game.
+        self.check_fits(path, game.known)
 
     def check_fits(self, path: str, game: Game) -> None:
         """Raise ValueError if the learner, of the setting `path`, cannot learn in a game."""
@@ -166,43 +216,51 @@ class Learner(Section):
         return DivergedError(f"{path} {name}: {problem}: it diverges{lower}")
 
 
-@section
-class Generational(Learner):
-    """Base of learners whose candidates are a population, of which the next one is made."""
+@section()
+class Evolutionary(Learner):
+    """Base of learners that select candidates by their fitness."""
 
-    ignores: ClassVar[tuple[str, ...]] = ()
+    measure: str = setting(
+        FITNESS[0], f"what candidates are selected by: {', '.join(FITNESS)}", OneOf(FITNESS)
+    )
+    cost_limit: float | None = setting(
+        None,
+        "collisions at fault per 1000 agent-steps; candidates within it rank first; default: no "
+        "limit",
+    )
+    sharing: str = setting(
+        NO_SHARING,
+        f"fitness sharing over several opponents: {NO_SHARING} or {COMPETITIVE}",
+        OneOf((NO_SHARING, COMPETITIVE)),
+    )
 
     def check(self) -> None:
-        """Raise ValueError for too many elites, which are a setting of each of these learners."""
-        elites, most = vars(self)["elites"], self.population
-        expect(most is None or elites < most, "elites", f"fewer than {most}", elites)
+        """Raise SettingError for sharing of rewards, which are not in [0, 1]."""
+        if self.sharing != NO_SHARING and self.measure == REWARDED:
+            raise SettingError("sharing", "a measure from 0 to 1", repr(REWARDED))
 
-    @abstractmethod
-    def offspring(self, state: State, rng: Rng) -> Genomes:
-        """Return the population after a scored one: its elites unchanged, and then children."""
+    @property
+    def rewarded(self) -> bool:
+        """Whether the rewards of a world have an effect."""
+        return self.measure == REWARDED
 
-    def genome(self, state: State) -> Genome:
-        """Return the champion of the last scored population."""
-        genome: Genome = state["population"][int(state["champion"])]
-        return genome
-
-    def ask(self, state: State, rng: Rng) -> tuple[Genomes, State]:
-        """Return the next population: at first as given, later elites and children."""
-        genomes = self.offspring(state, rng) if len(state["fitness"]) else state["population"]
-        return genomes, {**state, "candidates": genomes}
-
-    def tell(self, state: State, results: Results) -> State:
-        """Make the candidates the population, with this fitness."""
-        before = {name: value for name, value in state.items() if name != "candidates"}
-        population = state["candidates"]
-        fitness = checked_fitness(results.fitness, len(population))
-        champion = np.array(np.argmax(fitness))
-        return {**before, "population": population, "fitness": fitness, "champion": champion}
+    def fitness(self, game: Game, scores: Scores, team: Team, table: Table) -> FloatArray:
+        """Return the fitness (n,) of a team's candidates from their matches (M,)."""
+        values = table(game.values(scores, team, self.measure).mean(axis=1))
+        fitness = mean_over_opponents(values)
+        if self.sharing != NO_SHARING:
+            # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
+            payoff = table(game.values(scores, team, self.measure, raw=True).mean(axis=1))
+            fitness = shared_fitness(payoff) - mean_over_opponents(payoff - values)
+        if self.cost_limit is None:
+            return fitness
+        costs = mean_over_opponents(table(game.costs(scores, team)))
+        return feasible_first(fitness, costs - self.cost_limit)
 
 
-def unscored(population: Genomes) -> State:
-    """Return the state of a population that nobody has scored yet."""
-    return {"population": population, "fitness": np.zeros(0), "champion": np.array(0)}
+def not_asked() -> RuntimeError:
+    """Return the error for a state that `tell` gets without an `ask` before."""
+    return RuntimeError("tell: expected a state of `ask`, got one without candidates")
 
 
 def check_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
@@ -216,99 +274,9 @@ def check_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
 def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
     """Return `fitness` as (n,) float64; ValueError if it has another shape or is not finite."""
     values = check_floats("fitness", fitness)
-    expect(values.shape == (n,), "fitness", f"shape ({n},)", values.shape)
+    if values.shape != (n,):
+        raise ValueError(f"fitness: expected shape ({n},), got {values.shape}")
     # One NaN would spread to the whole genome, or be taken for the best.
-    expect(np.isfinite(values).all(), "fitness", "finite numbers", values)
+    if not np.isfinite(values).all():
+        raise ValueError(f"fitness: expected finite numbers, got {values}")
     return values
-
-
-# Selection:
-
-
-def select_tournament(fitness: FloatArray, k: int, rng: Rng, *, size: int) -> Indices:
-    """Return the parents (k,): each the fittest of `size` random entrants; size 1 is random."""
-    entrants = rng.integers(0, len(fitness), size=(k, size))
-    # Rows are tournaments; of equal fitness the first entrant wins, and their order is random.
-    winners = np.argmax(fitness[entrants], axis=1)
-    selected: Indices = entrants[np.arange(k), winners]
-    return selected
-
-
-def fittest(fitness: FloatArray, k: int) -> Indices:
-    """Return the k fittest individuals, the fittest first; of equals the first."""
-    return np.argsort(-fitness, kind="stable")[:k]
-
-
-def inside_bounds(state: State, genomes: Genomes) -> Genomes:
-    """Return genomes clipped to the bounds that a state holds."""
-    return np.clip(genomes, state["low"], state["high"]) if "low" in state else genomes
-
-
-# Noise vectors as windows of one long row of normal numbers:
-
-VECTORS_PER_TABLE = 256
-MOST_EXTRA_NUMBERS = 2**24  # bound of the table's memory: 64 MiB beyond one noise vector
-
-
-def table_length(genes: int) -> int:
-    """Return how many numbers the table of noise vectors for so many genes has."""
-    return genes + min(VECTORS_PER_TABLE * genes, MOST_EXTRA_NUMBERS)
-
-
-@lru_cache(maxsize=4)  # both teams of two runs; made again from its key where it is missing
-def _table(key: tuple[int, ...], genes: int, sigma: float) -> Genome:
-    seed, purpose, team = key
-    rng = keyed_generator(seed, Purpose(purpose), team)
-    numbers = rng.standard_normal(table_length(genes), dtype=np.float32)
-    with np.errstate(over="ignore"):
-        numbers *= np.float32(sigma)
-    numbers.flags.writeable = False
-    return numbers
-
-
-def draw_windows(count: int, genes: int, rng: Rng) -> Indices:
-    """Return where the windows of `count` noise vectors begin."""
-    # The last window may end with the table, hence the endpoint.
-    return rng.integers(0, table_length(genes) - genes, size=count, endpoint=True)
-
-
-def noise_of(state: State, windows: Indices, genes: int, sigma: float) -> list[Genome]:
-    """Return noise vectors (genes,) float32 with standard deviation sigma, not to be written to."""
-    # To draw a normal number for each gene of each candidate costs more time than all other work of
-    # a learner. A window at a random place of a long shared table serves as well (Salimans et al.
-    # 2017, section 2.1; for genetic algorithms Such et al. 2017, arXiv:1712.06567).
-    table = _table(tuple(map(int, state["noise"])), genes, sigma)
-    vectors = [table[start : start + genes] for start in windows]
-    if "fixed" not in state:
-        return vectors
-    return [np.where(state["fixed"], np.float32(0.0), vector) for vector in vectors]
-
-
-# Steps of gradient ascent:
-
-ANNEALED = 0.1  # share of a learning rate that is left after annealing
-
-
-def annealed(updates: int, over: int) -> float:
-    """Return the share of a rate after some updates, if it falls linearly `over` so many."""
-    return 1.0 - (1.0 - ANNEALED) * min(1.0, updates / over)
-
-
-def adam_state(genes: int, prefix: str = "") -> State:
-    """Return averages of Adam before its first step; names in a state begin with `prefix`."""
-    zeros = np.zeros(genes, dtype=np.float32)
-    return {f"{prefix}mean": zeros, f"{prefix}square": zeros, f"{prefix}updates": np.array(0)}
-
-
-def adam(state: State, gradient: Genome, rate: float, prefix: str = "") -> tuple[Genome, State]:
-    """Return the change (genes,) for a gradient, in ascent, and averages: Kingma & Ba 2015."""
-    beta1, beta2, epsilon = 0.9, 0.999, 1e-8
-    mean, square = state[f"{prefix}mean"], state[f"{prefix}square"]
-    updates = int(state[f"{prefix}updates"]) + 1
-    mean = mean + (1 - beta1) * (gradient - mean)
-    square = square + (1 - beta2) * (gradient * gradient - square)
-    # Both averages start at zero; the divisions correct their bias in the first steps.
-    unbiased, spread = mean / (1 - beta1**updates), square / (1 - beta2**updates)
-    change: Genome = np.float32(rate) * unbiased / (np.sqrt(spread) + epsilon)
-    names = (f"{prefix}mean", f"{prefix}square", f"{prefix}updates")
-    return change, dict(zip(names, (mean, square, np.array(updates)), strict=True))

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 000ffa44e5c107ce211a88de514d28651681f0152133e4eaccad846d48938900 */
+/* built from web/ by "npm run build"; sources b45fcf64c3d9930783d968c1adc3b5226cce34cbe54b4f740f9ddb3aa60fcb45 */
 "use strict";(()=>{var fs={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ht={DISAPPEAR:0,REACH:1,BOUNCE:2},ys={OCCUPATION:0,SURROUND:1},gs={FAULT:0,INVOLVED:1};var tr=["obstacle","teammate","adversary"],nr=["vertex","edge","chain"],vs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],rr=["p\
 ursuer_{number}","evader_{number}"],bs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},dt={"both held":"both bounce","both doomed":"\
@@ -822,10 +822,10 @@ a.length/2)).map(c=>c.capture_rate))])}:{}}}function ku(n){let e=n.finished,t=Ar
 length,s=(o,...a)=>ls(t.flatMap(o),e,e,...a);return{scores:{dtype:"<f4",shape:[e,e,r],data:Float32Array.from(t.flatMap(({capture_rates:o})=>o))},mean:s(({capture_rates:o})=>T(
 o)),std:s(({capture_rates:o})=>Eu(o)),lengths:{dtype:"<i4",shape:[e,e,r],data:Int32Array.from(t.flatMap(({lengths:o})=>o))},collisions:s(({means:o})=>o.collisions,
 2,3),faults:s(({means:o})=>o.faults,2,3),agent_steps:s(({means:o})=>o.agent_steps,2),pursuer_survivors:s(({means:o})=>o.survivors[0]),evader_survivors:s(({means:o})=>o.
-survivors[1])}}function Ru(n,{format:e,version:t}){let r=n.finished-1,s={...n.settings,schedule:{...n.settings.schedule,generations:r}},o={format:e,matrixworld:t,
-settings:s,drawn_by:"page"},a=Ou(n),{matches:i,steps:l,agent_steps:c}=n.counters.evader[r],u={training_matches:i,training_steps:l,training_agent_steps:c},h={stages:a.
-length-1,...u,disengagement:[],evaluation_matches:n.finished**2*n.settings.evaluation_episodes};return{"config.json":wi(o),...Object.fromEntries(a.map((m,p)=>[`\
-stage-${String(p).padStart(4,"0")}.npz`,Ct(Cu(n,p,m))])),"payoff.npz":Ct(ku(n)),"summary.json":wi(h)}}function xi(n,e){let t=n.flatMap(({name:r,race:s})=>Object.
+survivors[1])}}function Ru(n,{format:e,version:t,game:r}){let s=n.finished-1,o={...n.settings,schedule:{...n.settings.schedule,generations:s}},a={format:e,matrixworld:t,
+game:r,settings:o,drawn_by:"page"},i=Ou(n),{matches:l,steps:c,agent_steps:u}=n.counters.evader[s],h={training_matches:l,training_steps:c,training_agent_steps:u},
+m={stages:i.length-1,...h,disengagement:[],evaluation_matches:n.finished**2*n.settings.evaluation_episodes};return{"config.json":wi(a),...Object.fromEntries(i.map(
+(p,y)=>[`stage-${String(y).padStart(4,"0")}.npz`,Ct(Cu(n,y,p))])),"payoff.npz":Ct(ku(n)),"summary.json":wi(m)}}function xi(n,e){let t=n.flatMap(({name:r,race:s})=>Object.
 entries(Ru(s,e)).map(([o,a])=>[n.length>1?`${r}/${o}`:o,a]));return rn(Object.fromEntries(t))}var cs=n=>n.finished>1&&n.cells.size>=n.finished**2&&A.every(e=>n.
 archive[e].length);function Ai(n){let{width:e,height:t}=n[0],{table:r,place:s}=_u(n),o=[...Si("GIF89a"),...Dt(e),...Dt(t),247,0,0,...r];return o.push(33,255,11,...Si("NETSCAPE2.0"),
 3,1,0,0,0),n.forEach((a,i)=>{o.push(33,249,4,0,...Dt(i===n.length-1?150:12),0,0),o.push(44,0,0,0,0,...Dt(e),...Dt(t),0,8);let l=$u(Mi(a).map(c=>s[c]));for(let c=0;c<

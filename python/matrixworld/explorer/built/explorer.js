@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 000ffa44e5c107ce211a88de514d28651681f0152133e4eaccad846d48938900 */
+/* built from web/ by "npm run build"; sources b45fcf64c3d9930783d968c1adc3b5226cce34cbe54b4f740f9ddb3aa60fcb45 */
 "use strict";(()=>{var ur={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Qe={DISAPPEAR:0,REACH:1,BOUNCE:2},mr={OCCUPATION:0,SURROUND:1},pr={FAULT:0,INVOLVED:1};var pn=["obstacle","teammate","adversary"],dn=["vertex","edge","chain"],dr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],hn=["p\
 ursuer_{number}","evader_{number}"],hr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},et={"both held":"both bounce","both doomed":"\

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 000ffa44e5c107ce211a88de514d28651681f0152133e4eaccad846d48938900 */
+/* built from web/ by "npm run build"; sources b45fcf64c3d9930783d968c1adc3b5226cce34cbe54b4f740f9ddb3aa60fcb45 */
 "use strict";(()=>{var Ln={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Je={DISAPPEAR:0,REACH:1,BOUNCE:2},Nn={OCCUPATION:0,SURROUND:1},In={FAULT:0,INVOLVED:1};var Fn=["obstacle","teammate","adversary"],wr=["vertex","edge","chain"],Dn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xr=["p\
 ursuer_{number}","evader_{number}"],Wn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Xe={"both held":"both bounce","both doomed":"\

@@ -1,0 +1,22 @@
+"""Warnings that point to the code that called the package, from whatever depth inside it."""
+
+from __future__ import annotations
+
+import inspect
+import warnings
+
+PACKAGE = __name__.partition(".")[0]
+
+
+def warn_caller(message: str, category: type[Warning] = UserWarning) -> None:
+    """Warn at the line outside the package that called it."""
+    level = 1
+    frame = inspect.currentframe()
+    while frame is not None and _is_inside(frame.f_globals.get("__name__", "")):
+        frame = frame.f_back
+        level += 1
+    warnings.warn(message, category, stacklevel=level)
+
+
+def _is_inside(module: str) -> bool:
+    return module.partition(".")[0] == PACKAGE

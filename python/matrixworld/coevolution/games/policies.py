@@ -1,0 +1,121 @@
+"""What decides for the agents of a team: the settings of policies, one class for each kind."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import Any
+
+from matrixworld._util.constraints import OneOf, Whole
+from matrixworld._util.sections import Section, section, setting
+from matrixworld.coevolution.types import Genome, Rng, Team
+from matrixworld.world import masks
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import GATES, Network, Policy
+from matrixworld.world.program import Program
+from matrixworld.world.rating import INPUTS, Rating
+
+
+def _mask(default: str, more: str = "") -> Any:
+    return setting(
+        default,
+        "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
+        "world.fov of 3), right-of-way (all that could put it at fault; needs a world.fov of 5 and "
+        f"rules under which pursuers that learn can capture so), or none{more}",
+        OneOf(masks.MASKS),
+    )
+
+
+def _inputs() -> Any:
+    return setting(Rating.inputs, f"inputs: some of {', '.join(INPUTS)}")
+
+
+@section()
+class PolicySettings(Section):
+    """Base of the settings of policies: both teams have policies of the same shape."""
+
+    mask: str = _mask("none")
+
+    @abstractmethod
+    def policy(self, world: WorldConfig) -> Policy:
+        """Return the shape of the policies in a world."""
+
+    @abstractmethod
+    def initial(self, policy: Any, rng: Rng) -> Genome:
+        """Return an untrained genome of a policy of this shape."""
+
+    def fixed(self, world: WorldConfig, team: Team) -> masks.FixedWeights | None:
+        """Return genes that do not change, and their values; None without any."""
+        return None
+
+
+@section("cells")
+class Cells(PolicySettings):
+    """Networks that see the cells of the view."""
+
+    hidden: tuple[int, ...] = setting((32,), "sizes of the hidden layers")
+    activation: str = setting(
+        "relu", "activation of the hidden layers: relu or tanh", OneOf(("relu", "tanh"))
+    )
+    memory: str = setting(
+        "none",
+        "recurrent layer after the first hidden layer: gru (gated recurrent units) or none",
+        OneOf(tuple(GATES)),
+    )
+    initial_weight: float = setting(0.05, "standard deviation of untrained hidden weights")
+    initial_head: float = setting(0.1, "standard deviation of untrained output weights")
+    mask: str = _mask("none", "; not with every learner")
+
+    def policy(self, world: WorldConfig) -> Network:
+        """Return the network, with room for its mask."""
+        shape: Any = {"activation": self.activation, "memory": self.memory}
+        network = Network.for_config(world, self.hidden, **shape)
+        return network if self.mask == "none" else masks.masked_network(network)
+
+    def initial(self, policy: Network, rng: Rng) -> Genome:
+        """Return untrained weights."""
+        return policy.initial(rng, weight=self.initial_weight, head=self.initial_head)
+
+    def fixed(self, world: WorldConfig, team: Team) -> masks.FixedWeights | None:
+        """Return the weights of the mask of a team's network, None without a mask."""
+        if self.mask == "none":
+            return None
+        cells = masks.forbidding_cells(world, self.mask, team)
+        return masks.mask_weights(self.policy(world), cells)
+
+
+@section("rating")
+class Ratings(PolicySettings):
+    """Small networks that rate each move by named inputs of the cell that it leads to."""
+
+    inputs: tuple[str, ...] = _inputs()
+    hidden: tuple[int, ...] = setting((), "sizes of the hidden layers; none: a weighted sum")
+    initial_weight: float = setting(0.5, "standard deviation of untrained weights")
+    mask: str = _mask("obstacles")
+
+    def policy(self, world: WorldConfig) -> Rating:
+        """Return the shape of the ratings."""
+        shape: Any = {"inputs": self.inputs, "hidden": self.hidden, "mask": self.mask}
+        return Rating(fov=world.fov, n_actions=world.n_actions, **shape)
+
+    def initial(self, policy: Rating, rng: Rng) -> Genome:
+        """Return untrained weights."""
+        return policy.initial(rng, weight=self.initial_weight)
+
+
+@section("program")
+class Programs(PolicySettings):
+    """Programs that rate each move by named inputs of the cell that it leads to."""
+
+    inputs: tuple[str, ...] = _inputs()
+    length: int = setting(40, "most instructions of a program", Whole(1))
+    initial_depth: int = setting(3, "most levels of an untrained program")
+    mask: str = _mask("obstacles")
+
+    def policy(self, world: WorldConfig) -> Program:
+        """Return the shape of the programs."""
+        shape: Any = {"inputs": self.inputs, "length": self.length, "mask": self.mask}
+        return Program(fov=world.fov, n_actions=world.n_actions, **shape)
+
+    def initial(self, policy: Program, rng: Rng) -> Genome:
+        """Return an untrained program."""
+        return policy.initial(rng, depth=self.initial_depth)

@@ -1,0 +1,1 @@
+"""Jobs: runs that were asked for together."""

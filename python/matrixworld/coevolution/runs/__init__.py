@@ -1,0 +1,1 @@
+"""The files of runs: how they are made, read, written and gone on with."""

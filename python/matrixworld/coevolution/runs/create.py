@@ -1,0 +1,149 @@
+"""New runs: all that can be wrong is checked, and then the directory is made."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from matrixworld._util import checks
+from matrixworld._util.plugins import no_exit
+from matrixworld.coevolution import types
+from matrixworld.coevolution.games.pursuit import SCRIPTS, Pursuit
+from matrixworld.coevolution.runs.places import new_directory
+from matrixworld.coevolution.runs.stored import StoredRun, last_generation
+from matrixworld.coevolution.runs.writer import RunWriter
+from matrixworld.coevolution.settings.race_settings import RaceSettings
+from matrixworld.coevolution.settings.schedules import GIVEN, Against
+from matrixworld.coevolution.training.training import Training
+from matrixworld.coevolution.types import Genome, Team
+
+
+@no_exit("create")
+def create(
+    settings: RaceSettings,
+    directory: str | Path,
+    *,
+    opponents: Any = None,
+    start: ArrayLike | None = None,
+) -> StoredRun:
+    """Make the directory of a run, as of its stage 0: nothing is played yet.
+
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the run.
+    directory : str or Path
+        A new or empty directory; one that holds a run of the same settings is left as it is.
+    opponents : population, optional
+        Opponents of a team that learns alone, in place of `schedule.opponent`.
+    start : array_like of float32, optional
+        Genome (genes,) that such a team starts from, in place of `schedule.start`.
+
+    Returns
+    -------
+    StoredRun
+        The files of the run.
+
+    Raises
+    ------
+    TypeError
+        If `settings` are no `RaceSettings`, or `start` is no array of numbers.
+    FileExistsError, FileNotFoundError, ValueError, PluginError
+        If the directory holds anything else, a directory of the settings holds no run, opponents or
+        the genome to start from do not fit the game, or code of your own fails or refuses its
+        settings. Nothing is written in any of these cases.
+    """
+    if not isinstance(settings, RaceSettings):
+        raise TypeError(f"settings: expected RaceSettings, got {checks.shown(settings)}")
+    path = Path(directory)
+    arrays = {"opponent": opponents, "start": start}
+    replaced = [name for name, array in arrays.items() if array is not None]
+    if settings.is_race and replaced:
+        raise ValueError(f"{replaced[0]}: expected None in a race, whose teams meet each other")
+    if StoredRun(path).exists and not replaced:
+        check_same(StoredRun(path), settings)
+        return StoredRun(path)
+    # Everything that can be wrong is checked before the directory is made.
+    begin: Genome | None = None
+    rivals: Any = None
+    more: dict[str, Any] = {}
+    if isinstance(settings.schedule, Against):
+        rivals = load_opponents(settings, opponents)
+        begin = load_start(settings, start)
+        # config.json must not name opponents that were not used.
+        settings = settings.changed({f"schedule.{name}": GIVEN for name in replaced})
+        if shape := settings.evaluation_game.shape_of(rivals):
+            more["opponent_policy"] = shape
+    training = Training(settings, begin=begin, rivals=lambda team: rivals)
+    archive: dict[Team, Any] = dict(training.archive)
+    if isinstance(settings.schedule, Against) and not isinstance(rivals, str):
+        archive[types.other(settings.schedule.team)] = rivals.genomes
+    with new_directory(path) as place:
+        RunWriter(place).begin(settings, archive, training.parts(), **more)
+    return StoredRun(path)
+
+
+def load_opponents(settings: RaceSettings, opponents: Any = None) -> Any:
+    """Return the opponents of a team that learns alone, by default those of its settings.
+
+    FileNotFoundError or ValueError if there are none, or they do not fit the game.
+    """
+    schedule = settings.schedule
+    game = settings.evaluation_game
+    assert isinstance(schedule, Against)
+    team = types.other(schedule.team)
+    if opponents is None and schedule.opponent in SCRIPTS and isinstance(game, Pursuit):
+        opponents = schedule.opponent
+    elif opponents is None:
+        opponents = _last(settings, schedule.opponent, team)
+    game.check_opponents(team, opponents)
+    return opponents
+
+
+def load_start(settings: RaceSettings, start: ArrayLike | None = None) -> Genome | None:
+    """Return the genome that a team which learns alone starts from; None for an untrained one.
+
+    By default it is that of the settings. TypeError, FileNotFoundError or ValueError if it is no
+    genome, or does not fit the game.
+    """
+    schedule = settings.schedule
+    game = settings.evaluation_game
+    assert isinstance(schedule, Against)
+    if start is None and schedule.start is not None:
+        population = _last(settings, schedule.start, schedule.team)
+        game.check_start(population)
+        start = population.genomes[0]
+    if start is None:
+        return None
+    genome = checks.check_floats("start", start, np.float32)
+    shape = (game.genome_size(schedule.team),)
+    if genome.shape != shape:
+        raise ValueError(f"start: expected a genome of shape {shape}, got {genome.shape}")
+    if not np.isfinite(genome).all():
+        wrong = genome[~np.isfinite(genome)][0]
+        raise ValueError(f"start: expected finite genes, got {wrong}")
+    return genome
+
+
+def _last(settings: RaceSettings, directory: str, team: Team) -> Any:
+    """Return the last genome of a team in a run of the same game; ValueError for another one."""
+    if directory == GIVEN:
+        raise ValueError(f"schedule: expected a run directory, got {GIVEN!r}, without the genomes")
+    game = StoredRun(directory).settings.game
+    if game.source != settings.game.source:
+        expected = f"a run of {settings.game.source}"
+        raise ValueError(f"{directory}: expected {expected}, got one of {game.source}")
+    return last_generation(directory, team)
+
+
+def check_same(run: StoredRun, expected: RaceSettings) -> None:
+    """Raise ValueError if a run has other settings than expected."""
+    if run.settings == expected:
+        return
+    theirs = run.settings.values()
+    asked = expected.values()
+    different = [path for path in {**theirs, **asked} if theirs.get(path) != asked.get(path)]
+    raise ValueError(f"{run.path}: holds a run with other settings: {', '.join(different)}")

@@ -1,0 +1,69 @@
+"""Facts of a game: what the files of a run say of it, so that they are read without its settings.
+
+Payoff, log and genomes need nothing else of a game, neither an import of it nor what its settings
+are called in this version.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from matrixworld.coevolution.games.game import GameSettings
+
+COLUMNS: dict[str, type] = {
+    "stage": int,
+    "generation": int,
+    "team": str,
+    "epoch": int,
+    "opponent": int,
+    "fitness_mean": float,
+    "fitness_std": float,
+    "fitness_best": float,
+}
+"""Columns of the log, one row per epoch, and their types, before those of the game
+(`Game.columns`).
+
+`stage` counts the stages of the run from 1; `opponent` is the opponent's generation (-1: several
+opponents); `fitness_*` are over the candidates of the epoch; `capture_rate` or `score`, `length`
+and `*_faults` (agent-steps at fault in a collision) are means over its episodes; `matches` and
+`steps` are the training episodes and world steps played so far in the run. Matches after the last
+epoch of a generation, which choose its champion, count in the row of that epoch.
+"""
+TYPES: dict[str, type] = {"int": int, "float": float, "str": str}
+"""Types of columns by their names in files."""
+
+
+class Facts(NamedTuple):
+    """What the files of a run say of its game."""
+
+    teams: tuple[str, str]  # what they are called
+    keys: tuple[str, str]  # their names in logs and mappings
+    exact: bool  # whether equal genomes always have equal scores
+    score: str  # what the score of the first team is called
+    columns: dict[str, str]  # of the log, and the names of their types
+
+    @classmethod
+    def of(cls, game: GameSettings) -> Facts:
+        """Return the facts of a game."""
+        columns = {**COLUMNS, **game.game_class.columns}
+        type_names = {name: kind.__name__ for name, kind in columns.items()}
+        score, _ = game.game_class.score_words
+        return cls(game.teams, game.keys, game.deterministic, score, type_names)
+
+    @classmethod
+    def read(cls, plain: Mapping[str, Any]) -> Facts:
+        """Return the facts that config.json holds; KeyError, TypeError or ValueError if bad."""
+        first_team, second_team = plain["teams"]
+        first_key, second_key = plain["keys"]
+        columns = dict(plain["columns"])
+        for name, kind in columns.items():
+            if kind not in TYPES:
+                raise ValueError(f"{name}: expected one of {', '.join(TYPES)}, got {kind!r}")
+        return cls(
+            teams=(first_team, second_team),
+            keys=(first_key, second_key),
+            exact=plain["exact"],
+            score=plain["score"],
+            columns=columns,
+        )
