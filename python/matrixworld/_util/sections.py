@@ -96,9 +96,10 @@ def _of_other_code(error: Exception) -> SettingError:
     name, begins, problem = str(error).partition(": expected ")
     if not begins:
         return SettingError("", "values that fit", str(error))
-    expected, _, got = problem.rpartition(", got ")
-    if not expected:
-        expected, got = got, ""
+    expected = problem
+    got = ""
+    if ", got " in problem:
+        expected, _, got = problem.rpartition(", got ")
     if not all(part.isidentifier() for part in name.split(".")):  # words, and no field
         return SettingError("", f"{expected} ({name})", got)
     return SettingError(name, expected, got)
