@@ -101,3 +101,10 @@ def test_a_run_of_today_is_read_again(run):
     config = read_json(run / "config.json")
     assert (config["format"], config["game"]["teams"]) == (FORMAT, ["pursuers", "evaders"])
     assert open_run(run).settings.to_json() == config["settings"]
+
+
+def test_a_tournament_leaves_a_run_of_an_earlier_version_out(beside):
+    done = matrixworld_command("tournament", beside, "--episodes", 2)
+    assert warnings_of(done) == [f"Warning: left out: {beside / 'seed-3'}/{SENTENCE} and reads"]
+    written = {path.parent.name for path in beside.glob("*/tournament-*.npz")}
+    assert written == {path.name for path in beside.glob("seed-*")} - {"seed-3"}

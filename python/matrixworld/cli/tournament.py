@@ -13,6 +13,7 @@ from matrixworld.cli import cluster, console, options
 from matrixworld.cli.judge import print_judgement
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import ProgressBar, SavedRun, open_run, tournament
+from matrixworld.coevolution.groups import readable
 from matrixworld.coevolution.runs.places import find_runs
 from matrixworld.coevolution.types import Payoff
 
@@ -40,9 +41,10 @@ def tournament_command(
 
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
-    with usage_errors():
+    with console.warnings_as_notes(), usage_errors():
         paths = find_runs(run) if race is None else []
-        races = [_open_to_play(path) for path in paths or [options.run_in(run, race)]]
+        every = map(SavedRun, paths or [options.run_in(run, race)])
+        races = [_open_to_play(saved.path) for saved in readable(every)]
     targets = [saved.path / f"tournament-{episodes}-seed{seed}.npz" for saved in races]
     options.check_outputs(*targets, *map(_figure_of, targets), force=force)
     with cluster.on_cluster(where, threads) as executor:
