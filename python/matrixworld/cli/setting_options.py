@@ -46,6 +46,7 @@ OTHER_DEFAULTS: tuple[Mapping[str, str], ...] = (
     {"schedule": "hall-of-fame"},
     {"schedule": "against", "schedule.team": "pursuer"},
     {"schedule": "against", "schedule.team": "evader"},
+    {"schedule": "against", "learner": "ga"},
     {"learner": "actor-critic"},
     {"learner": "actor-critic", "schedule": "hall-of-fame"},
     {"learner": "actor-critic", "schedule": "against"},
@@ -280,27 +281,27 @@ def _help_sections(
             shown[here] = [(f"{here} NAME", item.metadata["help"])]
             shown[here] += [(f"{here}.{name}", text) for name, text in HELP[base].items()]
         elif base is None or here in AS_BEFORE:
-            rows.append(_help_row(item, hint, here))
+            rows.append(_help_row(cls, item, here))
         else:
-            rows.append(_help_row(item, hint, here))
+            rows.append(_help_row(cls, item, here))
             for kind in sections.classes_of(base):
                 name = kind.kind or OWN
                 shown |= _help_sections(kind, f"{here}.", f"{here}={name}")
     return shown
 
 
-def _help_row(item: Any, hint: Any, path: str) -> tuple[str, str]:
-    """Return the path of a setting with its type, and its help text with its default."""
+def _help_row(cls: Any, item: Any, path: str) -> tuple[str, str]:
+    """Return the path of a section's field with its type, and its help text with its default."""
+    hint = sections.hints_of(cls)[item.name]
     accepted = {hint, get_origin(hint), *get_args(hint)}
     kind = next((text for each, text in TYPES.items() if each in accepted), "TEXT")
     default = _shown(item.default)
     if not default:
         return f"{path} {kind}", item.metadata["help"]
-    others = (
-        "; others below"
-        if any(path in usual(kinds_of(choice)) for choice in OTHER_DEFAULTS)
-        else ""
-    )
+    here, _, _ = path.rpartition(".")
+    kind_here = {here: cls.kind} if here and cls.kind else {}
+    follows = [usual(kinds_of({**choice, **kind_here})) for choice in OTHER_DEFAULTS]
+    others = "; others below" if any(path in values for values in follows) else ""
     return f"{path} {kind}", f"{item.metadata['help']}  [default: {default}{others}]"
 
 
