@@ -37,6 +37,18 @@ def results_of(directory):
     return {**results(directory), "config.json": config}
 
 
+def test_values_that_were_edited_in_the_file_of_a_run_are_taken(tmp_path):
+    run = create(RaceSettings.of(schedule="hall-of-fame", seed=5, defaults="courtyard"), "run")
+    config = json.loads((run.path / "config.json").read_text())
+    config["settings"]["seed"] = 77
+    config["settings"]["learner"]["sigma"] = 0.5
+    assert "learner.sigma" not in config["settings"]["chosen"]
+    (tmp_path / "edited.json").write_text(json.dumps(config))
+    with evolve_command.make_context("evolve", ["--config", str(tmp_path / "edited.json")]) as ctx:
+        [settings] = job_of(cli_options.given(ctx.params)).values()
+    assert settings == run.settings.changed({"seed": 77, "learner.sigma": 0.5})
+
+
 def test_the_help_of_all_settings_has_every_one_with_its_default():
     shown = " ".join(evolved("--help-all").output.split())
     # Lines may end at a hyphen.

@@ -71,6 +71,14 @@ def test_they_can_be_read_where_the_settings_have_other_names_by_now(kept):
         _ = run.settings
 
 
+def test_a_column_of_an_unknown_type_is_damage_and_shifts_no_other_one(kept):
+    config = json.loads((kept / "config.json").read_text())
+    config["game"]["columns"]["epoch"] = "complex"
+    (kept / "config.json").write_text(json.dumps(config))
+    with pytest.raises(co.DamagedFileError, match=r"epoch: expected one of int.*got 'complex'"):
+        co.SavedRun(kept).log()
+
+
 def test_only_going_on_needs_the_newest_format(kept, monkeypatch):
     monkeypatch.setattr(stored_files, "FORMAT", stored_files.FORMAT + 1)
     monkeypatch.setattr("matrixworld.coevolution.runs.writer.FORMAT", stored_files.FORMAT)

@@ -264,6 +264,13 @@ def test_warm_start(learner, tmp_path):
     assert not np.array_equal(genomes[-1], champion)
 
 
+@pytest.mark.parametrize("argument", ["opponents", "start"])
+def test_a_race_takes_no_opponents_and_no_start(argument, tmp_path):
+    with pytest.raises(ValueError, match="expected None in a race"):
+        begun(tiny_race(), tmp_path / "run", **{argument: np.zeros(3)})
+    assert not (tmp_path / "run").exists()
+
+
 def test_bad_opponents_and_starts_are_refused(other_run, tmp_path):
     settings, run = tiny_single(), tmp_path / "run"
     wide = Network(hidden=(4,), fov=5)

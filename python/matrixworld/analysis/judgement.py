@@ -148,7 +148,8 @@ def _events(judgement: Judgement) -> dict[str, dict[str, Event]]:
         windows = _windows_of(judgement, name)
         told = [_happened(judgement, window, name) for window in windows]
         if len(told) == 2 and told[0] == told[1]:  # the same in both halves
-            windows, told = [WHOLE], told[:1]
+            windows = [WHOLE]
+            told = told[:1]
         for window, event in zip(windows, told, strict=True):
             events[window][name] = event
     return {window: told for window, told in events.items() if told}
