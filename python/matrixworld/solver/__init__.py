@@ -19,5 +19,6 @@ from __future__ import annotations
 
 from matrixworld.solver.solution import Champion, Solution, best_response, expected_payoff, solve
 from matrixworld.solver.states import States
+from matrixworld.solver.tables import table
 
-__all__ = ["Champion", "Solution", "States", "best_response", "expected_payoff", "solve"]
+__all__ = ["Champion", "Solution", "States", "best_response", "expected_payoff", "solve", "table"]

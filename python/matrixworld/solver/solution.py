@@ -13,16 +13,18 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable
+from matrixworld.play.policies import GenomePolicy
 from matrixworld.solver.states import States, config_of
+from matrixworld.solver.tables import table
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, TEAMS, Population, Script, TablePolicy, Team
 
 PayoffName: TypeAlias = Literal["capture-rate", "capture-time"]
 PAYOFFS: tuple[PayoffName, PayoffName] = ("capture-rate", "capture-time")
 
-Champion: TypeAlias = "Population | Script | Solution"
-"""What a team plays whose play is known: a population of one genome, the name of a script, or its
-part of a solution."""
+Champion: TypeAlias = "Population | GenomePolicy | Script | Solution | Callable[..., Any]"
+"""What a team plays whose play is known: a population of one genome, a `NetworkPolicy` or
+`RatingPolicy`, the name of a script, its part of a solution, or a function (see `table`)."""
 
 Fixed: TypeAlias = "tuple[NDArray[np.float64], ...] | Solution"
 """The play of a champion: its probabilities (S, joint actions) of each turn, or its solution."""
@@ -105,13 +107,13 @@ class Solution(Readable):
         successors = [self.states.successors(turn) for turn in range(self.states.n_turns)]
         shapes = [(rounds, array.shape[0], array.shape[axis]) for array in successors]
         tables = [np.empty(shape, np.float32) for shape in shapes]
-        for turn, table in enumerate(tables):
+        for turn, rows in enumerate(tables):
             for left in range(1, rounds + 1):
                 done = turn * rounds + left
                 report = self.states.reporter("tables", done, len(tables) * rounds)
                 if report is not None:
                     report(0.0)
-                table[left - 1] = self.probabilities(team, left, turn)
+                rows[left - 1] = self.probabilities(team, left, turn)
         return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
 
 
@@ -150,6 +152,10 @@ def induct(
     config = config_of(world)
     most = checks.INT_MAX
     checks.check_choice("payoff", payoff, PAYOFFS)
+    champions = {
+        team: champion.population() if isinstance(champion, GenomePolicy) else champion
+        for team, champion in champions.items()
+    }
     for champion in champions.values():
         _check_champion(champion, world)
         if isinstance(champion, Solution):
@@ -157,15 +163,15 @@ def induct(
     rounds = checks.check_integer("steps", config.max_steps if steps is None else steps, 1, most)
     states = States.of(world)
     fixed: dict[Team, Fixed] = {
-        team: champion if isinstance(champion, Solution) else states.decisions(champion, team)
+        team: champion if isinstance(champion, Solution) else table(states, champion, team)
         for team, champion in champions.items()
     }
     return _go_back(states, rounds, payoff, fixed)
 
 
 def _check_champion(champion: Any, world: WorldConfig | States) -> None:
-    if not isinstance(champion, Solution | Population | str):
-        expected = "a Population, the name of a script or a Solution"
+    if not isinstance(champion, Solution | Population | str) and not callable(champion):
+        expected = "a Population, a NetworkPolicy, a function, the name of a script or a Solution"
         raise TypeError(f"champion: expected {expected}, got {checks.shown(champion)}")
     if isinstance(champion, Solution) and champion.states is not world:
         raise ValueError("champion: expected a solution of the same States, got one of others")
@@ -261,9 +267,10 @@ def best_response(
     ----------
     world, steps, payoff
         As for `solve`.
-    champion : Population, str or Solution
-        A population of one genome without memory, the name of a script that sees what it looks for,
-        or a solution of the same States and of as many rounds.
+    champion : Population, NetworkPolicy, RatingPolicy, str, callable or Solution
+        A population of one genome without memory, such a genome as a policy, the name of a script
+        that sees what it looks for, a function of views (see `table`), or a solution of the same
+        States and of as many rounds.
     team : {"pursuer", "evader"}
         The champion's team.
 

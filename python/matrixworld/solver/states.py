@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
 from matrixworld._util import checks
+from matrixworld.world.arrays import CHANNEL
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import check_team
-from matrixworld.world.policy import TEAMS, Team, TeamPolicy
+from matrixworld.world.policy import CHANNELS, TEAMS, Team, TeamPolicy
 
 _MOST_BYTES = 2**31
 """More states would take hours to solve, wherever they fit."""
@@ -122,6 +123,70 @@ class States:
     def captured(self, turn: int = 0) -> NDArray[np.bool_]:
         """Return which evaders count as captured, bool (S, E), sorted as the cells are."""
         return self.core.describe(checks.check_integer("turn", turn, 0, self.n_turns - 1))[1]
+
+    def members(self, turn: int, team: Team) -> list[int]:
+        """Return the agents of a team that act in a turn, in the order of the states."""
+        config = self.config
+        every = range(config.n_agents)
+        acting = {
+            Interaction.SIMULTANEOUS: [every],
+            Interaction.SWARM_TURNS: [every[: config.n_pursuers], every[config.n_pursuers :]],
+            Interaction.AGENT_TURNS: [every[agent : agent + 1] for agent in every],
+        }[config.rules.interaction][turn]
+        return [agent for agent in acting if (agent < config.n_pursuers) == (team == "pursuer")]
+
+    def views(self, team: Team) -> tuple[NDArray[np.uint8], list[NDArray[np.intp]]]:
+        """Return all that members of a team see when they act.
+
+        Returns
+        -------
+        views : ndarray of uint8, shape (n, 3, fov, fov)
+            The different views, as `World.views` returns them.
+        places : list of ndarray of int, shape (S, members that act)
+            By turn, the place in `views` of what each member sees; -1 for gone ones.
+        """
+        checks.check_choice("team", team, TEAMS)
+        packed: list[NDArray[np.uint8]] = []
+        places: list[NDArray[np.intp]] = []
+        for turn in range(self.n_turns):
+            cells = self.cells(turn)
+            members = self.members(turn, team)
+            places.append(np.full((len(cells), len(members)), -1, np.intp))
+            for agent in members:
+                seen = self._seen(cells[cells[:, agent] >= 0], agent)
+                packed.append(np.packbits(seen.reshape(len(seen), -1), axis=1))
+        different, inverse = np.unique(np.concatenate(packed), axis=0, return_inverse=True)
+        numbers = iter(np.split(inverse.ravel(), np.cumsum([len(each) for each in packed])[:-1]))
+        for turn, of_turn in enumerate(places):
+            cells = self.cells(turn)
+            for column, agent in enumerate(self.members(turn, team)):
+                of_turn[cells[:, agent] >= 0, column] = next(numbers)
+        side = self.config.fov
+        flat = np.unpackbits(different, axis=1, count=CHANNELS * side * side)
+        return flat.reshape(-1, CHANNELS, side, side), places
+
+    def _seen(self, cells: NDArray[np.int32], observer: int) -> NDArray[np.uint8]:
+        """Return the views, (n, 3, fov, fov), of a living agent in states with these cells."""
+        config = self.config
+        middle = config.fov // 2
+        walls = np.zeros((config.rows, config.cols), np.uint8)
+        if config.map is not None:
+            walls[:] = config.map
+        padded = np.pad(walls, middle, constant_values=1)
+        windows = np.lib.stride_tricks.sliding_window_view(padded, (config.fov, config.fov))
+        rows, cols = np.divmod(cells, config.cols)
+        views = np.zeros((len(cells), CHANNELS, config.fov, config.fov), np.uint8)
+        views[:, CHANNEL["obstacle"]] = windows[rows[:, observer], cols[:, observer]]
+        for other in range(config.n_agents):
+            if other == observer:
+                continue
+            row = rows[:, other] - rows[:, observer] + middle
+            col = cols[:, other] - cols[:, observer] + middle
+            inside = (row >= 0) & (row < config.fov) & (col >= 0) & (col < config.fov)
+            [at] = np.nonzero(inside & (cells[:, other] >= 0))
+            channel = CHANNEL["pursuer" if other < config.n_pursuers else "evader"]
+            views[at, channel, row[at], col[at]] = 1
+        return views
 
     def decisions(self, policy: TeamPolicy, team: Team) -> tuple[NDArray[np.float64], ...]:
         """Return the probabilities with which a policy plays, for each turn (S, its joint actions).
