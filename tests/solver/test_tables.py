@@ -11,6 +11,7 @@ from rows import random_team
 
 HOLE = np.array([[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]], bool)
 SIZES = {"rows": 3, "cols": 4, "obstacles": HOLE, "n_evaders": 1, "n_pursuers": 2, "max_steps": 4}
+OWN = np.random.default_rng(0)
 MOVES = np.array([(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)])
 
 
@@ -61,11 +62,16 @@ def test_the_views_are_those_of_worlds(variant, fov):
         )
 
 
-def test_functions_of_many_views_and_genomes_as_policies_are_players():
-    config = mw.WorldConfig("O", **SIZES, fov=5)
+@pytest.mark.parametrize("variant", ["O", "D", "SB", "TO", mw.Rules("swarm-turns")])
+def test_functions_of_many_views_and_genomes_as_policies_are_players(variant):
+    config = mw.WorldConfig(variant, **SIZES, fov=5)
     states = States(config)
     network = random_team(config, 0)
     policy = mw.NetworkPolicy(network.policy, network.genomes[0], sampled=False)
+    ends = config.n_evaders + 1
+    tables = (table(states, player, "pursuer") for player in (lambda views: policy(views), policy))
+    for found, expected in zip(*tables, strict=True):
+        np.testing.assert_array_equal(found[ends:], expected[ends:])
     as_function = best_response(states, lambda views: policy(views), "pursuer").value
     as_policy = best_response(states, policy, "pursuer").value
     assert as_function == pytest.approx(as_policy, abs=1e-12)
@@ -85,11 +91,14 @@ def compares_twice(view, rng):
     [
         (lambda v, rng: rng.integers(1, 4), [0, 1 / 3, 1 / 3, 1 / 3, 0]),
         (lambda v, rng: rng.choice([0, 4], p=[0.25, 0.75]), [0.25, 0, 0, 0, 0.75]),
+        (lambda v, rng: rng.choice([0, 9], p=[1, 0]), [1, 0, 0, 0, 0]),
+        (lambda v, rng: 1 if np.float64(0.75) > rng.random() else 2, [0, 0.75, 0.25, 0, 0]),
+        (lambda v, rng: rng.integers(1, 2, None, np.int8, True), [0, 0.5, 0.5, 0, 0]),
         (compares_twice, [0, 0.5, 0.25, 0.25, 0]),
         (lambda v, rng: 4 if rng.random() >= 0.9 else 0, [0.9, 0, 0, 0, 0.1]),
         (lambda v, rng: int(rng.permutation([3, 4])[0]), [0, 0, 0, 0.5, 0.5]),
     ],
-)  # fmt: skip
+)
 def test_all_results_of_draws_are_followed(function, chances):
     views = np.zeros((2, 3, 5, 5), np.uint8)
     np.testing.assert_allclose(probabilities_of(function, views, 5), [chances] * 2, atol=1e-12)
@@ -104,6 +113,10 @@ def test_all_results_of_draws_are_followed(function, chances):
         (lambda v, rng: max(rng.integers(2) for _ in range(99)), NotExactError, "at most 40"),
         (lambda v, rng: 9, ValueError, "0 to 4, got 9"),
         (lambda v, rng: 0.5, TypeError, "action of the function"),
+        (lambda v, rng: 0 if rng.random() < np.ones(2) else 1, NotExactError, "with a number"),
+        (lambda v, rng: OWN.integers(5), NotExactError, "other answers for the same views"),
+        (lambda v: OWN.integers(5, size=len(v)), NotExactError, "other answers"),
+        (lambda v, rng: rng.integers(OWN.integers(1, 9)) % 5, NotExactError, "remembers"),
         (lambda v, rng, memory: 0, TypeError, "remembers"),
         (lambda v: v.sum() + 9, ValueError, "0 to 4"),
     ],

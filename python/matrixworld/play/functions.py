@@ -21,10 +21,13 @@ MOST_BRANCHES = 5000
 """The most results of draws that are followed in one decision."""
 MOST_DRAWS = 40
 """The most draws of one decision: more of them have too many results, or never end."""
+ASKED_AGAIN = 64
+"""Of so many views, evenly spread, a function is asked twice: what it keeps or draws by itself, and
+not by its arguments, shows in its answers."""
 
 
 class NotExactError(ValueError):
-    """A function draws what cannot be followed."""
+    """A function draws what cannot be followed, or answers the same question differently."""
 
 
 def probabilities_of(
@@ -46,27 +49,47 @@ def probabilities_of(
     ------
     NotExactError
         If it uses random numbers other than ``integers``, ``choice``, ``permutation``, ``shuffle``
-        and comparisons of ``random()``, or too many of them.
+        and comparisons of ``random()``, or too many of them; or if it answers differently when it
+        is asked again, of some of the views, because it remembers or draws by itself.
     TypeError, ValueError
         If it takes other arguments, or returns no legal actions.
     """
-    n_arguments = _arguments(function)
-    found = np.zeros((len(views), n_actions))
-    if n_arguments == 1:
-        found[np.arange(len(views)), checked_actions(function, views.copy(), n_actions)] = 1.0
-        return found
-    for row, view in zip(found, views, strict=True):
-        for action, share in _branches(function, view):
-            row[_checked(action, n_actions)] += share
+    ask = _asked_with_draws if _takes_draws(function) else _asked_without
+    found = ask(function, views, n_actions)
+    again = np.linspace(0, len(views) - 1, min(len(views), ASKED_AGAIN), dtype=np.intp)
+    if not np.array_equal(ask(function, views[again], n_actions), found[again]):
+        raise NotExactError(
+            "function: expected one that chooses by its arguments alone, got other answers for the "
+            "same views: it remembers, or draws other random numbers than those of rng"
+        )
     return found
 
 
-def _arguments(function: Callable[..., Any]) -> int:
-    """Return with how many arguments a function is called, 1 or 2."""
+def _asked_without(
+    function: Callable[..., Any], views: NDArray[np.uint8], n_actions: int
+) -> NDArray[np.float64]:
+    """Return the probabilities, 0 or 1, of a function of views."""
+    return np.eye(n_actions)[checked_actions(function, views.copy(), n_actions)]
+
+
+def _asked_with_draws(
+    function: Callable[..., Any], views: NDArray[np.uint8], n_actions: int
+) -> NDArray[np.float64]:
+    """Return the probabilities of a function of a view and random numbers."""
+    found = np.zeros((len(views), n_actions))
+    for row, view in zip(found, views, strict=True):
+        for given, share in _branches(function, view):
+            action = checks.check_integer("action of the function", given, 0, n_actions - 1)
+            row[action] += share
+    return found
+
+
+def _takes_draws(function: Callable[..., Any]) -> bool:
+    """Return whether a function is called with random numbers; TypeError if it needs still more."""
     try:
         signature = inspect.signature(function)
     except (TypeError, ValueError):  # some functions of C have none
-        return 1
+        return False
     required = [
         each.name
         for each in signature.parameters.values()
@@ -74,19 +97,12 @@ def _arguments(function: Callable[..., Any]) -> int:
         and each.kind in (each.POSITIONAL_ONLY, each.POSITIONAL_OR_KEYWORD)
     ]
     if "memory" in signature.parameters or len(required) > 2:
+        name = getattr(function, "__name__", type(function).__name__)
         raise TypeError(
-            f"function: expected f(views) or f(view, rng), got {_name(function)}{signature}; what "
-            "a function remembers is no part of a state"
+            f"function: expected f(views) or f(view, rng), got {name}{signature}; what a function "
+            "remembers is no part of a state"
         )
-    return max(1, len(required))
-
-
-def _name(function: Callable[..., Any]) -> str:
-    return getattr(function, "__name__", type(function).__name__)
-
-
-def _checked(action: Any, n_actions: int) -> int:
-    return checks.check_integer("action of the function", action, 0, n_actions - 1)
+    return "rng" in signature.parameters or len(required) == 2
 
 
 def _branches(function: Callable[..., Any], view: NDArray[np.uint8]) -> list[tuple[Any, float]]:
@@ -126,6 +142,11 @@ class FollowedDraws:
         if place == MOST_DRAWS:
             raise NotExactError(f"draws: expected at most {MOST_DRAWS} in a decision, got more")
         result = self._path[place] if place < len(self._path) else 0
+        if result >= len(shares):
+            raise NotExactError(
+                "draws: expected the same ones after the same results, got others: the function "
+                "remembers, or draws other random numbers than those of rng"
+            )
         self.taken.append((result, len(shares)))
         self.share *= shares[result]
         return result
@@ -136,17 +157,21 @@ class FollowedDraws:
         return self.draw([1.0 / n] * n)
 
     def integers(
-        self, low: int, high: int | None = None, size: Any = None, *, endpoint: bool = False
+        self,
+        low: int,
+        high: int | None = None,
+        size: Any = None,
+        dtype: Any = np.int64,
+        endpoint: bool = False,
     ) -> Any:
         """Return whole numbers from `low` to below `high`, as NumPy's generator does."""
-        first, last = (0, low) if high is None else (low, high)
-        n = int(last) - int(first) + endpoint
-        if size is None:
-            return int(first) + self._below(n)
-        drawn = [int(first) + self._below(n) for _ in range(int(np.prod(size)))]
-        return np.array(drawn).reshape(size)
+        first, last = (0, int(low)) if high is None else (int(low), int(high))
+        n = last - first + endpoint
+        count = 1 if size is None else int(np.prod(size))
+        drawn = np.array([first + self._below(n) for _ in range(count)], dtype)
+        return drawn[0] if size is None else drawn.reshape(size)
 
-    def choice(self, a: Any, size: Any = None, *, p: Any = None) -> Any:
+    def choice(self, a: Any, size: Any = None, replace: bool = True, p: Any = None) -> Any:
         """Return one item of a sequence, or one number below `a`."""
         if size is not None:
             raise NotExactError("rng.choice: expected one item, got a size")
@@ -156,7 +181,8 @@ class FollowedDraws:
         shares = np.asarray(p, np.float64)
         if shares.shape != (len(items),) or abs(shares.sum() - 1) > 1e-8 or shares.min() < 0:
             raise ValueError(f"rng.choice: expected probabilities of {len(items)} items, got {p}")
-        return items[self.draw(shares.tolist())]
+        possible = np.flatnonzero(shares)  # what never comes is not followed
+        return items[possible[self.draw(shares[possible].tolist())]]
 
     def permutation(self, x: Any) -> NDArray[Any]:
         """Return items in random order."""
@@ -180,12 +206,16 @@ class FollowedDraws:
 class Uniform:
     """A number drawn from [0, 1), known to be in [`low`, `high`): each comparison is a draw."""
 
+    __array_ufunc__ = None  # so that a number of NumPy leaves the comparison to this class
+
     def __init__(self, draws: FollowedDraws) -> None:
         self._draws = draws
-        self._low, self._high = 0.0, 1.0
+        self._low = 0.0
+        self._high = 1.0
 
     def _is_below(self, other: Any) -> bool:
-        limit = float(other)
+        if np.ndim(other) or np.isnan(limit := float(other)):
+            raise NotExactError(f"rng.random: expected a comparison with a number, got {other!r}")
         if limit <= self._low:
             return False
         if limit >= self._high:

@@ -152,10 +152,6 @@ def induct(
     config = config_of(world)
     most = checks.INT_MAX
     checks.check_choice("payoff", payoff, PAYOFFS)
-    champions = {
-        team: champion.population() if isinstance(champion, GenomePolicy) else champion
-        for team, champion in champions.items()
-    }
     for champion in champions.values():
         _check_champion(champion, world)
         if isinstance(champion, Solution):
@@ -177,7 +173,7 @@ def _check_champion(champion: Any, world: WorldConfig | States) -> None:
         raise ValueError("champion: expected a solution of the same States, got one of others")
     if isinstance(champion, str):
         checks.check_choice("champion", champion, SCRIPTS)
-    if isinstance(champion, Population) and champion.policy.memory != "none":
+    if isinstance(champion, Population | GenomePolicy) and champion.policy.memory != "none":
         raise ValueError(
             "champion: expected a network without memory, whose choices depend on the present "
             f"state alone, got memory {champion.policy.memory!r}"

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
 from matrixworld._util import checks
+from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.arrays import CHANNEL
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import check_team
@@ -126,17 +127,18 @@ class States:
 
     def members(self, turn: int, team: Team) -> list[int]:
         """Return the agents of a team that act in a turn, in the order of the states."""
-        config = self.config
-        every = range(config.n_agents)
-        acting = {
-            Interaction.SIMULTANEOUS: [every],
-            Interaction.SWARM_TURNS: [every[: config.n_pursuers], every[config.n_pursuers :]],
-            Interaction.AGENT_TURNS: [every[agent : agent + 1] for agent in every],
-        }[config.rules.interaction][turn]
-        return [agent for agent in acting if (agent < config.n_pursuers) == (team == "pursuer")]
+        checks.check_choice("team", team, TEAMS)
+        acting = _actors(self.config)[checks.check_integer("turn", turn, 0, self.n_turns - 1)]
+        pursuers = range(self.config.n_pursuers)
+        return [agent for agent in acting if (agent in pursuers) == (team == "pursuer")]
 
     def views(self, team: Team) -> tuple[NDArray[np.uint8], list[NDArray[np.intp]]]:
         """Return all that members of a team see when they act.
+
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team.
 
         Returns
         -------
@@ -188,7 +190,9 @@ class States:
             views[at, channel, row[at], col[at]] = 1
         return views
 
-    def decisions(self, policy: TeamPolicy, team: Team) -> tuple[NDArray[np.float64], ...]:
+    def decisions(
+        self, policy: TeamPolicy | GenomePolicy, team: Team
+    ) -> tuple[NDArray[np.float64], ...]:
         """Return the probabilities with which a policy plays, for each turn (S, its joint actions).
 
         Members decide independently of each other, by the softmax of a network in float64.
@@ -208,6 +212,16 @@ def config_of(world: WorldConfig | States) -> WorldConfig:
     config = world.config if isinstance(world, States) else world
     checks.check_instance("world", config, WorldConfig)
     return config
+
+
+def _actors(config: WorldConfig) -> list[range]:
+    """Return the agents that act in each turn of a round."""
+    every = range(config.n_agents)
+    return {
+        Interaction.SIMULTANEOUS: [every],
+        Interaction.SWARM_TURNS: [every[: config.n_pursuers], every[config.n_pursuers :]],
+        Interaction.AGENT_TURNS: [every[agent : agent + 1] for agent in every],
+    }[config.rules.interaction]
 
 
 def _count(config: WorldConfig) -> int:
@@ -243,12 +257,8 @@ def _size(config: WorldConfig) -> tuple[float, float]:
     codes = (1 + cells) ** n * (2 + 2 * cells) ** m if n + m <= _MOST_AGENTS else inf
     if codes > checks.INT_MAX:  # the engine numbers them
         return inf, inf
-    count, actions = _count(config), config.n_actions
-    joint_actions = {  # of each turn
-        Interaction.SIMULTANEOUS: [actions ** (n + m)],
-        Interaction.SWARM_TURNS: [actions**n, actions**m],
-        Interaction.AGENT_TURNS: [actions] * (n + m),
-    }[config.rules.interaction]
+    count = _count(config)
+    joint_actions = [config.n_actions ** len(actors) for actors in _actors(config)]
     numbers = sum(count * (joint + 1) + codes for joint in joint_actions) + count  # and the starts
     return count * len(joint_actions), _INDEX * numbers
 

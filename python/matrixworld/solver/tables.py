@@ -35,14 +35,13 @@ def table(
     Raises
     ------
     NotExactError
-        A ValueError: if a function draws what cannot be followed.
+        A ValueError: if a function draws what cannot be followed, or does not choose by its
+        arguments alone.
     TypeError, ValueError
         If a function takes other arguments or returns no legal actions; and as
         `States.decisions` does.
     """
-    if isinstance(player, GenomePolicy):
-        player = player.population()
-    if not callable(player):
+    if isinstance(player, GenomePolicy) or not callable(player):
         return states.decisions(player, team)
     views, places = states.views(team)
     chosen = probabilities_of(player, views, states.config.n_actions)
