@@ -84,16 +84,36 @@ py::tuple backup(const States& states, int turn, const Doubles& next,
     return py::make_tuple(values, gap, by_team[0], by_team[1]);
 }
 
-// The probabilities with which a policy plays, (n_states, its joint actions).
-Doubles weigh(const States& states, int turn, Team team, const py::object& policy, int n_threads,
-              const py::object& report) {
+// The probabilities with which a policy plays in a step, (n_states, its joint actions).
+Doubles weigh(const States& states, int turn, Team team, const py::object& policy, int step,
+              int n_threads, const py::object& report) {
     require_turn(states, turn);
     const HeldCandidates held = to_policy("champion", policy, states.setup().config);
     Doubles out({states.n_states(turn), std::int64_t{states.n_joint(turn, team)}});
     double* const probabilities = out.mutable_data();
     const States::Poll poll = signal_poll(report);
     const py::gil_scoped_release release;
-    states.weigh(turn, team, held.candidates, probabilities, n_threads, poll);
+    states.weigh(turn, team, held.candidates, step, probabilities, n_threads, poll);
+    return out;
+}
+
+bool counts_steps(const States& states, const py::object& policy) {
+    const HeldCandidates held = to_policy("champion", policy, states.setup().config);
+    return LoadedPolicy(held.candidates, states.setup()).load(0).counts_steps();
+}
+
+// The named inputs of an agent in some states of a turn, (n, moves, inputs) float32.
+py::array_t<float> look(const States& states, int turn, int agent, int step,
+                        const Array<std::int32_t>& of) {
+    require_turn(states, turn);
+    require_index("agent", agent, states.setup().config.n_agents());
+    require_shape("states", of, shape(of.size()));
+    for (py::ssize_t i = 0; i < of.size(); ++i) {
+        require_index("state", of.data()[i], states.n_states(turn));
+    }
+    py::array_t<float> out(shape(of.size(), states.setup().config.n_actions(), kInputs));
+    states.look(turn, agent, step, of.data(), static_cast<std::size_t>(of.size()),
+                out.mutable_data());
     return out;
 }
 
@@ -123,24 +143,27 @@ Team team_of(bool evaders) { return evaders ? Team::Evader : Team::Pursuer; }
 void bind_solve(py::module_& m) {
     py::class_<States, std::shared_ptr<States>>(m, "States")
         .def(py::init([](const std::shared_ptr<const Setup>& setup, int n_threads,
-                         std::size_t expected, const py::object& report) {
+                         std::size_t expected, const py::object& report, bool numbered) {
                  const States::Poll poll = signal_poll(report);
                  const py::gil_scoped_release release;
-                 return std::make_shared<States>(setup, n_threads, poll, expected);
+                 return std::make_shared<States>(setup, n_threads, poll, expected, numbered);
              }),
-             py::arg("setup"), py::arg("n_threads"), py::arg("expected"), py::arg("report"))
+             py::arg("setup"), py::arg("n_threads"), py::arg("expected"), py::arg("report"),
+             py::arg("numbered"))
         .def("n_turns", &States::n_turns)
         .def("describe", &describe, py::arg("turn"))
         .def("successors", &successors, py::arg("turn"))
         .def("starts", &starts)
         .def(
             "weigh",
-            [](const States& states, int turn, bool evaders, const py::object& policy,
+            [](const States& states, int turn, bool evaders, const py::object& policy, int step,
                int n_threads, const py::object& report) {
-                return weigh(states, turn, team_of(evaders), policy, n_threads, report);
+                return weigh(states, turn, team_of(evaders), policy, step, n_threads, report);
             },
-            py::arg("turn"), py::arg("evaders"), py::arg("policy"), py::arg("n_threads"),
-            py::arg("report"))
+            py::arg("turn"), py::arg("evaders"), py::arg("policy"), py::arg("step"),
+            py::arg("n_threads"), py::arg("report"))
+        .def("counts_steps", &counts_steps, py::arg("policy"))
+        .def("look", &look, py::arg("turn"), py::arg("agent"), py::arg("step"), py::arg("states"))
         .def("backup", &backup, py::arg("turn"), py::arg("next").noconvert(),
              py::arg("pursuers").none(true).noconvert(), py::arg("evaders").none(true).noconvert(),
              py::arg("chosen"), py::arg("n_threads"), py::arg("report"));

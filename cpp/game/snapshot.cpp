@@ -100,7 +100,8 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
     memories_.read(s.memory_steps, s.memory_sizes, s.memories);
 }
 
-void World::put(const IntArray& cells, const ByteArray& captured, Scratch& scratch) {
+void World::put(const IntArray& cells, const ByteArray& captured, int steps, Scratch& scratch) {
+    steps_ = steps;
     captured_ = captured;
     ever_captured_ = captured;
     terminated_ = truncated_ = false;

@@ -164,10 +164,10 @@ int ScriptedPolicy::find_best(const World& world, const Occupancy& occupancy, in
 void ScriptedPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
     const int n_actions = world.config().n_actions();
     const double slips = static_cast<double>(script_.slips) / kSlipSteps;
-    if (script_.rate || script_.careful) {  // the order of right of way changes with the step
+    if (script_.rate) {
         throw std::invalid_argument(script_.name +
-                                    ": expected a script that decides by what it sees alone, got "
-                                    "one that counts steps");
+                                    ": expected a script that decides by what it sees and by the "
+                                    "step, got one that searches on ways drawn for each episode");
     }
     for (int agent : agents_) {
         std::fill_n(out, n_actions, 0.0);

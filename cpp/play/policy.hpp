@@ -34,11 +34,15 @@ class Policy {
 
     // Writes the probabilities with which `decide` would choose each action, (n living agents in
     // [first, last), n_actions): a network's are the softmax of its outputs, or 1 for the largest
-    // one. Throws std::invalid_argument where choices depend on more than the present moment.
+    // one. Throws std::invalid_argument where choices depend on more than the present moment and the
+    // number of its step.
     void weigh(const World& world, const Occupancy& occupancy, int first, int last, double* out) {
         draw(world, first, last);
         if (!agents_.empty()) weigh(world, occupancy, out);
     }
+
+    // Do its choices in a moment differ from step to step?
+    virtual bool counts_steps() const { return false; }
 
   protected:
     // Writes chosen_[i] for each agents_[i]. Called once for all agents of a turn, not once for each,
@@ -71,6 +75,8 @@ class NetworkPolicy : public Policy {
 class ScriptedPolicy : public Policy {
   public:
     ScriptedPolicy(const Script& script, const Config& config);
+
+    bool counts_steps() const override { return script_.careful; }
 
   private:
     void choose(World& world, const Occupancy& occupancy) override;

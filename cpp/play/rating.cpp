@@ -204,12 +204,16 @@ void RatingPolicy::choose(World& world, const Occupancy& occupancy) {
     }
 }
 
+// The order of right of way changes with the step.
+bool RatingPolicy::counts_steps() const {
+    return mask_ == MoveMask::RightOfWay || rater_->reads() >> kMustYield & 1;
+}
+
 void RatingPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
-    const std::uint32_t by_step = 1u << kMustYield | 1u << kAhead | 1u << kSearch;
-    if (mask_ == MoveMask::RightOfWay || rater_->reads() & by_step) {
+    if (rater_->reads() & (1u << kAhead | 1u << kSearch)) {
         throw std::invalid_argument(
-            "rating: expected one that decides by what it sees alone, got one that reads ahead, "
-            "search or must_yield, or has the mask right-of-way, which count steps");
+            "rating: expected one that decides by what it sees and by the step, got one that reads "
+            "ahead or search, which are drawn for each episode");
     }
     rate(world, occupancy);
     for (std::size_t agent = 0; agent < agents_.size(); ++agent) {

@@ -41,6 +41,7 @@ class RatingPolicy : public Policy {
     RatingPolicy(const RatingShape& shape, const Config& config);
 
     void load(const float* genome) override;
+    bool counts_steps() const override;
 
   private:
     void choose(World& world, const Occupancy& occupancy) override;

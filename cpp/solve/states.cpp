@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "observe/inputs.hpp"
 #include "solve/matrix_game.hpp"
 
 namespace matrixworld {
@@ -76,7 +77,7 @@ void States::places_in(const World& world, std::vector<int>& places) const {
     }
 }
 
-void States::put(const std::vector<int>& places, Memory& memory) const {
+void States::put(const std::vector<int>& places, Memory& memory, int step) const {
     const int n_pursuers = setup_->config.n_pursuers;
     for (int a = 0; a < n_pursuers; ++a) {
         memory.cells[a] = places[a] == kGonePlace ? kGone : cell_of_[places[a] - 1];
@@ -85,7 +86,7 @@ void States::put(const std::vector<int>& places, Memory& memory) const {
         memory.cells[a] = places[a] <= kCapturedPlace ? kGone : cell_of_[places[a] / 2 - 1];
         memory.captured[a - n_pursuers] = places[a] % 2;
     }
-    memory.world.put(memory.cells, memory.captured, memory.scratch);
+    memory.world.put(memory.cells, memory.captured, step, memory.scratch);
 }
 
 void States::sort(std::vector<int>& places) const {
@@ -131,9 +132,9 @@ std::int64_t States::find(const World& world, int turn, std::vector<int>& order)
 // ---- All states ---------------------------------------------------------------------------------
 
 States::States(std::shared_ptr<const Setup> setup, int n_threads, const Poll& poll,
-               std::size_t expected)
+               std::size_t expected, bool numbered)
     : setup_(std::move(setup)),
-      sorted_(setup_->config.rules.interaction != Interaction::AgentTurns),
+      sorted_(!numbered && setup_->config.rules.interaction != Interaction::AgentTurns),
       n_cells_(setup_->config.rows * setup_->config.cols),
       cell_of_(n_cells_),
       index_of_(setup_->grid.n_cells(), kGone) {
@@ -294,8 +295,8 @@ void States::for_each_state(std::size_t first, std::size_t last, int n_threads, 
 
 // ---- What a policy does in every state ----------------------------------------------------------
 
-void States::weigh(int turn, Team of, const Candidates& candidates, double* out, int n_threads,
-                   const Poll& poll) const {
+void States::weigh(int turn, Team of, const Candidates& candidates, int step, double* out,
+                   int n_threads, const Poll& poll) const {
     const Layer& layer = layers_[turn];
     const int n_joint = layer.n_joint[static_cast<int>(of)];
     const int n_actions = setup_->config.n_actions();
@@ -313,7 +314,7 @@ void States::weigh(int turn, Team of, const Candidates& candidates, double* out,
         World& world = memory[thread]->world;
         Scratch& scratch = memory[thread]->scratch;
         place(layer.codes[state], memory[thread]->places);
-        put(memory[thread]->places, *memory[thread]);
+        put(memory[thread]->places, *memory[thread], step);
         Policy& policy = loaded[thread]->load(0);
         // Members decide independently of each other: probabilities are multiplied.
         for (int a = layer.first, n = 1; a < layer.last; ++a) {
@@ -326,6 +327,21 @@ void States::weigh(int turn, Team of, const Candidates& candidates, double* out,
         }
         world.leave(scratch);
     });
+}
+
+void States::look(int turn, int agent, int step, const std::int32_t* states, std::size_t n,
+                  float* out) const {
+    Memory memory(*this);
+    MoveInputs inputs(setup_->config);
+    const std::size_t size = static_cast<std::size_t>(setup_->config.n_actions()) * kInputs;
+    std::vector<float> all(setup_->config.n_agents() * size);
+    for (std::size_t i = 0; i < n; ++i) {
+        place(layers_[turn].codes[states[i]], memory.places);
+        put(memory.places, memory, step);
+        inputs.write(memory.world, memory.scratch.occupancy, all.data());
+        std::copy_n(all.data() + agent * size, size, out + i * size);
+        memory.world.leave(memory.scratch);
+    }
 }
 
 // ---- Backward induction -------------------------------------------------------------------------

@@ -6,7 +6,8 @@
 // count as captured. Nothing else matters for what follows: rewards and reports are written, never
 // read, and steps are counted by the caller. Where all members of a team act at once, numbers cannot
 // matter, and agents of a team are sorted. Where agents act one at a time, their numbers are the
-// order of their turns, and are kept.
+// order of their turns, and are kept; and so they are where the caller asks for it, such as for agents
+// that remember something.
 //
 // Each turn of a round has its own states, numbered from 0. In every turn the states 0 to n_evaders
 // are the ends: k is every end of an episode at which k evaders count as captured. The others are
@@ -36,9 +37,9 @@ class States {
 
     // Precondition: no obstacles are drawn at a reset. Throws std::invalid_argument where more joint
     // places of the agents exist than 31 bits count. Memory for `expected` states of each turn is
-    // set aside at once: vectors that grow would be copied.
+    // set aside at once: vectors that grow would be copied. `numbered` agents are never sorted.
     States(std::shared_ptr<const Setup> setup, int n_threads, const Poll& poll = {},
-           std::size_t expected = 0);
+           std::size_t expected = 0, bool numbered = false);
 
     const Setup& setup() const { return *setup_; }
     int n_turns() const { return static_cast<int>(layers_.size()); }
@@ -73,10 +74,15 @@ class States {
     double backup(int turn, const double* next, double* values, const Play& play, int n_threads,
                   const Poll& poll = {}) const;
 
-    // The probabilities with which candidate 0 of a team plays, (n_states, its joint actions). An end
-    // has action 0. Throws as Policy::weigh does.
-    void weigh(int turn, Team team, const Candidates& candidates, double* out, int n_threads,
-               const Poll& poll = {}) const;
+    // The probabilities with which candidate 0 of a team plays in a step, (n_states, its joint
+    // actions). An end has action 0. Throws as Policy::weigh does.
+    void weigh(int turn, Team team, const Candidates& candidates, int step, double* out,
+               int n_threads, const Poll& poll = {}) const;
+
+    // The named inputs of one agent in each of some states in a step, (n, moves, kInputs). It must
+    // be alive in them. Those that random numbers of the episode decide are of an episode 0.
+    void look(int turn, int agent, int step, const std::int32_t* states, std::size_t n,
+              float* out) const;
 
   private:
     using Code = std::int32_t;
@@ -102,7 +108,7 @@ class States {
     }
 
     struct Memory;
-    void put(const std::vector<int>& places, Memory& memory) const;
+    void put(const std::vector<int>& places, Memory& memory, int step = 0) const;
     std::int32_t number(Layer& layer, Code code);
     void add_starts(int agent, std::vector<int>& places);
     void expand(int turn, std::size_t first, int n_threads, const Poll& poll);

@@ -7,7 +7,8 @@ worlds              `World` (one), `Batch` (many)
 environments        `parallel_env`, `aec_env` (PettingZoo), `AgentEnv` (one agent, Gymnasium),
                     `VectorEnv` (many worlds at once), `AgentVectorEnv` (many agents at once)
 policies, matches   `Network`, `Rating`, `Program`, `INPUTS`, `Population`, `SCRIPTS`, `Matches`,
-                    `rollout`, `EpisodeStatistics`, `NetworkPolicy`, `score_policy`
+                    `rollout`, `EpisodeStatistics`, `NetworkPolicy`, `score_policy`,
+                    `player`, `Player`
 episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
 evolution           `Game`, `evolve`, `open_runs`; packages `coevolution`, `analysis`, `plots`

@@ -29,6 +29,8 @@ from matrixworld.episodes.safety import SafetyMonitor as SafetyMonitor
 from matrixworld.episodes.safety import SafetySummary as SafetySummary
 from matrixworld.play import NetworkPolicy as NetworkPolicy
 from matrixworld.play import RatingPolicy as RatingPolicy
+from matrixworld.play.player import Player as Player
+from matrixworld.play.player import player as player
 from matrixworld.play.rollout import EpisodeStatistics as EpisodeStatistics
 from matrixworld.play.rollout import Matches as Matches
 from matrixworld.play.rollout import rollout as rollout

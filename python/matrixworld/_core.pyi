@@ -238,7 +238,9 @@ class Batch(metaclass=_Pybind11Type):
 class States(metaclass=_Pybind11Type):
     """The states of a small world: S in a turn, with P and Q joint actions of the teams."""
 
-    def __init__(self, setup: Setup, n_threads: int, expected: int, report: _Report) -> None: ...
+    def __init__(
+        self, setup: Setup, n_threads: int, expected: int, report: _Report, numbered: bool
+    ) -> None: ...
     def n_turns(self) -> int:
         """The number of turns in a round."""
 
@@ -252,9 +254,23 @@ class States(metaclass=_Pybind11Type):
         """States of the next turn, (S, P, Q), read-only."""
 
     def weigh(
-        self, turn: int, evaders: bool, policy: _Candidates, n_threads: int, report: _Report
+        self,
+        turn: int,
+        evaders: bool,
+        policy: _Candidates,
+        step: int,
+        n_threads: int,
+        report: _Report,
     ) -> NDArray[np.float64]:
-        """Probabilities of a team's joint actions, (S, P) or (S, Q)."""
+        """Probabilities of a team's joint actions in a step, (S, P) or (S, Q)."""
+
+    def counts_steps(self, policy: _Candidates) -> bool:
+        """Whether these probabilities differ from step to step."""
+
+    def look(
+        self, turn: int, agent: int, step: int, states: NDArray[np.int32]
+    ) -> NDArray[np.float32]:
+        """The named inputs of an agent, (n, moves, inputs), in states in which it is alive."""
 
     def backup(
         self,

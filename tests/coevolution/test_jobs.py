@@ -211,7 +211,7 @@ BAD = [
         for name in ("", "../a", "/a", "a/b/c", "a\n")
     ),
     ({"settings": tiny_race(learner="nowhere:Learner")}, ValueError, "nowhere"),
-    ({"settings": [tiny_single(opponent="nowhere")]}, FileNotFoundError, "nowhere"),
+    ({"settings": [tiny_single(opponent="nowhere")]}, ValueError, "got .nowhere"),
 ]
 
 

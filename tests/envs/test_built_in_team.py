@@ -115,7 +115,7 @@ def test_opponents_that_are_set_play_from_the_next_episode_on():
     env, plain = mw.parallel_env(config, evaders="still"), mw.parallel_env(config)
     env.opponents = ["fleer", random_team(config, 1)]
     env.reset(seed=1)
-    with pytest.raises(ValueError, match="evaders: expected one of"):
+    with pytest.raises(ValueError, match="evaders: expected one of random, "):
         env.opponents = "nobody"
     assert env.opponents[0] == "fleer"
     assert (plain.opponents, plain.opponent) == ((), None)

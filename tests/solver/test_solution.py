@@ -153,7 +153,7 @@ def test_a_solved_team_plays_in_all_places():
         (lambda: solve(world(), steps=0), "steps"),
         (lambda: best_response(world(), random_team(world(), 0, memory="gru"), "pursuer"), "mem"),
         (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter"),
-        (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
+        (lambda: best_response(world(), solve(world("R")), "pursuer"), "the same States"),
         (lambda: longer_reply(solve(world())), "steps: expected 1 to 5, got 9"),
         (lambda: play(world("R")), "expected the world that it was solved for"),
         (lambda: play(world(), swapped=True), "expected to play for its own team"),

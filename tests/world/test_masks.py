@@ -233,7 +233,9 @@ def test_what_needs_a_wide_view_is_refused_without():
     with pytest.raises(ValueError, match=r"^pursuers: expected a fov of at least 5 for careful-"):
         mw.rollout(config, "careful-chaser", "random", mw.Matches.of(0, 0, 0))
     for make in (mw.parallel_env, mw.VectorEnv):  # when they are made, not in the first step
-        with pytest.raises(ValueError, match=r"^evaders: expected a fov of at least 5 for careful"):
+        with pytest.raises(
+            ValueError, match=r"^evaders: careful-fleer: expected a fov of at least 5"
+        ):
             make(config, evaders="careful-fleer")
 
 

@@ -343,14 +343,15 @@ EMSCRIPTEN_KEEPALIVE bool states_backup(const States* states, int turn, const Na
     });
 }
 
-// `play` (states of a turn, joint actions): the probabilities with which a policy plays for a team.
-EMSCRIPTEN_KEEPALIVE bool states_weigh(const States* states, int turn, bool evaders,
+// `play` (states of a turn, joint actions): the probabilities with which a policy plays for a team in
+// a step.
+EMSCRIPTEN_KEEPALIVE bool states_weigh(const States* states, int turn, bool evaders, int step,
                                        const NamedArrays* policy) {
     return succeeds([&] {
         const Team team = evaders ? Team::Evader : Team::Pursuer;
         const Player player(Inputs(policy), states->setup().config);
         std::vector<double> play(states->n_states(turn) * states->n_joint(turn, team));
-        states->weigh(turn, team, player.candidates, play.data(), 1);
+        states->weigh(turn, team, player.candidates, step, play.data(), 1);
         outputs.add("play", play.data(), play.size());
     });
 }

@@ -181,7 +181,7 @@ def _runs_of(schedule: Schedule) -> dict[str, str]:
         return {}
     runs = {}
     # A directory that has the name of a script can be given as ./random.
-    if schedule.opponent not in SCRIPTS:
+    if schedule.opponent not in SCRIPTS and Path(schedule.opponent).is_dir():
         expected = f"{', '.join(SCRIPTS)} or a run directory"
         runs["schedule.opponent"] = _only_run("schedule.opponent", schedule.opponent, expected)
     if schedule.start is not None:

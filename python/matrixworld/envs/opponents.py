@@ -6,8 +6,7 @@ Of several opponents each episode draws one by its seed and number.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from gymnasium import spaces
@@ -16,27 +15,19 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from matrixworld import _core
 from matrixworld._util.checks import check_bool, check_choice, check_sequence, check_shape
 from matrixworld._util.teams import PLURALS
-from matrixworld.play.matches import Callback, Plays, checked_actions
-from matrixworld.play.policies import GenomePolicy
-from matrixworld.solver import solve
+from matrixworld.play.functions import Function, Seats
+from matrixworld.play.player import SOLVED as SOLVED
+from matrixworld.play.player import Plays, placed
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.masks import ActionMasks, check_script, check_team
-from matrixworld.world.policy import SCRIPTS, Network, Population, TablePolicy
+from matrixworld.world.masks import ActionMasks
+from matrixworld.world.policy import TEAMS, Network, Population, Team
 from matrixworld.world.world import World
 
-if TYPE_CHECKING:
-    from matrixworld.coevolution import SavedRun, Team
-
-Opponent: TypeAlias = "str | Path | Population | GenomePolicy | SavedRun | TablePolicy | Callback"
-"""What can play for a team: the name of a script or of a held-out opponent (``"evolved-2"``),
-``"solved"`` (perfect play, in small worlds), a run directory (its last generation), a population or
-a saved run (each genome is an opponent), a `NetworkPolicy` or `RatingPolicy`, a solved policy, or a
-function from observations of n living agents, uint8 (n, 3, fov, fov), to actions (n,)."""
-
-Opponents: TypeAlias = "Opponent | Iterable[Opponent]"
-"""One or several of them; each episode draws one."""
+Opponents: TypeAlias = Any
+"""One or several of what `matrixworld.player` takes; each episode draws one. Each genome of a
+population or of a saved run is an opponent."""
 
 Observation: TypeAlias = Literal["views", "named"]
 """What agents observe: their views, or the named inputs of their moves."""
@@ -53,9 +44,6 @@ FIRST: dict[Any, tuple[str, Opponents]] = {
 }
 """By the team that the caller plays: the argument for the other one, and who plays it if nothing
 else is said. Against these, first attempts learn."""
-
-SOLVED = "solved"
-"""The name of perfect play."""
 
 _PURPOSE = 2**32
 """What opponents' random numbers are drawn for; the engine's own purposes are small numbers."""
@@ -79,18 +67,13 @@ class BuiltInTeam:
         self._team = team
         self._config = config
         self.opponents = self.resolve(opponents)
+        self._seats: dict[int, Seats] = {}  # by identity of the function
         self.chosen = np.zeros(n_worlds, np.int64)
         self.playing: list[Plays] = [self.opponents[0]] * n_worlds
 
     def resolve(self, opponents: Opponents) -> tuple[Plays, ...]:
         """Return opponents in the form that is played."""
-        name = PLURALS[self._team]
-        policies: list[Plays] = []
-        for opponent in _several(name, opponents):
-            policies += _resolved(name, self._team, opponent, self._config)
-        if not policies:
-            raise ValueError(f"{name}: expected at least one opponent, got none")
-        return tuple(policies)
+        return resolved(self._team, opponents, self._config)
 
     @property
     def yields_in_turn(self) -> bool:
@@ -105,7 +88,16 @@ class BuiltInTeam:
         word = _core.philox([0, 0, _PURPOSE, self.learners.start], [seed, episode])[0]
         # The upper half of the product, as the engine draws integers below n.
         self.chosen[world] = word * len(self.opponents) >> 64
-        self.playing[world] = self.opponents[self.chosen[world]]
+        plays = self.playing[world] = self.opponents[self.chosen[world]]
+        if isinstance(plays, Function):
+            self.seats(plays).begin(world, seed, episode)
+
+    def seats(self, function: Function) -> Seats:
+        """Return a function with its random numbers and memories in all worlds."""
+        if id(function) not in self._seats:
+            number, worlds = TEAMS.index(self._team), len(self.chosen)
+            self._seats[id(function)] = Seats(function, self._config.n_actions, number, worlds)
+        return self._seats[id(function)]
 
     def decide(self, world: World, agents: range, actions: NDArray[np.int64]) -> None:
         """Write the actions (A,) of the team's agents among `agents`, in the only world."""
@@ -113,13 +105,14 @@ class BuiltInTeam:
         [policy] = self.playing
         if not acting:
             return
-        if not callable(policy):
+        if not isinstance(policy, Function):
             world.decide(policy, acting, actions)
             return
-        living = np.array(acting)[world.alive[acting]]
-        if living.size:
-            views = world.views()[living]
-            actions[living] = checked_actions(policy, views, self._config.n_actions)
+        asked = np.zeros(actions.shape, np.bool_)
+        asked[acting] = world.alive[acting]
+        if asked.any():
+            seen = world.inputs() if policy.reads == "inputs" else world.views()
+            actions[asked] = self.seats(policy)(asked[np.newaxis], seen[asked])
 
 
 class BuiltInWorlds(BuiltInTeam):
@@ -129,10 +122,10 @@ class BuiltInWorlds(BuiltInTeam):
     """
 
     def __init__(self, team: Team, opponents: Opponents, batch: Batch, waits: bool) -> None:
-        super().__init__(team, opponents, batch.config, batch.n_worlds)
-        self.last = np.zeros_like(self.chosen)
         self._batch = batch
         self._buffers = batch.buffers
+        super().__init__(team, opponents, batch.config, batch.n_worlds)
+        self.last = np.zeros_like(self.chosen)
         self._waits = waits
         self._actions: NDArray[np.int64] = np.zeros(self._buffers["alive"].shape, np.int64)
         self.begin(np.zeros(batch.n_worlds, np.bool_))
@@ -149,6 +142,17 @@ class BuiltInWorlds(BuiltInTeam):
         self._numbers = np.array(numbers, np.int32)
         self._policies: list[Plays] = list({id(policy): policy for policy in self.playing}.values())
 
+    def resolve(self, opponents: Opponents) -> tuple[Plays, ...]:
+        """Return opponents in the form that is played; ValueError for what batches do not write."""
+        policies = super().resolve(opponents)
+        for policy in policies:
+            if isinstance(policy, Function) and policy.reads not in self._buffers:
+                raise ValueError(
+                    f"{policy.name}: expected a function of views, got one of inputs, which this "
+                    "environment does not write; name it when the environment is made"
+                )
+        return policies
+
     def _keys(self) -> NDArray[np.uint64]:
         """Return a copy of seed and episode of every world, (2, W)."""
         return np.stack([self._buffers["seed"], self._buffers["episode"]])
@@ -158,7 +162,7 @@ class BuiltInWorlds(BuiltInTeam):
         chosen = integers("actions", learners)
         check_shape("actions", chosen, len(self._actions), len(self.learners))
         self._actions[:, self.learners.start : self.learners.stop] = chosen
-        engine = [None if callable(policy) else policy for policy in self._policies]
+        engine = [None if isinstance(policy, Function) else policy for policy in self._policies]
         self._batch.decide(engine, self._numbers, self.agents, self._actions)
         acting = np.zeros_like(self._buffers["alive"])
         acting[:, self.agents] = self._buffers["alive"][:, self.agents]
@@ -166,9 +170,11 @@ class BuiltInWorlds(BuiltInTeam):
             acting[self._buffers["terminated"] | self._buffers["truncated"]] = False
         for number, policy in enumerate(self._policies):
             asked = acting & (self._numbers == number)[:, None]
-            if callable(policy) and asked.any():
-                views = self._buffers["views"][asked]
-                self._actions[asked] = checked_actions(policy, views, self._config.n_actions)
+            if isinstance(policy, Function) and asked.any():
+                seen = self._buffers[policy.reads][asked]
+                if policy.reads == "views":
+                    seen = seen.astype(np.uint8, copy=False)
+                self._actions[asked] = self.seats(policy)(asked, seen)
         return self._actions
 
     def note_step(self) -> None:
@@ -250,49 +256,26 @@ class PlaysTeam:
         self._team.opponents = self._team.resolve(opponents)
 
 
+def resolved(team: Team, opponents: Opponents, config: WorldConfig) -> tuple[Plays, ...]:
+    """Return opponents, who play for a team, in the form that is played."""
+    name = PLURALS[team]
+    policies: list[Plays] = []
+    for opponent in _several(name, opponents):
+        policies += _resolved(name, team, opponent, config)
+    if not policies:
+        raise ValueError(f"{name}: expected at least one opponent, got none")
+    return tuple(policies)
+
+
 def _several(name: str, opponents: Any) -> list[Any]:
     # Functions can be iterable: torch.nn.Sequential iterates over its layers.
     one = isinstance(opponents, str) or callable(opponents) or not isinstance(opponents, Iterable)
     return [opponents] if one else list(check_sequence(name, opponents, "opponents"))
 
 
-def _resolved(name: str, team: Team, opponent: Any, config: WorldConfig) -> Iterable[Plays]:
+def _resolved(name: str, team: Team, opponent: Any, config: WorldConfig) -> list[Plays]:
     """Return the policies that an opponent stands for."""
-    if isinstance(opponent, str) and opponent in SCRIPTS:
-        check_script(name, opponent, config)
-        return [opponent]
-    if isinstance(opponent, str) and opponent == SOLVED:
-        return [solve(config).policy(team)]
-    if isinstance(opponent, str | Path):
-        opponent = _named(name, team, opponent, config)
-    elif isinstance(opponent, GenomePolicy):
-        opponent = opponent.population()
-    elif hasattr(opponent, "teams"):  # a saved run; its class is not imported here
-        return _resolved(name, team, opponent.teams[team], config)
-    if isinstance(opponent, Population):
-        opponent.policy.check_fits(name, config)
-        check_team(name, opponent, config, team)
-        return [Population(genome, opponent.policy) for genome in opponent.genomes]
-    if callable(opponent) or isinstance(opponent, TablePolicy):
-        return [opponent]
-    raise TypeError(
-        f"{name}: expected the name of a script or held-out opponent, a run directory, a "
-        f"Population, a NetworkPolicy, a SavedRun or a function, got {opponent!r}"
-    )
-
-
-def _named(name: str, team: Team, opponent: str | Path, config: WorldConfig) -> Population:
-    # Co-evolution needs more packages and time to import than environments do.
-    from matrixworld.coevolution import held_out
-    from matrixworld.coevolution.runs.stored import last_generation
-
-    text = str(opponent)
-    players = held_out(team, config.rules)
-    evolved = {key: player for key, player in players.items() if isinstance(player, Population)}
-    if text in evolved:
-        return evolved[text]
-    if not text or not Path(opponent).is_dir():  # an empty path is the current directory
-        names = ", ".join([*SCRIPTS, SOLVED, *evolved])
-        raise ValueError(f"{name}: expected one of {names}, or a run directory, got {text!r}")
-    population: Population = last_generation(opponent, team)
-    return population
+    plays = placed(name, opponent, team, config)
+    if not isinstance(plays, Population):
+        return [plays]
+    return [Population(genome, plays.policy) for genome in plays.genomes]

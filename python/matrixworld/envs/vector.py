@@ -23,8 +23,10 @@ from matrixworld.envs.opponents import (
     Opponents,
     PlaysTeam,
     one_team,
+    resolved,
     with_opponent,
 )
+from matrixworld.play.functions import Function
 from matrixworld.world import arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig, WorldSettings
@@ -157,6 +159,10 @@ class VectorEnv(PlaysTeam, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArra
             large.add(f"final_{self._observed}")
         if self._masks.given or built_in is not None:  # functions that play see views
             large.add("views")
+        if built_in is not None:
+            team, given = built_in
+            built_in = team, resolved(team, given, self.config)
+            large |= {plays.reads for plays in built_in[1] if isinstance(plays, Function)}
         buffers = _make_buffers(
             self.config, self.num_envs, large, self._observed, self._space.dtype
         )

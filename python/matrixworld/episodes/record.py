@@ -11,14 +11,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer, check_shape
+from matrixworld._util.teams import PLURALS, TEAMS
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
 from matrixworld.episodes.replay import Screen
-from matrixworld.play.policies import GenomePolicy
+from matrixworld.play.functions import Function
+from matrixworld.play.matches import member_of, play_episodes
+from matrixworld.play.player import Plays
+from matrixworld.play.tables import in_engine
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.masks import check_team
-from matrixworld.world.policy import EnginePolicy
 from matrixworld.world.render import MARK_STEPS, Scene, ansi, png, rgb
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
@@ -142,8 +145,8 @@ def record_actions(
 
 def record(
     config: WorldConfig | Rules | str,
-    pursuers: EnginePolicy | GenomePolicy,
-    evaders: EnginePolicy | GenomePolicy,
+    pursuers: Any,
+    evaders: Any,
     *,
     seed: int = 0,
     pursuer: int = 0,
@@ -169,19 +172,52 @@ def record(
         All that happened.
     """
     config = WorldConfig.of(config)
+    seed = check_integer("seed", seed, 0, SEED_MAX)
+    episode = check_integer("episode", episode, 0, SEED_MAX)
+    numbers = (
+        check_integer("pursuer", pursuer, 0, INT_MAX),
+        check_integer("evader", evader, 0, INT_MAX),
+    )
+    plays = [
+        in_engine(given, team, config)
+        for team, given in zip(TEAMS, (pursuers, evaders), strict=True)
+    ]
+    if any(isinstance(each, Function) for each in plays):
+        return _record_asked(config, plays, numbers, seed, episode)
     # The engine chooses the actions; a world that plays them again gives everything else.
+    first, second = (
+        check_team(PLURALS[team], each, config, team)
+        for team, each in zip(TEAMS, plays, strict=True)
+    )
     chosen = _core.record(
         config.setup,
-        check_team("pursuers", pursuers, config, "pursuer"),
-        check_team("evaders", evaders, config, "evader"),
-        pursuer=check_integer("pursuer", pursuer, 0, INT_MAX),
-        evader=check_integer("evader", evader, 0, INT_MAX),
-        seed=check_integer("seed", seed, 0, SEED_MAX),
-        episode=check_integer("episode", episode, 0, SEED_MAX),
+        first,
+        second,
+        pursuer=numbers[0],
+        evader=numbers[1],
+        seed=seed,
+        episode=episode,
         of_moments=(),
         of_steps=(),
     )
     return record_actions(config, chosen["actions"], seed=seed, episode=episode)
+
+
+def _record_asked(
+    config: WorldConfig, plays: list[Plays], numbers: tuple[int, int], seed: int, episode: int
+) -> Episode:
+    """Record an episode in which functions are asked in every step."""
+    members = [
+        member_of(PLURALS[team], each, number)
+        for team, each, number in zip(TEAMS, plays, numbers, strict=True)
+    ]
+    rounds: list[NDArray[np.int64]] = []
+
+    def keep(actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
+        rounds.append(actions[0].copy())
+
+    play_episodes(config, *members, seed=seed, episodes=1, first=episode, on_round=keep)
+    return record_actions(config, np.array(rounds), seed=seed, episode=episode)
 
 
 # Shown while it is played:

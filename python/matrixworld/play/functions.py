@@ -1,249 +1,451 @@
-"""Functions as players: the probabilities with which they choose, exactly.
+"""Functions as players: how they are asked, in episodes and for all that they may see.
 
-A function gets views, or a view and random numbers. Where it draws whole numbers, items or orders,
-or compares a uniform number with another one, every result of a draw is followed, so that its
-probabilities have no noise.
+What a function reads and remembers is told by its parameters (see `Function`). It answers with an
+action, or with the probabilities of all actions.
 """
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Sequence
-from typing import Any, NoReturn
+import pickle
+import sys
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util import checks
-from matrixworld.play.matches import checked_actions
+from matrixworld._util.alarms import TooSlowError, alarm
+from matrixworld.play.draws import FollowedDraws, NotExactError, branches
+from matrixworld.world.arrays import CHANNEL
+from matrixworld.world.masks import MASKS, Mask
+from matrixworld.world.rating import INPUTS, allowed_moves
 
-MOST_BRANCHES = 5000
-"""The most results of draws that are followed in one decision."""
-MOST_DRAWS = 40
-"""The most draws of one decision: more of them have too many results, or never end."""
 ASKED_AGAIN = 64
 """Of so many views, evenly spread, a function is asked twice: what it keeps or draws by itself, and
 not by its arguments, shows in its answers."""
 
+Floats: TypeAlias = NDArray[np.float64]
 
-class NotExactError(ValueError):
-    """A function draws what cannot be followed, or answers the same question differently."""
+_BY_STEP = "must_yield"
+_DRAWN = ("ahead", "search")
+_ROUNDING = 1e-6
+"""By how much probabilities may differ from a sum of 1."""
 
 
-def probabilities_of(
-    function: Callable[..., Any], views: NDArray[np.uint8], n_actions: int
-) -> NDArray[np.float64]:
-    """Return the probabilities, float64 (n, n_actions), with which a function chooses.
+class PlayerError(ValueError):
+    """A function fails, or its answer is no action. The message says where, and what came."""
+
+
+class Function:
+    """A function that plays for a team.
+
+    ==========================  ====================================================================
+    ``f(views)``                views of n agents, uint8 (n, 3, fov, fov), to n answers
+    ``f(view)``                 the view of one agent, uint8 (3, fov, fov), to one answer
+    ``f(view, rng)``            with a `numpy.random.Generator` for all random numbers
+    ``f(view, rng, memory)``    with a dict of this agent, empty at the start of an episode
+    ``f(x, allowed, rng)``      with the named inputs of the moves, ``x[name]`` float32 (moves,),
+                                and which moves its ``MASK`` allows, bool (moves,): the function
+                                ``choose`` that `RatingPolicy.to_python` writes
+    ==========================  ====================================================================
+
+    The first two are told apart by asking. Parameters named ``rng`` and ``memory`` get these
+    wherever they stand; other parameters without defaults count by their order. An answer is an
+    action, or the probabilities of all actions, float (n_actions,). A module of torch gets views as
+    float32; its outputs are actions (n,), or numbers (n, n_actions) of which the largest is taken.
 
     Parameters
     ----------
     function : callable
-        ``f(views)``, from uint8 (n, 3, fov, fov) to actions (n,) or from one view to one action; or
-        ``f(view, rng)``, from one view and a generator with methods of `numpy.random.Generator`.
-    views : ndarray of uint8, shape (n, 3, fov, fov)
-        What the agents see. The function gets copies.
-    n_actions : int
-        The number of moves.
+        The function.
+    name : str, optional
+        What it is called in messages. The default is its own name.
+    fov : int, optional
+        Side of the view that it gets, odd: the middle of a larger one. The default is the world's.
+    seconds : float, optional
+        Longest time of one call, in the main thread of systems with alarm signals. The default is
+        none.
 
     Raises
     ------
-    NotExactError
-        If it uses random numbers other than ``integers``, ``choice``, ``permutation``, ``shuffle``
-        and comparisons of ``random()``, or too many of them; or if it answers differently when it
-        is asked again, of some of the views, because it remembers or draws by itself.
     TypeError, ValueError
-        If it takes other arguments, or returns no legal actions.
+        If it takes other arguments, or has an unknown ``MASK``.
     """
-    ask = _asked_with_draws if _takes_draws(function) else _asked_without
-    found = ask(function, views, n_actions)
-    again = np.linspace(0, len(views) - 1, min(len(views), ASKED_AGAIN), dtype=np.intp)
-    if not np.array_equal(ask(function, views[again], n_actions), found[again]):
-        raise NotExactError(
-            "function: expected one that chooses by its arguments alone, got other answers for the "
-            "same views: it remembers, or draws other random numbers than those of rng"
-        )
+
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        *,
+        name: str = "",
+        fov: int | None = None,
+        seconds: float | None = None,
+    ) -> None:
+        self.function = function
+        self.name = name or getattr(function, "__name__", type(function).__name__)
+        self.fov = fov
+        self.seconds = seconds
+        self.is_module = _is_module(function)
+        by_place, by_name = (["view"], []) if self.is_module else _arguments_of(function, self.name)
+        self._by_place, self._by_name = by_place, by_name
+        self.arguments = (*by_place, *by_name)
+        mask = getattr(function, "__globals__", {}).get("MASK", "obstacles")
+        if self.reads == "inputs":
+            checks.check_choice(f"{self.name}: MASK", mask, MASKS)
+        self.mask: Mask = mask
+        self.has_read_step = False
+        """Whether it has ever read an input that depends on the step, as by right of way."""
+        self.tables: dict[Any, Any] = {}
+        """What it became in worlds of few states, by team and world."""
+        self._at_once: bool | None = None
+
+    def __repr__(self) -> str:
+        return f"Function({self.name}: {self.form})"
+
+    @property
+    def form(self) -> str:
+        """What it is, in words."""
+        if self.is_module:
+            return "torch module"
+        words = {"view": "views", "x": "inputs", "allowed": "a mask", "rng": "random numbers"}
+        read = [words.get(name, name) for name in self.arguments]
+        return f"function of {' and '.join([', '.join(read[:-1]), read[-1]] if read[1:] else read)}"
+
+    @property
+    def reads(self) -> str:
+        """The array of a world that it is asked about: "views" or "inputs"."""
+        return "inputs" if self.arguments[0] == "x" else "views"
+
+    @property
+    def remembers(self) -> bool:
+        """Whether it gets a memory."""
+        return "memory" in self.arguments
+
+    # In episodes:
+
+    def actions(
+        self,
+        seen: NDArray[Any],
+        n_actions: int,
+        rngs: Sequence[np.random.Generator],
+        memories: Sequence[dict[Any, Any]],
+    ) -> NDArray[np.int64]:
+        """Return the actions (n,) of n agents by what they see, their generators and memories.
+
+        `seen` are views or inputs, as `reads` says. The function gets copies. PlayerError if it
+        fails, or returns no actions.
+        """
+        answers = self._answers(seen, rngs, memories, n_actions)
+        chosen = answers.argmax(axis=1)
+        for i in np.flatnonzero(answers.max(axis=1) < 1).tolist():  # probabilities
+            chosen[i] = rngs[i].choice(n_actions, p=answers[i])
+        return np.asarray(chosen)
+
+    # Exactly:
+
+    def probabilities(self, seen: NDArray[Any], n_actions: int) -> Floats:
+        """Return the probabilities, float64 (n, n_actions), with which it chooses.
+
+        Parameters
+        ----------
+        seen : ndarray
+            Views, uint8 (n, 3, fov, fov), or inputs, float32 (n, n_actions, inputs).
+        n_actions : int
+            The number of moves.
+
+        Raises
+        ------
+        NotExactError
+            If it has a memory; if it uses random numbers other than ``integers``, ``choice``,
+            ``permutation``, ``shuffle`` and comparisons of ``random()``, or too many of them; if it
+            reads inputs that each episode draws; or if it answers differently when it is asked
+            again, of some of the views, because it remembers or draws by itself.
+        PlayerError
+            If it fails, or returns no action.
+        """
+        if self.remembers:
+            raise NotExactError(f"{self.name}: it has a memory, which is no part of what it sees")
+
+        def ask(some: NDArray[Any]) -> Floats:
+            if "rng" not in self.arguments:
+                return self._answers(some, [None] * len(some), [{}] * len(some), n_actions)
+            means = np.zeros((len(some), n_actions))
+            for mean, one in zip(means, some, strict=True):
+                for answer, _, share in self.followed(one, b"", n_actions):
+                    mean += share * answer
+            return means
+
+        found = ask(seen)
+        again = np.linspace(0, len(seen) - 1, min(len(seen), ASKED_AGAIN), dtype=np.intp)
+        if not np.array_equal(ask(seen[again]), found[again]):
+            raise NotExactError(
+                f"{self.name}: it answers differently when it is asked again: it remembers, or "
+                "draws other random numbers than those of rng"
+            )
+        return found
+
+    def followed(
+        self, seen: NDArray[Any], memory: bytes, n_actions: int
+    ) -> list[tuple[Floats, bytes, float]]:
+        """Return its answer to what one agent sees and remembers, after all results of its draws.
+
+        With each answer (n_actions,) come what it remembers then and how likely this is. Memories
+        are the pickled dicts, empty ones no bytes.
+        """
+
+        def ask(draws: FollowedDraws) -> tuple[Floats, bytes]:
+            kept = pickle.loads(memory) if memory else {}  # noqa: S301, from the line below
+            answer = self._asked(self._cropped(seen), draws, kept, n_actions)
+            try:
+                return answer, pickle.dumps(kept) if kept else b""
+            except Exception as error:
+                raise NotExactError(f"{self.name}: its memory cannot be copied: {error}") from error
+
+        return [(answer, kept, share) for (answer, kept), share in branches(ask)]
+
+    def sampled(self, seen: NDArray[Any], n_actions: int, rng: np.random.Generator) -> Floats:
+        """Return answers (n, n_actions) of one draw for each view, where they cannot be exact."""
+        return self._answers(seen, [rng] * len(seen), [{}] * len(seen), n_actions)
+
+    # How it is asked:
+
+    def _cropped(self, seen: NDArray[Any]) -> NDArray[Any]:
+        if self.fov is None or self.reads == "inputs":
+            return seen
+        edge = (seen.shape[-1] - self.fov) // 2
+        if edge < 0:
+            raise ValueError(
+                f"{self.name}: expected a world with fov {self.fov} or more, got {seen.shape[-1]}"
+            )
+        return seen[..., edge : edge + self.fov, edge : edge + self.fov]
+
+    def _answers(
+        self, seen: NDArray[Any], rngs: Sequence[Any], memories: Sequence[Any], n_actions: int
+    ) -> Floats:
+        """Return the answers (n, n_actions) of n agents."""
+        seen = self._cropped(seen)
+        if self.is_module:
+            with self._blamed(None):
+                outputs = _outputs(self.function, seen)
+                return _checked(outputs, (len(seen),), n_actions, any_sum=True)
+        if self.arguments == ("view",) and self._at_once is not False:
+            given = self._given_many(seen)
+            if self._at_once:
+                with self._blamed(None):
+                    return _checked(given, (len(seen),), n_actions)
+        each = zip(seen, rngs, memories, strict=True)
+        return np.array([self._asked(*one, n_actions) for one in each]).reshape(-1, n_actions)
+
+    def _given_many(self, views: NDArray[Any]) -> Any:
+        """Return what it gives for n views at once. The first time tells whether it takes them."""
+        try:
+            with alarm(self.seconds):
+                given = self.function(views.copy())
+        except (Exception, SystemExit, TooSlowError) as error:
+            if self._at_once is None:
+                try:
+                    with alarm(self.seconds):
+                        self.function(views[0].copy())
+                except (Exception, SystemExit, TooSlowError):  # noqa: BLE001
+                    pass  # it fails with one view, too
+                else:
+                    self._at_once = False
+                    return None
+            raise self._error(error, None) from error
+        if self._at_once is None:
+            array = np.asarray(given)
+            self._at_once = array.ndim == 2 or (array.ndim == 1 and array.dtype.kind != "f")
+        return given
+
+    def _asked(self, seen: NDArray[Any], rng: Any, memory: Any, n_actions: int) -> Floats:
+        """Return the answer (n_actions,) of one agent."""
+        values = {"view": seen.copy(), "rng": rng, "memory": memory}
+        if self.reads == "inputs":
+            x = _Inputs(seen, exact=isinstance(rng, FollowedDraws))
+            values |= {"x": x, "allowed": allowed_moves(seen, self.mask)}
+        with self._blamed(seen):
+            named = {name: values[name] for name in self._by_name}
+            given = self.function(*[values[name] for name in self._by_place], **named)
+            answer = _checked(given, (), n_actions)
+        if self.reads == "inputs":
+            self.has_read_step |= x.has_read_step or self.mask == "right-of-way"
+        return answer
+
+    @contextmanager
+    def _blamed(self, seen: NDArray[Any] | None) -> Iterator[None]:
+        """Raise what goes wrong in the function as a PlayerError that says where, and for what."""
+        try:
+            with alarm(self.seconds):
+                yield
+        except NotExactError as error:
+            raise NotExactError(f"{self.name}: {error}") from error
+        except (Exception, SystemExit, TooSlowError) as error:
+            raise self._error(error, seen) from error
+
+    def _error(self, error: BaseException, seen: NDArray[Any] | None) -> PlayerError:
+        what = f"{type(error).__name__}: {error}"
+        if isinstance(error, _AnswerError):
+            what = str(error)
+        elif isinstance(error, TooSlowError):
+            what = f"expected an answer within {self.seconds:g} s, got none"
+        code = getattr(self.function, "__code__", None)
+        where = ""
+        if code is not None:
+            frames = traceback.extract_tb(error.__traceback__)
+            lines = [each.lineno for each in frames if each.filename == code.co_filename]
+            where = f" ({Path(code.co_filename).name}, line {(lines or [code.co_firstlineno])[-1]})"
+        asked = "" if seen is None or self.reads == "inputs" else f", for the view\n{picture(seen)}"
+        return PlayerError(f"{self.name}{where}: {what}{asked}")
+
+
+class _AnswerError(ValueError):
+    """An answer is none. Its message needs no name of its class."""
+
+
+class _Inputs(dict[str, NDArray[np.float32]]):
+    """Named inputs of the moves of one agent. It notes whether those are read that steps decide."""
+
+    def __init__(self, inputs: NDArray[np.float32], *, exact: bool) -> None:
+        columns = dict(zip(INPUTS, inputs.T.copy(), strict=True))
+        self._exact = exact
+        self._noted = {name: columns.pop(name) for name in (_BY_STEP, *_DRAWN)}
+        self.has_read_step = False
+        super().__init__(columns)
+
+    def __missing__(self, name: str) -> NDArray[np.float32]:
+        if name not in self._noted:
+            raise KeyError(f"expected one of {', '.join(INPUTS)}, got {name!r}")
+        if self._exact and name in _DRAWN:
+            raise NotExactError(f"x[{name!r}]: each episode draws it")
+        self.has_read_step |= name == _BY_STEP
+        noted: NDArray[np.float32] = self._noted[name]
+        return noted
+
+
+def _is_module(function: Any) -> bool:
+    torch = sys.modules.get("torch")
+    return torch is not None and isinstance(function, torch.nn.Module)
+
+
+def _outputs(module: Any, views: NDArray[np.uint8]) -> NDArray[Any]:
+    """Return the outputs of a module of torch."""
+    import torch
+
+    with torch.no_grad():
+        outputs = module(torch.from_numpy(views.astype(np.float32)))
+    found: NDArray[Any] = outputs.cpu().numpy()
     return found
 
 
-def _asked_without(
-    function: Callable[..., Any], views: NDArray[np.uint8], n_actions: int
-) -> NDArray[np.float64]:
-    """Return the probabilities, 0 or 1, of a function of views."""
-    return np.eye(n_actions)[checked_actions(function, views.copy(), n_actions)]
-
-
-def _asked_with_draws(
-    function: Callable[..., Any], views: NDArray[np.uint8], n_actions: int
-) -> NDArray[np.float64]:
-    """Return the probabilities of a function of a view and random numbers."""
-    found = np.zeros((len(views), n_actions))
-    for row, view in zip(found, views, strict=True):
-        for given, share in _branches(function, view):
-            action = checks.check_integer("action of the function", given, 0, n_actions - 1)
-            row[action] += share
-    return found
-
-
-def _takes_draws(function: Callable[..., Any]) -> bool:
-    """Return whether a function is called with random numbers; TypeError if it needs still more."""
+def _arguments_of(function: Callable[..., Any], name: str) -> tuple[list[str], list[str]]:
+    """Return what a function is called with, by place and by name; TypeError for anything else."""
     try:
         signature = inspect.signature(function)
     except (TypeError, ValueError):  # some functions of C have none
-        return False
-    required = [
+        return ["view"], []
+    parameters = list(signature.parameters.values())
+    by_name = [
         each.name
-        for each in signature.parameters.values()
-        if each.default is each.empty
-        and each.kind in (each.POSITIONAL_ONLY, each.POSITIONAL_OR_KEYWORD)
+        for each in parameters
+        if each.name in ("rng", "memory") and each.kind is not each.POSITIONAL_ONLY
     ]
-    if "memory" in signature.parameters or len(required) > 2:
-        name = getattr(function, "__name__", type(function).__name__)
+    others = [each for each in parameters if each.name not in by_name]
+    required = [
+        each for each in others if each.default is each.empty and each.kind < each.VAR_KEYWORD
+    ]
+    needed = [each.name for each in required if each.kind is not each.VAR_POSITIONAL]
+    if needed[:2] == ["x", "allowed"]:
+        by_place = ["x", "allowed", "rng"][: 3 - len(by_name)]
+    else:
+        by_place = [each for each in ("view", "rng", "memory") if each not in by_name]
+    fits = 0 < len(needed) <= len(by_place) or (not needed and len(required) == 1)
+    if not fits or any(each.kind is each.KEYWORD_ONLY for each in required):
         raise TypeError(
-            f"function: expected f(views) or f(view, rng), got {name}{signature}; what a function "
-            "remembers is no part of a state"
+            f"{name}: expected f(views), f(view), f(view, rng), f(view, rng, memory) or "
+            f"f(x, allowed, rng), got {name}{signature}"
         )
-    return "rng" in signature.parameters or len(required) == 2
+    return by_place[: max(1, len(needed))], by_name
 
 
-def _branches(function: Callable[..., Any], view: NDArray[np.uint8]) -> list[tuple[Any, float]]:
-    """Return what a function of a view and a generator chooses after each result of its draws."""
-    found: list[tuple[Any, float]] = []
-    path: list[int] = []
-    while True:
-        draws = FollowedDraws(path)
-        action = function(view.copy(), draws)
-        found.append((action, draws.share))
-        if len(found) > MOST_BRANCHES:
-            raise NotExactError(f"draws: expected at most {MOST_BRANCHES:,} results, got more")
-        taken = draws.taken
-        while taken and taken[-1][0] + 1 == taken[-1][1]:  # its last result has been followed
-            taken.pop()
-        if not taken:
-            return found
-        path = [result for result, _ in taken]
-        path[-1] += 1
+def _checked(given: Any, leading: tuple[int, ...], n_actions: int, any_sum: bool = False) -> Floats:
+    """Return answers (*leading, n_actions), of actions as 0 and 1; _AnswerError for others.
 
-
-class FollowedDraws:
-    """A generator whose draws have the results of a path, and then the first ones.
-
-    `share` is the probability of all results so far; `taken` has each of them, as its number and of
-    how many.
+    With `any_sum` numbers are no probabilities, and the largest is taken.
     """
-
-    def __init__(self, path: Sequence[int]) -> None:
-        self._path = path
-        self.share = 1.0
-        self.taken: list[tuple[int, int]] = []
-
-    def draw(self, shares: Sequence[float]) -> int:
-        """Return the number of the next result of a draw with these probabilities."""
-        place = len(self.taken)
-        if place == MOST_DRAWS:
-            raise NotExactError(f"draws: expected at most {MOST_DRAWS} in a decision, got more")
-        result = self._path[place] if place < len(self._path) else 0
-        if result >= len(shares):
-            raise NotExactError(
-                "draws: expected the same ones after the same results, got others: the function "
-                "remembers, or draws other random numbers than those of rng"
-            )
-        self.taken.append((result, len(shares)))
-        self.share *= shares[result]
-        return result
-
-    def _below(self, n: int) -> int:
-        if n < 1:
-            raise ValueError(f"draws: expected at least one possible result, got {n}")
-        return self.draw([1.0 / n] * n)
-
-    def integers(
-        self,
-        low: int,
-        high: int | None = None,
-        size: Any = None,
-        dtype: Any = np.int64,
-        endpoint: bool = False,
-    ) -> Any:
-        """Return whole numbers from `low` to below `high`, as NumPy's generator does."""
-        first, last = (0, int(low)) if high is None else (int(low), int(high))
-        n = last - first + endpoint
-        count = 1 if size is None else int(np.prod(size))
-        drawn = np.array([first + self._below(n) for _ in range(count)], dtype)
-        return drawn[0] if size is None else drawn.reshape(size)
-
-    def choice(self, a: Any, size: Any = None, replace: bool = True, p: Any = None) -> Any:
-        """Return one item of a sequence, or one number below `a`."""
-        if size is not None:
-            raise NotExactError("rng.choice: expected one item, got a size")
-        items = np.arange(a) if isinstance(a, int | np.integer) else np.asarray(a)
-        if p is None:
-            return items[self._below(len(items))]
-        shares = np.asarray(p, np.float64)
-        if shares.shape != (len(items),) or abs(shares.sum() - 1) > 1e-8 or shares.min() < 0:
-            raise ValueError(f"rng.choice: expected probabilities of {len(items)} items, got {p}")
-        possible = np.flatnonzero(shares)  # what never comes is not followed
-        return items[possible[self.draw(shares[possible].tolist())]]
-
-    def permutation(self, x: Any) -> NDArray[Any]:
-        """Return items in random order."""
-        left = list(range(x)) if isinstance(x, int | np.integer) else list(x)
-        return np.array([left.pop(self._below(len(left))) for _ in range(len(left))])
-
-    def shuffle(self, x: Any) -> None:
-        """Put the items of a list or array into random order."""
-        x[:] = [x[place] for place in self.permutation(len(x))]
-
-    def random(self, size: Any = None) -> Uniform:
-        """Return a number from [0, 1) that can only be compared."""
-        if size is not None:
-            raise NotExactError("rng.random: expected one number, got a size")
-        return Uniform(self)
-
-    def __getattr__(self, name: str) -> NoReturn:
-        raise NotExactError(f"rng.{name}: its results cannot all be followed")
+    array = checks.unmasked("answer", given)
+    kind, expected = array.dtype.kind, f"expected an action, 0 to {n_actions - 1}"
+    if leading:
+        expected = f"expected actions of shape {leading}, each 0 to {n_actions - 1}"
+    if kind in "iu" and array.shape == leading:
+        wrong = array[(array < 0) | (array >= n_actions)]
+        if wrong.size:
+            raise _AnswerError(f"{expected}, got {wrong.flat[0]}")
+        return np.asarray(np.eye(n_actions)[array])
+    if kind != "f" or array.shape != (*leading, n_actions):
+        got = checks.shown(given) if kind not in "iufb" else f"{array.dtype} of shape {array.shape}"
+        if array.ndim == 0:
+            got = checks.shown(given)
+        raise _AnswerError(f"{expected}, or {n_actions} probabilities, got {got}")
+    if any_sum:
+        return np.asarray(np.eye(n_actions)[array.argmax(axis=-1)])
+    found = array.astype(np.float64)
+    sums = found.sum(axis=-1)
+    if not ((found >= 0).all() and (np.abs(sums - 1) <= _ROUNDING).all()):
+        row = found.reshape(-1, n_actions)[~(np.abs(sums.ravel() - 1) <= _ROUNDING)]
+        shown = (row if len(row) else found[(found < 0).any(axis=-1)].reshape(-1, n_actions))[0]
+        text = ", ".join(f"{number:.4g}" for number in shown)
+        raise _AnswerError(
+            f"expected probabilities of at least 0 that sum to 1, got {text}, sum {shown.sum():.4g}"
+        )
+    return np.asarray(found / sums[..., np.newaxis])
 
 
-class Uniform:
-    """A number drawn from [0, 1), known to be in [`low`, `high`): each comparison is a draw."""
+def picture(view: NDArray[np.uint8]) -> str:
+    """Return a view as lines of text: the agent @ in the middle, P, E, # and . for the others."""
+    middle = view.shape[-1] // 2
+    signs = np.full(view.shape[1:], ".")
+    signs[view[CHANNEL["obstacle"]] != 0] = "#"
+    signs[view[CHANNEL["pursuer"]] != 0] = "P"
+    signs[view[CHANNEL["evader"]] != 0] = "E"
+    signs[middle, middle] = "@"
+    # What lies beyond the border is left out, but for one line of it.
+    open_cells = np.argwhere(signs != "#")
+    first = np.maximum(open_cells.min(axis=0) - 1, 0)
+    last = open_cells.max(axis=0) + 2
+    return "\n".join(" ".join(row) for row in signs[first[0] : last[0], first[1] : last[1]])
 
-    __array_ufunc__ = None  # so that a number of NumPy leaves the comparison to this class
 
-    def __init__(self, draws: FollowedDraws) -> None:
-        self._draws = draws
-        self._low = 0.0
-        self._high = 1.0
+class Seats:
+    """A function that plays in W worlds: its random numbers and memories in each of them."""
 
-    def _is_below(self, other: Any) -> bool:
-        if np.ndim(other) or np.isnan(limit := float(other)):
-            raise NotExactError(f"rng.random: expected a comparison with a number, got {other!r}")
-        if limit <= self._low:
-            return False
-        if limit >= self._high:
-            return True
-        share = (limit - self._low) / (self._high - self._low)
-        below = self._draws.draw([share, 1.0 - share]) == 0
-        if below:
-            self._high = limit
-        else:
-            self._low = limit
-        return below
+    def __init__(self, function: Function, n_actions: int, team: int, n_worlds: int = 1) -> None:
+        self.function = function
+        self.reads = function.reads
+        self._n_actions = n_actions
+        self._team = team
+        self._keys: list[tuple[int, int]] = [(0, 0)] * n_worlds
+        self._rngs: list[np.random.Generator | None] = [None] * n_worlds
+        self._memories: list[dict[int, dict[Any, Any]]] = [{} for _ in range(n_worlds)]
 
-    # Equality has the probability 0.
-    def __lt__(self, other: Any) -> bool:
-        return self._is_below(other)
+    def begin(self, world: int, seed: int, episode: int) -> None:
+        """Begin an episode of a world: its random numbers are of its seed and number."""
+        self._keys[world] = seed, episode
+        self._rngs[world] = None
+        self._memories[world] = {}
 
-    def __le__(self, other: Any) -> bool:
-        return self._is_below(other)
+    def __call__(self, asked: NDArray[np.bool_], seen: NDArray[Any]) -> NDArray[np.int64]:
+        """Return the actions (n,) of the n agents of a mask (W, A), by what they see."""
+        places = np.argwhere(asked).tolist()
+        rngs = [self._rng(world) for world, _ in places]
+        memories = [self._memories[world].setdefault(agent, {}) for world, agent in places]
+        return self.function.actions(seen, self._n_actions, rngs, memories)
 
-    def __gt__(self, other: Any) -> bool:
-        return not self._is_below(other)
-
-    def __ge__(self, other: Any) -> bool:
-        return not self._is_below(other)
-
-    def _refused(self, *others: Any) -> NoReturn:
-        raise NotExactError("rng.random: expected a comparison with its number, got arithmetic")
-
-    __float__ = __int__ = __array__ = __bool__ = __neg__ = _refused
-    __add__ = __radd__ = __sub__ = __rsub__ = _refused
-    __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _refused
+    def _rng(self, world: int) -> np.random.Generator:
+        rng = self._rngs[world]
+        if rng is None:
+            rng = self._rngs[world] = np.random.default_rng([*self._keys[world], self._team])
+        return rng

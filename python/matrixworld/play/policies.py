@@ -15,7 +15,7 @@ from matrixworld._util import checks
 from matrixworld._util.files import DamagedFileError, load_arrays, save_arrays
 from matrixworld.world.policy import CHANNELS, TEAMS, Layers, Network, Policy, Population, Team
 from matrixworld.world.program import Program
-from matrixworld.world.rating import INPUTS, Rating
+from matrixworld.world.rating import Rating, allowed_moves
 
 
 class GenomePolicy:
@@ -214,15 +214,7 @@ class RatingPolicy(GenomePolicy):
 
     def allowed(self, inputs: ArrayLike) -> NDArray[np.bool_]:
         """Return which moves the mask allows, bool (..., n_actions), for inputs as in a call."""
-        given, names = self.policy.checked(inputs), list(INPUTS)
-        masks: dict[str, NDArray[np.bool_]] = {
-            "none": np.ones(given.shape[:-1], np.bool_),
-            "obstacles": given[..., names.index("room")] > 0,
-            "right-of-way": given[..., names.index("must_yield")] == 0,
-        }
-        free = masks[self.policy.mask]
-        free[..., 0] = True  # agents may always stay
-        return free
+        return allowed_moves(self.policy.checked(inputs), self.policy.mask)
 
     def to_python(self) -> str:
         """Return lines of Python that play the same; see `Rating.to_python`."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,10 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld._util import checks
 from matrixworld._util.readable import Readable
-from matrixworld.play.policies import GenomePolicy
+from matrixworld._util.teams import PLURALS, TEAMS
+from matrixworld.play.functions import Function
+from matrixworld.play.matches import match_statistics, member_of
+from matrixworld.play.player import Plays
+from matrixworld.play.tables import in_engine
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import check_team
-from matrixworld.world.policy import EnginePolicy
 from matrixworld.world.rules import Rules
 
 
@@ -103,8 +106,8 @@ Rollout = Callable[..., EpisodeStatistics]
 
 def rollout(
     config: WorldConfig | Rules | str,
-    pursuers: EnginePolicy | GenomePolicy,
-    evaders: EnginePolicy | GenomePolicy,
+    pursuers: Any,
+    evaders: Any,
     matches: Matches,
     *,
     episodes: int = 1,
@@ -116,9 +119,8 @@ def rollout(
     ----------
     config : WorldConfig, Rules or str
         A configuration, rules, or the name of a variant.
-    pursuers, evaders : Population, NetworkPolicy, RatingPolicy or str
-        The teams' candidates: a population, a single policy, the name of a script, or what
-        `solver.Solution.policy` returns.
+    pursuers, evaders : player
+        The teams' candidates: a population, or one of what else `matrixworld.player` takes.
     matches : Matches
         M matches of these candidates.
     episodes : int, optional
@@ -129,8 +131,8 @@ def rollout(
     Raises
     ------
     ValueError, TypeError
-        If an index is beyond its population, or a network does not fit the world; and as
-        `WorldConfig` and `Matches.of` do.
+        If an index is beyond its population, or a player does not fit the world; and as
+        `player`, `WorldConfig` and `Matches.of` do.
 
     Notes
     -----
@@ -138,18 +140,30 @@ def rollout(
     other matches are played with a match. Where the rules take turns, an agent decides when its
     turn begins, and sees what earlier turns did.
 
+    In a world of few states a function becomes a table (`solver.table`), which the engine plays. It
+    is asked once for each different view then, and its draws are those of the table. Elsewhere, and
+    if it remembers something or draws what cannot be followed, it is asked in every step, which is
+    50 to 1000 times slower, in one thread; a warning says so.
+
     Ctrl-C ends a rollout of the main thread within about 0.1 s with KeyboardInterrupt.
     """
     config, n_threads = WorldConfig.of(config), checks.check_threads(threads)
-    teams = (
-        check_team("pursuers", pursuers, config, "pursuer"),
-        check_team("evaders", evaders, config, "evader"),
-    )
     columns = Matches.of(*matches)
     each = checks.check_integer("episodes", episodes, 1)
+    teams = [
+        in_engine(given, team, config)
+        for team, given in zip(TEAMS, (pursuers, evaders), strict=True)
+    ]
+    if any(isinstance(plays, Function) for plays in teams):
+        return _asked(config, teams, columns, each)
+    first, second = (
+        check_team(PLURALS[team], plays, config, team)
+        for team, plays in zip(TEAMS, teams, strict=True)
+    )
     arrays = _core.rollout(
         config.setup,
-        *teams,
+        first,
+        second,
         columns.pursuer,
         columns.evader,
         columns.seed,
@@ -157,3 +171,19 @@ def rollout(
         n_threads=n_threads,
     )
     return EpisodeStatistics(**arrays)
+
+
+def _asked(
+    config: WorldConfig, teams: list[Plays], matches: Matches, episodes: int
+) -> EpisodeStatistics:
+    """Play matches in which functions are asked in every step."""
+    played = []
+    for *numbers, seed in zip(*(column.tolist() for column in matches), strict=True):
+        members = [
+            member_of(PLURALS[team], plays, number)
+            for team, plays, number in zip(TEAMS, teams, numbers, strict=True)
+        ]
+        played.append(match_statistics(config, *members, seed=seed, episodes=episodes))
+    return EpisodeStatistics(
+        **{name: np.stack([each[name] for each in played]) for name in played[0]}
+    )

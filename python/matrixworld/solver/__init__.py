@@ -17,8 +17,18 @@ means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8
 
 from __future__ import annotations
 
-from matrixworld.solver.solution import Champion, Solution, best_response, expected_payoff, solve
-from matrixworld.solver.states import States
-from matrixworld.solver.tables import table
+from matrixworld.play.draws import NotExactError
+from matrixworld.play.tables import Table, table
+from matrixworld.solver.solution import Solution, best_response, expected_payoff, solve
+from matrixworld.world.states import States
 
-__all__ = ["Champion", "Solution", "States", "best_response", "expected_payoff", "solve", "table"]
+__all__ = [
+    "NotExactError",
+    "Solution",
+    "States",
+    "Table",
+    "best_response",
+    "expected_payoff",
+    "solve",
+    "table",
+]

@@ -13,21 +13,17 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._util import checks
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.play.policies import GenomePolicy
-from matrixworld.solver.states import States, config_of
-from matrixworld.solver.tables import table
+from matrixworld.play.player import Player, player
+from matrixworld.play.tables import Table, table
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, TEAMS, Population, Script, TablePolicy, Team
+from matrixworld.world.policy import TEAMS, TablePolicy, Team
+from matrixworld.world.states import States, config_of
 
 PayoffName: TypeAlias = Literal["capture-rate", "capture-time"]
 PAYOFFS: tuple[PayoffName, PayoffName] = ("capture-rate", "capture-time")
 
-Champion: TypeAlias = "Population | GenomePolicy | Script | Solution | Callable[..., Any]"
-"""What a team plays whose play is known: a population of one genome, a `NetworkPolicy` or
-`RatingPolicy`, the name of a script, its part of a solution, or a function (see `table`)."""
-
-Fixed: TypeAlias = "tuple[NDArray[np.float64], ...] | Solution"
-"""The play of a champion: its probabilities (S, joint actions) of each turn, or its solution."""
+Fixed: TypeAlias = "Table | Solution"
+"""The play of a champion: its table or, which takes less memory, its solution."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -114,7 +110,8 @@ class Solution(Readable):
                 if report is not None:
                     report(0.0)
                 rows[left - 1] = self.probabilities(team, left, turn)
-        return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
+        core = _core.Tables(self.states.core, team == "evader", self.steps, tables)
+        return TablePolicy(core, team, self)
 
 
 def _backup(
@@ -139,45 +136,41 @@ def _play_of(fixed: Fixed, team: Team, turn: int, rounds: int) -> NDArray[np.flo
     """Return the probabilities of a champion's team with so many rounds left, this one included."""
     if isinstance(fixed, Solution):
         return fixed.probabilities(team, rounds, turn)
-    return fixed[turn]
+    return fixed.probabilities(rounds, turn)
 
 
 def induct(
     world: WorldConfig | States,
     steps: int | None,
     payoff: PayoffName,
-    champions: Mapping[Team, Champion],
+    champions: Mapping[Team, Any],
 ) -> Solution:
     """Check all arguments, list the states, and go back through the rounds."""
     config = config_of(world)
-    most = checks.INT_MAX
     checks.check_choice("payoff", payoff, PAYOFFS)
-    for champion in champions.values():
-        _check_champion(champion, world)
-        if isinstance(champion, Solution):
-            most = min(most, champion.steps)  # it plays no more rounds than its own
+    plays = {team: _champion(champion, team, config) for team, champion in champions.items()}
+    solutions = [play for play in plays.values() if isinstance(play, Solution)]
+    # A solution plays no more rounds than its own.
+    most = min([checks.INT_MAX, *(solution.steps for solution in solutions)])
     rounds = checks.check_integer("steps", config.max_steps if steps is None else steps, 1, most)
-    states = States.of(world)
+    states = next((each.states for each in solutions), None) or States.of(world)
     fixed: dict[Team, Fixed] = {
-        team: champion if isinstance(champion, Solution) else table(states, champion, team)
-        for team, champion in champions.items()
+        team: play if isinstance(play, Solution) else table(states, play, team, steps=rounds)
+        for team, play in plays.items()
     }
     return _go_back(states, rounds, payoff, fixed)
 
 
-def _check_champion(champion: Any, world: WorldConfig | States) -> None:
-    if not isinstance(champion, Solution | Population | str) and not callable(champion):
-        expected = "a Population, a NetworkPolicy, a function, the name of a script or a Solution"
-        raise TypeError(f"champion: expected {expected}, got {checks.shown(champion)}")
-    if isinstance(champion, Solution) and champion.states is not world:
+def _champion(champion: Any, team: Team, config: WorldConfig) -> Solution | Player:
+    """Return the solution that a champion plays by, or the champion as a player."""
+    given = champion.play if isinstance(champion, TablePolicy) else champion
+    if not isinstance(given, Solution):
+        return player(champion, team)
+    if isinstance(champion, TablePolicy) and champion.team != team:
+        raise ValueError(f"champion: expected a policy of the {team}s, got one of {champion.team}s")
+    if not given.states.has_states_of(config):
         raise ValueError("champion: expected a solution of the same States, got one of others")
-    if isinstance(champion, str):
-        checks.check_choice("champion", champion, SCRIPTS)
-    if isinstance(champion, Population | GenomePolicy) and champion.policy.memory != "none":
-        raise ValueError(
-            "champion: expected a network without memory, whose choices depend on the present "
-            f"state alone, got memory {champion.policy.memory!r}"
-        )
+    return given
 
 
 def _go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, Fixed]) -> Solution:
@@ -248,7 +241,7 @@ def solve(
 
 def best_response(
     world: WorldConfig | States,
-    champion: Champion,
+    champion: Any,
     team: Team,
     *,
     steps: int | None = None,
@@ -263,10 +256,10 @@ def best_response(
     ----------
     world, steps, payoff
         As for `solve`.
-    champion : Population, NetworkPolicy, RatingPolicy, str, callable or Solution
-        A population of one genome without memory, such a genome as a policy, the name of a script
-        that sees what it looks for, a function of views (see `table`), or a solution of the same
-        States and of as many rounds.
+    champion : player
+        What `matrixworld.player` takes: a script, genomes, a program, a function, a solution of the
+        same States. It is of a single genome, sees what it looks for, and remembers nothing; of
+        others see `guarantee`.
     team : {"pursuer", "evader"}
         The champion's team.
 
@@ -274,6 +267,13 @@ def best_response(
     -------
     Solution
         Its `value` is what the pair comes to.
+
+    Raises
+    ------
+    NotExactError
+        A ValueError: if the champion remembers something, or draws what cannot be followed.
+    TypeError, ValueError
+        If it is no player, or not of this world.
     """
     checks.check_choice("team", team, TEAMS)
     return induct(world, steps, payoff, {team: champion})
@@ -281,14 +281,15 @@ def best_response(
 
 def expected_payoff(
     world: WorldConfig | States,
-    pursuers: Champion,
-    evaders: Champion,
+    pursuers: Any,
+    evaders: Any,
     *,
     steps: int | None = None,
     payoff: PayoffName = "capture-rate",
 ) -> float:
     """Return what a pair comes to on average, exactly: a cell of the payoff matrix without noise.
 
-    `pursuers` and `evaders` are champions; `world`, `steps` and `payoff` are as in `solve`.
+    `pursuers` and `evaders` are champions as `best_response` takes them; `world`, `steps` and
+    `payoff` are as in `solve`.
     """
     return induct(world, steps, payoff, {"pursuer": pursuers, "evader": evaders}).value

@@ -391,9 +391,15 @@ TeamPolicy: TypeAlias = Population | Script
 
 @dataclass(frozen=True, eq=False)
 class TablePolicy:
-    """Joint actions of a team by state; `matrixworld.solver` makes it."""
+    """Joint actions of a `team` by state, of a solution or table: that is its `play`.
+
+    Where it counts steps, episodes have `steps` of them.
+    """
 
     core: _core.Tables
+    team: Team
+    play: Any
+    steps: int | None = None
 
 
 EnginePolicy: TypeAlias = TeamPolicy | TablePolicy

@@ -331,7 +331,7 @@ class Program(RatesMoves):
         text = _text_of(self.tree(genome), _Forms("x['{}']", "f({})", "f({})", forms))
         head = "import numpy as np\n\nf = np.float32\n\n\ndef rate(x):\n"
         docstring = '    """Return the rating of each move by its inputs."""\n'
-        return f"{head}{docstring}    return {text}\n{CHOICE}"
+        return f"{head}{docstring}    return {text}\n{CHOICE.format(mask=self.mask)}"
 
 
 # ---- What is made of trees ----------------------------------------------------------------------

@@ -96,7 +96,22 @@ class RatesMoves(Policy):
         return {name: array[..., list(INPUTS).index(name)] for name in self.inputs}
 
 
+def allowed_moves(inputs: Floats, mask: Mask) -> NDArray[np.bool_]:
+    """Return which moves a mask allows, bool (..., n_actions), by inputs (..., n_actions, all)."""
+    names = list(INPUTS)
+    free: NDArray[np.bool_] = {
+        "none": np.ones(inputs.shape[:-1], np.bool_),
+        "obstacles": inputs[..., names.index("room")] > 0,
+        "right-of-way": inputs[..., names.index("must_yield")] == 0,
+    }[mask]
+    free[..., 0] = True  # agents may always stay
+    return free
+
+
 CHOICE = '''
+
+MASK = "{mask}"
+
 
 def choose(x, allowed, rng):
     """Return the best of the allowed moves; of equal ones any, all equally likely."""
@@ -223,7 +238,7 @@ class Rating(RatesMoves):
                 lines.append(f"    h{number}_{unit} = np.maximum({total}, 0)")
             terms = [f"h{number}_{unit}" for unit in range(len(biases))]
         lines.append(f"    return {_sum_text(last[:, 0], terms)}")
-        return "\n".join(lines) + "\n" + CHOICE
+        return "\n".join(lines) + "\n" + CHOICE.format(mask=self.mask)
 
 
 def _sum(x: list[Floats], weights: Floats, start: np.float32) -> Floats:

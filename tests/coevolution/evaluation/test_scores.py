@@ -154,10 +154,10 @@ def test_the_best_script_of_a_team_meets_what_a_run_meets():
         (
             {"policy": 5},
             TypeError,
-            "policy: expected a function, .* or the name of a script, got 5",
+            "policy: expected the name of a script, .* or a function, got 5",
         ),
         ({"policy": "nobody"}, ValueError, "policy: expected one of random, "),
-        ({"opponents": {"a": 5}}, TypeError, "opponents: expected a function, "),
+        ({"opponents": {"a": 5}}, TypeError, "opponents: expected the name of a script, "),
         ({"opponents": {}}, ValueError, "opponents: expected at least one, got none"),
     ],
 )

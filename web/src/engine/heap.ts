@@ -28,7 +28,7 @@ export interface Compiled {
   _states_free(states: number): void;
   _states_payoffs(states: number): number;
   _states_backup(states: number, turn: number, given: number): number;
-  _states_weigh(states: number, turn: number, evaders: number, policy: number): number;
+  _states_weigh(states: number, turn: number, evaders: number, step: number, policy: number): number;
   _states_game(states: number, world: number, next: number): number;
   _play_match(config: number, pursuers: number, evaders: number, episode: number): number;
   _play_rollout(config: number, pursuers: number, evaders: number, matches: number): number;

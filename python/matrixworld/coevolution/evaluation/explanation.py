@@ -23,7 +23,7 @@ from matrixworld.coevolution.evaluation.held_out import opponents_of
 from matrixworld.coevolution.evaluation.imitation import DEPTH, DEPTHS, Tree, imitated
 from matrixworld.coevolution.evaluation.scores import SCORE, opponents_in
 from matrixworld.coevolution.evaluation.trials import EPISODES, Trials, mean_score
-from matrixworld.coevolution.games.pursuit import Program, PursuitSettings
+from matrixworld.coevolution.games.pursuit import Network, Program, PursuitSettings
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.stored import StoredRun
 from matrixworld.coevolution.types import Team
@@ -108,7 +108,10 @@ def _in_words(cost: Estimate) -> str:
 def sentence_of(run: StoredRun, team: Team) -> str:
     """Return in a sentence what the last generation of a team does, if it rates moves; else ""."""
     game = run.settings.game
-    if not isinstance(game, PursuitSettings) or game.policy.kind == "cells":
+    plays = run.teams[run.key_of(team)]
+    if not isinstance(game, PursuitSettings) or not hasattr(plays, "genomes"):
+        return ""
+    if isinstance(plays.policy, Network):
         return ""
     policy = run.policy(team, seed=0)
     opponents, _ = opponents_in(run, team, game.world)

@@ -14,7 +14,9 @@ from matrixworld.coevolution import seeding
 from matrixworld.coevolution.games.tournament import each_genome, play_blocks
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team, team_size
-from matrixworld.play.matches import Plays, capture_rates
+from matrixworld.play.functions import Function
+from matrixworld.play.matches import capture_rates
+from matrixworld.play.player import Plays
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
 
@@ -60,7 +62,7 @@ def _capture_rates(
     threads: int | None,
 ) -> FloatArray:
     """Return the capture rates (G, episodes) of the genomes of a team against an opponent."""
-    if callable(policy) or callable(opponent):
+    if isinstance(policy, Function) or isinstance(opponent, Function):
         rates = []
         for genome in each_genome(policy):
             teams = _in_order(team, genome, opponent)

@@ -10,20 +10,18 @@ from matrixworld.coevolution.evaluation.held_out import opponents_of
 from matrixworld.coevolution.evaluation.held_out_matches import play_held_out
 from matrixworld.coevolution.evaluation.scores import EPISODES, SEED, HeldOutScores
 from matrixworld.coevolution.progress import Report, silent
-from matrixworld.coevolution.types import TEAMS, Team, team_size
-from matrixworld.play.matches import Plays
-from matrixworld.play.policies import GenomePolicy
+from matrixworld.coevolution.types import TEAMS, Team, other, team_size
+from matrixworld.play.player import placed
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, Population, TablePolicy
 from matrixworld.world.rules import Rules
 
 
 def score_policy(
-    policy: Plays | GenomePolicy,
+    policy: Any,
     team: Team,
     config: WorldConfig | Rules | str = "O",
     *,
-    opponents: Mapping[str, Plays | GenomePolicy] | None = None,
+    opponents: Mapping[str, Any] | None = None,
     episodes: int = EPISODES,
     seed: int = SEED,
     threads: int | None = None,
@@ -35,16 +33,14 @@ def score_policy(
 
     Parameters
     ----------
-    policy : callable, NetworkPolicy, RatingPolicy, Population, TablePolicy or str
-        A function from observations, uint8 (n, 3, fov, fov), of n living agents of the team to
-        their actions, integers (n,); or from the observation of one agent to its action. The agents
-        may be of several episodes. What is no function is played inside the engine, such as a table
-        of `solver.Solution.policy` or a script by its name.
+    policy : player
+        What `matrixworld.player` takes, such as a function of views, a file or a population.
+        Functions are asked in every step; what is no function is played inside the engine.
     team : {"pursuer", "evader"}
         Team that it plays for.
     config : WorldConfig, Rules or str, optional
         The world. The default is "O".
-    opponents : mapping of str to policy, optional
+    opponents : mapping of str to player, optional
         N opponents by name, each of a single genome. By default the held-out opponents of the
         world's rules that fit its views and actions.
     episodes : int, optional
@@ -60,10 +56,10 @@ def score_policy(
     Raises
     ------
     ValueError
-        If a policy does not fit the world, a function returns no legal actions, a script is
+        If a policy does not fit the world, a function fails or returns no actions, a name is
         unknown, or there are no opponents, or some of several genomes.
     TypeError
-        If `policy` or an opponent cannot play, or a function returns no integers.
+        If `policy` or an opponent cannot play.
 
     Notes
     -----
@@ -88,8 +84,10 @@ def score_policy(
     if opponents is None:
         opponents, left_out = opponents_of(team, config)
     checks.check_instance("opponents", opponents, Mapping)
-    population = _playable("policy", policy)
-    rivals = {name: _playable("opponents", each) for name, each in opponents.items()}
+    population = placed("policy", policy, team, config)
+    rivals = {
+        name: placed("opponents", each, other(team), config) for name, each in opponents.items()
+    }
     if not rivals:
         raise ValueError("opponents: expected at least one, got none")
     for rival in rivals.values():
@@ -107,19 +105,3 @@ def score_policy(
     )
     generations = tuple(range(team_size(population)))
     return HeldOutScores(team, generations, tuple(rivals), rates, left_out)
-
-
-def _playable(name: str, policy: Any) -> Plays:
-    """Return a policy in the form that is played: that of a genome as a population of one."""
-    if isinstance(policy, GenomePolicy):
-        return policy.population()
-    if isinstance(policy, str):
-        checks.check_choice(name, policy, SCRIPTS)
-    elif not callable(policy) and not isinstance(policy, Population | TablePolicy):
-        expected = (
-            "a function, a NetworkPolicy, RatingPolicy, Population or TablePolicy, or the name of "
-            "a script"
-        )
-        raise TypeError(f"{name}: expected {expected}, got {checks.shown(policy)}")
-    playable: Plays = policy
-    return playable

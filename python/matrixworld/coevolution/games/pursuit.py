@@ -37,6 +37,9 @@ from matrixworld.play.experience import Experience as Experience
 from matrixworld.play.experience import Reals as Reals
 from matrixworld.play.experience import Views as Views
 from matrixworld.play.experience import experience
+from matrixworld.play.player import Player, player
+from matrixworld.play.player import PythonFile as PythonFile
+from matrixworld.play.player import is_path as is_path
 from matrixworld.play.policies import acting as acting
 from matrixworld.play.policies import policy_of as policy_of
 from matrixworld.play.rollout import rollout
@@ -267,15 +270,32 @@ class Pursuit(Game):
         """Return genomes (n, genes) as a population; ValueError unless they are finite."""
         return Population(genomes, self.policy)
 
-    def shape_of(self, opponents: TeamPolicy) -> dict[str, Any]:
+    def shape_of(self, opponents: TeamPolicy | Player) -> dict[str, Any]:
         """Return what tells the policy of opponents from elsewhere, as JSON holds it."""
-        return {} if isinstance(opponents, str) else opponents.policy.to_json()
+        return opponents.policy.to_json() if isinstance(opponents, Population) else {}
+
+    def opponent_named(self, team: Team, name: str) -> TeamPolicy | Player:
+        """Return an opponent, who plays for `team`, by what `matrixworld.player` takes as text.
+
+        Genomes and scripts are as the engine plays them. Others are made anew for each world.
+        """
+        opponent = player(name, team)
+        plays = opponent.at(self.world)
+        return plays if isinstance(plays, str | Population) else opponent
+
+    def opponent_without_genomes(
+        self, team: Team, name: str, program: Mapping[str, str] | None
+    ) -> TeamPolicy | Player:
+        """Return the opponent of a run that has kept no genomes of it, but maybe its program."""
+        if program is not None:
+            return player(PythonFile(**program), team)
+        return name if name in SCRIPTS else player(name, team)
 
     def opponents(self, team: Team, genomes: Genomes, shape: Mapping[str, Any]) -> Population:
         """Return genomes of opponents that may have policies of another shape."""
         return Population(genomes, policy_of(shape))
 
-    def check_opponents(self, team: Team, opponents: TeamPolicy) -> None:
+    def check_opponents(self, team: Team, opponents: TeamPolicy | Player) -> None:
         """Raise ValueError if opponents, who play for `team`, do not fit the world."""
         if isinstance(opponents, Population):
             opponents.policy.check_fits("opponents", self.world)

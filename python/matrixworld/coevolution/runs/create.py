@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from matrixworld._util import checks
 from matrixworld._util.plugins import no_exit
 from matrixworld.coevolution import types
-from matrixworld.coevolution.games.pursuit import SCRIPTS, Pursuit
+from matrixworld.coevolution.games.pursuit import Pursuit, PythonFile
 from matrixworld.coevolution.runs.places import new_directory
 from matrixworld.coevolution.runs.stored import StoredRun, last_generation
 from matrixworld.coevolution.runs.writer import RunWriter
@@ -77,9 +77,11 @@ def create(
         settings = settings.changed({f"schedule.{name}": GIVEN for name in replaced})
         if shape := settings.evaluation_game.shape_of(rivals):
             more["opponent_policy"] = shape
+        if isinstance(text := getattr(rivals, "given", None), PythonFile):
+            more["opponent_program"] = text._asdict()
     training = Training(settings, begin=begin, rivals=lambda team: rivals)
     archive: dict[Team, Any] = dict(training.archive)
-    if isinstance(settings.schedule, Against) and not isinstance(rivals, str):
+    if isinstance(settings.schedule, Against) and hasattr(rivals, "genomes"):
         archive[types.other(settings.schedule.team)] = rivals.genomes
     with new_directory(path) as place:
         RunWriter(place).begin(settings, archive, training.parts(), **more)
@@ -95,8 +97,12 @@ def load_opponents(settings: RaceSettings, opponents: Any = None) -> Any:
     game = settings.evaluation_game
     assert isinstance(schedule, Against)
     team = types.other(schedule.team)
-    if opponents is None and schedule.opponent in SCRIPTS and isinstance(game, Pursuit):
-        opponents = schedule.opponent
+    is_run = schedule.opponent == GIVEN or Path(schedule.opponent).is_dir()
+    if opponents is None and isinstance(game, Pursuit) and not is_run:
+        try:
+            opponents = game.opponent_named(team, schedule.opponent)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"schedule.opponent: {error}") from error
     elif opponents is None:
         opponents = _last(settings, schedule.opponent, team)
     game.check_opponents(team, opponents)

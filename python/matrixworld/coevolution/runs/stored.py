@@ -24,7 +24,7 @@ from matrixworld.coevolution.runs.stored_files import (
 )
 from matrixworld.coevolution.settings.race_settings import RaceSettings
 from matrixworld.coevolution.settings.schedules import Against
-from matrixworld.coevolution.types import TEAMS, Genomes, Team
+from matrixworld.coevolution.types import TEAMS, Genomes, Team, team_size
 from matrixworld.version import __version__
 
 
@@ -112,11 +112,16 @@ class StoredRun(StoredFiles):
         }
 
     def player(self, game: Game, team: Team, genomes: Genomes) -> Any:
-        """Return what plays for a team: its genomes as a population; without any, its script."""
+        """Return what plays for a team: its genomes as a population; without any, its opponent.
+
+        That is a script, or a player, such as the program that the run has kept, which is run.
+        """
         schedule = self.settings.schedule
         if not len(genomes):
             assert isinstance(schedule, Against)
-            return schedule.opponent  # a script
+            assert isinstance(game, Pursuit)
+            program = self.config.get("opponent_program")
+            return game.opponent_without_genomes(team, schedule.opponent, program)
         if team in self.settings.learning_teams:
             return game.population(team, genomes)
         # Opponents of a single team may come from a run with other hidden layers.
@@ -131,9 +136,11 @@ class StoredRun(StoredFiles):
         return keys[self.facts.teams.index(team)]
 
     def last(self, team: str) -> Any:
-        """Return the last generation of a team, as a population of one genome, or its script."""
+        """Return the last generation of a team, as a population of one genome, or its opponent."""
         policy = self.teams[self.key_of(team)]
-        return policy if isinstance(policy, str) else replace(policy, genomes=policy.genomes[-1:])
+        if not hasattr(policy, "genomes"):
+            return policy
+        return replace(policy, genomes=policy.genomes[-1:])
 
     def generation_at(self, team: str, matches: int) -> int:
         """Return the newest generation of `team` after so many training matches of both teams.
@@ -182,7 +189,7 @@ class StoredRun(StoredFiles):
         self.check_pursuit()
         check_choice("team", team, TEAMS)
         policy = self.teams[team]
-        if isinstance(policy, str):
+        if not hasattr(policy, "genomes"):
             raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
         genome = policy.genomes[self.generation(team, generation, "generation")]
         return acting(policy.policy, genome, sampled=sampled, seed=seed)
@@ -205,7 +212,7 @@ class StoredRun(StoredFiles):
             If there is no such generation or team.
         """
         policy = self.teams[self.key_of(team)]
-        count = 1 if isinstance(policy, str) else len(policy.genomes)
+        count = team_size(policy)
         if not -count <= index < count:
             expected = f"a generation from 0 to {count - 1}"
             raise IndexError(f"{name or team}: expected {expected}, got {index}")
@@ -216,6 +223,6 @@ def last_generation(directory: str | Path, team: Team) -> Any:
     """Return the last genome of a team in a run directory; ValueError if there is none."""
     run = StoredRun(directory)
     last = run.last(run.facts.keys[TEAMS.index(team)])
-    if isinstance(last, str):
+    if not hasattr(last, "genomes"):
         raise ValueError(f"{directory}: expected a run with genomes of {PLURALS[team]}, got none")
     return last

@@ -27,7 +27,7 @@ from matrixworld._util.sections import (
 from matrixworld.coevolution.games.game import Game, GameSettings
 from matrixworld.coevolution.games.own_game import OwnGame
 from matrixworld.coevolution.games.policies import Cells, PolicySettings
-from matrixworld.coevolution.games.pursuit import SCRIPTS, PursuitSettings
+from matrixworld.coevolution.games.pursuit import SCRIPTS, PursuitSettings, is_path
 from matrixworld.coevolution.learners import ActorCritic, EvolutionStrategy, OwnLearner
 from matrixworld.coevolution.learners.learner import Learner, Task
 from matrixworld.coevolution.settings.schedules import GIVEN, SCHEDULES, Against, InTurns, Schedule
@@ -327,7 +327,7 @@ class RaceSettings(Section):
         absolute = {
             name: str(Path(path).absolute())
             for name, path in paths.items()
-            if path is not None and path not in (*SCRIPTS, GIVEN)
+            if path is not None and path != GIVEN and (name != "schedule.opponent" or is_path(path))
         }
         return self.changed(absolute) if absolute else self
 

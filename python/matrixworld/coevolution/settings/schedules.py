@@ -263,15 +263,17 @@ class Against(Schedule):
             g[k] = g[k-1], improved for `archive_every` epochs against each opponent in turn
         payoff = capture rate of the last genome against, or of, each opponent
 
-    The archive holds the opponents' genomes, too, if they have any, so that a run does not depend
-    on other directories.
+    The archive holds the opponents' genomes, too, if they have any, and config.json the program of
+    a file of Python, so that a run does not depend on other files.
     """
 
     is_race: ClassVar[bool] = False
 
     team: Team = setting("pursuer", "team that learns: pursuer or evader", OneOf(TEAMS))
     opponent: str = setting(
-        "random", f"{', '.join(SCRIPTS)}, or a run directory (its last generation)"
+        "random",
+        f"{', '.join(SCRIPTS)}, a run directory (its last generation), or another player: a file "
+        "(.py, .npz, .txt), solved, or a line such as -adversary",
     )
     start: str | None = setting(
         None, "run directory; start from its last generation instead of an untrained genome"

@@ -288,7 +288,7 @@ class Training:
         matches of a candidate are adjacent. A script has no indices, and ignores them.
         """
         n, c = seeds.shape
-        rivals = np.full((n, c), 0 if isinstance(opponents, str) else met, np.int32)
+        rivals = np.full((n, c), met if hasattr(opponents, "genomes") else 0, np.int32)
         own = np.repeat(np.arange(n, dtype=np.int32), c)
         learning = self.population(team, candidates)
         if team == "pursuer":

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources b45fcf64c3d9930783d968c1adc3b5226cce34cbe54b4f740f9ddb3aa60fcb45 */
+/* built from web/ by "npm run build"; sources 8d387cd7428f784d90a57adec7c64148ede37bd5cecc189239ab20aa289bfa1a */
 "use strict";(()=>{var fs={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ht={DISAPPEAR:0,REACH:1,BOUNCE:2},ys={OCCUPATION:0,SURROUND:1},gs={FAULT:0,INVOLVED:1};var tr=["obstacle","teammate","adversary"],nr=["vertex","edge","chain"],vs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],rr=["p\
 ursuer_{number}","evader_{number}"],bs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},dt={"both held":"both bounce","both doomed":"\

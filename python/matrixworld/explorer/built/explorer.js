@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources b45fcf64c3d9930783d968c1adc3b5226cce34cbe54b4f740f9ddb3aa60fcb45 */
+/* built from web/ by "npm run build"; sources 8d387cd7428f784d90a57adec7c64148ede37bd5cecc189239ab20aa289bfa1a */
 "use strict";(()=>{var ur={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Qe={DISAPPEAR:0,REACH:1,BOUNCE:2},mr={OCCUPATION:0,SURROUND:1},pr={FAULT:0,INVOLVED:1};var pn=["obstacle","teammate","adversary"],dn=["vertex","edge","chain"],dr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],hn=["p\
 ursuer_{number}","evader_{number}"],hr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},et={"both held":"both bounce","both doomed":"\

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from math import comb, inf, isqrt
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,16 +13,17 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
 from matrixworld._util import checks
-from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.arrays import CHANNEL
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import check_team
-from matrixworld.world.policy import CHANNELS, TEAMS, Team, TeamPolicy
+from matrixworld.world.policy import CHANNELS, TEAMS, Team
 
 _MOST_BYTES = 2**31
 """More states would take hours to solve, wherever they fit."""
 _MOST_AGENTS = 31
 """More have no 2**31 joint places, which the engine numbers."""
+_NO_MATTER = ("max_steps", "fov", "rewards")
+"""Settings of a world that do not change its states."""
 _INDEX = 4
 """Bytes of a state's number."""
 
@@ -31,8 +33,8 @@ class States:
 
     A state is a moment before a turn. It says where the agents are, who is gone, and which evaders
     count as captured. Members of a team that act at once are sorted by their cells, because their
-    numbers cannot matter; agents that act one at a time keep their numbers. The engine's own worlds
-    play every joint action in every state.
+    numbers cannot matter; agents that act one at a time keep their numbers, and so do all agents of
+    `numbered` states. The engine's own worlds play every joint action in every state.
 
     Each turn of a round has its own states, numbered from 0: there is one turn where all agents
     move at once. States 0 to E are ends: k stands for all ends of an episode with k captured
@@ -44,7 +46,10 @@ class States:
     Parameters
     ----------
     config : WorldConfig
-        The world. Its `max_steps`, views and rewards do not matter here.
+        The world. Its `max_steps`, `fov` and `rewards` do not matter here.
+    numbered : bool, optional
+        Whether members of a team that act at once keep their numbers, too, which those need who
+        remember something. There are more states then.
     threads : int, optional
         Threads, by default all cores. The result does not depend on it.
     report : callable, optional
@@ -68,20 +73,24 @@ class States:
         self,
         config: WorldConfig,
         *,
+        numbered: bool = False,
         threads: int | None = None,
         report: Callable[[str, float], None] | None = None,
     ) -> None:
         checks.check_instance("config", config, WorldConfig)
         self.config = config
+        self.numbered = checks.check_bool("numbered", numbered)
         self.threads = checks.check_threads(threads)
         self.report = report
         if config.density:
             raise ValueError(
                 "obstacles: expected none or a map, got obstacles that each episode draws anew"
             )
-        _check_size(config)
+        _check_size(config, numbered)
         report_states = self.reporter("states")
-        self.core = _core.States(config.setup, self.threads, _count(config), report_states)
+        self.core = _core.States(
+            config.setup, self.threads, _count(config, numbered), report_states, numbered
+        )
         self.n_turns = self.core.n_turns()
         self.starts = self.core.starts()
 
@@ -89,6 +98,13 @@ class States:
     def of(cls, world: WorldConfig | States) -> States:
         """Return the states of a world, or what already are states."""
         return world if isinstance(world, States) else cls(config_of(world))
+
+    def has_states_of(self, config: WorldConfig) -> bool:
+        """Return whether a world has these states, with the same numbers."""
+        own, others = self.config.to_json(), config.to_json()
+        for name in _NO_MATTER:
+            del own[name], others[name]
+        return own == others
 
     def __repr__(self) -> str:
         return f"States({self.count():,} states)"
@@ -167,6 +183,35 @@ class States:
         flat = np.unpackbits(different, axis=1, count=CHANNELS * side * side)
         return flat.reshape(-1, CHANNELS, side, side), places
 
+    def inputs(
+        self, team: Team, places: list[NDArray[np.intp]], step: int = 0
+    ) -> NDArray[np.float32]:
+        """Return the named inputs of moves for each different view of a team.
+
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team.
+        places : list of ndarray of int, shape (S, members that act)
+            Those of `views`.
+        step : int, optional
+            How many steps have been played. Only ``must_yield`` depends on it.
+
+        Returns
+        -------
+        ndarray of float32, shape (n, n_actions, inputs)
+            As `World.inputs` returns them; ``ahead`` and ``search``, which each episode draws, are
+            those of some episode.
+        """
+        n = 1 + max(int(of_turn.max(initial=-1)) for of_turn in places)
+        found = np.empty((n, self.config.n_actions, len(_core.inputs())), np.float32)
+        for turn, of_turn in enumerate(places):
+            for column, agent in enumerate(self.members(turn, team)):
+                numbers, at = np.unique(of_turn[:, column], return_index=True)
+                states = at[numbers >= 0].astype(np.int32)
+                found[numbers[numbers >= 0]] = self.core.look(turn, agent, step, states)
+        return found
+
     def _seen(self, cells: NDArray[np.int32], observer: int) -> NDArray[np.uint8]:
         """Return the views, (n, 3, fov, fov), of a living agent in states with these cells."""
         config = self.config
@@ -190,21 +235,28 @@ class States:
             views[at, channel, row[at], col[at]] = 1
         return views
 
-    def decisions(
-        self, policy: TeamPolicy | GenomePolicy, team: Team
-    ) -> tuple[NDArray[np.float64], ...]:
+    def decisions(self, policy: Any, team: Team, step: int = 0) -> tuple[NDArray[np.float64], ...]:
         """Return the probabilities with which a policy plays, for each turn (S, its joint actions).
 
-        Members decide independently of each other, by the softmax of a network in float64.
-        ValueError if a script sees nothing that it looks for in some state, and so walks on.
+        `policy` is what the engine plays without memory: a script's name, a population of one or
+        its genome. Members decide independently of each other, by the softmax of a network in
+        float64. `step` steps have been played; see `counts_steps`. ValueError if a script sees
+        nothing that it looks for in some state, and so walks on, or if each episode draws something
+        that the policy reads.
         """
         checks.check_choice("team", team, TEAMS)
         player = check_team("champion", policy, self.config, team)
         decisions = []
         for turn in range(self.n_turns):
             report = self.reporter("play", turn, self.n_turns)
-            decisions.append(self.core.weigh(turn, team == "evader", player, self.threads, report))
+            decisions.append(
+                self.core.weigh(turn, team == "evader", player, step, self.threads, report)
+            )
         return tuple(decisions)
+
+    def counts_steps(self, policy: Any, team: Team) -> bool:
+        """Return whether `decisions` of a policy differ from step to step, as by right of way."""
+        return self.core.counts_steps(check_team("champion", policy, self.config, team))
 
 
 def config_of(world: WorldConfig | States) -> WorldConfig:
@@ -224,7 +276,7 @@ def _actors(config: WorldConfig) -> list[range]:
     }[config.rules.interaction]
 
 
-def _count(config: WorldConfig) -> int:
+def _count(config: WorldConfig, numbered: bool = False) -> int:
     """Return about how many states a turn has, a few more than there are.
 
     An agent is on a cell or gone, an evader captured or not. All ends are one state, so that in the
@@ -244,34 +296,40 @@ def _count(config: WorldConfig) -> int:
     evader = cells + lost + caught
 
     def ways(places: int, agents: int) -> int:
-        in_order = rules.interaction is Interaction.AGENT_TURNS
+        in_order = numbered or rules.interaction is Interaction.AGENT_TURNS
         return places**agents if in_order else comb(places + agents - 1, agents)
 
     placed = ways(pursuer, config.n_pursuers) * ways(evader, config.n_evaders)
     return config.n_evaders + 1 + placed * memories
 
 
-def _size(config: WorldConfig) -> tuple[float, float]:
+def state_count(config: WorldConfig) -> float:
+    """Return about how many states of all turns a world has; infinity if nobody can number them."""
+    return _size(config)[0]
+
+
+def _size(config: WorldConfig, numbered: bool = False) -> tuple[float, float]:
     """Return about how many states of all turns there are, and how many bytes they take."""
     cells, n, m = config.rows * config.cols, config.n_pursuers, config.n_evaders
     codes = (1 + cells) ** n * (2 + 2 * cells) ** m if n + m <= _MOST_AGENTS else inf
     if codes > checks.INT_MAX:  # the engine numbers them
         return inf, inf
-    count = _count(config)
+    count = _count(config, numbered)
     joint_actions = [config.n_actions ** len(actors) for actors in _actors(config)]
     numbers = sum(count * (joint + 1) + codes for joint in joint_actions) + count  # and the starts
     return count * len(joint_actions), _INDEX * numbers
 
 
-def _check_size(config: WorldConfig) -> None:
+def _check_size(config: WorldConfig, numbered: bool) -> None:
     """Raise ValueError if there are too many states, and say which board would be small enough."""
-    count, needed = _size(config)
+    count, needed = _size(config, numbered)
     if needed <= _MOST_BYTES:
         return
     most = isqrt(config.rows * config.cols) if config.n_agents <= _MOST_AGENTS else 0
     sides = range(most, isqrt(config.n_agents), -1)
     boards = (replace(config, rows=side, cols=side, obstacles=0.0) for side in sides)
-    largest = next((board.rows for board in boards if _size(board)[1] <= _MOST_BYTES), None)
+    fitting = (board.rows for board in boards if _size(board, numbered)[1] <= _MOST_BYTES)
+    largest = next(fitting, None)
     would = f"{largest} x {largest} cells would fit" if largest else "no smaller board would fit"
     size = f"about {count:,} states and {needed / 10**9:,.1f} GB"
     raise ValueError(
