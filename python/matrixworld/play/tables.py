@@ -100,6 +100,8 @@ def table(states: States, given: Any, team: Team, *, steps: int | None = None) -
     """
     checks.check_choice("team", team, TEAMS)
     n_steps = checks.check_integer("steps", states.config.max_steps if steps is None else steps, 1)
+    if isinstance(given, Table):
+        return _checked(states, given, team, n_steps)
     plays = player(given, team).at(states.config)
     if isinstance(plays, TablePolicy):
         return _of_policy(states, plays, team, n_steps)
@@ -114,19 +116,30 @@ def table(states: States, given: Any, team: Team, *, steps: int | None = None) -
     return Table(states, team, tuple(states.decisions(plays, team, step) for step in counted))
 
 
+def _checked(states: States, given: Table, team: Team, steps: int) -> Table:
+    """Return a table; ValueError unless it is of the team, the states and so many steps."""
+    if given.team != team:
+        expected, got = PLURALS[team], PLURALS[given.team]
+        raise ValueError(f"table: expected one of {expected}, got one of {got}")
+    own = given.states
+    if not own.has_states_of(states.config) or own.numbered != states.numbered:
+        raise ValueError("table: expected one of the same States, got one of others")
+    if given.by_step and len(given.steps) != steps:
+        raise ValueError(f"steps: expected {len(given.steps)}, those of the table, got {steps}")
+    return given
+
+
 def _of_policy(states: States, policy: TablePolicy, team: Team, steps: int) -> Table:
-    """Return the table of a policy that is one, or the play of a solution."""
+    """Return the table that a policy is, or that of the play of its solution."""
     play = policy.play
-    if not play.states.has_states_of(states.config) or states.numbered:
-        raise ValueError("champion: expected a solution or table of the same States, got others")
-    if isinstance(play, Table):
-        if play.by_step and len(play.steps) != steps:
-            raise ValueError(f"steps: expected {len(play.steps)}, those of the table, got {steps}")
-        return play
-    turns = range(states.n_turns)
-    rounds = range(steps, 0, -1)
-    by_step = [tuple(play.probabilities(team, left, turn) for turn in turns) for left in rounds]
-    return Table(states, team, tuple(by_step))
+    if not isinstance(play, Table):
+        turns = range(play.states.n_turns)
+        rounds = range(steps, 0, -1)
+        by_step = (
+            tuple(play.probabilities(policy.team, left, turn) for turn in turns) for left in rounds
+        )
+        play = Table(play.states, policy.team, tuple(by_step))
+    return _checked(states, play, team, steps)
 
 
 def _of_function(states: States, function: Function, team: Team, steps: int) -> Table:

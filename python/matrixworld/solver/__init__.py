@@ -19,16 +19,19 @@ from __future__ import annotations
 
 from matrixworld.play.draws import NotExactError
 from matrixworld.play.tables import Table, table
+from matrixworld.solver.guarantee import Guarantee, guarantee
 from matrixworld.solver.solution import Solution, best_response, expected_payoff, solve
 from matrixworld.world.states import States
 
 __all__ = [
+    "Guarantee",
     "NotExactError",
     "Solution",
     "States",
     "Table",
     "best_response",
     "expected_payoff",
+    "guarantee",
     "solve",
     "table",
 ]

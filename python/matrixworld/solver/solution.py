@@ -73,6 +73,16 @@ class Solution(Readable):
         means = self.values[0][:, self.states.starts].mean(axis=1)
         return np.asarray(means if self.payoff == "capture-rate" else -means)
 
+    def before(self, rounds: int, turn: int = 0) -> NDArray[np.float64]:
+        """Return the values (S,) of a turn's states with so many rounds left, this one included."""
+        values = self.values[turn]
+        return np.asarray(values[min(rounds, len(values) - 1)])
+
+    def after(self, rounds: int, turn: int = 0) -> NDArray[np.float64]:
+        """Return the values (S,) of the next turn's states, after a turn of such a round."""
+        last = turn + 1 == self.states.n_turns  # the next turn is the first of a round
+        return self.before(rounds - 1) if last else self.before(rounds, turn + 1)
+
     def probabilities(
         self, team: Team, rounds: int | None = None, turn: int = 0
     ) -> NDArray[np.float64]:
@@ -87,9 +97,7 @@ class Solution(Readable):
         turn = checks.check_integer("turn", turn, 0, self.states.n_turns - 1)
         if team in self.fixed:
             return _play_of(self.fixed[team], team, turn, left)
-        last = turn + 1 == self.states.n_turns  # the next turn is the first of a round
-        values = self.values[0 if last else turn + 1]
-        after = values[min(left - last, len(values) - 1)]
+        after = self.after(left, turn)
         _, _, *chosen = _backup(self.states, after, turn, left, self.fixed, None, chosen=True)
         played = chosen[TEAMS.index(team)]
         assert played is not None  # it was asked for
@@ -161,9 +169,11 @@ def induct(
     return _go_back(states, rounds, payoff, fixed)
 
 
-def _champion(champion: Any, team: Team, config: WorldConfig) -> Solution | Player:
-    """Return the solution that a champion plays by, or the champion as a player."""
+def _champion(champion: Any, team: Team, config: WorldConfig) -> Solution | Table | Player:
+    """Return the solution or table that a champion plays by, or the champion as a player."""
     given = champion.play if isinstance(champion, TablePolicy) else champion
+    if isinstance(given, Table):
+        return given
     if not isinstance(given, Solution):
         return player(champion, team)
     if isinstance(champion, TablePolicy) and champion.team != team:
