@@ -12,7 +12,7 @@ policies, matches   `Network`, `Rating`, `Program`, `INPUTS`, `Population`, `SCR
 episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
 evolution           `Game`, `evolve`, `open_runs`; packages `coevolution`, `analysis`, `plots`
-ground truth        package `solver`
+ground truth        package `solver`; `grade`, `Grade`, `SUITE`
 ==================  ===============================================================================
 
 Names and packages are imported when they are first used. Where Gymnasium or PettingZoo has been

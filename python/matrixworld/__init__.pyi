@@ -35,6 +35,9 @@ from matrixworld.play.rollout import EpisodeStatistics as EpisodeStatistics
 from matrixworld.play.rollout import Matches as Matches
 from matrixworld.play.rollout import rollout as rollout
 from matrixworld.solver import solve as solve
+from matrixworld.solver.grade import Grade as Grade
+from matrixworld.solver.grade import grade as grade
+from matrixworld.solver.suite import SUITE as SUITE
 from matrixworld.world import render as render
 from matrixworld.world.arrays import array_specs as array_specs
 from matrixworld.world.arrays import episode_specs as episode_specs

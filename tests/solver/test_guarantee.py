@@ -5,15 +5,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.play.draws import NotExactError
-from matrixworld.solver import (
-    States,
-    Table,
-    best_response,
-    expected_payoff,
-    guarantee,
-    solve,
-    table,
-)
+from matrixworld.solver import Table, best_response, expected_payoff, guarantee, solve, table
 from matrixworld.solver import memory as memory_module
 from rows import random_team
 

@@ -21,6 +21,7 @@ COMMANDS = {
     "evolve": ("evolve", "Start races, or continue them."),
     "explain": ("explain", "Say what teams do, input by input."),
     "explore": ("pages", "Show runs as a page or as figures."),
+    "grade": ("grade", "Say what players guarantee, exactly."),
     "judge": ("judge", "Say what happened in races."),
     "playground": ("pages", "Play an agent or conflicts on a page."),
     "replay": ("replay", "Watch an episode, or write it to files."),

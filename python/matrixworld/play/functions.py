@@ -250,8 +250,9 @@ class Function:
                 try:
                     with alarm(self.seconds):
                         self.function(views[0].copy())
-                except (Exception, SystemExit, TooSlowError):  # noqa: BLE001
-                    pass  # it fails with one view, too
+                except (Exception, SystemExit, TooSlowError) as second:
+                    if type(second) is type(error):  # it fails with one view in the same way
+                        raise self._error(second, views[0]) from second
                 else:
                     self._at_once = False
                     return None
@@ -297,7 +298,8 @@ class Function:
         if code is not None:
             frames = traceback.extract_tb(error.__traceback__)
             lines = [each.lineno for each in frames if each.filename == code.co_filename]
-            where = f" ({Path(code.co_filename).name}, line {(lines or [code.co_firstlineno])[-1]})"
+            file, line = Path(code.co_filename).name, (lines or [code.co_firstlineno])[-1]
+            where = f", line {line}" if file == self.name else f" ({file}, line {line})"
         asked = "" if seen is None or self.reads == "inputs" else f", for the view\n{picture(seen)}"
         return PlayerError(f"{self.name}{where}: {what}{asked}")
 
