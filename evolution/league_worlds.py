@@ -169,7 +169,8 @@ def played(name: str, players: Mapping[Team, list[Any]]) -> dict[str, ArrayLike]
     found: dict[str, ArrayLike] = {"value": solution.value}
     all_tables, stacked = {}, {}
     for team in TEAMS:
-        tables = [table(states, player, team) for player in players[team]]
+        # No player counts steps: each has one table for all of them.
+        tables = [list(table(states, each, team).steps[0]) for each in players[team]]
         first, found[f"{team} table"] = different(tables)
         found[f"{team} grade"] = np.array(
             [best_response(states, players[team][k], team).value for k in first]

@@ -15,6 +15,7 @@ import ground_truth
 import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
+import league
 import learned_exploitability as learned
 import liveness
 import map_races
@@ -44,7 +45,7 @@ def of(table):
 
 
 OF_A_TABLE = (
-    baselines, balanced_races, convergence, ground_truth, hall_of_fame, learned, page_races,
+    baselines, balanced_races, convergence, ground_truth, hall_of_fame, league, learned, page_races,
     perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
     yoked_variants, yoked_worlds,
 )  # fmt: skip

@@ -283,6 +283,21 @@ class Pursuit(Game):
         plays = opponent.at(self.world)
         return plays if isinstance(plays, str | Population) else opponent
 
+    def opponent_kept(self, team: Team, given: Any) -> Population | Player:
+        """Return opponents that are given in place of a setting; TypeError if no run can keep them.
+
+        A run goes on in other processes, and needs all of what plays in it.
+        """
+        opponent = player(given, team)
+        plays = opponent.at(self.world)
+        if isinstance(plays, Population):
+            return plays
+        if not isinstance(opponent.given, PythonFile):
+            raise TypeError(
+                f"opponents: expected what a run keeps, genomes or a file of Python, got {opponent}"
+            )
+        return opponent
+
     def opponent_without_genomes(
         self, team: Team, name: str, program: Mapping[str, str] | None
     ) -> TeamPolicy | Player:

@@ -37,8 +37,9 @@ def create(
         Settings of the run.
     directory : str or Path
         A new or empty directory; one that holds a run of the same settings is left as it is.
-    opponents : population, optional
-        Opponents of a team that learns alone, in place of `schedule.opponent`.
+    opponents : population or player, optional
+        Opponents of a team that learns alone, in place of `schedule.opponent`. In pursuit genomes,
+        or what `matrixworld.player` takes that a run can keep: a script, a file, a line of text.
     start : array_like of float32, optional
         Genome (genes,) that such a team starts from, in place of `schedule.start`.
 
@@ -59,6 +60,9 @@ def create(
     if not isinstance(settings, RaceSettings):
         raise TypeError(f"settings: expected RaceSettings, got {checks.shown(settings)}")
     path = Path(directory)
+    named = getattr(opponents, "given", opponents)  # what a player was made of
+    if isinstance(named, str | Path) and not settings.is_race:
+        settings, opponents = settings.changed({"schedule.opponent": str(named)}), None
     arrays = {"opponent": opponents, "start": start}
     replaced = [name for name, array in arrays.items() if array is not None]
     if settings.is_race and replaced:
@@ -105,6 +109,8 @@ def load_opponents(settings: RaceSettings, opponents: Any = None) -> Any:
             raise ValueError(f"schedule.opponent: {error}") from error
     elif opponents is None:
         opponents = _last(settings, schedule.opponent, team)
+    elif isinstance(game, Pursuit):
+        opponents = game.opponent_kept(team, opponents)
     game.check_opponents(team, opponents)
     return opponents
 
