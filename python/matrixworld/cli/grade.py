@@ -154,7 +154,7 @@ def _print_table(grades: Sequence[Grade]) -> None:
             rows.append([name, share, ends, *others, "estimated" if found.estimate else ""])
         console.print_head(f"{team}s, by what they guarantee")
         console.print_table(rows, "<>>>>><")
-        marks = ", ".join(f"{mark.name} {mark.share:.3f}" for mark in of_team[0][1].marks)
+        marks = ", ".join(f"{mark.share:.3f} {mark.name}" for mark in of_team[0][1].marks)
         console.print_wrapped(f"For comparison: {marks}. Where one loses most: grade it alone.")
 
 

@@ -15,6 +15,8 @@ from matrixworld.coevolution.games.game import Game
 from matrixworld.coevolution.games.own_game import OwnGame
 from matrixworld.coevolution.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Genomes
+from matrixworld.episodes.episode import animation
+from matrixworld.play.player import Player
 from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.program import Program
 
@@ -40,11 +42,11 @@ def kept_generations(count: int, step: int) -> list[int]:
 
 
 def plain_team(
-    team: TeamPolicy, identifier: str, step: int, genomes: dict[str, bytes]
+    team: TeamPolicy | Player, identifier: str, step: int, genomes: dict[str, bytes]
 ) -> dict[str, Any]:
     """Return a team as plain values, and add its genomes to the others."""
     if not isinstance(team, Population):
-        script = team if isinstance(team, str) else None
+        script = getattr(team, "name", team)  # of a player, see `plain_game`
         return {"script": script, "policy": None, "kept": [0], "genomes": ""}
     kept = kept_generations(len(team.genomes), step)
     policy, shown = team.policy, team.genomes[kept]
@@ -80,6 +82,7 @@ MOST_SHOWN = 200  # the most cells of a page whose pairs are shown
 MOST_SHOWN_BYTES = 5 * 2**20  # the most bytes of what a page shows of them
 WHY_NOT = {
     "none": "The game has no function show(a, b): the page tells its scores.",
+    "program": "{name} plays, which the page cannot ask. `matrixworld replay` shows its matches.",
     "later": "What the game shows of a pair is here when the run has ended.",
     "few": "What the game shows of this pair was not computed: the page has {n} pairs, those of "
     "the last generations and of an even grid.",
@@ -87,13 +90,14 @@ WHY_NOT = {
 
 
 def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str, Any] | None:
-    """Return facts of a game of your own, and what it shows of some cells; None of pursuit.
+    """Return facts of a game that the page cannot play, and what it shows of some cells, or None.
 
-    The page is one of `share` runs with such games.
+    It cannot play games of your own, nor programs in pursuit. The page is one of `share` runs with
+    such games.
     """
     own = run.settings.game
     if not isinstance(own, OwnGame):
-        return None
+        return _plain_pursuit(run, ended)
     game = run.settings.evaluation_game
     shows: dict[str, dict[str, str]] = {}
     if game.show is not None and ended:
@@ -105,6 +109,25 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
         "exact": own.deterministic,
         "shows": shows,
         "missing": why.format(n=len(shows)),
+    }
+
+
+def _plain_pursuit(run: SavedRun, ended: bool) -> dict[str, Any] | None:
+    """Return the same of pursuit in which a program plays: a recorded episode; else None."""
+    programs = [team.name for team in run.teams.values() if isinstance(team, Player)]
+    if not programs:
+        return None
+    shows = {}
+    if ended:
+        last = [run.generation(team, -1) for team in TEAMS]
+        picture = animation(run.record()).data
+        image = f"data:image/gif;base64,{base64.b64encode(picture).decode()}"
+        shows["{} {}".format(*last)] = {"image": image}
+    return {
+        "teams": list(run.settings.game.teams),
+        "exact": False,
+        "shows": shows,
+        "missing": WHY_NOT["program"].format(name=programs[0]),
     }
 
 

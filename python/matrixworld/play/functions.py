@@ -101,6 +101,8 @@ class Function:
         """Whether it has ever read an input that depends on the step, as by right of way."""
         self.tables: dict[Any, Any] = {}
         """What it became in worlds of few states, by team and world."""
+        self.told: set[str] = set()
+        """The reasons, of which a warning has told, why it did not."""
         self._at_once: bool | None = None
 
     def __repr__(self) -> str:

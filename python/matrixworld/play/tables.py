@@ -185,7 +185,9 @@ def _as_table(function: Function, team: Team, config: WorldConfig) -> TablePolic
             )
         return table(States(config), function, team).policy()
     except NotExactError as error:
-        warn_caller(f"{function.name} is asked in every step, which is slow: {error}")
+        if str(error) not in function.told:
+            warn_caller(f"{function.name} is asked in every step, which is slow: {error}")
+            function.told.add(str(error))
         return None
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld._util.teams import PLURALS
 from matrixworld.analysis.intervals import LEVEL, t_ends
+from matrixworld.play.functions import Function
 from matrixworld.play.player import Player, player, teams_of
 from matrixworld.solver.guarantee import DRAWS, Guarantee, guarantee
 from matrixworld.solver.losses import Loss, behaviour, losses, most_expensive
@@ -21,8 +22,11 @@ from matrixworld.world.policy import Population, Team
 LOSSES = 3
 """Positions that are shown."""
 
-READABLE: dict[Team, str] = {"pursuer": "-adversary", "evader": "adversary"}
-"""For each team a program of one line, found in other worlds: a mark that people can read."""
+READABLE: dict[Team, str] = {
+    "pursuer": "max(0.6 * pressure, -adversary - 0.4 * unclaimed) - 0.1 * open_side",
+    "evader": "adversary + 0.3 * exits",
+}
+"""For each team a program of one line as a mark. Neither was searched for in the suite's worlds."""
 
 
 @dataclass(frozen=True)
@@ -219,7 +223,7 @@ def _summary(of: TeamGrade) -> Iterator[str]:
         f"Gets {of.unread:.3f} of perfect play against perfect play that has not read it, which is "
         "what an opponent takes that plays perfectly but knows nothing of this player."
     )
-    yield "For comparison: " + ", ".join(f"{mark.name} {mark.share:.3f}" for mark in of.marks) + "."
+    yield "For comparison: " + ", ".join(f"{mark.share:.3f} {mark.name}" for mark in of.marks) + "."
 
 
 Report = Callable[[str, int, int], None]
@@ -304,12 +308,18 @@ def _fov_in(plays: Player, world: SuiteWorld) -> int:
     return fov
 
 
+def _kind_of(plays: Player, world: SuiteWorld) -> str:
+    """Return what a player is; of a file, the function in it."""
+    made = plays.at(world.config)
+    return made.form if isinstance(made, Function) else plays.kind
+
+
 def _graded(plays: Player, found: list[tuple[Guarantee, SuiteWorld]], suite: Suite) -> TeamGrade:
     team = plays.team
     of_worlds = tuple(_world_grade(one, world, team) for one, world in found)
     return TeamGrade(
         team,
-        plays.kind,
+        _kind_of(plays, found[0][1]),
         of_worlds,
         tuple(_marks(suite, team)),
         tuple(most_expensive((losses(one, world, team) for one, world in found), LOSSES)),
@@ -349,7 +359,7 @@ def _marks(suite: Suite, team: Team) -> list[Mark]:
         best = max(everywhere, key=lambda name: everywhere[name])
         _KNOWN_MARKS[key] = [
             Mark("chance", everywhere["random"]),
-            Mark(f"the best script, {best},", everywhere[best]),
-            Mark(f"the line '{READABLE[team]}'", readable),
+            Mark(f"the best script ({best})", everywhere[best]),
+            Mark(f"the line {READABLE[team]}", readable),
         ]
     return _KNOWN_MARKS[key]

@@ -95,6 +95,15 @@ class Suite:
     """Worlds in which players are graded, with a name and a version.
 
     A version never changes its meaning: grades of the same suite and version can be compared.
+
+    Parameters
+    ----------
+    name : str
+        Its name.
+    version : int
+        Its version; 0 for worlds of your own.
+    worlds : tuple of SuiteWorld
+        The worlds.
     """
 
     name: str

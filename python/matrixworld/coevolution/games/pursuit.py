@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, ClassVar
 
 import numpy as np
@@ -220,6 +220,12 @@ def overlap_penalty(world: WorldConfig, *, alone: bool) -> float:
     return OVERLAP_PENALTY_ALONE if alone else OVERLAP_PENALTY
 
 
+@cache
+def _opponent(given: str | PythonFile, team: Team) -> Player:
+    """Return a player, one for all epochs: it keeps its tables of worlds."""
+    return player(given, team)
+
+
 @dataclass(frozen=True, eq=False)
 class Pursuit(Game):
     """Pursuit and evasion: episodes of a `world`, in which both teams have policies of one shape.
@@ -302,9 +308,9 @@ class Pursuit(Game):
         self, team: Team, name: str, program: Mapping[str, str] | None
     ) -> TeamPolicy | Player:
         """Return the opponent of a run that has kept no genomes of it, but maybe its program."""
-        if program is not None:
-            return player(PythonFile(**program), team)
-        return name if name in SCRIPTS else player(name, team)
+        if name in SCRIPTS and program is None:
+            return name
+        return _opponent(name if program is None else PythonFile(**program), team)
 
     def opponents(self, team: Team, genomes: Genomes, shape: Mapping[str, Any]) -> Population:
         """Return genomes of opponents that may have policies of another shape."""
