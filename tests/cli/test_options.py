@@ -17,10 +17,13 @@ from matrixworld.cli.options import seeds_of
 from matrixworld.coevolution import DisengagementWarning
 from scripts import python
 
-DIFFERENT = {"--force", "--episodes", "--explain", "--each", "--out", "--generation"}
+DIFFERENT = {
+    "--force", "--episodes", "--explain", "--each", "--out", "--generation", "--team", "--world",
+}  # fmt: skip
 """Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
-many there were; `judge` explains a judgement, `replay` the steps; `--each` judges or draws
-each run; `--out` has another file by default; `score` takes all generations, too."""
+many there were; `judge` explains a judgement, `replay` the steps; `--each` judges or draws each
+run; `--out` has another file by default; `score` takes all generations, too; `grade` chooses among
+the teams of its players, and worlds of its suite by number."""
 
 
 def test_options_of_one_name_are_equal_in_all_commands():

@@ -52,12 +52,8 @@ LONGEST = 900.0
     help=f"grade in this world of {SUITE.name} only, 1 to {len(SUITE.worlds)}; may be given again",
 )
 @click.option("--fov", type=int, help="side of the view that functions get, odd; default: 11")
-@click.option(
-    "--seconds",
-    type=click.FloatRange(min=0.01),
-    default=5.0,
-    show_default=True,
-    help="longest time of one call of a program",
+@options.integer(
+    "--seconds", "longest time of one call of a program, in seconds", most=3600, default=5
 )
 @options.shared("json", "force")
 def grade_command(
@@ -65,7 +61,7 @@ def grade_command(
     team: Team | None,
     chosen: tuple[str, ...],
     fov: int | None,
-    seconds: float,
+    seconds: int,
     json_file: Path | None,
     force: bool,
 ) -> None:

@@ -46,7 +46,9 @@ def plain_team(
 ) -> dict[str, Any]:
     """Return a team as plain values, and add its genomes to the others."""
     if not isinstance(team, Population):
-        script = getattr(team, "name", team)  # of a player, see `plain_game`
+        script = team if isinstance(team, str) else None
+        if isinstance(team, Player):  # the page does not play it: see `plain_game`
+            script = team.name
         return {"script": script, "policy": None, "kept": [0], "genomes": ""}
     kept = kept_generations(len(team.genomes), step)
     policy, shown = team.policy, team.genomes[kept]

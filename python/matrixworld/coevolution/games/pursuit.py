@@ -37,7 +37,7 @@ from matrixworld.play.experience import Experience as Experience
 from matrixworld.play.experience import Reals as Reals
 from matrixworld.play.experience import Views as Views
 from matrixworld.play.experience import experience
-from matrixworld.play.player import Player, player
+from matrixworld.play.player import Player, placed, player
 from matrixworld.play.player import PythonFile as PythonFile
 from matrixworld.play.player import is_path as is_path
 from matrixworld.play.policies import acting as acting
@@ -294,10 +294,10 @@ class Pursuit(Game):
 
         A run goes on in other processes, and needs all of what plays in it.
         """
-        opponent = player(given, team)
-        plays = opponent.at(self.world)
+        plays = placed("opponents", given, team, self.world)
         if isinstance(plays, Population):
             return plays
+        opponent = player(given, team)
         if not isinstance(opponent.given, PythonFile):
             raise TypeError(
                 f"opponents: expected what a run keeps, genomes or a file of Python, got {opponent}"
