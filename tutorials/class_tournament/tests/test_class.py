@@ -577,7 +577,7 @@ def test_programs_as_on_the_page_play_and_can_be_handed_in(
     result = small(tmp_path)
     students = [entry.name for entry in result.entries["pursuer"] if entry.file]
     assert (students, result.refusals) == (["anna", "bo"], ())
-    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.chdir(tmp_path)
     with contextlib.redirect_stdout(io.StringIO()) as printed:
         exec(TRIAL, {})
     assert 0.1 < float(printed.getvalue()) < 0.9
