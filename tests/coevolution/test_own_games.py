@@ -21,7 +21,7 @@ SAMPLED = {"schedule": "alternating", "schedule.opponents": 2, **IN_TURNS}
 RACES = {
     "es": {"schedule": "generalist-generalist", **IN_TURNS, "learner.learning_rate": 0.3},
     "ga": {"schedule": "specialist-specialist", **IN_TURNS, "learner.mutation": 0.3},
-    "cma": {"schedule": "psro", **IN_TURNS, "learner.sigma": 0.3},
+    "cma": {"schedule": "psro", **IN_TURNS, "learner.sigma": 0.2},
     "hall": {**HALL, "learner": "ga", "learner.mutation": 0.3, "retest_episodes": 2},
     "sharing": {
         **HALL, "learner": "ga", "learner.mutation": 0.3, "learner.sharing": "competitive",
@@ -355,3 +355,28 @@ def test_matches_are_seen_by_nobody_else(tmp_path):
     np.testing.assert_array_equal(scores[3:4], alone)
     assert not np.array_equal(scores[0], scores[4])
     assert co.Run(tmp_path / "run").training.counts["matches"] == run.summary()["training_matches"]
+
+
+def test_matches_draw_from_all_64_bits_of_their_seeds():
+    """The generators of two matches differ in their lowest bits, also of seeds above 2^63."""
+    drawn = []
+
+    def play(a, b, rng):
+        rng.integers(10, dtype=np.uint32)  # half of a word stays for the next draw
+        drawn.append(rng.random())
+        return [drawn[-1]]
+
+    game = co.Game(play, genes=1, teams=("ones", "others"))
+    seeds = np.array([5, 2**63 + 1, 2**63 + 5, 2**64 - 1], np.uint64)
+    both = game.population("pursuer", np.zeros((1, 1), np.float32))
+    matches = np.zeros(4, int), np.zeros(4, int), seeds
+    game.scores(both, both, matches, episodes=2, threads=1)
+    expected = []
+    for seed in seeds:
+        for episode in range(2):
+            key = np.array([seed, episode], np.uint64)
+            rng = np.random.Generator(np.random.Philox(key=key))
+            rng.integers(10, dtype=np.uint32)
+            expected.append(rng.random())
+    assert drawn == expected
+    assert len({*drawn}) == 8
