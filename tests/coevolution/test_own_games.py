@@ -21,7 +21,7 @@ SAMPLED = {"schedule": "alternating", "schedule.opponents": 2, **IN_TURNS}
 RACES = {
     "es": {"schedule": "generalist-generalist", **IN_TURNS, "learner.learning_rate": 0.3},
     "ga": {"schedule": "specialist-specialist", **IN_TURNS, "learner.mutation": 0.3},
-    "cma": {"schedule": "psro", **IN_TURNS, "learner.sigma": 0.2},
+    "cma": {"schedule": "psro", **IN_TURNS, "learner.sigma": 0.3, "match_episodes": 8},
     "hall": {**HALL, "learner": "ga", "learner.mutation": 0.3, "retest_episodes": 2},
     "sharing": {
         **HALL, "learner": "ga", "learner.mutation": 0.3, "learner.sharing": "competitive",
