@@ -80,7 +80,7 @@ VALUES = [
     value(with_buffer("positions", np.zeros((2, 4, 2), np.int32)), "shape (2, 3, 2) | (2, 4, 2)"),
     value(with_buffer("positions", np.zeros((2, 3, 4), "i4")[:, :, ::2]), "a writeable C | pos"),
     value(score(episodes=1), "at least 2 | got 1"),
-    value(score(policy=lambda seen: [1]), "actions of shape | probabilities"),
+    value(score(policy=lambda seen: [1]), "an action, an integer from 0 | probabilities"),
     value(score(opponents={"mad": "mad"}), "one of random | opponents"),
     value(score(opponents={}), "at least one | got none"),
     # Environments

@@ -96,8 +96,8 @@ def test_a_function_is_not_kept(tmp_path):
     ("opponent", "said"),
     [
         ("nobody", "schedule.opponent: expected one of random, "),
-        ("adversary +", "schedule.opponent: 'adversary [+]': expression"),
-        ("evolved-9", "schedule.opponent: evolved-9: expected one of random"),
+        ("adversary +", "schedule.opponent: 'adversary [+]': expected a line such as"),
+        ("evolved-9", "schedule.opponent: evolved-9: expected an evolved opponent of these rules"),
     ],
 )
 def test_what_is_refused(opponent, said, tmp_path):

@@ -243,6 +243,25 @@ def test_a_function_that_hangs_is_stopped():
         table(States(mw.WorldConfig("O", **SIZES)), function, "evader")
 
 
+def test_rng_and_memory_stand_anywhere_and_a_view_is_odd():
+    def flees_too(rng, view):
+        return flees(view, rng)
+
+    states = States(mw.WorldConfig("O", **SIZES, fov=11))
+    same(table(states, flees_too, "evader"), table(states, flees, "evader"), states.config)
+    with pytest.raises(ValueError, match="fov: expected an odd number, got 4"):
+        mw.player(flees, "evader", fov=4)
+
+
+def test_a_function_of_one_view_is_told_by_its_own_error():
+    def crooked(view):
+        down, _ = np.argwhere(view[1])[0] - 5
+        return unknown + down  # noqa: F821
+
+    with pytest.raises(PlayerError, match=r"NameError: .*unknown.*, for the view"):
+        table(States(mw.WorldConfig("O", **SIZES, fov=11)), crooked, "evader")
+
+
 @pytest.mark.parametrize(
     "function", [lambda: 0, lambda a, b, c, d: 0, lambda view, *, speed: 0, lambda **more: 0]
 )

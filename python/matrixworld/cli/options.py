@@ -24,6 +24,7 @@ from matrixworld.coevolution.runs.places import CONFIG, abbreviated, find_runs, 
 from matrixworld.coevolution.runs.stored_files import OtherVersionError
 from matrixworld.coevolution.saved_run import SavedRun
 from matrixworld.coevolution.settings.race_settings import MOST_SEED
+from matrixworld.play.functions import PlayerError
 from matrixworld.version import MissingExtraError
 from matrixworld.world.rules import VARIANTS
 
@@ -42,6 +43,7 @@ FAILURES = (
     files.DamagedFileError,
     files.LockedError,
     OtherVersionError,
+    PlayerError,
 )
 """Errors whose message says all that a user can do; any other one is a mistake in the program."""
 

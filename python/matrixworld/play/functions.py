@@ -22,8 +22,11 @@ from matrixworld._util import checks
 from matrixworld._util.alarms import TooSlowError, alarm
 from matrixworld.play.draws import FollowedDraws, NotExactError, branches
 from matrixworld.world.arrays import CHANNEL
+from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import MASKS, Mask
+from matrixworld.world.policy import Team
 from matrixworld.world.rating import INPUTS, allowed_moves
+from matrixworld.world.world import World
 
 ASKED_AGAIN = 64
 """Of so many views, evenly spread, a function is asked twice: what it keeps or draws by itself, and
@@ -87,12 +90,14 @@ class Function:
     ) -> None:
         self.function = function
         self.name = name or getattr(function, "__name__", type(function).__name__)
-        self.fov = fov
+        self.fov = None if fov is None else checks.check_integer("fov", fov, 1)
+        if fov is not None and fov % 2 == 0:
+            raise ValueError(f"fov: expected an odd number, got {fov}")
         self.seconds = seconds
         self.is_module = _is_module(function)
-        by_place, by_name = (["view"], []) if self.is_module else _arguments_of(function, self.name)
-        self._by_place, self._by_name = by_place, by_name
-        self.arguments = (*by_place, *by_name)
+        given = {"": "view"} if self.is_module else _arguments_of(function, self.name)
+        self._parameters = given
+        self.arguments = tuple(given.values())
         mask = getattr(function, "__globals__", {}).get("MASK", "obstacles")
         if self.reads == "inputs":
             checks.check_choice(f"{self.name}: MASK", mask, MASKS)
@@ -120,7 +125,7 @@ class Function:
     @property
     def reads(self) -> str:
         """The array of a world that it is asked about: "views" or "inputs"."""
-        return "inputs" if self.arguments[0] == "x" else "views"
+        return "inputs" if "x" in self.arguments else "views"
 
     @property
     def remembers(self) -> bool:
@@ -146,6 +151,19 @@ class Function:
         for i in np.flatnonzero(answers.max(axis=1) < 1).tolist():  # probabilities
             chosen[i] = rngs[i].choice(n_actions, p=answers[i])
         return np.asarray(chosen)
+
+    def check(self, config: WorldConfig, team: Team) -> None:
+        """Raise PlayerError if it fails at the start of an episode of a world."""
+        world = World(config)
+        world.reset(0)
+        agents = (
+            range(config.n_pursuers)
+            if team == "pursuer"
+            else range(config.n_pursuers, config.n_agents)
+        )
+        seen = world.inputs() if self.reads == "inputs" else world.views()
+        rngs = [np.random.default_rng(0)] * len(agents)
+        self.actions(seen[agents.start : agents.stop], config.n_actions, rngs, [{} for _ in agents])
 
     # Exactly:
 
@@ -235,44 +253,53 @@ class Function:
                 outputs = _outputs(self.function, seen)
                 return _checked(outputs, (len(seen),), n_actions, any_sum=True)
         if self.arguments == ("view",) and self._at_once is not False:
-            given = self._given_many(seen)
+            given = self._given_many(seen, n_actions)
             if self._at_once:
                 with self._blamed(None):
                     return _checked(given, (len(seen),), n_actions)
         each = zip(seen, rngs, memories, strict=True)
         return np.array([self._asked(*one, n_actions) for one in each]).reshape(-1, n_actions)
 
-    def _given_many(self, views: NDArray[Any]) -> Any:
+    def _given_many(self, views: NDArray[Any], n_actions: int) -> Any:
         """Return what it gives for n views at once. The first time tells whether it takes them."""
         try:
             with alarm(self.seconds):
                 given = self.function(views.copy())
+                array = np.asarray(given)
         except (Exception, SystemExit, TooSlowError) as error:
-            if self._at_once is None:
-                try:
-                    with alarm(self.seconds):
-                        self.function(views[0].copy())
-                except (Exception, SystemExit, TooSlowError) as second:
-                    if type(second) is type(error):  # it fails with one view in the same way
-                        raise self._error(second, views[0]) from second
-                else:
-                    self._at_once = False
-                    return None
+            if self._at_once is None and self._takes_one(views[0], error):
+                self._at_once = False
+                return None
             raise self._error(error, None) from error
         if self._at_once is None:
-            array = np.asarray(given)
-            self._at_once = array.ndim == 2 or (array.ndim == 1 and array.dtype.kind != "f")
+            shapes = {"f": (len(views), n_actions)}
+            self._at_once = array.shape == shapes.get(array.dtype.kind, (len(views),))
         return given
+
+    def _takes_one(self, view: NDArray[Any], first: BaseException) -> bool:
+        """Return whether it takes one view, after it has failed with several.
+
+        A function that fails with one view, too, is told by that error, unless the name of its
+        parameter is a plural.
+        """
+        try:
+            with alarm(self.seconds):
+                self.function(view.copy())
+        except (Exception, SystemExit, TooSlowError) as error:
+            if not next(iter(self._parameters)).endswith("s"):
+                raise self._error(error, view) from error
+            return False
+        return True
 
     def _asked(self, seen: NDArray[Any], rng: Any, memory: Any, n_actions: int) -> Floats:
         """Return the answer (n_actions,) of one agent."""
         values = {"view": seen.copy(), "rng": rng, "memory": memory}
         if self.reads == "inputs":
-            x = _Inputs(seen, exact=isinstance(rng, FollowedDraws))
+            x = _Inputs(seen, exact=not isinstance(rng, np.random.Generator))
             values |= {"x": x, "allowed": allowed_moves(seen, self.mask)}
         with self._blamed(seen):
-            named = {name: values[name] for name in self._by_name}
-            given = self.function(*[values[name] for name in self._by_place], **named)
+            named = {name: values[meant] for name, meant in self._parameters.items() if name}
+            given = self.function(*([] if len(named) else [values["view"]]), **named)
             answer = _checked(given, (), n_actions)
         if self.reads == "inputs":
             self.has_read_step |= x.has_read_step or self.mask == "right-of-way"
@@ -345,34 +372,39 @@ def _outputs(module: Any, views: NDArray[np.uint8]) -> NDArray[Any]:
     return found
 
 
-def _arguments_of(function: Callable[..., Any], name: str) -> tuple[list[str], list[str]]:
-    """Return what a function is called with, by place and by name; TypeError for anything else."""
+def _arguments_of(function: Callable[..., Any], name: str) -> dict[str, str]:
+    """Return what each parameter of a function gets; TypeError for others.
+
+    A parameter without a name, "", gets the view by its place.
+    """
     try:
         signature = inspect.signature(function)
     except (TypeError, ValueError):  # some functions of C have none
-        return ["view"], []
-    parameters = list(signature.parameters.values())
-    by_name = [
-        each.name
+        return {"": "view"}
+    parameters = signature.parameters.values()
+    named = [each.name for each in parameters if each.name in ("rng", "memory")]
+    needed = [
+        each
         for each in parameters
-        if each.name in ("rng", "memory") and each.kind is not each.POSITIONAL_ONLY
+        if each.default is each.empty and each.name not in named and each.kind < each.KEYWORD_ONLY
     ]
-    others = [each for each in parameters if each.name not in by_name]
-    required = [
-        each for each in others if each.default is each.empty and each.kind < each.VAR_KEYWORD
-    ]
-    needed = [each.name for each in required if each.kind is not each.VAR_POSITIONAL]
-    if needed[:2] == ["x", "allowed"]:
-        by_place = ["x", "allowed", "rng"][: 3 - len(by_name)]
-    else:
-        by_place = [each for each in ("view", "rng", "memory") if each not in by_name]
-    fits = 0 < len(needed) <= len(by_place) or (not needed and len(required) == 1)
-    if not fits or any(each.kind is each.KEYWORD_ONLY for each in required):
+    names = [each.name for each in needed if each.kind is not each.VAR_POSITIONAL]
+    kinds = ["x", "allowed", "rng"] if names[:2] == ["x", "allowed"] else ["view", "rng", "memory"]
+    free = [kind for kind in kinds if kind not in named]
+    others = any(
+        each.kind is each.KEYWORD_ONLY and each.default is each.empty and each.name not in named
+        for each in parameters
+    )
+    by_place = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.POSITIONAL_ONLY)
+    if len(needed) == 1 and needed[0].kind in by_place and not named and not others:
+        return {"": "view"}
+    by_name = all(each.kind is each.POSITIONAL_OR_KEYWORD for each in needed)
+    if not 0 < len(names) <= len(free) or others or not by_name:
         raise TypeError(
             f"{name}: expected f(views), f(view), f(view, rng), f(view, rng, memory) or "
             f"f(x, allowed, rng), got {name}{signature}"
         )
-    return by_place[: max(1, len(needed))], by_name
+    return dict(zip(names, free, strict=False)) | {each: each for each in named}
 
 
 def _checked(given: Any, leading: tuple[int, ...], n_actions: int, any_sum: bool = False) -> Floats:
@@ -381,9 +413,9 @@ def _checked(given: Any, leading: tuple[int, ...], n_actions: int, any_sum: bool
     With `any_sum` numbers are no probabilities, and the largest is taken.
     """
     array = checks.unmasked("answer", given)
-    kind, expected = array.dtype.kind, f"expected an action, 0 to {n_actions - 1}"
+    kind, expected = array.dtype.kind, f"expected an action, an integer from 0 to {n_actions - 1}"
     if leading:
-        expected = f"expected actions of shape {leading}, each 0 to {n_actions - 1}"
+        expected = f"expected actions, integers from 0 to {n_actions - 1} of shape {leading}"
     if kind in "iu" and array.shape == leading:
         wrong = array[(array < 0) | (array >= n_actions)]
         if wrong.size:
@@ -393,7 +425,10 @@ def _checked(given: Any, leading: tuple[int, ...], n_actions: int, any_sum: bool
         got = checks.shown(given) if kind not in "iufb" else f"{array.dtype} of shape {array.shape}"
         if array.ndim == 0:
             got = checks.shown(given)
-        raise _AnswerError(f"{expected}, or {n_actions} probabilities, got {got}")
+        probabilities = f"probabilities, floats of shape {(*leading, n_actions)}"
+        if any_sum:
+            probabilities = f"outputs of shape {(*leading, n_actions)}"
+        raise _AnswerError(f"{expected}, or {probabilities}, got {got}")
     if any_sum:
         return np.asarray(np.eye(n_actions)[array.argmax(axis=-1)])
     found = array.astype(np.float64)

@@ -199,7 +199,7 @@ class PythonFile(NamedTuple):
     def read(cls, path: str | Path) -> PythonFile:
         """Return a file; FileNotFoundError if there is none."""
         if not Path(path).is_file():
-            raise FileNotFoundError(f"{path}: expected a file of Python, got none")
+            raise FileNotFoundError(f"{path}: expected a file of Python, got none: no such file")
         return cls(Path(path).name, read_text(Path(path), "program"))
 
 
@@ -257,7 +257,8 @@ def _named(given: str | Path, team: Team, options: Options) -> _Made:
         return "held-out opponent", text, lambda config: _held_out(text, team, config)
     if text and path.is_dir():
         # Runs are known to co-evolution alone, which is above this module.
-        last = import_module("matrixworld.coevolution.runs.stored").last_generation(path, team)
+        [run] = _runs_in(path)
+        last = import_module("matrixworld.coevolution.runs.stored").last_generation(run, team)
         return _made(last, team, options._replace(name=name or path.name))
     if (isinstance(given, Path) or is_path(text)) and not path.is_file():
         expected = f"a file ({', '.join(SUFFIXES)}) or a run directory"
@@ -276,6 +277,15 @@ def _named(given: str | Path, team: Team, options: Options) -> _Made:
     return _line(text, name or text)
 
 
+def _runs_in(path: Path) -> list[Path]:
+    """Return the only run in a directory, in a list; ValueError unless there is one."""
+    found: list[Path] = import_module("matrixworld.coevolution.runs.places").find_runs(path)
+    if len(found) != 1:
+        names = ", ".join(str(run) for run in found[:4]) + ", ..." * (len(found) > 4)
+        raise ValueError(f"{path}: expected a directory with one run, got {names or 'none'}")
+    return found
+
+
 def _line(text: str, name: str) -> _Made:
     """Return a program of one line."""
     program = Program(inputs=tuple(INPUTS), length=_MOST_TOKENS)
@@ -286,7 +296,8 @@ def _line(text: str, name: str) -> _Made:
             names = ", ".join([*SCRIPTS, SOLVED])
             others = f"a file, a run directory, or a line of {', '.join(INPUTS)}"
             raise ValueError(f"expected one of {names}, {others}, got {text!r}") from error
-        raise ValueError(f"{name!r}: {error}") from error
+        example = "a line such as '0.3 * teammate - adversary'"
+        raise ValueError(f"{name!r}: expected {example}: {error}") from error
     # As short as it can be, of the inputs that it reads: its genome can be read and changed.
     read = tuple(each for each in INPUTS if each in tokens) or tuple(INPUTS)[:1]
     short = Program(inputs=read, length=len(tokens))
@@ -344,11 +355,11 @@ def _run(file: PythonFile, seconds: float | None) -> dict[str, Any]:
     return {name: value for name, value in vars(module).items() if not name.startswith("__")}
 
 
-def teams_of(given: Any) -> tuple[Team, ...]:
+def teams_of(given: Any, *, seconds: float | None = None) -> tuple[Team, ...]:
     """Return the teams that something can play for: both, unless it says otherwise.
 
     Functions ``pursue`` and ``evade`` are of one team; so are genomes in files and tables. A file
-    of Python is run. Errors are those of `player`.
+    of Python is run, for at most so many `seconds`. Errors are those of `player`.
     """
     if isinstance(given, Player | TablePolicy):
         return (given.team,)
@@ -358,7 +369,7 @@ def teams_of(given: Any) -> tuple[Team, ...]:
     if path is not None and _is_file(path, ".py"):
         given = PythonFile.read(path)
     if isinstance(given, PythonFile):
-        found = _run(given, None)
+        found = _run(given, seconds)
         return _named_for(lambda name: callable(found.get(name))) or TEAMS
     if callable(given):
         name = getattr(given, "__name__", "")
@@ -385,6 +396,8 @@ def _held_out(name: str, team: Team, config: WorldConfig) -> Population:
         team, config.rules
     )
     if name not in every:
-        raise ValueError(f"{name}: expected one of {', '.join(every)} in this world")
+        evolved = [each for each in every if each.startswith("evolved-")]
+        got = ", ".join(evolved) or "none: they exist for the rules of the nine variants"
+        raise ValueError(f"{name}: expected an evolved opponent of these rules, which has {got}")
     found: Population = every[name]
     return found

@@ -21,6 +21,8 @@ from matrixworld.world.policy import Population, Team
 
 LOSSES = 3
 """Positions that are shown."""
+FEWEST_WORLDS = 5
+"""Fewer worlds have no interval."""
 
 READABLE: dict[Team, str] = {
     "pursuer": "max(0.6 * pressure, -adversary - 0.4 * unclaimed) - 0.1 * open_side",
@@ -107,8 +109,8 @@ class TeamGrade:
 
     @property
     def interval(self) -> tuple[float, float] | None:
-        """Student's 95 % interval of `share` over worlds, as if they were drawn; None for one."""
-        if len(self.worlds) == 1:
+        """Student's 95 % interval of `share` over worlds, as if they were drawn; None for few."""
+        if len(self.worlds) < FEWEST_WORLDS:
             return None
         return t_ends([each.share for each in self.worlds], LEVEL)
 
@@ -214,15 +216,12 @@ def _summary(of: TeamGrade) -> Iterator[str]:
         if share is not None
     ]
     worlds = f"{len(of.worlds)} worlds" if len(of.worlds) > 1 else "1 world"
-    exactly = "exactly"
+    how = "exactly"
     if of.estimate:
-        exactly = f"estimated between {of.bounds[0]:.3f} and {of.bounds[1]:.3f} ({of.estimate})"
-    share = f"{of.share:.3f}{ends}"
-    yield f"Guarantees {share} of perfect play in {worlds}, {exactly}: {', '.join(apart)}."
-    yield (
-        f"Gets {of.unread:.3f} of perfect play against perfect play that has not read it, which is "
-        "what an opponent takes that plays perfectly but knows nothing of this player."
-    )
+        how = f"estimated, without a bound ({of.estimate})"
+    yield f"Grade {of.share:.3f}{ends}: the share of perfect play that it guarantees against an"
+    yield f"opponent that knows it; mean of {worlds}, {how}: {', '.join(apart)}."
+    yield f"Against perfect opponents that do not know it: {of.unread:.3f} of perfect play."
     yield "For comparison: " + ", ".join(f"{mark.share:.3f} {mark.name}" for mark in of.marks) + "."
 
 
@@ -283,7 +282,7 @@ def grade(
     0.63
     """
     suite = Suite.of(worlds)
-    teams = (team,) if team is not None else teams_of(given)
+    teams = (team,) if team is not None else teams_of(given, seconds=seconds)
     players = {each: player(given, each, name=name, fov=fov, seconds=seconds) for each in teams}
     grades: dict[Team, TeamGrade] = {}
     done = 0

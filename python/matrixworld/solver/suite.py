@@ -118,7 +118,8 @@ class Suite:
         """Return a suite of a `WorldConfig`, of several, or of what already is one."""
         if isinstance(worlds, Suite):
             return worlds
-        several = [worlds] if isinstance(worlds, WorldConfig) else list(worlds)
+        one = isinstance(worlds, WorldConfig | SuiteWorld)
+        several = [worlds] if one else list(checks.check_sequence("worlds", worlds, "WorldConfig"))
         if not several:
             raise ValueError("worlds: expected at least one, got none")
         found = tuple(

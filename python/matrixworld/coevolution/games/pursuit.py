@@ -37,6 +37,7 @@ from matrixworld.play.experience import Experience as Experience
 from matrixworld.play.experience import Reals as Reals
 from matrixworld.play.experience import Views as Views
 from matrixworld.play.experience import experience
+from matrixworld.play.functions import Function
 from matrixworld.play.player import Player, placed, player
 from matrixworld.play.player import PythonFile as PythonFile
 from matrixworld.play.player import is_path as is_path
@@ -287,6 +288,8 @@ class Pursuit(Game):
         """
         opponent = player(name, team)
         plays = opponent.at(self.world)
+        if isinstance(plays, Function):
+            plays.check(self.world, team)  # before a run is written
         return plays if isinstance(plays, str | Population) else opponent
 
     def opponent_kept(self, team: Team, given: Any) -> Population | Player:
