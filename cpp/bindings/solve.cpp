@@ -84,16 +84,16 @@ py::tuple backup(const States& states, int turn, const Doubles& next,
     return py::make_tuple(values, gap, by_team[0], by_team[1]);
 }
 
-// The probabilities with which a policy plays in a step, (n_states, its joint actions).
-Doubles weigh(const States& states, int turn, Team team, const py::object& policy, int step,
-              int n_threads, const py::object& report) {
+// The probabilities with which a policy plays in a step of an episode, (n_states, its joint actions).
+Doubles weigh(const States& states, int turn, Team team, const py::object& policy,
+              States::When when, int n_threads, const py::object& report) {
     require_turn(states, turn);
     const HeldCandidates held = to_policy("champion", policy, states.setup().config);
     Doubles out({states.n_states(turn), std::int64_t{states.n_joint(turn, team)}});
     double* const probabilities = out.mutable_data();
     const States::Poll poll = signal_poll(report);
     const py::gil_scoped_release release;
-    states.weigh(turn, team, held.candidates, step, probabilities, n_threads, poll);
+    states.weigh(turn, team, held.candidates, when, probabilities, n_threads, poll);
     return out;
 }
 
@@ -102,8 +102,16 @@ bool counts_steps(const States& states, const py::object& policy) {
     return LoadedPolicy(held.candidates, states.setup()).load(0).counts_steps();
 }
 
+bool draws_strides(const States& states, const py::object& policy) {
+    const HeldCandidates held = to_policy("champion", policy, states.setup().config);
+    return LoadedPolicy(held.candidates, states.setup()).load(0).draws_strides();
+}
+
+// Episodes of the seed 0.
+States::When when_of(int step, std::uint64_t episode) { return {{0, episode}, step}; }
+
 // The named inputs of an agent in some states of a turn, (n, moves, inputs) float32.
-py::array_t<float> look(const States& states, int turn, int agent, int step,
+py::array_t<float> look(const States& states, int turn, int agent, int step, std::uint64_t episode,
                         const Array<std::int32_t>& of) {
     require_turn(states, turn);
     require_index("agent", agent, states.setup().config.n_agents());
@@ -112,7 +120,7 @@ py::array_t<float> look(const States& states, int turn, int agent, int step,
         require_index("state", of.data()[i], states.n_states(turn));
     }
     py::array_t<float> out(shape(of.size(), states.setup().config.n_actions(), kInputs));
-    states.look(turn, agent, step, of.data(), static_cast<std::size_t>(of.size()),
+    states.look(turn, agent, when_of(step, episode), of.data(), static_cast<std::size_t>(of.size()),
                 out.mutable_data());
     return out;
 }
@@ -157,13 +165,16 @@ void bind_solve(py::module_& m) {
         .def(
             "weigh",
             [](const States& states, int turn, bool evaders, const py::object& policy, int step,
-               int n_threads, const py::object& report) {
-                return weigh(states, turn, team_of(evaders), policy, step, n_threads, report);
+               std::uint64_t episode, int n_threads, const py::object& report) {
+                return weigh(states, turn, team_of(evaders), policy, when_of(step, episode),
+                             n_threads, report);
             },
             py::arg("turn"), py::arg("evaders"), py::arg("policy"), py::arg("step"),
-            py::arg("n_threads"), py::arg("report"))
+            py::arg("episode"), py::arg("n_threads"), py::arg("report"))
         .def("counts_steps", &counts_steps, py::arg("policy"))
-        .def("look", &look, py::arg("turn"), py::arg("agent"), py::arg("step"), py::arg("states"))
+        .def("draws_strides", &draws_strides, py::arg("policy"))
+        .def("look", &look, py::arg("turn"), py::arg("agent"), py::arg("step"), py::arg("episode"),
+             py::arg("states"))
         .def("backup", &backup, py::arg("turn"), py::arg("next").noconvert(),
              py::arg("pursuers").none(true).noconvert(), py::arg("evaders").none(true).noconvert(),
              py::arg("chosen"), py::arg("n_threads"), py::arg("report"));

@@ -100,7 +100,9 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
     memories_.read(s.memory_steps, s.memory_sizes, s.memories);
 }
 
-void World::put(const IntArray& cells, const ByteArray& captured, int steps, Scratch& scratch) {
+void World::put(const IntArray& cells, const ByteArray& captured, EpisodeKey key, int steps,
+                Scratch& scratch) {
+    key_ = key;
     steps_ = steps;
     captured_ = captured;
     ever_captured_ = captured;

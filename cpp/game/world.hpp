@@ -75,10 +75,12 @@ class World {
     void restore(const Snapshot& snapshot, Scratch& scratch);
 
     // Continues from a moment between two turns of which only this is known: where agents stand, by
-    // agent, kGone when gone; which evaders count as captured; and how many steps were played. What is
+    // agent, kGone when gone; which evaders count as captured; the episode, and how many of its
+    // steps were played. What is
     // left out decides rewards and reports only. Nothing is checked or allocated: who enumerates states calls it for each.
     // Preconditions: the world was reset before; no world has entered the scratch.
-    void put(const IntArray& cells, const ByteArray& captured, int steps, Scratch& scratch);
+    void put(const IntArray& cells, const ByteArray& captured, EpisodeKey key, int steps,
+             Scratch& scratch);
 
     // Enters the agents into the occupancy of the scratch, or removes them from it. A world is
     // played and observed between the two.

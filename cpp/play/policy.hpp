@@ -34,15 +34,16 @@ class Policy {
 
     // Writes the probabilities with which `decide` would choose each action, (n living agents in
     // [first, last), n_actions): a network's are the softmax of its outputs, or 1 for the largest
-    // one. Throws std::invalid_argument where choices depend on more than the present moment and the
-    // number of its step.
+    // one. Throws std::invalid_argument where choices depend on more than the present moment, its
+    // step and its episode.
     void weigh(const World& world, const Occupancy& occupancy, int first, int last, double* out) {
         draw(world, first, last);
         if (!agents_.empty()) weigh(world, occupancy, out);
     }
 
-    // Do its choices in a moment differ from step to step?
+    // Do its choices in a moment differ from step to step, or by what each episode draws?
     virtual bool counts_steps() const { return false; }
+    virtual bool draws_strides() const { return false; }
 
   protected:
     // Writes chosen_[i] for each agents_[i]. Called once for all agents of a turn, not once for each,

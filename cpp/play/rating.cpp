@@ -210,10 +210,10 @@ bool RatingPolicy::counts_steps() const {
 }
 
 void RatingPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
-    if (rater_->reads() & (1u << kAhead | 1u << kSearch)) {
+    if (rater_->reads() >> kSearch & 1) {
         throw std::invalid_argument(
-            "rating: expected one that decides by what it sees and by the step, got one that reads "
-            "ahead or search, which are drawn for each episode");
+            "rating: expected one that decides by what it sees, the step and the episode, got one "
+            "that reads search, which follows a plan");
     }
     rate(world, occupancy);
     for (std::size_t agent = 0; agent < agents_.size(); ++agent) {

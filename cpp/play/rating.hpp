@@ -42,6 +42,7 @@ class RatingPolicy : public Policy {
 
     void load(const float* genome) override;
     bool counts_steps() const override;
+    bool draws_strides() const override { return rater_->reads() >> kAhead & 1; }
 
   private:
     void choose(World& world, const Occupancy& occupancy) override;

@@ -77,7 +77,7 @@ void States::places_in(const World& world, std::vector<int>& places) const {
     }
 }
 
-void States::put(const std::vector<int>& places, Memory& memory, int step) const {
+void States::put(const std::vector<int>& places, Memory& memory, When when) const {
     const int n_pursuers = setup_->config.n_pursuers;
     for (int a = 0; a < n_pursuers; ++a) {
         memory.cells[a] = places[a] == kGonePlace ? kGone : cell_of_[places[a] - 1];
@@ -86,7 +86,7 @@ void States::put(const std::vector<int>& places, Memory& memory, int step) const
         memory.cells[a] = places[a] <= kCapturedPlace ? kGone : cell_of_[places[a] / 2 - 1];
         memory.captured[a - n_pursuers] = places[a] % 2;
     }
-    memory.world.put(memory.cells, memory.captured, step, memory.scratch);
+    memory.world.put(memory.cells, memory.captured, when.key, when.step, memory.scratch);
 }
 
 void States::sort(std::vector<int>& places) const {
@@ -258,7 +258,7 @@ void States::play_all(int turn, std::size_t state, Memory& memory, std::int32_t*
             out[joint] = out[same];
             continue;
         }
-        put(places, memory);
+        put(places, memory, {});
         world.begin_round();
         world.play_turn(turn, memory.actions.data(), memory.scratch);
         if (world.terminated()) {
@@ -295,7 +295,7 @@ void States::for_each_state(std::size_t first, std::size_t last, int n_threads, 
 
 // ---- What a policy does in every state ----------------------------------------------------------
 
-void States::weigh(int turn, Team of, const Candidates& candidates, int step, double* out,
+void States::weigh(int turn, Team of, const Candidates& candidates, When when, double* out,
                    int n_threads, const Poll& poll) const {
     const Layer& layer = layers_[turn];
     const int n_joint = layer.n_joint[static_cast<int>(of)];
@@ -314,7 +314,7 @@ void States::weigh(int turn, Team of, const Candidates& candidates, int step, do
         World& world = memory[thread]->world;
         Scratch& scratch = memory[thread]->scratch;
         place(layer.codes[state], memory[thread]->places);
-        put(memory[thread]->places, *memory[thread], step);
+        put(memory[thread]->places, *memory[thread], when);
         Policy& policy = loaded[thread]->load(0);
         // Members decide independently of each other: probabilities are multiplied.
         for (int a = layer.first, n = 1; a < layer.last; ++a) {
@@ -329,7 +329,7 @@ void States::weigh(int turn, Team of, const Candidates& candidates, int step, do
     });
 }
 
-void States::look(int turn, int agent, int step, const std::int32_t* states, std::size_t n,
+void States::look(int turn, int agent, When when, const std::int32_t* states, std::size_t n,
                   float* out) const {
     Memory memory(*this);
     MoveInputs inputs(setup_->config);
@@ -337,7 +337,7 @@ void States::look(int turn, int agent, int step, const std::int32_t* states, std
     std::vector<float> all(setup_->config.n_agents() * size);
     for (std::size_t i = 0; i < n; ++i) {
         place(layers_[turn].codes[states[i]], memory.places);
-        put(memory.places, memory, step);
+        put(memory.places, memory, when);
         inputs.write(memory.world, memory.scratch.occupancy, all.data());
         std::copy_n(all.data() + agent * size, size, out + i * size);
         memory.world.leave(memory.scratch);

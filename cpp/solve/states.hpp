@@ -74,14 +74,19 @@ class States {
     double backup(int turn, const double* next, double* values, const Play& play, int n_threads,
                   const Poll& poll = {}) const;
 
-    // The probabilities with which candidate 0 of a team plays in a step, (n_states, its joint
-    // actions). An end has action 0. Throws as Policy::weigh does.
-    void weigh(int turn, Team team, const Candidates& candidates, int step, double* out,
+    // A step of an episode: both may decide what a policy does in a state.
+    struct When {
+        EpisodeKey key;
+        int step = 0;
+    };
+    // The probabilities with which candidate 0 of a team plays, (n_states, its joint actions). An end
+    // has action 0. Throws as Policy::weigh does.
+    void weigh(int turn, Team team, const Candidates& candidates, When when, double* out,
                int n_threads, const Poll& poll = {}) const;
 
-    // The named inputs of one agent in each of some states in a step, (n, moves, kInputs). It must
-    // be alive in them. Those that random numbers of the episode decide are of an episode 0.
-    void look(int turn, int agent, int step, const std::int32_t* states, std::size_t n,
+    // The named inputs of one agent in each of some states, (n, moves, kInputs). It must be alive in
+    // them.
+    void look(int turn, int agent, When when, const std::int32_t* states, std::size_t n,
               float* out) const;
 
   private:
@@ -108,7 +113,7 @@ class States {
     }
 
     struct Memory;
-    void put(const std::vector<int>& places, Memory& memory, int step = 0) const;
+    void put(const std::vector<int>& places, Memory& memory, When when) const;
     std::int32_t number(Layer& layer, Code code);
     void add_starts(int agent, std::vector<int>& places);
     void expand(int turn, std::size_t first, int n_threads, const Poll& poll);

@@ -259,16 +259,20 @@ class States(metaclass=_Pybind11Type):
         evaders: bool,
         policy: _Candidates,
         step: int,
+        episode: int,
         n_threads: int,
         report: _Report,
     ) -> NDArray[np.float64]:
-        """Probabilities of a team's joint actions in a step, (S, P) or (S, Q)."""
+        """Probabilities of a team's joint actions in a step of an episode, (S, P) or (S, Q)."""
 
     def counts_steps(self, policy: _Candidates) -> bool:
         """Whether these probabilities differ from step to step."""
 
+    def draws_strides(self, policy: _Candidates) -> bool:
+        """Whether these probabilities differ by the directions that each episode draws."""
+
     def look(
-        self, turn: int, agent: int, step: int, states: NDArray[np.int32]
+        self, turn: int, agent: int, step: int, episode: int, states: NDArray[np.int32]
     ) -> NDArray[np.float32]:
         """The named inputs of an agent, (n, moves, inputs), in states in which it is alive."""
 

@@ -1,5 +1,7 @@
 """What players guarantee: memories against tables of steps, estimates against exact values."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -131,3 +133,68 @@ def test_an_estimate_is_a_bracket_of_the_exact_value(team):
         error = ends.std(ddof=1) / len(ends) ** 0.5
         assert sign * (exact - ends.mean()) >= -3 * error
     assert (high - low).mean() < 0.2
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("name", WORLDS)
+def test_a_direction_that_agents_draw_is_known_to_the_best_response(name, team):
+    """All directions are met equally often: beside matches against perfect play, and a memory."""
+    perfect = solve(WORLDS[name])
+    config = perfect.states.config
+    rating = mw.Rating(inputs=("ahead",), mask="none")
+    genome = mw.Population(np.float32([1]), rating)  # walks on, always
+    found = guarantee(perfect, genome, team)
+
+    def walks_on(view, rng, memory):
+        if "way" not in memory:
+            memory["way"] = int(rng.integers(1, 5))
+        return memory["way"]
+
+    later = guarantee(perfect, walks_on, team)  # its direction is known after its first move
+    assert found.unread == pytest.approx(later.unread, abs=1e-12)
+    assert (found.value - later.value) * (1 if team == "pursuer" else -1) <= 1e-12
+    numbered = found.perfect.states
+    n = config.n_pursuers if team == "pursuer" else config.n_evaders
+    values = []
+    for ways in product(range(1, 5), repeat=n):
+        play = []
+        for turn in range(numbered.n_turns):
+            first = config.n_pursuers if team == "evader" else 0
+            rows = np.ones((numbered.count(turn), 1))
+            for agent in numbered.members(turn, team):
+                own = np.where(numbered.cells(turn)[:, agent] >= 0, ways[agent - first], 0)
+                rows = (rows[:, :, None] * np.eye(5)[own][:, None]).reshape(len(rows), -1)
+            play.append(rows)
+        values.append(best_response(numbered, Table(numbered, team, (tuple(play),)), team).value)
+    assert found.value == pytest.approx(np.mean(values), abs=1e-12)
+    fallen = sum(
+        (visit.reach * found.perfect.before(visit.rounds, visit.turn) - visit.after).sum()
+        for visit in found.visits
+    )
+    assert fallen == pytest.approx(perfect.value - found.value, abs=1e-12)
+    with pytest.raises(ValueError, match="reads ahead, a direction that each agent draws"):
+        best_response(config, genome, team)
+
+
+def test_what_reads_ahead_is_graded_in_short_episodes_only():
+    config = mw.WorldConfig("TO", n_pursuers=1, n_evaders=1, **(SIZES | {"max_steps": 13}))
+    genome = mw.Population(np.float32([1]), mw.Rating(inputs=("ahead",)))
+    with pytest.raises(NotExactError, match="expected at most 12 steps"):
+        guarantee(solve(config), genome, "evader")
+
+
+def test_a_memory_that_draws_by_itself_is_refused():
+    own = np.random.default_rng(0)
+
+    def evade(view, rng, memory):
+        return int(own.integers(5))
+
+    with pytest.raises(NotExactError, match="answers differently when it is asked again"):
+        guarantee(solve(WORLDS["O, 2 v 1"]), evade, "evader")
+
+
+def test_only_a_solution_of_both_teams_is_perfect():
+    states = solve(WORLDS["O, 2 v 1"]).states
+    for wrong in (solve(states, payoff="capture-time"), best_response(states, "chaser", "pursuer")):
+        with pytest.raises(ValueError, match="perfect: expected a solution by solve"):
+            guarantee(wrong, "fleer", "evader")

@@ -268,3 +268,54 @@ def test_a_function_of_one_view_is_told_by_its_own_error():
 def test_functions_with_other_arguments_are_refused(function):
     with pytest.raises(TypeError, match=r"expected f\(views\), f\(view\), f\(view, rng\)"):
         mw.player(function, "evader")
+
+
+def test_a_refused_draw_is_seen_also_if_the_function_catches_it():
+    def hides(view, rng):
+        try:
+            return int(rng.normal() > 0)
+        except Exception:  # noqa: BLE001, what a user writes
+            return 0
+
+    with pytest.raises(NotExactError, match="rng.normal"):
+        table(States(mw.WorldConfig("O", **SIZES)), hides, "evader")
+
+
+def test_probabilities_of_float32_are_as_exact_as_they_can_be():
+    def chooses(view, rng):
+        return rng.choice(5, p=np.float32([0.1, 0.2, 0.3, 0.2, 0.2]))
+
+    config = mw.WorldConfig("O", **SIZES)
+    found = table(States(config), chooses, "evader").steps[0][0][config.n_evaders + 1 :]
+    np.testing.assert_allclose(found.sum(axis=1), 1, atol=1e-12)
+
+
+def test_a_table_of_steps_plays_in_episodes_of_as_many_only():
+    config = mw.WorldConfig("O", **SIZES, fov=11)
+    policy = table(States(config), "careful-chaser", "pursuer").policy()
+    short = mw.WorldConfig("O", **(SIZES | {"max_steps": 3}), fov=11)
+    matches = mw.Matches.of(0, 0, 0)
+    assert mw.rollout(config, policy, "fleer", matches).length
+    for given in (policy, policy.play):
+        with pytest.raises(ValueError, match="expected a world with max_steps 4, which it counts"):
+            mw.rollout(short, given, "fleer", matches)
+
+
+def test_long_lines_are_no_paths_and_players_can_be_made_anew():
+    line = " + ".join(["adversary"] * 60)
+    assert mw.player(line, "evader").kind == "program"
+    wide = mw.player(flees, "evader")
+    config = mw.WorldConfig("O", **SIZES, fov=11)
+    narrow = mw.player(wide, "evader", fov=3, name="short-sighted")
+    assert narrow.at(config).fov == 3
+    assert narrow.name == "short-sighted"
+
+
+def test_no_matches_have_no_statistics():
+    def remembers(view, rng, memory):
+        return 0
+
+    config = mw.WorldConfig("O", **SIZES)
+    with pytest.warns(UserWarning, match="remembers is asked in every step"):
+        played = mw.rollout(config, "chaser", remembers, mw.Matches.of([], [], []), episodes=3)
+    assert played.faults.shape == (0, 3, 2, 3)

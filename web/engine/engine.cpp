@@ -351,7 +351,7 @@ EMSCRIPTEN_KEEPALIVE bool states_weigh(const States* states, int turn, bool evad
         const Team team = evaders ? Team::Evader : Team::Pursuer;
         const Player player(Inputs(policy), states->setup().config);
         std::vector<double> play(states->n_states(turn) * states->n_joint(turn, team));
-        states->weigh(turn, team, player.candidates, step, play.data(), 1);
+        states->weigh(turn, team, player.candidates, {{}, step}, play.data(), 1);
         outputs.add("play", play.data(), play.size());
     });
 }

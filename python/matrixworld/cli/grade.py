@@ -21,10 +21,10 @@ from matrixworld.cli import console, options
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import Progress, ProgressBar
 from matrixworld.coevolution.runs.places import find_runs
-from matrixworld.play.player import PythonFile
+from matrixworld.play.player import PythonFile, is_folder
 from matrixworld.solver.grade import Grade, grade
 from matrixworld.solver.suite import SUITE, Suite
-from matrixworld.world.policy import TEAMS, Team
+from matrixworld.world.policy import SCRIPTS, TEAMS, Team
 
 WHAT = "What the numbers mean: docs/suite.md."
 BEAT = 1.0
@@ -84,7 +84,7 @@ def grade_command(
     options.check_outputs(json_file, force=force)
     suite = _suite_of(chosen)
     for given in players:
-        if Path(given).is_dir() and not find_runs(Path(given)):
+        if given and given not in SCRIPTS and is_folder(given) and not find_runs(Path(given)):
             raise click.UsageError(
                 f"{given}: expected a file, a line of text or a run directory, got a directory "
                 "without a run; name the files in it one by one"
@@ -264,7 +264,10 @@ def _work(
 
     def send(*message: Any) -> None:
         with sending:
-            connection.send(message)
+            try:
+                connection.send(message)
+            except OSError:  # the command has ended
+                os._exit(1)
 
     def beat() -> None:
         while True:
@@ -272,6 +275,8 @@ def _work(
             send("alive")
             if busy_for() > seconds + GRACE:
                 frame = sys._current_frames()[threading.main_thread().ident or 0]
+                while frame.f_back and frame.f_code.co_filename != name_of_file:
+                    frame = frame.f_back
                 told = f"expected an answer within {seconds:g} s, got none, and it goes on"
                 send("ends", f"{name_of_file}, line {frame.f_lineno}: {told}")
 

@@ -30,6 +30,8 @@ def branches(ask: Callable[[Any], Answer]) -> list[tuple[Answer, float]]:
     while True:
         draws = FollowedDraws(path)
         answer = ask(draws)
+        if draws.refused is not None:  # the function has caught it
+            raise draws.refused
         found.append((answer, draws.share))
         if len(found) > MOST_BRANCHES:
             raise NotExactError(f"draws: expected at most {MOST_BRANCHES:,} results, got more")
@@ -52,22 +54,28 @@ class FollowedDraws:
     def __init__(self, path: Sequence[int]) -> None:
         self._path = path
         self.share = 1.0
+        self.refused: NotExactError | None = None
         self.taken: list[tuple[int, int]] = []
 
     def draw(self, shares: Sequence[float]) -> int:
         """Return the number of the next result of a draw with these probabilities."""
         place = len(self.taken)
         if place == MOST_DRAWS:
-            raise NotExactError(f"draws: expected at most {MOST_DRAWS} in a decision, got more")
+            self.refuse(f"draws: expected at most {MOST_DRAWS} in a decision, got more")
         result = self._path[place] if place < len(self._path) else 0
         if result >= len(shares):
-            raise NotExactError(
+            self.refuse(
                 "draws: expected the same ones after the same results, got others: the function "
                 "remembers, or draws other random numbers than those of rng"
             )
         self.taken.append((result, len(shares)))
         self.share *= shares[result]
         return result
+
+    def refuse(self, reason: str) -> NoReturn:
+        """Raise NotExactError, of which `branches` hears also if the function catches it."""
+        self.refused = self.refused or NotExactError(reason)
+        raise self.refused
 
     def _below(self, n: int) -> int:
         if n < 1:
@@ -83,22 +91,30 @@ class FollowedDraws:
         endpoint: bool = False,
     ) -> Any:
         """Return whole numbers from `low` to below `high`, as NumPy's generator does."""
+        if np.ndim(low) or (high is not None and np.ndim(high)):
+            self.refuse("rng.integers: expected bounds that are integers, got arrays")
         first, last = (0, int(low)) if high is None else (int(low), int(high))
         n = last - first + endpoint
         count = 1 if size is None else int(np.prod(size))
         drawn = np.array([first + self._below(n) for _ in range(count)], dtype)
         return drawn[0] if size is None else drawn.reshape(size)
 
-    def choice(self, a: Any, size: Any = None, replace: bool = True, p: Any = None) -> Any:
+    def choice(
+        self, a: Any, size: Any = None, replace: bool = True, p: Any = None, **more: Any
+    ) -> Any:
         """Return one item of a sequence, or one number below `a`."""
         if size is not None:
-            raise NotExactError("rng.choice: expected one item, got a size")
+            self.refuse("rng.choice: expected one item, got a size")
         items = np.arange(a) if isinstance(a, int | np.integer) else np.asarray(a)
         if p is None:
             return items[self._below(len(items))]
-        shares = np.asarray(p, np.float64)
-        if shares.shape != (len(items),) or abs(shares.sum() - 1) > 1e-8 or shares.min() < 0:
+        given = np.asarray(p)
+        # As NumPy's generator: what a type of numbers can carry.
+        rounding = float(np.sqrt(np.finfo(given.dtype).eps)) if given.dtype.kind == "f" else 1e-8
+        shares = given.astype(np.float64)
+        if shares.shape != (len(items),) or abs(shares.sum() - 1) > rounding or shares.min() < 0:
             raise ValueError(f"rng.choice: expected probabilities of {len(items)} items, got {p}")
+        shares /= shares.sum()
         possible = np.flatnonzero(shares)  # what never comes is not followed
         return items[possible[self.draw(shares[possible].tolist())]]
 
@@ -114,11 +130,11 @@ class FollowedDraws:
     def random(self, size: Any = None) -> Uniform:
         """Return a number from [0, 1) that can only be compared."""
         if size is not None:
-            raise NotExactError("rng.random: expected one number, got a size")
+            self.refuse("rng.random: expected one number, got a size")
         return Uniform(self)
 
     def __getattr__(self, name: str) -> NoReturn:
-        raise NotExactError(f"rng.{name}: its results cannot all be followed")
+        self.refuse(f"rng.{name}: its results cannot all be followed")
 
 
 class Uniform:
@@ -133,7 +149,7 @@ class Uniform:
 
     def _is_below(self, other: Any) -> bool:
         if np.ndim(other) or np.isnan(limit := float(other)):
-            raise NotExactError(f"rng.random: expected a comparison with a number, got {other!r}")
+            self._draws.refuse(f"rng.random: expected a comparison with a number, got {other!r}")
         if limit <= self._low:
             return False
         if limit >= self._high:
@@ -160,8 +176,10 @@ class Uniform:
         return not self._is_below(other)
 
     def _refused(self, *others: Any) -> NoReturn:
-        raise NotExactError("rng.random: expected a comparison with its number, got arithmetic")
+        self._draws.refuse("rng.random: expected a comparison with its number, got arithmetic")
 
     __float__ = __int__ = __array__ = __bool__ = __neg__ = _refused
     __add__ = __radd__ = __sub__ = __rsub__ = _refused
-    __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _refused
+    __mul__ = __rmul__ = __truediv__ = __rtruediv__ = __floordiv__ = __rfloordiv__ = _refused
+    __mod__ = __rmod__ = __pow__ = __rpow__ = __abs__ = __round__ = __divmod__ = _refused
+    __floor__ = __ceil__ = __trunc__ = __index__ = _refused

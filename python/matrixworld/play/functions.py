@@ -105,13 +105,17 @@ class Function:
         self.has_read_step = False
         """Whether it has ever read an input that depends on the step, as by right of way."""
         self.tables: dict[Any, Any] = {}
-        """What it became in worlds of few states, by team and world."""
+        """What it became in the last worlds of few states, by team and world."""
         self.told: set[str] = set()
         """The reasons, of which a warning has told, why it did not."""
         self._at_once: bool | None = None
 
     def __repr__(self) -> str:
         return f"Function({self.name}: {self.form})"
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Leave out tables, which other processes make themselves."""
+        return {**vars(self), "tables": {}}
 
     @property
     def form(self) -> str:
@@ -225,7 +229,12 @@ class Function:
             except Exception as error:
                 raise NotExactError(f"{self.name}: its memory cannot be copied: {error}") from error
 
-        return [(answer, kept, share) for (answer, kept), share in branches(ask)]
+        merged: dict[tuple[bytes, bytes], tuple[Floats, bytes, float]] = {}
+        for (answer, kept), share in branches(ask):  # many results of draws may lead to one answer
+            key = answer.tobytes(), kept
+            before = merged[key][2] if key in merged else 0.0
+            merged[key] = answer, kept, before + share
+        return [*merged.values()]
 
     def sampled(self, seen: NDArray[Any], n_actions: int, rng: np.random.Generator) -> Floats:
         """Return answers (n, n_actions) of one draw for each view, where they cannot be exact."""
@@ -346,6 +355,10 @@ class _Inputs(dict[str, NDArray[np.float32]]):
         self._noted = {name: columns.pop(name) for name in (_BY_STEP, *_DRAWN)}
         self.has_read_step = False
         super().__init__(columns)
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """Return an input, as ``x[name]`` does."""
+        return self[name] if name in INPUTS else default
 
     def __missing__(self, name: str) -> NDArray[np.float32]:
         if name not in self._noted:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import sys
 import traceback
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from functools import cache, partial
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache, partial
 from importlib import import_module
+from itertools import count
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple, TypeAlias
@@ -37,7 +38,11 @@ FUNCTIONS: dict[Team, tuple[str, str]] = {
 """The functions of a file of Python that can play for a team, the first one that it has."""
 
 SUFFIXES = (".py", ".npz", ".txt")
+KEPT = 8
+"""The most worlds of which a player keeps what plays there."""
+
 _MOST_TOKENS = 2**12
+_RUNS = count()  # of files: each has a module of its own
 
 KINDS = (
     "the name of a script, a line of text, a file (.py, .npz, .txt) or run directory, a "
@@ -80,7 +85,6 @@ class Player:
     given: Any
     made: Callable[[WorldConfig], Plays]
     options: Options
-    _at: dict[WorldConfig, Plays] = field(init=False, default_factory=dict)
 
     def __repr__(self) -> str:
         return f"Player({self.name}: {self.kind}, for {PLURALS[self.team]})"
@@ -94,8 +98,6 @@ class Player:
 
         ValueError if it sees too little there, has other views or moves, or is of another world.
         """
-        if config in self._at:
-            return self._at[config]
         plays = self.made(config)
         if isinstance(plays, Population):
             plays.policy.check_fits(self.name, config)
@@ -105,7 +107,6 @@ class Player:
         elif isinstance(plays, TablePolicy) and plays.steps not in (None, config.max_steps):
             expected = f"a world with max_steps {plays.steps}, which it counts"
             raise ValueError(f"{self.name}: expected {expected}, got {config.max_steps}")
-        self._at[config] = plays
         return plays
 
 
@@ -168,14 +169,16 @@ def player(
     if isinstance(given, Player):
         if given.team != team:
             raise ValueError(f"{given.name}: expected a player of {PLURALS[team]}, got {given}")
-        return given
+        if not (name or fov or seconds):
+            return given
+        name, given = name or given.name, given.given
     options = Options(name, fov, seconds)
     if isinstance(given, str | Path) and _is_file(given, ".py"):
         given = PythonFile.read(given)  # other processes need not see the file
         kind, title, made = _made(_function_in(given, team, options), team, options)
     else:
         kind, title, made = _made(given, team, options)
-    return Player(team, name or title, kind, given, made, options)
+    return Player(team, name or title, kind, given, lru_cache(KEPT)(made), options)
 
 
 def placed(argument: str, given: Any, team: Team, config: WorldConfig) -> Plays:
@@ -255,7 +258,7 @@ def _named(given: str | Path, team: Team, options: Options) -> _Made:
         return "perfect play", text, lambda config: _solved(config, team)
     if text.startswith("evolved-"):
         return "held-out opponent", text, lambda config: _held_out(text, team, config)
-    if text and path.is_dir():
+    if text and is_folder(path):
         # Runs are known to co-evolution alone, which is above this module.
         [run] = _runs_in(path)
         last = import_module("matrixworld.coevolution.runs.stored").last_generation(run, team)
@@ -309,14 +312,22 @@ def _line(text: str, name: str) -> _Made:
     return "program", name, made
 
 
+def is_folder(given: str | Path) -> bool:
+    """Return whether a text is the path of a directory; a long line of text is none."""
+    try:
+        return Path(given).is_dir()
+    except OSError:
+        return False
+
+
 def _is_file(given: str | Path, *suffixes: str) -> bool:
     """Return whether a text is a path with one of some suffixes."""
-    return Path(given).suffix in suffixes and not Path(given).is_dir()
+    return Path(given).suffix in suffixes and not is_folder(given)
 
 
 def is_path(text: str) -> bool:
     """Return whether a text is the path of a player's file or run, and no name or line."""
-    return bool(text) and ("/" in text or _is_file(text, *SUFFIXES) or Path(text).exists())
+    return bool(text) and ("/" in text or _is_file(text, *SUFFIXES) or is_folder(text))
 
 
 def _function_in(file: PythonFile, team: Team, options: Options) -> Function:
@@ -335,7 +346,7 @@ def _function_in(file: PythonFile, team: Team, options: Options) -> Function:
 
 def _run(file: PythonFile, seconds: float | None) -> dict[str, Any]:
     """Run a file of Python and return its names; PlayerError, with a line, if it fails."""
-    module = ModuleType(f"matrixworld_player_{Path(file.name).stem}")
+    module = ModuleType(f"matrixworld_player_{Path(file.name).stem}_{next(_RUNS)}")
     module.__file__ = file.name
     sys.modules[module.__name__] = module  # so that memories can hold objects of its classes
     try:
@@ -363,6 +374,11 @@ def teams_of(given: Any, *, seconds: float | None = None) -> tuple[Team, ...]:
     """
     if isinstance(given, Player | TablePolicy):
         return (given.team,)
+    if isinstance(given, Function):
+        given = given.function
+    if getattr(given, "team", None) in TEAMS:  # a table
+        team: Team = given.team
+        return (team,)
     path = Path(given) if isinstance(given, str | Path) else None
     if path is not None and path.suffix == ".npz" and path.is_file():
         return (read_genome(path)[0],)

@@ -177,6 +177,9 @@ def _asked(
     config: WorldConfig, teams: list[Plays], matches: Matches, episodes: int
 ) -> EpisodeStatistics:
     """Play matches in which functions are asked in every step."""
+    if not len(matches.seed):
+        one = _asked(config, teams, Matches.of(0, 0, 0), episodes)
+        return EpisodeStatistics(**{name: array[:0] for name, array in vars(one).items()})
     played = []
     for *numbers, seed in zip(*(column.tolist() for column in matches), strict=True):
         members = [

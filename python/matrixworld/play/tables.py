@@ -19,10 +19,15 @@ from matrixworld.play.functions import Function
 from matrixworld.play.player import Plays, placed, player
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, TEAMS, Population, TablePolicy, Team
-from matrixworld.world.states import States, state_count
+from matrixworld.world.states import States, states_size
 
 MOST_STATES = 50_000
 """The most states of a world in which a function becomes a table by itself."""
+
+MOST_BYTES = 2**28
+"""The most bytes of its states."""
+KEPT = 8
+"""The most worlds of which a function keeps a table."""
 
 Turns: TypeAlias = tuple[NDArray[np.float64], ...]
 """Probabilities of a step, for each turn (S, the team's joint actions)."""
@@ -161,7 +166,7 @@ def in_engine(given: Any, team: Team, config: WorldConfig) -> Plays:
     A function becomes a table in a world of few states, once for a `Player` or `Function`. A
     warning says why it does not.
     """
-    if isinstance(given, Population | TablePolicy) or (isinstance(given, str) and given in SCRIPTS):
+    if isinstance(given, Population) or (isinstance(given, str) and given in SCRIPTS):
         return given
     plays = placed(PLURALS[team], given, team, config)
     if not isinstance(plays, Function):
@@ -169,6 +174,8 @@ def in_engine(given: Any, team: Team, config: WorldConfig) -> Plays:
     key = team, config
     if key not in plays.tables:
         plays.tables[key] = _as_table(plays, team, config)
+        while len(plays.tables) > KEPT:  # the oldest one
+            plays.tables.pop(next(iter(plays.tables)))
     kept: TablePolicy | None = plays.tables[key]
     return plays if kept is None else kept
 
@@ -178,11 +185,11 @@ def _as_table(function: Function, team: Team, config: WorldConfig) -> TablePolic
     try:
         if config.density:
             raise NotExactError("each episode draws obstacles")
-        if (count := state_count(config)) > MOST_STATES:
-            got = f"about {count:,}" if count < inf else "more than 2^31"
-            raise NotExactError(
-                f"the world has {got} states, tables are made up to {MOST_STATES:,}"
-            )
+        count, size = states_size(config)
+        if count > MOST_STATES or size > MOST_BYTES:
+            got = f"about {count:,} states" if count < inf else "more than 2^31 states"
+            got += f" of {size / 10**6:,.0f} MB" if count <= MOST_STATES else ""
+            raise NotExactError(f"the world has {got}, tables are made up to {MOST_STATES:,}")
         return table(States(config), function, team).policy()
     except NotExactError as error:
         if str(error) not in function.told:

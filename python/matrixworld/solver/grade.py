@@ -320,7 +320,7 @@ def _graded(plays: Player, found: list[tuple[Guarantee, SuiteWorld]], suite: Sui
         team,
         _kind_of(plays, found[0][1]),
         of_worlds,
-        tuple(_marks(suite, team)),
+        _marks(suite, team),
         tuple(most_expensive((losses(one, world, team) for one, world in found), LOSSES)),
         behaviour((one for one, _ in found), team),
         next((one.reason for one, _ in found if one.reason), ""),
@@ -337,13 +337,9 @@ def _world_grade(one: Guarantee, world: SuiteWorld, team: Team) -> WorldGrade:
     return WorldGrade(world.name, world.in_turns, perfect, (low + high) / 2, (low, high), unread)
 
 
-_KNOWN_MARKS: dict[tuple[Any, ...], list[Mark]] = {}
-
-
-def _marks(suite: Suite, team: Team) -> list[Mark]:
+def _marks(suite: Suite, team: Team) -> tuple[Mark, ...]:
     """Return the shares of chance, of the best script and of the readable program."""
-    key = *suite.worlds, team
-    if key not in _KNOWN_MARKS:
+    if team not in suite.marks:
         shares: dict[str, list[float]] = {}
         for world in suite.worlds:
             line = READABLE[team]
@@ -356,9 +352,10 @@ def _marks(suite: Suite, team: Team) -> list[Mark]:
         }
         readable = everywhere.pop(f"'{READABLE[team]}'")
         best = max(everywhere, key=lambda name: everywhere[name])
-        _KNOWN_MARKS[key] = [
+        suite.marks[team] = (
             Mark("chance", everywhere["random"]),
             Mark(f"the best script ({best})", everywhere[best]),
             Mark(f"the line {READABLE[team]}", readable),
-        ]
-    return _KNOWN_MARKS[key]
+        )
+    found: tuple[Mark, ...] = suite.marks[team]
+    return found

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import islice
+from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -188,6 +189,8 @@ class _Images:
     def __init__(self, states: States) -> None:
         config = states.config
         self._states = states
+        self._cells = [states.cells(turn) for turn in range(states.n_turns)]
+        self._captured = [states.captured(turn) for turn in range(states.n_turns)]
         in_order = config.rules.interaction is Interaction.AGENT_TURNS
         self._sorted = not in_order and not states.numbered
         numbers = np.arange(config.rows * config.cols).reshape(config.rows, config.cols)
@@ -204,21 +207,33 @@ class _Images:
     def key(self, turn: int, state: int) -> tuple[object, ...]:
         """Return what is the same for all images of a state."""
         pursuers = self._states.config.n_pursuers
-        cells = self._states.cells(turn)[state]
-        captured = self._states.captured(turn)[state].tolist()
+        cells, captured = (each[turn][state] for each in (self._cells, self._captured))
         keys = []
         for places in self._places:
             moved = places[cells].tolist()
             hunters = moved[:pursuers]
-            hunted = list(zip(moved[pursuers:], captured, strict=True))
+            hunted = list(zip(moved[pursuers:], captured.tolist(), strict=True))
             if self._sorted:
                 hunters, hunted = sorted(hunters), sorted(hunted)
             keys.append((*hunters, *hunted))
         return min(keys)
 
 
-@lru_cache(maxsize=1024)
+_DIRECTIONS: WeakKeyDictionary[States, dict[tuple[int, int], Any]] = WeakKeyDictionary()
+
+
 def _directions(
+    states: States, turn: int, agent: int
+) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
+    """Return what `_found_directions` does, which is computed once for states."""
+    known = _DIRECTIONS.setdefault(states, {})
+    if (turn, agent) not in known:
+        known[turn, agent] = _found_directions(states, turn, agent)
+    found: tuple[NDArray[np.int8], NDArray[np.bool_]] = known[turn, agent]
+    return found
+
+
+def _found_directions(
     states: States, turn: int, agent: int
 ) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
     """Return where the moves of an agent lead, in each state of a turn, (S, n_actions).
@@ -229,7 +244,7 @@ def _directions(
     names = list(INPUTS)
     cells = states.cells(turn)
     [alive] = np.nonzero(cells[:, agent] >= 0)
-    inputs = states.core.look(turn, agent, 0, alive.astype(np.int32))
+    inputs = states.core.look(turn, agent, 0, 0, alive.astype(np.int32))
     distance = inputs[..., names.index("adversary")]
     shape = len(cells), states.config.n_actions
     towards, blocked = np.zeros(shape, np.int8), np.zeros(shape, np.bool_)

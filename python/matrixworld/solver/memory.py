@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.play.draws import NotExactError
-from matrixworld.play.functions import Function
+from matrixworld.play.functions import ASKED_AGAIN, Function
 from matrixworld.solver.solution import Solution
 from matrixworld.solver.visits import Visit
 from matrixworld.world.policy import Network, Population, Team
@@ -58,6 +58,8 @@ def mind_of(plays: Any) -> Mind | None:
     if isinstance(plays, Function) and plays.remembers:
         return plays
     if isinstance(plays, Population) and plays.policy.memory != "none":
+        if len(plays.genomes) != 1:
+            raise ValueError(f"champion: expected a single genome, got {len(plays.genomes)}")
         return Recurrent(plays)
     return None
 
@@ -114,6 +116,8 @@ class _Followed:
         following: list[list[int]] = []
         for number, moment in enumerate(moments):
             for play, memories, share in self._answers(turn, moment):
+                if len(numbers) > MOST_MOMENTS:
+                    raise NotExactError(_too_many())
                 for action in np.flatnonzero(play).tolist():
                     ways.append((number, action, share * float(play[action])))
                     following.append(
@@ -138,9 +142,7 @@ class _Followed:
             if view >= 0:
                 key = view, memories[member]
                 if key not in self._known:
-                    self._known[key] = self._mind.followed(
-                        self._views[view], memories[member], self._n_actions
-                    )
+                    self._known[key] = self._followed(view, memories[member])
                 answers = self._known[key]
             found = [
                 (
@@ -153,6 +155,19 @@ class _Followed:
             ]
         return found
 
+    def _followed(self, view: int, memory: bytes) -> Answers:
+        """Return the answers in a view; NotExactError if others come when they are asked again."""
+        seen = self._views[view]
+        found = self._mind.followed(seen, memory, self._n_actions)
+        if len(self._known) < ASKED_AGAIN:
+            again = self._mind.followed(seen, memory, self._n_actions)
+            if _plain(found) != _plain(again):
+                raise NotExactError(
+                    "memory: it answers differently when it is asked again: it remembers or draws "
+                    "in other ways than by memory and rng"
+                )
+        return found
+
     def _moment(self, state: int, memories: tuple[bytes, ...], cells: NDArray[np.int32]) -> Moment:
         """Return a moment: an end has no memories, and the gone remember nothing."""
         if state < self._n_ends:
@@ -161,6 +176,17 @@ class _Followed:
         if alive.all():
             return state, memories
         return state, tuple(m if a else b"" for m, a in zip(memories, alive, strict=True))
+
+
+def _plain(answers: Answers) -> list[tuple[bytes, bytes, float]]:
+    return [(play.tobytes(), kept, share) for play, kept, share in answers]
+
+
+def _too_many() -> str:
+    return (
+        f"memory: expected at most {MOST_MOMENTS:,} moments, each a state and what is remembered "
+        "in it, got more"
+    )
 
 
 def follow(states: States, mind: Mind, team: Team, steps: int) -> tuple[list[_Layer], list[Moment]]:
@@ -177,10 +203,7 @@ def follow(states: States, mind: Mind, team: Team, steps: int) -> tuple[list[_La
             layer, moments = followed.layer(turn, moments)
             layers.append(layer)
             if sum(len(each.moments) for each in layers) + len(moments) > MOST_MOMENTS:
-                raise NotExactError(
-                    f"memory: expected at most {MOST_MOMENTS:,} moments, each a state and what is "
-                    "remembered in it, got more"
-                )
+                raise NotExactError(_too_many())
     return layers, moments
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +55,14 @@ class SuiteWorld:
         return world
 
     @cached_property
+    def _scripts(self) -> dict[Team, Mapping[str, float]]:
+        return dict(self.known)
+
+    @cached_property
+    def _views(self) -> dict[int, SuiteWorld]:
+        return {}
+
+    @cached_property
     def perfect(self) -> Solution:
         """Perfect play of both teams."""
         return solve(self.config)
@@ -66,28 +74,22 @@ class SuiteWorld:
 
     def scripts(self, team: Team) -> Mapping[str, float]:
         """Return what scripts guarantee, as capture rates: those that can be graded exactly."""
-        return self.known.get(team) or _scripts(self, team)
+        if team not in self._scripts:
+            found = {}
+            for script in SCRIPTS:
+                if not script.startswith(CAREFUL):
+                    with suppress(ValueError):  # such as one that searches
+                        found[script] = best_response(self.perfect.states, script, team).value
+            self._scripts[team] = found
+        return self._scripts[team]
 
     def with_fov(self, fov: int) -> SuiteWorld:
         """Return the same world with other views."""
-        return _with_fov(self, fov)
-
-
-@cache
-def _scripts(world: SuiteWorld, team: Team) -> dict[str, float]:
-    found = {}
-    for script in SCRIPTS:
-        if not script.startswith(CAREFUL):
-            with suppress(ValueError):  # such as one that searches
-                found[script] = best_response(world.perfect.states, script, team).value
-    return found
-
-
-@cache
-def _with_fov(world: SuiteWorld, fov: int) -> SuiteWorld:
-    if fov == world.config.fov:
-        return world
-    return replace(world, config=replace(world.config, fov=fov), known={})
+        if fov == self.config.fov:
+            return self
+        if fov not in self._views:
+            self._views[fov] = replace(self, config=replace(self.config, fov=fov))
+        return self._views[fov]
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,6 +111,11 @@ class Suite:
     name: str
     version: int
     worlds: tuple[SuiteWorld, ...]
+
+    @cached_property
+    def marks(self) -> dict[Team, Any]:
+        """Grades of others in these worlds, once they are known."""
+        return {}
 
     def __repr__(self) -> str:
         return f"<{self.name}, version {self.version}: {len(self.worlds)} worlds>"

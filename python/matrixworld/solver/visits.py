@@ -37,6 +37,11 @@ class Visit:
     play: Floats
     after: Floats
 
+    def times(self, share: float) -> Visit:
+        """Return the visit in such a share of the episodes."""
+        numbers = (share * each for each in (self.reach, self.play, self.after))
+        return Visit(self.rounds, self.turn, *numbers)
+
 
 def visits(perfect: Solution, play: Table, response: Solution, team: Team) -> Iterator[Visit]:
     """Yield the turns of an episode between a player's table and the best response to it."""

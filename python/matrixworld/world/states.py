@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import count
 from math import comb, inf, isqrt
 from typing import Any
 
@@ -22,6 +23,8 @@ _MOST_BYTES = 2**31
 """More states would take hours to solve, wherever they fit."""
 _MOST_AGENTS = 31
 """More have no 2**31 joint places, which the engine numbers."""
+STRIDE = 12
+"""Steps for which an agent keeps the direction that the input ``ahead`` names."""
 _NO_MATTER = ("max_steps", "fov", "rewards")
 """Settings of a world that do not change its states."""
 _INDEX = 4
@@ -209,7 +212,7 @@ class States:
             for column, agent in enumerate(self.members(turn, team)):
                 numbers, at = np.unique(of_turn[:, column], return_index=True)
                 states = at[numbers >= 0].astype(np.int32)
-                found[numbers[numbers >= 0]] = self.core.look(turn, agent, step, states)
+                found[numbers[numbers >= 0]] = self.core.look(turn, agent, step, 0, states)
         return found
 
     def _seen(self, cells: NDArray[np.int32], observer: int) -> NDArray[np.uint8]:
@@ -235,28 +238,60 @@ class States:
             views[at, channel, row[at], col[at]] = 1
         return views
 
-    def decisions(self, policy: Any, team: Team, step: int = 0) -> tuple[NDArray[np.float64], ...]:
+    def decisions(
+        self, policy: Any, team: Team, step: int = 0, episode: int | None = None
+    ) -> tuple[NDArray[np.float64], ...]:
         """Return the probabilities with which a policy plays, for each turn (S, its joint actions).
 
         `policy` is what the engine plays without memory: a script's name, a population of one or
         its genome. Members decide independently of each other, by the softmax of a network in
         float64. `step` steps have been played; see `counts_steps`. ValueError if a script sees
         nothing that it looks for in some state, and so walks on, or if each episode draws something
-        that the policy reads.
+        that the policy reads, and no number of an `episode` is given; see `strides`.
         """
         checks.check_choice("team", team, TEAMS)
         player = check_team("champion", policy, self.config, team)
+        if episode is None and self.core.draws_strides(player):
+            raise ValueError(
+                "champion: expected one that decides by what it sees and by the step, got one that "
+                "reads ahead, a direction that each agent draws in an episode"
+            )
         decisions = []
         for turn in range(self.n_turns):
             report = self.reporter("play", turn, self.n_turns)
             decisions.append(
-                self.core.weigh(turn, team == "evader", player, step, self.threads, report)
+                self.core.weigh(
+                    turn, team == "evader", player, step, episode or 0, self.threads, report
+                )
             )
         return tuple(decisions)
 
     def counts_steps(self, policy: Any, team: Team) -> bool:
         """Return whether `decisions` of a policy differ from step to step, as by right of way."""
         return self.core.counts_steps(check_team("champion", policy, self.config, team))
+
+    def draws_strides(self, policy: Any, team: Team) -> bool:
+        """Return whether a policy reads ``ahead``, the direction that each agent draws."""
+        return self.core.draws_strides(check_team("champion", policy, self.config, team))
+
+    def strides(self, team: Team) -> list[int]:
+        """Return numbers of episodes in which a team's agents draw each of their directions once.
+
+        All ways in which they can draw them in the first `STRIDE` steps are equally likely. The
+        agents need their numbers: see `numbered`.
+        """
+        pursuers = range(self.config.n_pursuers)
+        agents = pursuers if team == "pursuer" else range(len(pursuers), self.config.n_agents)
+        ahead = [name for name, *_ in _core.inputs()].index("ahead")
+        start = self.starts[:1]
+        episodes: dict[tuple[int, ...], int] = {}
+        for episode in count(0):
+            looks = (self.core.look(0, agent, 0, episode, start) for agent in agents)
+            drawn = tuple(int(look[0, :, ahead].argmax()) for look in looks)
+            episodes.setdefault(drawn, episode)
+            if len(episodes) == (self.config.n_actions - 1) ** len(agents):
+                return sorted(episodes.values())
+        raise AssertionError("episodes end")  # they do not
 
 
 def config_of(world: WorldConfig | States) -> WorldConfig:
@@ -303,9 +338,12 @@ def _count(config: WorldConfig, numbered: bool = False) -> int:
     return config.n_evaders + 1 + placed * memories
 
 
-def state_count(config: WorldConfig) -> float:
-    """Return about how many states of all turns a world has; infinity if nobody can number them."""
-    return _size(config)[0]
+def states_size(config: WorldConfig) -> tuple[float, float]:
+    """Return about how many states of all turns a world has, and their bytes.
+
+    Both are infinity if nobody can number the states.
+    """
+    return _size(config)
 
 
 def _size(config: WorldConfig, numbered: bool = False) -> tuple[float, float]:

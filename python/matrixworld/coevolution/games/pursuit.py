@@ -38,9 +38,11 @@ from matrixworld.play.experience import Reals as Reals
 from matrixworld.play.experience import Views as Views
 from matrixworld.play.experience import experience
 from matrixworld.play.functions import Function
-from matrixworld.play.player import Player, placed, player
+from matrixworld.play.player import Player as Player
 from matrixworld.play.player import PythonFile as PythonFile
 from matrixworld.play.player import is_path as is_path
+from matrixworld.play.player import placed
+from matrixworld.play.player import player as player
 from matrixworld.play.policies import acting as acting
 from matrixworld.play.policies import policy_of as policy_of
 from matrixworld.play.rollout import rollout

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from matrixworld._util import checks
 from matrixworld._util.plugins import no_exit
 from matrixworld.coevolution import types
-from matrixworld.coevolution.games.pursuit import Pursuit, PythonFile
+from matrixworld.coevolution.games.pursuit import Player, Pursuit, PythonFile, player
 from matrixworld.coevolution.runs.places import new_directory
 from matrixworld.coevolution.runs.stored import StoredRun, last_generation
 from matrixworld.coevolution.runs.writer import RunWriter
@@ -60,6 +60,11 @@ def create(
     if not isinstance(settings, RaceSettings):
         raise TypeError(f"settings: expected RaceSettings, got {checks.shown(settings)}")
     path = Path(directory)
+    if isinstance(opponents, Player) and isinstance(settings.schedule, Against):
+        opponents = player(opponents, types.other(settings.schedule.team))
+        if opponents.options.fov is not None:
+            got = f"fov {opponents.options.fov}"
+            raise ValueError(f"opponents: expected a player without a view of its own, got {got}")
     named = getattr(opponents, "given", opponents)  # what a player was made of
     if isinstance(named, str | Path) and not settings.is_race:
         settings, opponents = settings.changed({"schedule.opponent": str(named)}), None
