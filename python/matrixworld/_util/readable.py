@@ -136,7 +136,8 @@ def _lines(part: str | Table) -> list[str]:
 def html_of(part: str | Table) -> str:
     """Return a text or a table as HTML."""
     if isinstance(part, str):
-        return f"<p>{html.escape(part)}</p>"
+        tag = "pre" if "\n" in part else "p"  # lines that stand below each other, such as a board
+        return f"<{tag}>{html.escape(part)}</{tag}>"
     rows = []
     for tag, row in zip(["th", *["td"] * (len(part) - 1)], part, strict=True):
         cells = (html.escape(cell).replace("\n", "<br>") for cell in row)

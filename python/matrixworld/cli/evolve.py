@@ -181,7 +181,8 @@ def evolve_command(
     the third against all earlier generations (generalists). A race ends with a
     payoff matrix, a judgement, scores against held-out opponents and figures. With --schedule
     against the team schedule.team evolves alone, against the fixed opponents schedule.opponent: a
-    script, or the last generation of a run. With --seeds there is a run of each seed.
+    script, the last generation of a run, or another player, such as a file of Python (which is
+    run) or a line of text. With --seeds there is a run of each seed.
 
     The directory of --out receives one run directory for each run: SCHEDULE/seed-NUMBER. A run that
     exists is never replaced. Several runs play side by side, as many as --threads, on which results

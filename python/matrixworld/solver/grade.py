@@ -192,14 +192,18 @@ def _parts_of(grade: Grade, of: TeamGrade) -> Parts:
     title = f"{grade.player}, {of.kind}, as {PLURALS[of.team]} in {grade.suite}{version}"
     parts: list[Any] = [title, ""]
     if of.losses:
-        parts.append("Where it loses most, against an opponent that knows it:")
+        parts.append(
+            "Where it loses most of the capture rate, against an opponent that knows it (P, Q, R: "
+            "pursuers; E, F: evaders):"
+        )
         parts += [f"\n{number}. {loss}" for number, loss in enumerate(of.losses, 1)]
     else:
         parts.append("It plays perfectly: no position was found in which it loses.")
     parts += ["", of.behaviour, ""]
+    numbers = {world.name: number for number, world in enumerate(SUITE.worlds, 1)}
     head = ["", "guarantees", "of", "share", "unread"]
     rows = [
-        [each.world, *(f"{number:.3f}" for number in (each.guarantees, each.perfect)),
+        [f"{numbers.get(each.world, '')} {each.world}".strip(), *(f"{number:.3f}" for number in (each.guarantees, each.perfect)),
          f"{each.share:.0%}", f"{each.unread / each.perfect:.0%}"]
         for each in of.worlds
     ]  # fmt: skip
@@ -219,8 +223,10 @@ def _summary(of: TeamGrade) -> Iterator[str]:
     how = "exactly"
     if of.estimate:
         how = f"estimated, without a bound ({of.estimate})"
-    yield f"Grade {of.share:.3f}{ends}: the share of perfect play that it guarantees against an"
-    yield f"opponent that knows it; mean of {worlds}, {how}: {', '.join(apart)}."
+    yield (
+        f"Grade {of.share:.3f}{ends}: the share of perfect play that it guarantees against an "
+        f"opponent that knows it, as a mean of {worlds}, {how}: {', '.join(apart)}."
+    )
     yield f"Against perfect opponents that do not know it: {of.unread:.3f} of perfect play."
     yield "For comparison: " + ", ".join(f"{mark.share:.3f} {mark.name}" for mark in of.marks) + "."
 
