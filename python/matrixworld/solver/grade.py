@@ -202,11 +202,12 @@ def _parts_of(grade: Grade, of: TeamGrade) -> Parts:
     parts += ["", of.behaviour, ""]
     numbers = {world.name: number for number, world in enumerate(SUITE.worlds, 1)}
     head = ["", "guarantees", "of", "share", "unread"]
-    rows = [
-        [f"{numbers.get(each.world, '')} {each.world}".strip(), *(f"{number:.3f}" for number in (each.guarantees, each.perfect)),
-         f"{each.share:.0%}", f"{each.unread / each.perfect:.0%}"]
-        for each in of.worlds
-    ]  # fmt: skip
+    rows = []
+    for each in of.worlds:
+        shares = each.share, each.unread / each.perfect
+        cells = [f"{number:.3f}" for number in (each.guarantees, each.perfect)]
+        cells += [f"{share:.0%}" for share in shares]
+        rows.append([f"{numbers.get(each.world, '')} {each.world}".strip(), *cells])
     parts += [[head, *rows], "", *_summary(of)]
     return parts
 
