@@ -186,7 +186,9 @@ def test_solved_worlds_take_ratings():
     assert 0.1 < exact < 0.9
     for counts in (mw.Rating.for_config(config), mw.Rating.for_config(config, mask="right-of-way")):
         weights = np.ones(counts.genome_size, np.float32)
-        with pytest.raises(ValueError, match="^rating: expected one that decides by what it sees"):
+        with pytest.raises(
+            ValueError, match="^champion: expected one that decides by what it sees .* ahead"
+        ):
             expected_payoff(config, mw.Population(weights, counts), "random")
 
 
