@@ -307,8 +307,9 @@ class Function:
             x = _Inputs(seen, exact=not isinstance(rng, np.random.Generator))
             values |= {"x": x, "allowed": allowed_moves(seen, self.mask)}
         with self._blamed(seen):
-            named = {name: values[meant] for name, meant in self._parameters.items() if name}
-            given = self.function(*([] if len(named) else [values["view"]]), **named)
+            by_name = {name: values[meant] for name, meant in self._parameters.items() if name}
+            by_place = [values["view"]] if "" in self._parameters else []
+            given = self.function(*by_place, **by_name)
             answer = _checked(given, (), n_actions)
         if self.reads == "inputs":
             self.has_read_step |= x.has_read_step or self.mask == "right-of-way"
