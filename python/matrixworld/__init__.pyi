@@ -7,6 +7,7 @@ from matrixworld._core import Interaction as Interaction
 from matrixworld._core import Outcome as Outcome
 from matrixworld._util import colors as colors
 from matrixworld.coevolution import Game as Game
+from matrixworld.coevolution import check_game as check_game
 from matrixworld.coevolution import compare as compare
 from matrixworld.coevolution import evolve as evolve
 from matrixworld.coevolution import judge as judge

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from matrixworld import coevolution as co
-from matrixworld.coevolution.games.own_game import digest_of
+from matrixworld.coevolution.games.digest import digest_of
 from own_games import chance, coins, fewer, higher, numbers
 from scripts import python
 from tiny_race import results, straight
@@ -210,7 +210,7 @@ short = Game(play_all, genes=1, teams=("ones", "others"), initial=first)
 """
 DIGESTS = """
 import mine
-from matrixworld.coevolution.games.own_game import digest_of
+from matrixworld.coevolution.games.digest import digest_of
 print(digest_of(mine.game), digest_of(mine.short))
 """
 
@@ -324,7 +324,9 @@ def test_what_is_no_game_is_refused(fields, error, message):
 
 
 def test_a_game_that_no_import_finds_is_refused():
-    with pytest.raises(ValueError, match="^game: expected a global variable of the module of its"):
+    with pytest.raises(
+        ValueError, match="^game: expected a global variable of the module that makes it"
+    ):
         race(game=replace(numbers))
 
 

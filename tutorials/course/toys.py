@@ -26,7 +26,7 @@ reduced virulence are rewarded for winning less than the most.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -356,7 +356,8 @@ def evolve(
         "contemporaries": opponents, "hall_sample": 0,
     }  # fmt: skip
     settings = RaceSettings.of(game=game, learner=learner, schedule=schedule, seed=seed)
-    watched = _Watched(**vars(game), parasites=parasites)
+    given = {each.name: getattr(game, each.name) for each in fields(game) if each.init}
+    watched = _Watched(**given, parasites=parasites)
     race = Training(settings, threads=1)
     race.game = watched
     train(race)

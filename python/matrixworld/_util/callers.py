@@ -1,4 +1,4 @@
-"""Warnings that point to the code that called the package, from whatever depth inside it."""
+"""The code that called the package, from whatever depth inside it."""
 
 from __future__ import annotations
 
@@ -16,6 +16,18 @@ def warn_caller(message: str, category: type[Warning] = UserWarning) -> None:
         frame = frame.f_back
         level += 1
     warnings.warn(message, category, stacklevel=level)
+
+
+def calling_modules() -> tuple[str, ...]:
+    """Return the names of the modules outside the package that called it, the innermost first."""
+    names: dict[str, None] = {}
+    frame = inspect.currentframe()
+    while frame is not None:
+        name = frame.f_globals.get("__name__", "")
+        if not _is_inside(name):
+            names[name] = None
+        frame = frame.f_back
+    return tuple(names)
 
 
 def _is_inside(module: str) -> bool:

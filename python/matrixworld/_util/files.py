@@ -158,8 +158,15 @@ def read_json(path: Path, text: str | None = None) -> dict[str, Any]:
 
 def load_arrays(path: Path, content: bytes | None = None) -> Arrays:
     """Return the arrays of an npz file, or of its content; DamagedFileError if it is altered."""
-    arrays = read_archive(path, "npz file", np.lib.format.read_array, content)
-    return ArraysOf(path, {name.removesuffix(".npy"): array for name, array in arrays.items()})
+    read = read_archive(path, "npz file", np.lib.format.read_array, content)
+    arrays = {name.removesuffix(".npy"): array for name, array in read.items()}
+    for name in [name for name in arrays if name.endswith(TEXTS)]:
+        lengths = arrays.pop(f"{name}{LENGTHS}", None)
+        try:
+            arrays[name.removesuffix(TEXTS)] = _split_texts(arrays.pop(name), lengths)
+        except (AttributeError, MemoryError, ValueError) as error:
+            raise DamagedFileError(path, f"altered, expected texts in {name} ({error})") from error
+    return ArraysOf(path, arrays)
 
 
 def read_archive(
@@ -243,9 +250,36 @@ def remove_temporary_files(path: Path) -> None:
         left.unlink(missing_ok=True)
 
 
+TEXTS = ".utf8"
+LENGTHS = ".lengths"
+"""Ends of the names of two arrays that hold one of texts: all of them without gaps, uint8, and how
+many bytes each takes, in the shape of the array. NumPy gives every text the room of the longest."""
+
+
+def _joined_texts(texts: NDArray[np.str_]) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
+    """Return the bytes of texts, one after the other, and their lengths."""
+    parts = [text.encode() for text in texts.ravel().tolist()]
+    lengths = np.array([len(part) for part in parts], np.int64)
+    return np.frombuffer(b"".join(parts), np.uint8), lengths.reshape(texts.shape)
+
+
+def _split_texts(joined: NDArray[np.uint8], lengths: NDArray[np.int64]) -> NDArray[np.str_]:
+    """Return the texts that `_joined_texts` has joined; ValueError if the lengths do not fit."""
+    content = joined.tobytes()
+    ends = np.cumsum(lengths)
+    if lengths.size and (lengths.min() < 0 or ends[-1] != len(content)):
+        raise ValueError(f"{len(content)} bytes of {ends[-1]}")
+    pairs = zip(ends.tolist(), lengths.ravel().tolist(), strict=True)
+    texts = [content[end - length : end].decode() for end, length in pairs]
+    return np.array(texts, np.str_).reshape(lengths.shape)
+
+
 def save_arrays(path: Path, arrays: Mapping[str, ArrayLike]) -> None:
     """Write named arrays as an npz file; TypeError if one holds objects, which would be pickled."""
     plain: dict[str, Any] = {name: unmasked(name, array) for name, array in arrays.items()}
+    for name in [name for name, array in plain.items() if array.dtype.kind == "U" and array.ndim]:
+        joined, lengths = _joined_texts(plain.pop(name))
+        plain |= {f"{name}{TEXTS}": joined, f"{name}{TEXTS}{LENGTHS}": lengths}
     objects = [name for name, array in plain.items() if array.dtype.hasobject]
     if objects:
         raise TypeError(f"{objects[0]}: expected numbers or text, got objects")

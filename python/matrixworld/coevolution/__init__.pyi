@@ -11,18 +11,21 @@ from matrixworld.coevolution.evaluation.held_out import held_out as held_out
 from matrixworld.coevolution.evaluation.policy_scores import score_policy as score_policy
 from matrixworld.coevolution.evaluation.scores import score as score
 from matrixworld.coevolution.games.check import check_game as check_game
+from matrixworld.coevolution.games.draws import uniforms as uniforms
 from matrixworld.coevolution.games.game import Game as Game
 from matrixworld.coevolution.games.policies import Cells as Cells
 from matrixworld.coevolution.games.policies import Programs as Programs
 from matrixworld.coevolution.games.policies import Ratings as Ratings
 from matrixworld.coevolution.games.pursuit import Pursuit as Pursuit
 from matrixworld.coevolution.games.pursuit import PursuitSettings as PursuitSettings
+from matrixworld.coevolution.games.toolbox import by_toolbox as by_toolbox
 from matrixworld.coevolution.games.tournament import tournament as tournament
 from matrixworld.coevolution.groups import RunGroup as RunGroup
 from matrixworld.coevolution.groups import open_groups as open_groups
 from matrixworld.coevolution.jobs.play import FailedRunsError as FailedRunsError
 from matrixworld.coevolution.jobs.play import evolve as evolve
 from matrixworld.coevolution.learners import ActorCritic as ActorCritic
+from matrixworld.coevolution.learners.breeding import Breeding as Breeding
 from matrixworld.coevolution.learners.cma_es import CmaEs as CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import (
     EvolutionStrategy as EvolutionStrategy,

@@ -29,7 +29,6 @@ OTHER_NAMES: Mapping[str, str] = {
     **dict.fromkeys(("payoff_matrix", "payoffs", "matrix"), "run.payoff()"),
     **dict.fromkeys(("resume", "continue_run", "train"), "run.extend(generations=60)"),
     **dict.fromkeys(("champion", "get_best"), 'run.best("pursuer")'),
-    "genomes": 'run.teams["pursuer"].genomes',
 }
 """What people call the parts of a run, and the right calls."""
 
@@ -77,6 +76,43 @@ class SavedRun(StoredRun):
             rate = f"{payoff.matrix[-1, -1]:.2f}"
             rows.append((f"{payoff.words} of the last generations", rate))
         return html_of([("", str(self.path)), *rows])
+
+    def genomes(self, team: str, generation: int | None = None) -> Any:
+        """Return the genome of a generation, or those of all generations.
+
+        A game of your own is imported, and its function `read` makes objects of what the files
+        hold; `archive` returns the texts themselves, and runs no code of the game.
+
+        Parameters
+        ----------
+        team : str
+            Key or name of the team.
+        generation : int, optional
+            Its generation; negative numbers count from the end. The default is all of them.
+
+        Returns
+        -------
+        object, or list of objects
+            Genomes as `read` of the game returns them. Vectors are arrays (genes,) of float32, and
+            all of them one array (generations, genes).
+
+        Raises
+        ------
+        IndexError, ValueError
+            If there is no such generation or team, or a script plays for it.
+        """
+        key = self.key_of(team)
+        population = self.teams[key]
+        if not hasattr(population, "genomes"):
+            raise ValueError(f"team: expected one with genomes, got {team}: {population} plays")
+        genomes = population.genomes
+        if generation is not None:
+            genomes = genomes[self.generation(team, generation, "generation")]
+        if not self.game.texts:
+            return genomes
+        read = self.game.operators[TEAMS[self.settings.keys.index(key)]].genome
+        texts = genomes.ravel().tolist()
+        return [*map(read, texts)] if generation is None else read(texts[0])
 
     def judge(self) -> Judgement:
         """Return the judgement of a race; FileNotFoundError while the run is not finished."""

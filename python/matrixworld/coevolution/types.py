@@ -25,9 +25,10 @@ def team_size(team: Any) -> int:
     return len(team.genomes) if hasattr(team, "genomes") else 1
 
 
-Genome = NDArray[np.float32]
-"""What a member of a team is, such as the weights of its policy, shape (genes,)."""
-Genomes = NDArray[np.float32]  # one genome a row, shape (n, genes)
+Genome = NDArray[Any]
+"""What a member of a team is, such as the weights of its policy, shape (genes,) of float32; of
+other objects the text, shape (1,)."""
+Genomes = NDArray[Any]  # one genome a row, shape (n, genes)
 Seeds = NDArray[np.uint64]  # seeds of matches
 Rng = np.random.Generator  # what all random numbers are drawn from
 

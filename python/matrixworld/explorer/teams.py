@@ -102,10 +102,10 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
         return _plain_pursuit(run, ended)
     game = run.settings.evaluation_game
     shows: dict[str, dict[str, str]] = {}
-    if game.show is not None and ended:
+    if game.shows and ended:
         most = MOST_SHOWN // share, MOST_SHOWN_BYTES // share
         shows = shows_of(game, [*run.archive().values()], *most)
-    why = WHY_NOT["none" if game.show is None else "few" if ended else "later"]
+    why = WHY_NOT["none" if not game.shows else "few" if ended else "later"]
     return {
         "teams": list(own.teams),
         "exact": own.deterministic,

@@ -2,58 +2,104 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from matrixworld._util import checks
 from matrixworld._util.plugins import no_exit
 from matrixworld.coevolution.games.game import Game
-from matrixworld.coevolution.types import TEAMS, FloatArray, Matches
+from matrixworld.coevolution.games.operators import as_genomes
+from matrixworld.coevolution.games.toolbox import global_draws
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Matches, Rng, Team
 
-CHECKED = 64  # matches of a check
+MATCHES = 64  # of a check
+
+ALONE = (
+    "random numbers must come from the rng that is passed, and nothing may change from call to call"
+)
 
 
 @no_exit("check_game")
-def check_game(game: Game) -> None:
+def check_game(game: Game, matches: int = MATCHES) -> None:
     """Check that a `game` keeps the promises of `Game`.
 
-    Untrained genomes have their shape and are finite; scores are finite numbers in [0, 1], one of
-    each match; they do not depend on the order of the matches, nor on which others are played;
-    equal generators give equal scores, whatever other random numbers are drawn meanwhile.
-    ValueError says which is broken; an error in the game's own code is raised as it is.
+    Genomes are of their kind; scores are finite numbers in [0, 1], one of each match; they do not
+    depend on the order of the matches, nor on which others are played. Equal generators give equal
+    genomes and equal scores, whatever other random numbers are drawn meanwhile. Of objects also
+    mutants and children are made and play; what `read` makes of a text has this text again, and
+    `play` leaves them as they were.
+
+    Parameters
+    ----------
+    game : Game
+        The game.
+    matches : int, optional
+        Matches of a check, at least 2. Each is played five times, of a deterministic game three.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a promise is broken; the message says which. An error in the game's own code is raised as
+        it is.
 
     Examples
     --------
     >>> import matrixworld as mw
     >>> larger = mw.Game(lambda a, b, rng: (a > b).mean(1), genes=3, teams=("ones", "others"))
-    >>> mw.coevolution.check_game(larger)
+    >>> mw.check_game(larger)
     """
     checks.check_instance("game", game, Game)
-    rng = np.random.default_rng(0)
-    first, second = (
-        game.population(team, np.stack([game.untrained(team, rng) for _ in range(CHECKED)]))
-        for team in TEAMS
-    )
-    everyone = np.arange(CHECKED)
-    matches = everyone, everyone[::-1], everyone.astype(np.uint64)
+    checks.check_integer("matches", matches, 2)
+    first, second = (game.population(team, _genomes(game, team, matches)) for team in TEAMS)
+    everyone = np.arange(matches)
+    seeds = everyone.astype(np.uint64)
 
     def played(matches: Matches, state: int) -> FloatArray:
-        before = np.random.get_state()  # noqa: NPY002, to find games that use this generator
-        np.random.seed(state)  # noqa: NPY002
-        try:
+        with global_draws(state):
             return game.scores(first, second, matches, episodes=2, threads=1).of("pursuer")
-        finally:
-            np.random.set_state(before)  # noqa: NPY002
 
-    scores = played(matches, 1)
-    if not np.array_equal(scores, played(matches, 2)):
-        raise ValueError(
-            "play: expected equal scores from equal generators, got others; random numbers must "
-            "come from the rng that is passed, and nothing may change from call to call"
-        )
-    order = rng.permutation(CHECKED)[: CHECKED // 2]
-    a, b, seeds = matches
-    if not np.array_equal(scores[order], played((a[order], b[order], seeds[order]), 1)):
+    scores = played((everyone, everyone[::-1], seeds), 1)
+    if not np.array_equal(scores, played((everyone, everyone[::-1], seeds), 2)):
+        raise ValueError(f"play: expected equal scores from equal generators, got others; {ALONE}")
+    order = np.random.default_rng(0).permutation(matches)[: matches // 2]
+    if not np.array_equal(
+        scores[order], played((everyone[order], everyone[::-1][order], seeds[order]), 1)
+    ):
         raise ValueError(
             "play: expected scores of each match alone, got some that depend on other matches or "
             "their order"
         )
+
+
+def _genomes(game: Game, team: Team, count: int) -> Genomes:
+    """Return genomes (count, genes) of a team: untrained ones, and of objects also children."""
+    untrained = _made_twice(
+        "initial", lambda rng: np.stack([game.untrained(team, rng) for _ in range(count)])
+    )
+    if not game.texts:
+        return untrained
+    operators = game.operators[team]
+
+    def bred(parents: int, rng: Rng) -> Genomes:
+        pairs = [untrained[rng.permutation(count)[:parents]] for _ in range(count)]
+        return as_genomes([operators.child(pair, rng, mutates=parents == 1) for pair in pairs])
+
+    made = [untrained, _made_twice("mutate", lambda rng: bred(1, rng))]
+    if operators.mate is not None:
+        made.append(_made_twice("mate", lambda rng: bred(2, rng)))
+    # Of each kind about equally many play.
+    return np.stack([made[number % len(made)][number] for number in range(count)])
+
+
+def _made_twice(name: str, make: Callable[[Rng], Genomes]) -> Genomes:
+    """Return genomes that an operator makes; ValueError if others come from an equal generator."""
+    genomes = []
+    for state in (1, 2):
+        with global_draws(state):
+            genomes.append(make(np.random.default_rng(0)))
+    if not np.array_equal(genomes[0], genomes[1]):
+        raise ValueError(
+            f"{name}: expected equal genomes from equal generators, got others; {ALONE}"
+        )
+    return genomes[0]

@@ -10,7 +10,8 @@ from __future__ import annotations
 import io
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
+from functools import cached_property
 from itertools import product
 from typing import Any, ClassVar
 
@@ -19,12 +20,26 @@ from numpy.typing import ArrayLike, NDArray
 from PIL import Image
 
 from matrixworld._util import checks
+from matrixworld._util.callers import calling_modules
 from matrixworld._util.plugins import no_exit
 from matrixworld._util.sections import Section, section
-from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Matches, Rng, Team
+from matrixworld.coevolution.games.draws import MatchDraws, episode_seeds
+from matrixworld.coevolution.games.operators import Operators, are_texts, as_genome
+from matrixworld.coevolution.types import (
+    TEAMS,
+    FloatArray,
+    Genome,
+    Genomes,
+    Matches,
+    Rng,
+    Seeds,
+    Team,
+)
 
-Play = Callable[[Genomes, Genomes, Rng], ArrayLike]
-"""Genomes (M, genes) of both teams, and a generator -> scores (M,) of the first team."""
+Play = Callable[..., Any]
+"""Both genomes, or those of M matches, and perhaps random numbers -> scores of the first team."""
+PAIRED = ("initial", "mutate", "mate", "write", "read")
+"""Functions of a game of which each team may have its own."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,25 +58,6 @@ class Scores:
         return first if team == "pursuer" else 1.0 - first
 
 
-class _MatchDraws:
-    """Generators of matches: one that is set anew, in a tenth of the time that a new one takes.
-
-    Both words of a key have 64 bits.
-    """
-
-    def __init__(self) -> None:
-        self._bits = np.random.Philox(key=np.zeros(2, np.uint64))
-        self._rng = np.random.Generator(self._bits)
-        self._begin: Any = self._bits.state
-
-    def of(self, seed: int, episode: int) -> Rng:
-        """Return the generator of a match and episode, which the next call sets anew."""
-        key = np.array([seed, episode], np.uint64)
-        state: Any = {**self._begin, "state": {**self._begin["state"], "key": key}}
-        self._bits.state = state
-        return self._rng
-
-
 @dataclass(frozen=True, eq=False)
 class Strategies:
     """Genomes (n, genes) of a team, which can play."""
@@ -76,36 +72,58 @@ def clipped(genomes: Genomes, bounds: tuple[ArrayLike, ArrayLike] | None) -> Gen
 
 @dataclass(frozen=True, eq=False)
 class Game:
-    """A game of two populations of genomes, vectors of float32.
+    """A game of two populations of genomes: vectors of float32, or objects of any kind.
+
+    An object has no `genes`, but an operator that mutates it. The package holds it as text, and
+    each function of the game gets what `read` makes of this text; so does a race that goes on from
+    files. With the same `seed` a race is the same on every machine if all functions draw from the
+    `rng` that they get: `check_game` tells.
 
     Parameters
     ----------
     play : callable
+        Returns scores of the first team in [0, 1]; the second has 1 - score. Of vectors,
         ``play(a, b, rng)`` returns the scores (M,) of the genomes a (M, genes) against the genomes
-        b (M, genes), in [0, 1]; b has 1 - score. Random numbers come from `rng` alone.
-    genes : int or tuple of two ints
-        Length of the genomes, of both teams or of each.
+        b (M, genes). Of objects, ``play(one, other, rng)`` returns the score of one match, a
+        number, and without chance it is ``play(one, other)``. It must not change the objects.
+    genes : int or tuple of two ints, optional
+        Length of the genomes, of both teams or of each, if they are vectors.
     teams : tuple of two str
         Names of the teams, in the plural.
     initial : callable, optional
-        ``initial(rng)`` returns an untrained genome, with teams of different lengths
-        ``initial(rng, team)``. By default the genes are drawn from N(0, 1).
+        ``initial(rng)`` returns an untrained genome; of vectors of different lengths it is
+        ``initial(rng, team)``. By default the genes of vectors are drawn from N(0, 1). This and the
+        following functions may be tuples of two, the functions of each team.
+    mutate : callable, optional
+        ``mutate(genome, rng)`` returns a mutant of an object. It may change the genome in place.
+    mate : callable, optional
+        ``mate(one, other, rng)`` returns a child of two objects. By default children have one
+        parent.
+    write, read : callable, optional
+        ``write(genome)`` returns an object as text, and ``read(text)`` the object. By default these
+        are `json.dumps`, without NaN, and `json.loads`. `read` gets what a file holds: a parser is
+        safe with the files of others, and `eval` is not.
     bounds : tuple of two float or arrays of float, optional
-        Least and largest value of the genes. Learners clip genomes, and the game never sees one
-        outside. By default there are no bounds.
+        Least and largest value of the genes of vectors. Learners clip genomes, and the game never
+        sees one outside. By default there are no bounds.
     deterministic : bool, optional
-        Whether equal genomes always have equal scores. Such a game is called with all matches at
-        once, each pair is evaluated once, and the judgement takes the scores as exact. Any other
-        game is called with one match at a time, M = 1, and a generator of this match and episode:
-        so a result does not depend on which other matches are played. The default is False.
+        Whether equal genomes always have equal scores. Then each pair is evaluated once, and the
+        judgement takes the scores as exact; vectors are played all at once. Other vectors are
+        played one match at a time, M = 1, and each match has a generator of its own: so a result
+        does not depend on which other matches are played. The default is False.
+    many : bool, optional
+        Whether ``play(a, b, seeds)`` plays M matches at once: a and b are arrays (M, genes), or
+        lists of M objects, and it returns scores (M,). Random numbers come from the `seeds` (M,) of
+        uint64 alone, as by `uniforms`. The default is False.
     show : callable, optional
-        ``show(a, b)`` returns text, or an image (rows, columns, 3) of uint8, of the genomes a and b
-        (genes,): what `matrixworld replay` prints and pages show.
+        ``show(a, b)`` returns text, or an image (rows, columns, 3) of uint8, of two genomes: what
+        `matrixworld replay` prints and pages show. By default it is both texts, of vectors nothing.
 
     Raises
     ------
     ValueError, TypeError
-        If genes or teams are not those of two teams, or bounds are no intervals.
+        If genes or teams are not those of two teams, bounds are no intervals, or functions are
+        missing, or have no effect.
 
     Examples
     --------
@@ -114,15 +132,37 @@ class Game:
     >>> def beats(a, b, rng):
     ...     return 1 / (1 + np.exp(b.sum(1) - a.sum(1)))
     >>> numbers = mw.Game(beats, genes=5, teams=("hosts", "parasites"))
+
+    Genomes are words, which JSON holds:
+
+    >>> def same(one, other):
+    ...     return sum(a == b for a, b in zip(one, other)) / 4
+    >>> def word(rng):
+    ...     return "".join(rng.choice(["a", "b"], 4))
+    >>> def change(text, rng):
+    ...     at = rng.integers(4)
+    ...     return text[:at] + str(rng.choice(["a", "b"])) + text[at + 1 :]
+    >>> words = mw.Game(
+    ...     same, teams=("seekers", "hiders"), initial=word, mutate=change, deterministic=True
+    ... )
+    >>> mw.coevolution.check_game(words)
     """
 
     play: Play
-    genes: int | tuple[int, int]
-    teams: tuple[str, str]
-    initial: Callable[..., ArrayLike] | None = None
+    genes: int | tuple[int, int] | None = None
+    teams: tuple[str, str] = ()  # type: ignore[assignment]  # checked: a field needs a default here
+    initial: Any = None
+    _: KW_ONLY
+    mutate: Any = None
+    mate: Any = None
+    write: Any = None
+    read: Any = None
     bounds: tuple[ArrayLike, ArrayLike] | None = None
     deterministic: bool = False
-    show: Callable[[Genome, Genome], Any] | None = None
+    many: bool = False
+    show: Callable[[Any, Any], Any] | None = None
+    made_in: tuple[str, ...] = field(default=(), init=False, repr=False)
+    """Names of the modules in which it was made, the innermost first: a run looks for it there."""
 
     columns: ClassVar[Mapping[str, type]] = {"score": float, "matches": int}
     """Columns that logs have of an epoch, the score of the first team first, and their types."""
@@ -134,19 +174,52 @@ class Game:
     counters: ClassVar[tuple[str, ...]] = ()  # what a run counts beside its matches
 
     def __post_init__(self) -> None:
-        for name in ("play", "initial", "show"):
-            function = getattr(self, name)
-            if not callable(function) and (function is not None or name == "play"):
-                raise TypeError(f"{name}: expected a function, got {checks.shown(function)}")
-        sizes = self._checked_genes()
-        object.__setattr__(self, "genes", sizes)
+        self._check_functions()
+        for name in ("deterministic", "many"):
+            checks.check_bool(name, getattr(self, name))
+        object.__setattr__(self, "genes", self._checked_genes())
         self._check_teams()
-        checks.check_bool("deterministic", self.deterministic)
         if self.bounds is not None:
-            object.__setattr__(self, "bounds", self._checked_bounds(sizes))
+            object.__setattr__(self, "bounds", self._checked_bounds(self.genes))
+        object.__setattr__(self, "made_in", calling_modules())
+
+    def _check_functions(self) -> None:
+        """Raise TypeError unless all functions that genomes of this kind need are there."""
+        for name in ("play", "show", *PAIRED):
+            given = getattr(self, name)
+            each = given if isinstance(given, tuple) and name in PAIRED else (given,)
+            for function in each:
+                if not callable(function) and (function is not None or name == "play"):
+                    raise TypeError(f"{name}: expected a function, got {checks.shown(function)}")
+            if isinstance(given, tuple) and name in PAIRED and len(given) != 2:
+                raise TypeError(f"{name}: expected a function of each team, got {len(given)}")
+        if self.genes is None:
+            for name, number in product(("initial", "mutate"), (0, 1)):
+                if self._of_team(name, number) is None:
+                    missing = f"{name}: expected a function of genomes that are objects, got none"
+                    raise TypeError(f"{missing}; vectors have genes in its place")
+            if self.bounds is not None:
+                got = checks.shown(self.bounds)
+                raise TypeError(
+                    f"bounds: expected no value for genomes that are objects, got {got}"
+                )
+            return
+        for name in PAIRED[1:]:
+            if getattr(self, name) is not None:
+                got = f"{name} and genes {checks.shown(self.genes)}"
+                raise TypeError(
+                    f"{name}: expected no value for vectors, which have genes, got {got}"
+                )
+
+    def _of_team(self, name: str, number: int) -> Any:
+        """Return a function of the team of a number, or None."""
+        given = getattr(self, name)
+        return given[number] if isinstance(given, tuple) else given
 
     def _checked_genes(self) -> tuple[int, ...]:
         """Return the number of genes of each team; ValueError unless these are two."""
+        if self.texts:
+            return (1, 1)
         genes = self.genes if isinstance(self.genes, tuple | list) else (self.genes, self.genes)
         sizes = tuple(checks.check_integer("genes", n, 1) for n in genes)
         if len(sizes) != 2:
@@ -162,7 +235,7 @@ class Game:
         if not words or names[0] == names[1]:
             raise ValueError(f"teams: expected two different words, got {checks.shown(self.teams)}")
 
-    def _checked_bounds(self, sizes: tuple[int, ...]) -> tuple[NDArray[Any], NDArray[Any]]:
+    def _checked_bounds(self, sizes: Any) -> tuple[NDArray[Any], NDArray[Any]]:
         """Return the bounds as arrays; ValueError unless they are intervals of the genes."""
         ends = checks.check_sequence("bounds", self.bounds, "numbers")
         if len(ends) != 2:
@@ -180,20 +253,38 @@ class Game:
 
     # What a run asks for:
 
+    @property
+    def texts(self) -> bool:
+        """Whether genomes are objects, which the package holds as text: arrays (n, 1) of str."""
+        return self.mutate is not None
+
+    @cached_property
+    def operators(self) -> Mapping[Team, Operators]:
+        """What makes the genomes of each team, if they are objects."""
+        return {
+            team: Operators(**{name: self._of_team(name, number) for name in PAIRED})
+            for number, team in enumerate(TEAMS)
+        }
+
     def genome_size(self, team: Team) -> int:
-        """Return the number of genes of a team."""
+        """Return the number of genes of a team; text is one."""
         size: int = self.genes[TEAMS.index(team)]  # type: ignore[index]  # two, see above
         return size
 
     def untrained(self, team: Team, rng: Rng) -> Genome:
-        """Return a new untrained genome (genes,) float32; ValueError if it has another shape."""
+        """Return a new untrained genome, (genes,) float32 or (1,) text.
+
+        Raises TypeError or ValueError if the game makes something else.
+        """
+        if self.texts:
+            return as_genome(self.operators[team].untrained(rng))
         size = self.genome_size(team)
-        if self.initial is None:
+        initial = self._of_team("initial", TEAMS.index(team))
+        if initial is None:
             genome: Genome = rng.standard_normal(size, dtype=np.float32)
         else:
-            same = self.genome_size("pursuer") == self.genome_size("evader")
-            name = self.teams[TEAMS.index(team)]
-            drawn = self.initial(rng) if same else self.initial(rng, name)
+            one = isinstance(self.initial, tuple) or len({*map(self.genome_size, TEAMS)}) == 1
+            drawn = initial(rng) if one else initial(rng, self.teams[TEAMS.index(team)])
             genome = checks.check_floats("initial", drawn, np.float32)
             if genome.shape != (size,) or not np.isfinite(genome).all():
                 got = checks.shown(genome)
@@ -201,12 +292,18 @@ class Game:
         return clipped(genome, self.bounds)
 
     def population(self, team: Team, genomes: Genomes) -> Any:
-        """Return genomes (n, genes) as what plays; ValueError unless they are finite."""
+        """Return genomes (n, genes) as what plays; ValueError unless they are finite, or text."""
         expected = (len(genomes), self.genome_size(team))
         if np.shape(genomes) != expected:
             raise ValueError(f"genomes: expected shape {expected}, got {np.shape(genomes)}")
+        if self.texts:
+            if not are_texts(genomes, expected):
+                raise ValueError(f"genomes: expected text, got {checks.shown(genomes)}")
+            return Strategies(genomes)
         checks.check_finite("genomes", genomes)
         return Strategies(clipped(genomes, self.bounds))
+
+    # Matches:
 
     def scores(
         self, first: Any, second: Any, matches: Matches, *, episodes: int, threads: int | None
@@ -216,25 +313,70 @@ class Game:
         A game of your own plays in one thread, whatever `threads` says.
         """
         a, b, seeds = matches
-        ones = first.genomes[a]
-        others = second.genomes[b]
-        if self.deterministic:
-            scores = self._checked([self.play(ones, others, np.random.default_rng(0))], len(a))
-            return Scores(np.repeat(scores[:, np.newaxis], episodes, axis=1))
-        calls = []
-        draws = _MatchDraws()
-        for (m, seed), episode in product(enumerate(seeds.tolist()), range(episodes)):
-            rng = draws.of(seed, episode)
-            calls.append(self.play(ones[m : m + 1], others[m : m + 1], rng))
-        return Scores(self._checked(calls, 1).reshape(len(a), episodes))
+        times = 1 if self.deterministic else episodes
+        scores = self.played(first.genomes[a], second.genomes[b], seeds, times)
+        return Scores(np.repeat(scores, episodes // times, axis=1))
 
-    def _checked(self, calls: list[ArrayLike], matches: int) -> NDArray[np.float32]:
-        """Return the scores of all calls, each of so many matches."""
+    def played(
+        self, ones: Genomes, others: Genomes, seeds: Seeds, episodes: int
+    ) -> NDArray[np.float32]:
+        """Return the scores (M, episodes) of matches of genomes (M, genes) each."""
+        if not self.texts:
+            return self._results(ones, others, seeds, episodes).reshape(len(ones), episodes)
+        first, second = (
+            {text: self.operators[team].genome(text) for text in genomes[:, 0].tolist()}
+            for team, genomes in zip(TEAMS, (ones, others), strict=True)
+        )
+        scores = self._results(
+            [first[text] for text in ones[:, 0].tolist()],
+            [second[text] for text in others[:, 0].tolist()],
+            seeds,
+            episodes,
+        )
+        for team, genomes in zip(TEAMS, (first, second), strict=True):
+            for text, genome in genomes.items():
+                if (after := self.operators[team].written(genome)) != text:
+                    got = f"{checks.shown(after)} of {checks.shown(text)}"
+                    raise ValueError(f"play: expected genomes that stay as they were, got {got}")
+        return scores.reshape(len(ones), episodes)
+
+    def _results(self, ones: Any, others: Any, seeds: Seeds, episodes: int) -> NDArray[np.float32]:
+        """Return the scores of matches, all episodes of one after the other, as `play` returns."""
+        if self.many:
+            repeated = np.repeat(np.arange(len(seeds)), episodes).tolist()
+            if self.texts:
+                ones, others = ([side[m] for m in repeated] for side in (ones, others))
+            else:
+                ones, others = ones[repeated], others[repeated]
+            calls = [self.play(ones, others, episode_seeds(seeds, episodes))]
+            return self._checked(calls, (len(repeated),))
+        if self.deterministic and self.texts:
+            return self._checked([self.play(a, b) for a, b in zip(ones, others, strict=True)], ())
+        if self.deterministic:
+            calls = [self.play(ones, others, np.random.default_rng(0))]
+            return self._checked(calls, (len(seeds),))
+        draws = MatchDraws()
+        each = product(enumerate(seeds.tolist()), range(episodes))
+        if self.texts:
+            calls = [self.play(ones[m], others[m], draws.of(seed, n)) for (m, seed), n in each]
+            return self._checked(calls, ())
+        calls = [
+            self.play(ones[m : m + 1], others[m : m + 1], draws.of(seed, n))
+            for (m, seed), n in each
+        ]
+        return self._checked(calls, (1,))
+
+    def _checked(self, calls: list[Any], shape: tuple[int, ...]) -> NDArray[np.float32]:
+        """Return the scores that calls returned, each of a shape; ValueError for others."""
         for returned in calls:
-            shape = checks.unmasked("scores of the game", returned).shape
-            if shape != (matches,):
-                raise ValueError(f"scores of the game: expected shape ({matches},), got {shape}")
-        scores = checks.check_floats("scores of the game", np.concatenate(calls), np.float32)
+            if type(returned) is float and not shape:
+                continue
+            got = checks.unmasked("scores of the game", returned).shape
+            if got != shape:
+                expected = f"shape {shape}" if shape else "a number"
+                raise ValueError(f"scores of the game: expected {expected}, got {got or returned}")
+        joined = np.concatenate(calls) if shape else calls
+        scores = checks.check_floats("scores of the game", joined, np.float32)
         wrong = scores[~((scores >= 0.0) & (scores <= 1.0))]  # NaN, too
         if wrong.size:
             raise ValueError(f"scores of the game: expected numbers in [0, 1], got {wrong[0]}")
@@ -252,12 +394,24 @@ class Game:
         """Return what matches add to `counters`."""
         return {}
 
+    @property
+    def shows(self) -> bool:
+        """Whether the game shows a match of two genomes."""
+        return self.show is not None or self.texts
+
     @no_exit("show")
     def shown(self, a: Genome, b: Genome) -> str | bytes:
         """Return what the game shows of two genomes: text, or the bytes of a PNG file."""
-        if self.show is None:
+        if not self.shows:
             raise ValueError("show: expected a function of the game that shows a match, got none")
-        shown = self.show(a, b)
+        if self.show is None:
+            texts = zip(self.teams, (a[0], b[0]), strict=True)
+            return "\n".join(f"{team}: {text}" for team, text in texts)
+        players: Any = (a, b)
+        if self.texts:
+            each = zip(TEAMS, (a, b), strict=True)
+            players = [self.operators[team].genome(str(genome[0])) for team, genome in each]
+        shown = self.show(*players)
         if isinstance(shown, str):
             return shown
         image = checks.unmasked("show", shown)

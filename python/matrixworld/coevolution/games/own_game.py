@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import inspect
 import sys
-from collections.abc import Iterator, Mapping, Set
-from functools import cached_property, partial
-from hashlib import sha256
+from functools import cached_property
 from pathlib import Path
-from types import CodeType, FunctionType, MethodType, ModuleType
+from types import ModuleType
 from typing import Any, ClassVar
-
-import numpy as np
-from numpy.typing import ArrayLike
 
 from matrixworld._util import checks
 from matrixworld._util.plugins import PATH, imported
 from matrixworld._util.sections import OWN, SettingError, section, setting
+from matrixworld.coevolution.games.digest import digest_of
 from matrixworld.coevolution.games.game import Game, GameSettings
-from matrixworld.coevolution.types import Genomes, Rng
 
 
 @section(OWN)
@@ -32,19 +26,25 @@ class OwnGame(GameSettings):
     # Under the names that config.json has for `teams` and `deterministic` of the game.
     names: tuple[str, ...] = setting((), "names of the teams")
     exact: bool = setting(False, "whether equal genomes always have equal scores")
+    texts: bool = setting(False, "whether genomes are objects, held as text")
     digest: str = setting("", "digest of its source")
 
     @classmethod
     def named(cls, game: Game) -> dict[str, Any]:
-        """Return the name of a game, a global of its function's module; ValueError of others."""
-        module = sys.modules.get(getattr(game.play, "__module__", ""))
-        names = [name for name, value in vars(module).items() if value is game] if module else []
-        if module is None or not names:
-            raise ValueError(
-                "game: expected a global variable of the module of its function, so that a run can "
-                f"find it again, got one that is none of {getattr(module, '__name__', 'a module')}"
-            )
-        return {"code": f"{_file_of(module) or module.__name__}:{names[0]}"}
+        """Return the name of a game, a global variable of a module; ValueError of others.
+
+        The module is that of its function `play`, or one of those in which the game was made.
+        """
+        places = dict.fromkeys((getattr(game.play, "__module__", ""), *game.made_in))
+        modules = [sys.modules[name] for name in places if name in sys.modules]
+        for module in modules:
+            for name, value in vars(module).items():
+                if value is game:
+                    return {"code": f"{_file_of(module) or module.__name__}:{name}"}
+        raise ValueError(
+            "game: expected a global variable of the module that makes it, so that a run can find "
+            f"it again, got one that is none of {' or '.join(places)}"
+        )
 
     def check(self) -> None:
         """Import a game that is given by its name alone, and set the other fields from it.
@@ -56,14 +56,9 @@ class OwnGame(GameSettings):
         if self.digest:  # of a run, which is read without an import
             return
         game = self._imported()
-        fields = {
-            "genes": game.genes,
-            "names": game.teams,
-            "exact": game.deterministic,
-            "digest": digest_of(game),
-        }
-        for name, value in fields.items():
-            object.__setattr__(self, name, value)
+        for name, field in FIELDS.items():
+            object.__setattr__(self, name, getattr(game, field))
+        object.__setattr__(self, "digest", digest_of(game))
 
     @property
     def variant(self) -> str:
@@ -80,16 +75,19 @@ class OwnGame(GameSettings):
         """What is known of the game without an import: all but its functions."""
         genes: Any = self.genes
         names: Any = self.names
-        return Game(_not_imported, genes, names, deterministic=self.exact)
+        exact = self.exact
+        if self.texts:
+            missing = _not_imported
+            return Game(missing, None, names, missing, mutate=missing, deterministic=exact)
+        return Game(_not_imported, genes, names, deterministic=exact)
 
     def evaluation(self) -> Game:
         """Return the game; ValueError if there is none of this name, or one with other fields."""
         game = self._imported()
-        fields = {"genes": self.genes, "teams": self.names, "deterministic": self.exact}
-        for name, expected in fields.items():
-            got = getattr(game, name)
+        for name, field in FIELDS.items():
+            expected, got = getattr(self, name), getattr(game, field)
             if got != expected:
-                raise ValueError(f"{self.code}: expected a game with {name} {expected}, got {got}")
+                raise ValueError(f"{self.code}: expected a game with {field} {expected}, got {got}")
         return game
 
     def training(self, *, alone: bool) -> Game:
@@ -113,7 +111,11 @@ class OwnGame(GameSettings):
         return game
 
 
-def _not_imported(a: Genomes, b: Genomes, rng: Rng) -> ArrayLike:
+FIELDS = {"genes": "genes", "names": "teams", "exact": "deterministic", "texts": "texts"}
+"""What a run must know of a game without an import, and where the game has it."""
+
+
+def _not_imported(*_: Any) -> Any:
     raise TypeError("play: expected a game that is imported")
 
 
@@ -128,96 +130,3 @@ def _file_of(module: ModuleType) -> str:
 
 MAIN = ("__main__", "__mp_main__")
 """Names of the script that runs, and of its copy in processes that it has started."""
-
-
-def digest_of(game: Game) -> str:
-    """Return a digest of a game's fields and functions, the same in every process.
-
-    It is of the source of its functions, and of all that they name in their own module: functions,
-    numbers, text, arrays, collections of these, and the fields of objects that play. Of a function
-    from another module it is of the source alone, of classes and modules of nothing.
-    """
-    lines = []
-    for name in ("genes", "teams", "bounds", "deterministic", "play", "initial", "show"):
-        value = getattr(game, name)
-        texts: dict[str, str] = {}
-        _add_texts(f"<{name}>", value, _module_of(value), texts)
-        lines += [f"{key}\n{texts[key]}" for key in sorted(texts)]
-    return sha256("\n".join(lines).encode()).hexdigest()[:16]
-
-
-def _add_texts(name: str, value: Any, module: str, texts: dict[str, str]) -> None:
-    """Add to `texts` those of a value, of what it is made of, and of what it names in a module.
-
-    A global variable is added by its name, a part of a value by the name of the value and a number.
-    """
-    if name in texts:
-        return
-    function = _function_of(value)
-    if function is None:
-        texts[name] = _text_of(value)
-        for number, part in enumerate(_parts_of(value)):
-            _add_texts(f"{name}.{number}", part, module, texts)
-        return
-    texts[name] = _source_of(function)  # before the rest: a function may name itself
-    if function.__module__ != module:
-        return
-    if isinstance(value, MethodType) and not isinstance(value.__self__, type):
-        _add_texts(f"{name}.self", getattr(value.__self__, "__dict__", {}), module, texts)
-    for used in sorted({*_names(function.__code__)} & function.__globals__.keys()):
-        part = function.__globals__[used]
-        if not isinstance(part, ModuleType | type):
-            _add_texts(used, part, module, texts)
-
-
-def _module_of(value: Any) -> str:
-    """Return the name of the module that a function, or an object that plays, is defined in."""
-    while isinstance(value, partial):
-        value = value.func
-    return getattr(value, "__module__", "")
-
-
-def _function_of(value: Any) -> FunctionType | None:
-    """Return a function as it is written, without its decorators; None of other values."""
-    function = inspect.unwrap(getattr(value, "__func__", value))
-    return function if isinstance(function, FunctionType) else None
-
-
-def _source_of(function: FunctionType) -> str:
-    """Return the source of a function; of a lambda it is that of its whole line."""
-    try:
-        return inspect.getsource(function)
-    except OSError:  # typed at a prompt that keeps no source
-        code = function.__code__
-        return f"{code.co_code.hex()} {code.co_consts} {code.co_names}"
-
-
-def _text_of(value: Any) -> str:
-    """Return a text of a value; of what has parts, and of other objects, that of its type."""
-    if isinstance(value, np.ndarray | np.generic):
-        return repr(value.tolist())
-    if isinstance(value, Set):  # its order differs from process to process
-        return repr(sorted(map(_text_of, value)))
-    if isinstance(value, int | float | complex | str | bytes | None):
-        return repr(value)
-    return type(value).__qualname__
-
-
-def _parts_of(value: Any) -> list[Any]:
-    """Return what a collection, a partial or an object that plays is made of."""
-    if isinstance(value, Mapping):
-        return list(value.items())
-    if isinstance(value, tuple | list):
-        return list(value)
-    if isinstance(value, partial):
-        return [value.func, value.args, value.keywords]
-    call = getattr(type(value), "__call__", None)  # noqa: B004, of its class
-    return [call, getattr(value, "__dict__", {})] if isinstance(call, FunctionType) else []
-
-
-def _names(code: CodeType) -> Iterator[str]:
-    """Yield the names that a function uses, with those of the functions inside it."""
-    yield from code.co_names
-    for constant in code.co_consts:
-        if isinstance(constant, CodeType):
-            yield from _names(constant)

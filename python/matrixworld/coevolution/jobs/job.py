@@ -9,7 +9,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from matrixworld._util import checks, files
+from matrixworld.coevolution.games.game import Game
 from matrixworld.coevolution.games.pursuit import CHANNELS, PursuitSettings, world_name
 from matrixworld.coevolution.learners.noise import table_length
 from matrixworld.coevolution.runs import create, play
@@ -24,7 +27,8 @@ ITSELF = "."  # name of the only run of a job whose directory is that of the run
 FEW = 3
 """Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
 
-FLOAT = 4  # bytes of a float32
+FLOAT = 4  # bytes of a float32, and of a character
+DRAWN = 4  # genomes of each team of which the longest one is asked
 COPIES = 4
 """Most arrays of all candidates, all archived genomes or all views in memory at one time."""
 TRAINING_EPISODE = 240  # bytes: twice the statistics of an episode, as `rollout` holds them
@@ -178,7 +182,8 @@ def _check_memory(needed: Sequence[int], threads: int | None) -> None:
 def run_memory(settings: RaceSettings) -> dict[str, int]:
     """Return about the bytes of a run's largest arrays, by what they hold."""
     schedule = settings.schedule
-    genes = max(map(settings.evaluation_game.genome_size, TEAMS))
+    game = settings.evaluation_game
+    genes = longest_text(game) if game.texts else max(map(game.genome_size, TEAMS))
     learners = [settings.learner_of(team) for team in settings.learning_teams]
     population = max(learner.population for learner in learners)
     teams = len(learners)
@@ -188,16 +193,25 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
         "candidates": COPIES * population * genes * FLOAT,
         # A file of it is made in memory.
         "archive": COPIES * teams * schedule.entries * genes * FLOAT,
-        "noise": teams * table_length(genes) * FLOAT,
+        "noise": 0 if game.texts else teams * table_length(genes) * FLOAT,
         "episodes": TRAINING_EPISODE * episodes,
         "payoff": EVALUATION_EPISODE * pairs * settings.evaluation_episodes,
     }
-    game = settings.game
-    if isinstance(game, PursuitSettings) and any(learner.replays for learner in learners):
-        worlds = game.training_worlds or (replace(game.world, max_steps=game.train_steps),)
+    pursuit = settings.game
+    if isinstance(pursuit, PursuitSettings) and any(learner.replays for learner in learners):
+        worlds = pursuit.training_worlds or (replace(pursuit.world, max_steps=pursuit.train_steps),)
         steps = max(w.max_steps * max(w.n_pursuers, w.n_evaders) for w in worlds)
-        needed["views"] = COPIES * episodes * steps * CHANNELS * game.world.fov**2
+        needed["views"] = COPIES * episodes * steps * CHANNELS * pursuit.world.fov**2
     return needed
+
+
+def longest_text(game: Game) -> int:
+    """Return the characters of the longest of a few new genomes that are text.
+
+    A character takes as much memory as a gene. Genomes may become longer in a race.
+    """
+    rng = np.random.default_rng(0)
+    return max(len(game.untrained(team, rng)[0]) for team in TEAMS for _ in range(DRAWN))
 
 
 def create_job(job: Job, root: Path) -> None:

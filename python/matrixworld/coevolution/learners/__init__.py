@@ -13,6 +13,7 @@ from typing import ClassVar
 from matrixworld._util.own_code import OwnCode
 from matrixworld._util.sections import NAMES, OWN, Named, Section, section
 from matrixworld.coevolution.learners.actor_critic import ActorCritic as ActorCritic
+from matrixworld.coevolution.learners.breeding import Breeding as Breeding
 from matrixworld.coevolution.learners.cma_es import CmaEs as CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import (
     EvolutionStrategy as EvolutionStrategy,
@@ -31,7 +32,7 @@ class OwnLearner(OwnCode):
     base: ClassVar[type[Section]] = Learner
 
 
-FIRST = ("es", "ga", "cma", "gp", "actor-critic")
+FIRST = ("es", "ga", "cma", "gp", "actor-critic", "breeding")
 """The names that are listed first; a learner of the package that is none of them comes after."""
 NAMES[Learner] = {
     **{name: NAMES[Learner][name] for name in FIRST},

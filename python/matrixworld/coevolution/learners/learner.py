@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ from matrixworld._util.plugins import PluginError
 from matrixworld._util.sections import Section, SettingError, section, setting
 from matrixworld.coevolution import types
 from matrixworld.coevolution.games.game import Game, GameSettings, Scores, clipped
+from matrixworld.coevolution.games.operators import Operators, are_texts, as_genomes
 from matrixworld.coevolution.games.pursuit import FITNESS, REWARDED, PursuitSettings
 from matrixworld.coevolution.learners.fitness import (
     COMPETITIVE,
@@ -70,9 +71,15 @@ class Task:
     def genomes(self, count: int, sigma: float = MUTATION) -> Genomes:
         """Return genomes (count, genes) to start from: untrained ones, or `begin` and its mutants.
 
-        The first ones do not depend on `count`. `sigma` is the standard deviation of the mutants.
+        The first ones do not depend on `count`. `sigma` is the standard deviation of the mutants of
+        vectors; the game mutates objects itself.
         """
         rng = keyed_generator(self.seed, Purpose.INITIAL, self.team)
+        if self.begin is not None and self.game.texts:
+            begin = self.begin[np.newaxis]
+            operators = self.game.operators[types.TEAMS[self.team]]
+            mutants = [operators.child(begin, rng, mutates=True) for _ in range(count - 1)]
+            return np.concatenate([begin, as_genomes(mutants)])
         if self.begin is None:
             genomes = np.stack([self.untrained(rng) for _ in range(count)])
         else:
@@ -95,6 +102,14 @@ class Task:
             return None
         low, high = self.game.bounds
         return Bounds(np.array(low), np.array(high))
+
+
+def _outside(*_: Any) -> Any:
+    raise TypeError("operators: expected those of a game, got a learner outside of a race")
+
+
+OUTSIDE = Operators(_outside, _outside)
+"""The operators of a learner that is in no race."""
 
 
 def _no_experience(**options: Any) -> Any:
@@ -121,7 +136,7 @@ class Learner(Section):
 
         state = learner.start(task)
         in each epoch:
-            candidates, state = learner.ask(state, rng)     # (n, genes) float32
+            candidates, state = learner.ask(state, rng)     # (n, genes) float32, or (n, 1) text
             state = learner.tell(state, results)            # their fitness (n,)
         learner.genome(state)                               # genome that enters the archive
 
@@ -130,12 +145,17 @@ class Learner(Section):
     dataclass with this base, or with `Evolutionary` to be selected by any measure, in the settings
     itself or by its name ``module:object``, with fields of numbers, text, true or false: see
     `check_learner`. With a field ``anneal`` that is true, a race cannot become longer.
+
+    A learner with ``texts = True`` improves genomes that are objects: arrays (n, 1) of text, which
+    its `operators` mutate and mate. These are no setting, but those of the game of its race.
     """
 
     policies: ClassVar[tuple[str, ...]] = ("cells", "rating")
     """Kinds of policies in pursuit whose genomes the learner improves."""
     any_game: ClassVar[bool] = True
     """Whether it improves any vectors, and so the genomes of a game of your own, too."""
+    texts: ClassVar[bool] = False
+    """Whether it improves objects in place of vectors, as arrays (n, 1) of text, by `operators`."""
     keeps_mask: ClassVar[bool] = False
     """Whether it leaves the weights of a mask in a network as they are."""
     replays: ClassVar[bool] = False
@@ -146,6 +166,7 @@ class Learner(Section):
     """Settings that say how far the learner goes at a time: too far, if it diverges."""
 
     population: int = setting(48, "candidates per epoch", Whole(2))
+    operators: Operators = field(default=OUTSIDE, compare=False, repr=False, kw_only=True)
 
     @abstractmethod
     def start(self, task: Task) -> State:
@@ -186,13 +207,18 @@ class Learner(Section):
         name = self.kind or type(self).__name__
         if isinstance(game, PursuitSettings):
             policy = game.policy
+            if not self.policies:
+                raise SettingError(path, "a learner of vectors in pursuit and evasion", name)
             if policy.kind not in self.policies:
                 expected = f"{' or '.join(self.policies)} with the learner {name}"
                 raise SettingError("policy", expected, policy.kind, fits=self.policies[0])
             if policy.kind == "cells" and policy.mask != "none" and not self.keeps_mask:
                 raise SettingError("policy.mask", f"'none' with {name}", repr(policy.mask))
-        elif not self.any_game:
-            raise SettingError(path, "es, ga, cma or your own in a game of your own", name)
+        elif self.texts != game.known.texts or not self.any_game:
+            which = "es, ga, cma or your own in a game of your own"
+            if game.known.texts:
+                which = f"breeding, or your own for text ({game.variant} has genomes of any kind)"
+            raise SettingError(path, which, name)
         # A run is read without an import of its game.
         self.check_fits(path, game.known)
 
@@ -263,8 +289,12 @@ def not_asked() -> RuntimeError:
     return RuntimeError("tell: expected a state of `ask`, got one without candidates")
 
 
-def check_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
-    """Raise PluginError unless a learner's method `name` has returned float32 of a shape."""
+def check_genomes(name: str, array: Any, shape: tuple[int, ...], *, texts: bool = False) -> None:
+    """Raise PluginError unless a learner's method has returned float32, or texts, of a shape."""
+    if texts:
+        if not are_texts(array, shape):
+            raise PluginError(f"{name}: expected an array of text {shape}, got {shown(array)}")
+        return
     is_array = isinstance(array, np.ndarray) and not isinstance(array, np.ma.MaskedArray)
     if not is_array or (array.dtype, array.shape) != (np.float32, shape):
         got = f"{array.dtype} {array.shape}" if is_array else shown(array)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Callable
 from copy import deepcopy
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -18,11 +19,30 @@ from matrixworld.coevolution.games.game import Game
 from matrixworld.coevolution.learners.learner import Learner, Results, Task, check_genomes
 from matrixworld.coevolution.opponents import Opponents
 from matrixworld.coevolution.states import State
-from matrixworld.coevolution.types import TEAMS
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes
 
 EPOCHS = 6  # of a check
 SAVED_AFTER = 2  # epochs before the state from which a check goes on as from a file
 GENES = 140  # length of the genomes of a check
+# Genomes far apart, so that mutants of any usual size are better now and then: a learner shows what
+# it does only where it moves.
+OF_VECTORS = Game(lambda a, b, rng: np.full(len(a), 0.5), GENES, ("learners", "others"))
+OF_TEXTS = Game(
+    lambda one, other, rng: 0.5,
+    teams=("learners", "others"),
+    initial=lambda rng: [*rng.standard_normal(GENES)],
+    mutate=lambda genome, rng: [*(np.array(genome) + 0.3 * rng.standard_normal(GENES))],
+    mate=lambda one, other, rng: [*np.where(rng.random(GENES) < 0.5, one, other)],
+)
+
+
+def _numbers(game: Game, genomes: Genomes) -> FloatArray:
+    """Return what genomes (n, ...) of one of the games above are, (n, GENES) float64."""
+    if not game.texts:
+        return np.asarray(genomes, np.float64)
+    return np.array([game.operators[TEAMS[0]].genome(text) for text in genomes[:, 0].tolist()])
+
+
 Step = Callable[[State, int], tuple[list[NDArray[Any]], State]]
 """Plays one epoch from a state; returns what was decided, and the next state."""
 
@@ -44,14 +64,15 @@ def check_learner(learner: Learner) -> None:
     if not learner.any_game:
         got = type(learner).__name__
         raise ValueError(f"learner: expected one that learns in any game (any_game), got {got}")
-    # Genomes far apart, so that mutants of any usual size are better now and then: a learner shows
-    # what it does only where it moves.
-    game = Game(lambda a, b, rng: np.full(len(a), 0.5), GENES, ("learners", "others"))
+    game = OF_TEXTS if learner.texts else OF_VECTORS
+    if game.texts:
+        learner = replace(learner, operators=game.operators[TEAMS[0]])
     n = learner.population
+    genes = game.genome_size(TEAMS[0])
     untrained = partial(learner.untrained, game, TEAMS[0])
-    _expect_genomes("untrained", untrained(np.random.default_rng(0)), (GENES,))
+    _expect_genomes("untrained", untrained(np.random.default_rng(0)), (genes,), game)
     task = Task(0, 0, EPOCHS, untrained, None, game)
-    target = game.untrained(TEAMS[0], np.random.default_rng(1))
+    target = game.untrained(TEAMS[0], np.random.default_rng(1))[np.newaxis]
     groups = np.array(learner.seed_groups)
     numbers, sizes = np.unique(groups, return_counts=True)
     are_numbers = groups.shape == (n,) and groups.dtype.kind in "iu"
@@ -61,12 +82,12 @@ def check_learner(learner: Learner) -> None:
 
     def step(state: State, epoch: int) -> tuple[list[NDArray[Any]], State]:
         candidates, asked = learner.ask(state, np.random.default_rng([0, epoch]))
-        _expect_genomes("ask", candidates, (n, GENES))
+        _expect_genomes("ask", candidates, (n, genes), game)
         # Equal values are usual at the start of a race, and a learner may then take another path.
-        distance = ((candidates - target) ** 2).mean(axis=1, dtype=np.float64)
+        distance = ((_numbers(game, candidates) - _numbers(game, target)) ** 2).mean(axis=1)
         after = learner.tell(asked, Results(np.zeros(n) if epoch % 3 == 1 else -distance))
         genome = learner.genome(after)
-        _expect_genomes("genome", genome, (GENES,))
+        _expect_genomes("genome", genome, (genes,), game)
         return [candidates, genome], after
 
     _check_steps(lambda: learner.start(task), step)
@@ -108,9 +129,9 @@ def _are_opponents(chosen: Any, most: int, available: int) -> bool:
     return len(different) == len(chosen) and 1 <= len(chosen) <= most
 
 
-def _expect_genomes(name: str, array: Any, shape: tuple[int, ...]) -> None:
-    check_genomes(name, array, shape)
-    if not np.isfinite(array).all():
+def _expect_genomes(name: str, array: Any, shape: tuple[int, ...], game: Game) -> None:
+    check_genomes(name, array, shape, texts=game.texts)
+    if not game.texts and not np.isfinite(array).all():
         raise PluginError(f"{name}: expected finite numbers, got {array}")
 
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from matrixworld._util import checks
 from matrixworld._util.plugins import no_exit
 from matrixworld.coevolution import types
+from matrixworld.coevolution.games.operators import are_texts, as_genome
 from matrixworld.coevolution.games.pursuit import Player, Pursuit, PythonFile, player
 from matrixworld.coevolution.runs.places import new_directory
 from matrixworld.coevolution.runs.stored import StoredRun, last_generation
@@ -40,8 +41,9 @@ def create(
     opponents : population or player, optional
         Opponents of a team that learns alone, in place of `schedule.opponent`. In pursuit genomes,
         or what `matrixworld.player` takes that a run can keep: a script, a file, a line of text.
-    start : array_like of float32, optional
-        Genome (genes,) that such a team starts from, in place of `schedule.start`.
+    start : array_like of float32 or object, optional
+        Genome (genes,) that such a team starts from, in place of `schedule.start`; an object, or
+        its text as an array (1,), in a game whose genomes are objects.
 
     Returns
     -------
@@ -135,6 +137,10 @@ def load_start(settings: RaceSettings, start: ArrayLike | None = None) -> Genome
         start = population.genomes[0]
     if start is None:
         return None
+    if game.texts:
+        if are_texts(start, (1,)):
+            return np.asarray(start)
+        return as_genome(game.operators[schedule.team].text(start, "start"))
     genome = checks.check_floats("start", start, np.float32)
     shape = (game.genome_size(schedule.team),)
     if genome.shape != shape:

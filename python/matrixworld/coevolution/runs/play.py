@@ -74,6 +74,7 @@ class Run:
         training: Callable[..., Training] = Training,
     ) -> None:
         self.files: RunWriter = RunWriter(directory)
+        self.files.check_format()
         check_source(self.files)
         self.settings: RaceSettings = self.files.settings
         self.training = training(
@@ -226,6 +227,7 @@ def lengthen(directory: str | Path, generations: int) -> None:
     """
     files = RunWriter(directory)
     with files.lock():
+        files.check_format()
         check_source(files)
         check_longer(files, generations)
         files.change(files.settings.changed({"schedule.generations": generations}))

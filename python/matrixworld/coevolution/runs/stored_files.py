@@ -6,7 +6,7 @@ stage-0007.npz        what stage 7 has added: genomes, rows of the log, counters
 checkpoint-0007.npz   state of learners and opponent samplers after stage 7, for the newest two
 payoff.npz            results of the archives against each other (see `Payoff`)
 summary.json          the most important numbers of the run
-log.csv, *.npy        log and genomes of all stages, for other programs
+log.csv, *.npy        log and genomes of all stages, for other programs; of objects *.json
 ====================  ==========================================================================
 
 Stage 0 is the run before training. A stage is saved in this order: its checkpoint, the stage
@@ -99,7 +99,9 @@ class StoredFiles:
             raise files.DamagedFileError(self.path / CONFIG, files.one_line(problem)) from error
 
     def archive(self) -> Archive:
-        """Return the genomes (generations, genes) float32 of each team in all finished stages.
+        """Return the genomes (generations, genes) of each team in all finished stages.
+
+        They are float32; of a game whose genomes are objects they are text (generations, 1).
 
         Raises DamagedFileError if the file of a stage is damaged or missing.
         """

@@ -67,13 +67,13 @@ class RunWriter(StoredRun):
 
     def change(self, settings: RaceSettings) -> None:
         """Write config.json with other settings of the same run."""
-        self._check_format()
+        self.check_format()
         config = {**self.config, "settings": settings.to_json()}
         files.save_json(self.path / CONFIG, config)
         self.config = config
         self.settings = settings
 
-    def _check_format(self) -> None:
+    def check_format(self) -> None:
         """Raise OtherVersionError unless the run has the newest format, which going on needs."""
         number = self.config["format"]
         if number != FORMAT:
@@ -99,7 +99,9 @@ class RunWriter(StoredRun):
         for team in TEAMS:
             new = archive[team][self._saved[team] :]
             if len(new):
-                added[PLURALS[team]] = np.asarray(new, np.float32)
+                genomes = np.asarray(new)
+                is_text = genomes.dtype.kind == "U"
+                added[PLURALS[team]] = genomes if is_text else np.asarray(genomes, np.float32)
         checkpoint = {
             f"{part}.{path}": array
             for part, state in states.items()
@@ -120,7 +122,7 @@ class RunWriter(StoredRun):
         DamagedFileError, OtherVersionError
             If no stage is intact and has a checkpoint, or the run has an older format.
         """
-        self._check_format()
+        self.check_format()
         files.remove_temporary_files(self.path)
         stages, checkpoint, problems = self._newest_intact()
         for problem in problems:
@@ -162,7 +164,9 @@ class RunWriter(StoredRun):
             file.write(self.log_of(stages).encode())
         archive = archive_of(stages)
         for name, genomes in zip(self.facts.teams, archive.values(), strict=True):
-            if len(genomes):  # those of a team that a script plays are none
+            if genomes.dtype.kind == "U":
+                files.save_json(self.path / f"{name}.json", {"genomes": genomes[:, 0].tolist()})
+            elif len(genomes):  # those of a team that a script plays are none
                 with files.replacing(self.path / f"{name}.npy") as file:
                     np.save(file, genomes)
         files.save_arrays(self.path / PAYOFF, payoff)

@@ -32,6 +32,7 @@ from matrixworld.coevolution.learners import ActorCritic, EvolutionStrategy, Own
 from matrixworld.coevolution.learners.learner import Learner, Task
 from matrixworld.coevolution.settings.schedules import GIVEN, SCHEDULES, Against, InTurns, Schedule
 from matrixworld.coevolution.settings.usual import (
+    BREEDING,
     COURTYARD,
     DEFAULTS,
     EPOCHS,
@@ -347,7 +348,10 @@ class RaceSettings(Section):
         Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
         fails.
         """
-        return self._learners[self.learner_path(team)]
+        learner = self._learners[self.learner_path(team)]
+        if learner.texts:
+            return replace(learner, operators=self.evaluation_game.operators[team])
+        return learner
 
     @cached_property
     def _learners(self) -> dict[str, Learner]:
@@ -448,18 +452,20 @@ def kinds_of(chosen: Mapping[str, Any]) -> Kinds:
     A bad choice is refused elsewhere.
     """
     defaults = chosen.get(DEFAULTS) or PAPER
+    texts = bool(chosen.get("game.texts"))
     team: Team = "evader" if chosen.get("schedule.team") == "evader" else "pursuer"
     epochs: Any = chosen.get("schedule.epochs")
     return Kinds(
         defaults,
         schedule=_class_of(Schedule, chosen.get("schedule"), SCHEDULE),
-        learner=_class_of(Learner, chosen.get("learner", LEARNER), OWN),
+        learner=_class_of(Learner, chosen.get("learner", BREEDING if texts else LEARNER), OWN),
         policy=_class_of(PolicySettings, chosen.get("policy"), POLICY[defaults]),
         team=team,
         epochs=epochs if isinstance(epochs, int) and 0 < epochs <= INT_MAX else EPOCHS[team],
         has_map=isinstance(chosen.get("world.obstacles"), str | list),
         own_game=chosen.get("game") is not None,
         exact=bool(chosen.get("game.exact")),
+        texts=texts,
     )
 
 

@@ -29,6 +29,7 @@ policies that one can read race in it, and a race takes seconds."""
 
 SCHEDULE = "generalist-generalist"
 LEARNER = "es"
+BREEDING = "breeding"  # of games whose genomes are objects
 POLICY = {PAPER: "cells", COURTYARD: "rating"}
 """The names of sections for which no other one is chosen."""
 EPOCHS: dict[Team, int] = {"pursuer": 6000, "evader": 4000}
@@ -47,6 +48,7 @@ class Kinds(NamedTuple):
     has_map: bool  # which has the size of the world, whatever a world with a name has
     own_game: bool
     exact: bool  # whether equal genomes of it always have equal scores
+    texts: bool  # whether its genomes are objects
 
 
 def usual(kinds: Kinds) -> dict[str, Any]:
@@ -66,6 +68,8 @@ def usual(kinds: Kinds) -> dict[str, Any]:
         return values
     if kinds.exact:
         values["evaluation_episodes"] = 1
+    if kinds.texts:
+        values["learner"] = BREEDING
     of_pursuit = ("world", "policy", "train_steps")
     return {path: v for path, v in values.items() if path.partition(".")[0] not in of_pursuit}
 

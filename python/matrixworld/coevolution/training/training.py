@@ -172,7 +172,7 @@ class Training:
         return self.settings.teams[TEAMS.index(team)]
 
     def genomes(self, team: Team) -> Genomes:
-        """Return a team's archive as one array (generations, genes) float32."""
+        """Return a team's archive as one array (generations, genes)."""
         archive = self.archive[team]
         if not archive:
             return np.empty((0, self.game.genome_size(team)), np.float32)
@@ -225,7 +225,7 @@ class Training:
         candidates, self.states[team] = learner.ask(self.states[team], rng)
         shape = len(learner.seed_groups), self.game.genome_size(team)
         name = f"ask of {self.settings.learner_path(team)} {learner.kind or type(learner).__name__}"
-        check_genomes(name, candidates, shape)
+        check_genomes(name, candidates, shape, texts=self.game.texts)
         return candidates
 
     def tell(

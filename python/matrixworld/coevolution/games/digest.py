@@ -1,0 +1,154 @@
+"""A digest of what a game is made of: a run goes on with the game that it began with, and no other.
+
+It is of the game's fields, of the source of its functions, and of all that these name in their own
+module or hold in closures and defaults: functions, classes, numbers, text, arrays, collections of
+these, the fields of objects that play, and what a DEAP toolbox or set of primitives has registered.
+Of a function from another module it is of the source and what it holds, of one of this package of
+what it holds. It is the same in every process.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator, Mapping, Set
+from functools import partial
+from hashlib import sha256
+from types import BuiltinFunctionType, CodeType, FunctionType, MethodType, ModuleType
+from typing import Any
+
+import numpy as np
+from deap import base, gp
+
+from matrixworld.coevolution.games.game import PAIRED, Game
+
+PACKAGE = __name__.partition(".")[0]
+
+FIELDS = ("genes", "teams", "bounds", "deterministic", "many", "play", "show", *PAIRED)
+"""What a game is made of."""
+
+
+def digest_of(game: Game) -> str:
+    """Return a digest of a game's fields and functions, the same in every process."""
+    parts = _Parts()
+    lines = [f"{name}\n{parts.text_of(getattr(game, name), '')}" for name in FIELDS]
+    return sha256("\n".join([*lines, *parts.texts]).encode()).hexdigest()[:16]
+
+
+class _Parts:
+    """The functions and classes that a game is made of, each numbered when it is first met.
+
+    Names do not tell them apart: all lambdas have one, and a function that a function returns has
+    the name of its sisters, which hold other values.
+    """
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+        self._numbers: dict[tuple[int, int], int] = {}  # by address, and that of a method's object
+        self._met: list[Any] = []  # kept, so that no other object gets the address of one
+        self._around: list[int] = []  # addresses of the collections around a value
+
+    def text_of(self, value: Any, module: str) -> str:
+        """Return a text of a value that code in a module names, and add what it is made of."""
+        if value is None or isinstance(value, int | float | complex | str | bytes):
+            return repr(value)
+        if isinstance(value, np.ndarray | np.generic):
+            return repr(value.tolist())
+        if isinstance(value, ModuleType):
+            return value.__name__
+        if isinstance(value, BuiltinFunctionType | np.ufunc):
+            return f"{getattr(value, '__module__', '')} {value.__name__}"
+        function = value if isinstance(value, type) else _function_of(value)
+        if function is not None:
+            return f"part {self._number_of(value, function, module)}"
+        if id(value) in self._around:
+            return "itself"
+        self._around.append(id(value))
+        parts = [self.text_of(part, module) for part in _parts_of(value)]
+        self._around.pop()
+        if isinstance(value, Set):  # its order differs from process to process
+            parts.sort()
+        return f"{type(value).__qualname__}({', '.join(parts)})"
+
+    def _number_of(self, value: Any, function: FunctionType | type, module: str) -> int:
+        """Return the number of a function, method or class, with what it is made of among parts."""
+        key = id(function), id(getattr(value, "__self__", None))
+        if key not in self._numbers:
+            number = self._numbers[key] = len(self.texts)
+            self._met.append(value)
+            self.texts.append("")  # before the rest: a function may name itself
+            lines = self._lines_of(value, function, module or function.__module__)
+            self.texts[number] = "\n".join(lines)
+        return self._numbers[key]
+
+    def _lines_of(self, value: Any, function: FunctionType | type, module: str) -> Iterator[str]:
+        """Yield the source of a function or class, and the texts of what it holds and names."""
+        yield function.__qualname__
+        in_package = function.__module__.partition(".")[0] == PACKAGE
+        if isinstance(function, type):
+            if function.__module__ == module and not in_package:
+                yield _source_of(function)
+            return
+        if not in_package:
+            yield _source_of(function.__code__)
+        holds = [function.__defaults__, function.__kwdefaults__, *_closure_of(function)]
+        if isinstance(value, MethodType) and not isinstance(value.__self__, type):
+            holds.append(getattr(value.__self__, "__dict__", None))
+        for held in holds:
+            yield self.text_of(held, module)
+        if function.__module__ == module and not in_package:
+            for name in sorted({*_names(function.__code__)} & function.__globals__.keys()):
+                yield f"{name} {self.text_of(function.__globals__[name], module)}"
+
+
+def _function_of(value: Any) -> FunctionType | None:
+    """Return the function of a method, or of a cache of one; None of other values."""
+    if isinstance(value, partial):  # that of a toolbox may have the attributes of its function
+        return None
+    function = getattr(value, "__func__", value)
+    while not isinstance(function, FunctionType | type) and hasattr(function, "__wrapped__"):
+        function = function.__wrapped__
+    return function if isinstance(function, FunctionType) else None
+
+
+def _closure_of(function: FunctionType) -> Iterator[Any]:
+    """Yield the values of the variables outside a function that it holds."""
+    held = inspect.getclosurevars(function).nonlocals  # those that are set
+    for name in sorted(held):
+        yield held[name]
+
+
+def _source_of(code: CodeType | type) -> str:
+    """Return a source; of a lambda it is that of its whole line."""
+    try:
+        return inspect.getsource(code)
+    except (OSError, TypeError):  # typed at a prompt that keeps no source
+        if isinstance(code, type):
+            return code.__qualname__
+        return f"{code.co_code.hex()} {code.co_consts} {code.co_names}"
+
+
+def _parts_of(value: Any) -> list[Any]:
+    """Return what a collection, a partial, a toolbox or an object that plays is made of."""
+    if isinstance(value, Mapping):
+        return list(value.items())
+    if isinstance(value, tuple | list | Set):
+        return list(value)
+    if isinstance(value, partial):
+        return [value.func, value.args, value.keywords]
+    if isinstance(value, base.Toolbox):
+        registered = {name: part for name, part in vars(value).items() if isinstance(part, partial)}
+        return [registered]
+    if isinstance(value, gp.PrimitiveSetTyped):
+        names = {name: getattr(part, "arity", None) for name, part in value.mapping.items()}
+        functions = {name: part for name, part in value.context.items() if name != "__builtins__"}
+        return [value.arguments, names, functions]
+    call = getattr(type(value), "__call__", None)  # noqa: B004, of its class
+    return [call, getattr(value, "__dict__", {})] if isinstance(call, FunctionType) else []
+
+
+def _names(code: CodeType) -> Iterator[str]:
+    """Yield the names that a function uses, with those of the functions inside it."""
+    yield from code.co_names
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _names(constant)
