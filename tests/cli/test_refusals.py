@@ -64,7 +64,7 @@ EVOLVE = [
     (["--config", "q.toml"], 2, "--variant: expected one of O, D, R, B, S, SB, SD, SDB, TO, got "),
     (["--set", "learner.sigma"], 2, "expected PATH=VALUE, such as learner.sigma=0.1, got 'learner"),
     (["--set", "learner.sigmma=1"], 2, "; did you mean learner.sigma?"),
-    (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, gp, actor-critic, breeding, or"),
+    (["--learner", "gaa"], 2, "learner: expected one of es, ga, cma, gp, actor-critic, breeding"),
     (["--set", "learner.mutation=0.1"], 2, "; it is a setting of learner=ga"),
     (["--set", "fitness.measure=rewards"], 2, "; did you mean learner.measure?"),
     (["--set", "evader_learner=ga"], 2, "; did you mean schedule.evader_learner?"),

@@ -73,7 +73,7 @@ def test_processes_give_the_same_files_and_tell_each_row_and_how_far_they_are(tm
 
 
 def test_a_single_run_is_played_in_its_directory_by_this_process(tmp_path, monkeypatch):
-    monkeypatch.setattr(co.jobs, "processes", None)
+    monkeypatch.setattr("matrixworld.coevolution.jobs.play.processes", None)
     seen, rows = [], []
     run = co.evolve(SETTINGS[0], tmp_path / "run", report=seen.append, on_epoch=rows.append)
     assert (run.settings, run.path) == (SETTINGS[0], tmp_path / "run")

@@ -13,7 +13,7 @@ import click
 import numpy as np
 
 from matrixworld._util import checks, files
-from matrixworld.coevolution.jobs.processes import without_interrupts
+from matrixworld._util.processes import without_interrupts
 from matrixworld.version import __version__, imported
 
 AUTO = "auto"

@@ -14,12 +14,15 @@ from collections.abc import Iterator, Mapping, Set
 from functools import partial
 from hashlib import sha256
 from types import BuiltinFunctionType, CodeType, FunctionType, MethodType, ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from deap import base, gp
 
-from matrixworld.coevolution.games.game import PAIRED, Game
+from matrixworld.coevolution.games.operators import PAIRED
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution.games.game import Game
 
 PACKAGE = __name__.partition(".")[0]
 

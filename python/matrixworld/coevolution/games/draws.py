@@ -44,9 +44,9 @@ GOLDEN = np.uint64(0x9E3779B97F4A7C15)  # the step of SplitMix64: 2^64 by the go
 EPISODE = np.uint64(0xD1342543DE82EF95)  # an odd step between episodes
 
 
-def episode_seeds(seeds: Seeds, episodes: int) -> Seeds:
-    """Return the seeds (M * episodes,) of the episodes of M matches, those of a match together."""
-    episode = np.arange(episodes, dtype=np.uint64) * EPISODE
+def episode_seeds(seeds: Seeds, episodes: range) -> Seeds:
+    """Return the seeds (M * N,) of N episodes of M matches, those of a match together."""
+    episode = np.array(episodes, np.uint64) * EPISODE
     return _mixed(seeds[:, np.newaxis] + episode).ravel()
 
 

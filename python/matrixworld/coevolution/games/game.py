@@ -24,7 +24,8 @@ from matrixworld._util.callers import calling_modules
 from matrixworld._util.plugins import no_exit
 from matrixworld._util.sections import Section, section
 from matrixworld.coevolution.games.draws import MatchDraws, episode_seeds
-from matrixworld.coevolution.games.operators import Operators, are_texts, as_genome
+from matrixworld.coevolution.games.operators import PAIRED, Operators, are_texts, as_genome
+from matrixworld.coevolution.games.workers import Part, play_in_processes
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -38,8 +39,6 @@ from matrixworld.coevolution.types import (
 
 Play = Callable[..., Any]
 """Both genomes, or those of M matches, and perhaps random numbers -> scores of the first team."""
-PAIRED = ("initial", "mutate", "mate", "write", "read")
-"""Functions of a game of which each team may have its own."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,6 +114,10 @@ class Game:
         Whether ``play(a, b, seeds)`` plays M matches at once: a and b are arrays (M, genes), or
         lists of M objects, and it returns scores (M,). Random numbers come from the `seeds` (M,) of
         uint64 alone, as by `uniforms`. The default is False.
+    slow : bool, optional
+        Whether a match takes so long, from some milliseconds on, that it pays to play matches side
+        by side: the `threads` of a race are then processes, which import the game by its name and
+        give equal scores for any number. The default is False.
     show : callable, optional
         ``show(a, b)`` returns text, or an image (rows, columns, 3) of uint8, of two genomes: what
         `matrixworld replay` prints and pages show. By default it is both texts, of vectors nothing.
@@ -160,6 +163,7 @@ class Game:
     bounds: tuple[ArrayLike, ArrayLike] | None = None
     deterministic: bool = False
     many: bool = False
+    slow: bool = False
     show: Callable[[Any, Any], Any] | None = None
     made_in: tuple[str, ...] = field(default=(), init=False, repr=False)
     """Names of the modules in which it was made, the innermost first: a run looks for it there."""
@@ -175,7 +179,7 @@ class Game:
 
     def __post_init__(self) -> None:
         self._check_functions()
-        for name in ("deterministic", "many"):
+        for name in ("deterministic", "many", "slow"):
             checks.check_bool(name, getattr(self, name))
         object.__setattr__(self, "genes", self._checked_genes())
         self._check_teams()
@@ -310,19 +314,22 @@ class Game:
     ) -> Scores:
         """Play M matches, each a number of the first team, one of the second, and a seed.
 
-        A game of your own plays in one thread, whatever `threads` says.
+        A game of your own plays in one thread, whatever `threads` says, and a slow one in so many
+        processes.
         """
         a, b, seeds = matches
         times = 1 if self.deterministic else episodes
-        scores = self.played(first.genomes[a], second.genomes[b], seeds, times)
+        asked = Part(first.genomes[a], second.genomes[b], seeds, range(times))
+        scores = play_in_processes(self, asked, threads) if self.slow else self.played(*asked)
         return Scores(np.repeat(scores, episodes // times, axis=1))
 
     def played(
-        self, ones: Genomes, others: Genomes, seeds: Seeds, episodes: int
+        self, ones: Genomes, others: Genomes, seeds: Seeds, episodes: range
     ) -> NDArray[np.float32]:
-        """Return the scores (M, episodes) of matches of genomes (M, genes) each."""
+        """Return the scores (M, N) of N episodes of matches of genomes (M, genes) each."""
+        shape = len(ones), len(episodes)
         if not self.texts:
-            return self._results(ones, others, seeds, episodes).reshape(len(ones), episodes)
+            return self._results(ones, others, seeds, episodes).reshape(shape)
         first, second = (
             {text: self.operators[team].genome(text) for text in genomes[:, 0].tolist()}
             for team, genomes in zip(TEAMS, (ones, others), strict=True)
@@ -338,12 +345,14 @@ class Game:
                 if (after := self.operators[team].written(genome)) != text:
                     got = f"{checks.shown(after)} of {checks.shown(text)}"
                     raise ValueError(f"play: expected genomes that stay as they were, got {got}")
-        return scores.reshape(len(ones), episodes)
+        return scores.reshape(shape)
 
-    def _results(self, ones: Any, others: Any, seeds: Seeds, episodes: int) -> NDArray[np.float32]:
+    def _results(
+        self, ones: Any, others: Any, seeds: Seeds, episodes: range
+    ) -> NDArray[np.float32]:
         """Return the scores of matches, all episodes of one after the other, as `play` returns."""
         if self.many:
-            repeated = np.repeat(np.arange(len(seeds)), episodes).tolist()
+            repeated = np.repeat(np.arange(len(seeds)), len(episodes)).tolist()
             if self.texts:
                 ones, others = ([side[m] for m in repeated] for side in (ones, others))
             else:
@@ -356,7 +365,7 @@ class Game:
             calls = [self.play(ones, others, np.random.default_rng(0))]
             return self._checked(calls, (len(seeds),))
         draws = MatchDraws()
-        each = product(enumerate(seeds.tolist()), range(episodes))
+        each = product(enumerate(seeds.tolist()), episodes)
         if self.texts:
             calls = [self.play(ones[m], others[m], draws.of(seed, n)) for (m, seed), n in each]
             return self._checked(calls, ())
@@ -466,6 +475,8 @@ class GameSettings(Section):
 
     game_class: ClassVar[type[Game]] = Game
     """What logs and payoffs of the game hold."""
+    in_threads: ClassVar[bool] = False
+    """Whether threads of the engine play its matches."""
 
     @property
     @abstractmethod

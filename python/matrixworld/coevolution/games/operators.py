@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import partial
 from typing import Any
 
@@ -116,6 +116,10 @@ def _check_one(genome: Any, source: str) -> None:
             f"{source}: expected a genome, got {shown(genome)}; return the genome itself, also if "
             f"it was changed in place"
         )
+
+
+PAIRED = tuple(each.name for each in fields(Operators))
+"""Functions of a game of which each team may have its own."""
 
 
 def _is_unicode(text: str) -> bool:

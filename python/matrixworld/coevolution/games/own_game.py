@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from functools import cached_property
-from pathlib import Path
-from types import ModuleType
 from typing import Any, ClassVar
 
 from matrixworld._util import checks
-from matrixworld._util.plugins import PATH, imported
+from matrixworld._util.plugins import PATH
 from matrixworld._util.sections import OWN, SettingError, section, setting
 from matrixworld.coevolution.games.digest import digest_of
 from matrixworld.coevolution.games.game import Game, GameSettings
+from matrixworld.coevolution.games.names import code_of, object_of
 
 
 @section(OWN)
@@ -31,20 +29,8 @@ class OwnGame(GameSettings):
 
     @classmethod
     def named(cls, game: Game) -> dict[str, Any]:
-        """Return the name of a game, a global variable of a module; ValueError of others.
-
-        The module is that of its function `play`, or one of those in which the game was made.
-        """
-        places = dict.fromkeys((getattr(game.play, "__module__", ""), *game.made_in))
-        modules = [sys.modules[name] for name in places if name in sys.modules]
-        for module in modules:
-            for name, value in vars(module).items():
-                if value is game:
-                    return {"code": f"{_file_of(module) or module.__name__}:{name}"}
-        raise ValueError(
-            "game: expected a global variable of the module that makes it, so that a run can find "
-            f"it again, got one that is none of {' or '.join(places)}"
-        )
+        """Return the name of a game; ValueError of one that cannot be found by a name."""
+        return {"code": code_of(game)}
 
     def check(self) -> None:
         """Import a game that is given by its name alone, and set the other fields from it.
@@ -101,11 +87,7 @@ class OwnGame(GameSettings):
         return f"{self.code}: expected the source of the game as it was, got a changed one"
 
     def _imported(self) -> Game:
-        module, _, name = self.code.partition(":")
-        main = sys.modules["__main__"]
-        # Imported once more, a script that runs would begin anew.
-        running = main if module in ("__main__", _file_of(main)) else None
-        game = getattr(running, name, None) or imported(self.code)
+        game = object_of(self.code)
         if not isinstance(game, Game):
             raise ValueError(f"{self.code}: expected a Game, got {checks.shown(game)}")
         return game
@@ -117,16 +99,3 @@ FIELDS = {"genes": "genes", "names": "teams", "exact": "deterministic", "texts":
 
 def _not_imported(*_: Any) -> Any:
     raise TypeError("play: expected a game that is imported")
-
-
-def _file_of(module: ModuleType) -> str:
-    """Return by what name other processes import a script that runs; empty without such a name."""
-    if module.__name__ not in MAIN:
-        return ""
-    spec = getattr(module, "__spec__", None)  # python -m package.module
-    name: str = spec.name if spec else Path(getattr(module, "__file__", None) or "").stem
-    return name if all(part.isidentifier() for part in name.split(".")) else ""
-
-
-MAIN = ("__main__", "__mp_main__")
-"""Names of the script that runs, and of its copy in processes that it has started."""

@@ -92,6 +92,7 @@ class PursuitSettings(GameSettings):
     """Pursuit and evasion: its world, what decides for agents, and the worlds of training."""
 
     game_class: ClassVar[type[Game]]
+    in_threads: ClassVar[bool] = True
 
     world: WorldConfig = setting(
         WorldConfig(),

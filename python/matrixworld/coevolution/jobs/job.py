@@ -143,7 +143,8 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
             if found:
                 play.check_source(stored)
     if not elsewhere:
-        _check_memory([sum(run_memory(settings).values()) for settings in left], threads)
+        needed = [sum(run_memory(settings).values()) for settings in left]
+        _check_memory(needed, threads, in_threads=any(each.game.in_threads for each in left))
     # Seeds make no difference here, and a job may have a thousand.
     for method in dict.fromkeys(settings.method for settings in left):
         for team in method.learning_teams:  # imports code of your own
@@ -171,9 +172,9 @@ def _check_names(found: Collection[str], job: Collection[str], root: Path) -> No
         raise ValueError(f"{root}: expected all runs of this job, got {got}")
 
 
-def _check_memory(needed: Sequence[int], threads: int | None) -> None:
+def _check_memory(needed: Sequence[int], threads: int | None, *, in_threads: bool) -> None:
     """Raise OutOfMemoryError if runs that need so many bytes have too little at one time."""
-    at_once, _ = shares(len(needed), threads)
+    at_once, _ = shares(len(needed), threads, in_threads=in_threads)
     largest = sorted(needed, reverse=True)[:at_once]
     sizes = {f"run {number}": size for number, size in enumerate(largest, 1)}
     checks.check_memory(f"{at_once} runs at one time" if at_once > 1 else "run", **sizes)
@@ -224,12 +225,18 @@ def create_job(job: Job, root: Path) -> None:
                 create.create(settings, place / name)
 
 
-def shares(runs: int, threads: int | None) -> tuple[int, int]:
-    """Return how many runs play at one time, and the threads of each."""
+def shares(runs: int, threads: int | None, *, in_threads: bool = True) -> tuple[int, int]:
+    """Return how many runs play at one time, and the threads of each.
+
+    A game of your own has no threads, and the processes of a slow one lose more than threads do: so
+    its runs are played side by side.
+    """
     cores = checks.check_threads(threads)
     # A few runs more than cores share them from the beginning: the last one would play alone.
     workers = max(1, runs if runs < 2 * cores else cores)
-    if runs <= FEW:  # two threads each lose little, and the first run is there in half the time
+    if (
+        in_threads and runs <= FEW
+    ):  # two threads each lose little, and the first run is there in half the time
         workers = max(1, min(runs, cores // 2))
     return workers, max(1, cores // workers)
 

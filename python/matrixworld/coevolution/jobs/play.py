@@ -15,6 +15,7 @@ from typing import Any
 
 from matrixworld._util import checks, imports
 from matrixworld._util.callers import warn_caller
+from matrixworld._util.processes import processes, without_interrupts
 from matrixworld.coevolution.jobs.job import (
     ITSELF,
     Job,
@@ -25,7 +26,6 @@ from matrixworld.coevolution.jobs.job import (
     job_of,
     shares,
 )
-from matrixworld.coevolution.jobs.processes import processes, without_interrupts
 from matrixworld.coevolution.jobs.watch import Watch
 from matrixworld.coevolution.progress import LOG, SECONDS, OnEpoch, Progress, Report, silent
 from matrixworld.coevolution.runs.play import DisengagementWarning, go_on
@@ -176,8 +176,10 @@ def play_job(
         for name in left:
             _play_here(watch, name, threads, on_epoch)
     else:
-        workers, threads_of_each = shares(len(left), threads)
-        with processes(workers) as pool:
+        in_threads = any(job[name].game.in_threads for name in left)
+        workers, threads_of_each = shares(len(left), threads, in_threads=in_threads)
+        # This process warns when a run has ended, with its name.
+        with processes(workers, ignore=DisengagementWarning) as pool:
             _play_by(pool, watch, left, threads_of_each)
     watch.poll()
     return watch.failures

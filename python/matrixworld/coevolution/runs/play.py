@@ -19,6 +19,7 @@ from matrixworld._util.callers import warn_caller
 from matrixworld._util.plugins import no_exit
 from matrixworld.analysis.progress import PATIENCE
 from matrixworld.coevolution.games.own_game import OwnGame
+from matrixworld.coevolution.games.workers import end_workers
 from matrixworld.coevolution.progress import LOG, OnEpoch, Progress, Report, silent
 from matrixworld.coevolution.runs.results import disengagements_of, evaluate, summary_of
 from matrixworld.coevolution.runs.stored import StoredRun
@@ -125,6 +126,7 @@ class Run:
             else:
                 self._save_results()
                 LOG.info("%s: ended", path)
+        end_workers(self.settings.evaluation_game)
         return StoredRun(path)
 
     def _run_stage(self) -> None:

@@ -1,4 +1,4 @@
-"""Processes of this machine that play runs, and end with the one that has started them."""
+"""Processes of this machine that work for this one, and end with it."""
 
 from __future__ import annotations
 
@@ -13,18 +13,19 @@ from contextlib import contextmanager
 from multiprocessing import connection, resource_tracker
 from multiprocessing.connection import Connection
 
-from matrixworld.coevolution.runs.play import DisengagementWarning
-
 
 @contextmanager
-def processes(count: int) -> Iterator[Executor]:
-    """Yield an executor with processes, which end with the block, or if this process is killed."""
+def processes(count: int, *, ignore: type[Warning] | None = None) -> Iterator[Executor]:
+    """Yield an executor with processes, which end with the block, or if this process is killed.
+
+    They do not tell warnings of the category `ignore`.
+    """
     # spawn: a fork would copy locks that other threads of this process hold.
     context = multiprocessing.get_context("spawn")
     # A pipe that nothing is sent through: its end shows, also when either process is killed. An
     # Event would wait for ever for a process that died while it waited for the Event.
     reader, writer = context.Pipe(duplex=False)
-    with reader, writer, ProcessPoolExecutor(count, context, _begin, (reader,)) as pool:
+    with reader, writer, ProcessPoolExecutor(count, context, _begin, (reader, ignore)) as pool:
         try:
             yield pool
         except BaseException:
@@ -49,11 +50,11 @@ def without_interrupts() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _begin(parent: Connection) -> None:
+def _begin(parent: Connection, ignore: type[Warning] | None) -> None:
     """Begin a process that ends when it is stopped, or with the process that has started it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # The main process warns when a run has ended, with its name.
-    warnings.simplefilter("ignore", DisengagementWarning)
+    if ignore is not None:
+        warnings.simplefilter("ignore", ignore)
     threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
 
 
