@@ -68,7 +68,7 @@ EVOLVE = [
     (["--set", "learner.mutation=0.1"], 2, "; it is a setting of learner=ga"),
     (["--set", "fitness.measure=rewards"], 2, "; did you mean learner.measure?"),
     (["--set", "evader_learner=ga"], 2, "; did you mean schedule.evader_learner?"),
-    (["--set", "schedule=1,2"], 2, "--schedule: expected one of alternating, hall-of-fame, ag"),
+    (["--set", "schedule=1,2"], 2, "--schedule: expected one of alternating, hall-of-fame, self"),
     (["--learner", "actor-critic"], 2,
      "policy: expected cells with the learner actor-critic, got rating; give --paper, too"),
     (["--config", "rating.toml", "--learner", "actor-critic"], 2,

@@ -249,7 +249,7 @@ BROKEN = {
     "bytes": ({"write": bytes}, "write: expected text, a str, of what initial made"),
     "NUL": ({"write": lambda g: "\0", "read": str}, "write: expected text that a file holds"),
     "surrogate": ({"write": lambda g: "\ud800", "read": str}, "write: expected text that a file"),
-    "unread": ({"write": lambda g: "{"}, "read: expected to read '{', of what initial made"),
+    "unread": ({"write": lambda g: "{"}, "read: expected to read '{': Expecting"),
     "lossy": (
         {"write": lambda g: f"{len(g)}", "read": lambda text: [0] * (int(text) + 1)},
         "write: expected the same text of what read",
@@ -380,13 +380,15 @@ game = mw.Game(library.duel, teams=TEAMS, initial=library.draw, mutate=library.c
 half = mw.Game(library.duel, teams=TEAMS, initial=library.draw, mutate=library.make(1))
 two = mw.Game(lambda a, b: 0.5, teams=TEAMS, initial=lambda rng: 1,
               mutate=lambda g, rng: g + 2)
+BIG = 1 << 20000
+DO = {"+": int.__add__}
 class Board:
     size = 3
 @functools.lru_cache
 def cached(n):
     return n + 4
 def play(one, other, most=5):
-    return min(one, most) / (Board.size + cached(most))
+    return min(one, most, BIG, len(DO)) / (Board.size + cached(most))
 nested = mw.Game(play, teams=TEAMS, initial=library.draw, mutate=library.change)
 primitives = gp.PrimitiveSet("MAIN", 1)
 def double(x):
@@ -404,6 +406,8 @@ SEEN = [
     ("half", "mine", ("make(1)", "make(2)")),
     ("two", "mine", ("lambda rng: 1", "lambda rng: 3")),
     ("two", "mine", ("g + 2", "g + 3")),
+    ("nested", "mine", ("int.__add__", "int.__sub__")),
+    ("nested", "mine", ("1 << 20000", "1 << 20001")),
     ("nested", "mine", ("most=5", "most=6")),
     ("nested", "mine", ("size = 3", "size = 4")),
     ("nested", "mine", ("n + 4", "n + 5")),

@@ -352,8 +352,8 @@ def test_matches_are_seen_by_nobody_else(tmp_path):
     teams = [*map(coins.population, ("pursuer", "evader"), run.archive().values())]
     seeds = np.arange(5, dtype=np.uint64)
     a, b = np.arange(5), np.arange(5)[::-1]
-    scores = coins.scores(*teams, (a, b, seeds), episodes=40, threads=1).scores
-    alone = coins.scores(*teams, (a[3:4], b[3:4], seeds[3:4]), episodes=40, threads=1).scores
+    scores = coins.rollout(*teams, (a, b, seeds), episodes=40, threads=1).scores
+    alone = coins.rollout(*teams, (a[3:4], b[3:4], seeds[3:4]), episodes=40, threads=1).scores
     np.testing.assert_array_equal(scores[3:4], alone)
     assert not np.array_equal(scores[0], scores[4])
     assert co.Run(tmp_path / "run").training.counts["matches"] == run.summary()["training_matches"]
@@ -372,7 +372,7 @@ def test_matches_draw_from_all_64_bits_of_their_seeds():
     seeds = np.array([5, 2**63 + 1, 2**63 + 5, 2**64 - 1], np.uint64)
     both = game.population("pursuer", np.zeros((1, 1), np.float32))
     matches = np.zeros(4, int), np.zeros(4, int), seeds
-    game.scores(both, both, matches, episodes=2, threads=1)
+    game.rollout(both, both, matches, episodes=2, threads=1)
     expected = []
     for seed in seeds:
         for episode in range(2):

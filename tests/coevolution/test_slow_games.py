@@ -57,7 +57,7 @@ def scores(game, threads, count=5, episodes=3):
     ]
     every = np.arange(count)
     matches = every, every[::-1], every.astype(np.uint64)
-    return game.scores(*teams, matches, episodes=episodes, threads=threads).scores
+    return game.rollout(*teams, matches, episodes=episodes, threads=threads).scores
 
 
 def players(path):
@@ -138,7 +138,7 @@ game = mw.Game(lambda one, other: 0.5, teams=("a", "b"), initial=lambda rng: 1,
                mutate=lambda genome, rng: 2, deterministic=True, slow=True)
 both = game.population("pursuer", np.array([["1"], ["2"]]))
 matches = np.arange(2), np.arange(2), np.zeros(2, np.uint64)
-print(game.scores(both, both, matches, episodes=1, threads=2).scores.ravel())
+print(game.rollout(both, both, matches, episodes=1, threads=2).scores.ravel())
 """
 
 

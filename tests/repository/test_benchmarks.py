@@ -14,6 +14,7 @@ FEW = {
     "bench_scaling": [*SHORT, "--largest", "100"],
     "bench_start": ["--repeats", "1"],
     "bench_learners": ["--quick", "--results", "learners"],
+    "bench_libraries": [*SHORT, "--matches", "2000", "--calls", "200"],
 }
 """Options of each script for a short run."""
 

@@ -76,7 +76,8 @@ def arrays_in(heading):
 
 
 def test_the_files_of_a_run(tmp_path):
-    columns = {**COLUMNS, **Pursuit.columns, **Game.columns}
+    own = Game(len, 1, ("ones", "others"), scores="both")
+    columns = {**COLUMNS, **Pursuit().columns, **own.columns}
     assert named("### `log.csv`") == {name: kind.__name__ for name, kind in columns.items()}
     run = tmp_path / "run"
     evolve(tiny_race(), run, threads=1)

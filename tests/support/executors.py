@@ -12,7 +12,10 @@ import pytest
 def jobs_in_threads():
     """Play jobs in threads: a process takes a second to start, and has tests of its own."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("matrixworld.coevolution.jobs.play.processes", ThreadPoolExecutor)
+        patch.setattr(
+            "matrixworld.coevolution.jobs.play.processes",
+            lambda count, **options: ThreadPoolExecutor(count),
+        )
         yield
 
 

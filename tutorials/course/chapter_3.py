@@ -261,7 +261,7 @@ def exercise_4(answer: Any) -> None:
         for team in TEAMS
     )
     matches = Matches.of(range(DRAWN), range(DRAWN), range(DRAWN))
-    scores = answer.scores(first, second, matches, episodes=1, threads=1).of("pursuer")
+    scores = answer.rollout(first, second, matches, episodes=1, threads=1).of("pursuer")
     if np.ptp(scores) == 0.0:
         raise Mistake(
             f"All of {DRAWN} matches between random genomes have the score {scores.flat[0]:g}, so "

@@ -322,9 +322,9 @@ class _Watched(Game):
     ones: list[list[Genomes]] = field(default_factory=list)
     wins: list[list[IntArray]] = field(default_factory=list)
 
-    def scores(self, first: Any, second: Any, matches: Matches, **options: Any) -> Scores:
+    def rollout(self, first: Any, second: Any, matches: Matches, **options: Any) -> Scores:
         """Play the matches of an epoch; draws are worth nothing."""
-        scores = super().scores(first, second, matches, **options)
+        scores = super().rollout(first, second, matches, **options)
         won = zip(matches[:2], (scores.of(team)[:, 0] == 1.0 for team in TEAMS), strict=True)
         self.ones.append([first.genomes, second.genomes])
         self.wins.append([np.bincount(*each, POPULATION) for each in won])

@@ -28,7 +28,7 @@ from matrixworld.analysis.intervals import (
 )
 from matrixworld.analysis.judge import judge
 from matrixworld.analysis.judgement import CONDITIONS, Judgement, explain, judgement_table, sentence
-from matrixworld.analysis.measures import MEASURES, measure_all, measure_table
+from matrixworld.analysis.measures import MEASURES, joint_scores, measure_all, measure_table
 from matrixworld.analysis.payoffs import last_half, read_payoffs
 from matrixworld.analysis.progress import (
     ciao,
@@ -58,6 +58,7 @@ __all__ = [
     "generalization",
     "interquartile_mean",
     "interval_over_runs",
+    "joint_scores",
     "judge",
     "judgement_table",
     "lag_profile",

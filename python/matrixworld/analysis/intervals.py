@@ -367,8 +367,12 @@ def linear_over_episodes(
 def generalization_over_episodes(scores: ArrayLike) -> tuple[Band, Band]:
     """Return `generalization` of both teams with t intervals over episodes (n, m, episodes)."""
     array = check_cells(scores, LEVEL)
-    captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T
-    return band_over_runs(captured, bounds=UNIT), band_over_runs(escaped, bounds=UNIT)
+    return mean_over_opponents(array), mean_over_opponents(1.0 - array.swapaxes(0, 1))
+
+
+def mean_over_opponents(scores: Rates) -> Band:
+    """Return the means of the rows of (n, m, episodes), with t intervals over the episodes."""
+    return band_over_runs(scores.mean(axis=1).T, bounds=UNIT)
 
 
 def _ends_of_mean(scores: Rates, level: float) -> tuple[float, float]:

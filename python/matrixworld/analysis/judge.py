@@ -13,8 +13,8 @@ from matrixworld.analysis.intervals import LEVEL, RUNS_FOR_T, Estimate, check_le
 from matrixworld.analysis.judgement import (
     ABSENT,
     CANNOT_TELL,
-    CONDITIONS,
     HALVES,
+    ORDER,
     PRESENT,
     WHOLE,
     Estimates,
@@ -47,6 +47,7 @@ GAINS = keys_of("gain")
 CHANGES = keys_of("change")
 DROPS = keys_of("forgetting")
 RECURRENCES = keys_of("recurrence")
+INTERACTIONS = keys_of("squared_interaction")
 
 
 def judge(
@@ -79,8 +80,9 @@ def judge(
     also be a trend of the mean course, and remain without one jump of each run. "Rise" says that a
     team became stronger in what was played; "arms race" and "one-sided progress" say that no random
     walk explains it. Runs that are disengaged are left out of the other conditions.
-    docs/analysis.md defines the conditions; evolution/results/judgement has how often verdicts are
-    wrong.
+    In a game with the scores of both teams, and of one population, other conditions are judged, and
+    `Judgement.refused` says why the rest have no meaning. docs/analysis.md defines the conditions;
+    evolution/results/judgement has how often verdicts are wrong.
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     check_level(level)
@@ -90,7 +92,14 @@ def judge(
         findings = _judge_window(payoffs, payoffs.windows[half], level)
         windows[half] = _as_sure(findings, whole)
     return Judgement(
-        len(payoffs), payoffs.shape, payoffs.episodes, level, windows, payoffs.teams, payoffs.exact
+        len(payoffs),
+        payoffs.shape,
+        payoffs.episodes,
+        level,
+        windows,
+        payoffs.teams,
+        payoffs.exact,
+        refused_of(payoffs),
     )
 
 
@@ -108,7 +117,8 @@ def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
         findings = {**others, "disengagement": findings["disengagement"]}
     return {
         name: replace(findings[name], by_run=tuple(single[name].verdict for single in by_run))
-        for name in CONDITIONS
+        for name in ORDER
+        if name in findings
     }
 
 
@@ -119,7 +129,7 @@ def _cannot_tell(finding: Finding, reason: Reason) -> Finding:
 def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
     """Return the verdict on each condition; later rules may use earlier verdicts."""
     findings: dict[str, Finding] = {}
-    for name, condition in RULES.items():
+    for name, condition in rules_of(payoffs).items():
         if window.generations < GENERATIONS_TO_JUDGE:
             missing = Why.TOO_SHORT
         else:
@@ -140,7 +150,8 @@ def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
 
 def _is_one_sided(findings: Findings) -> bool:
     """Return whether one team won nearly all matches, be they enough for a verdict or not."""
-    rate = findings["disengagement"].estimates.get("one_sidedness")
+    finding = findings.get("disengagement")  # none in some games
+    rate = finding.estimates.get("one_sidedness") if finding else None
     return rate is not None and rate.value > PURSUERS_WIN
 
 
@@ -150,6 +161,8 @@ def _as_sure(half: Findings, whole: Findings) -> Findings:
     Any smooth curve rises in some half, and any circle does: both teams have to have risen over the
     whole race, too, without circles; or the same is present there.
     """
+    if "arms race" not in whole:
+        return _as_sure_alone(half, whole)
     circles = whole["intransitivity"].verdict == PRESENT
     both_rose = len(whole["rise"].teams) == 2 and not circles
     findings = dict(half)
@@ -158,6 +171,17 @@ def _as_sure(half: Findings, whole: Findings) -> Findings:
         if only_here and not agrees:
             findings[name] = _cannot_tell(half[name], Reason(Why.ONE_HALF))
     return findings
+
+
+def _as_sure_alone(half: Findings, whole: Findings) -> Findings:
+    """Return the same where teams are judged alone: they have to have risen over the whole race."""
+    circles = [name for name in ("intransitivity", "cycling") if name in whole]
+    rose = whole["rise"].verdict == PRESENT
+    rose = rose and all(whole[name].verdict != PRESENT for name in circles)
+    only_here = half["progress"].verdict == PRESENT and whole["progress"].verdict != PRESENT
+    if only_here and not rose:
+        return {**half, "progress": _cannot_tell(half["progress"], Reason(Why.ONE_HALF))}
+    return half
 
 
 def _against(estimate: Estimate, margin: float, above: Reason, below: Reason) -> Finding:
@@ -174,7 +198,7 @@ def _against_all(
     estimates: Estimates, keys: Mapping[str, str], margin: float, below: Why
 ) -> Finding:
     """Return absent if the numbers of both teams are below the margin, else "cannot tell"."""
-    if all(estimates[key].ends[1] < margin for key in keys.values()):
+    if all(estimates[key].ends[1] < margin for key in _asked(estimates, keys).values()):
         return Finding(ABSENT, Reason(below, margin))
     return Finding(CANNOT_TELL, Reason(Why.MARGIN_INSIDE))
 
@@ -223,14 +247,51 @@ def _one_sided_progress(estimates: Estimates, earlier: Findings) -> Finding:
     return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK))
 
 
+def _progress(estimates: Estimates, earlier: Findings) -> Finding:
+    """Return which teams rise by more than a random walk would, each by its own scores."""
+    teams = _above(estimates, GAINS, 0.0)
+    if teams and _may_be_a_circle(estimates, earlier):
+        return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
+    if teams:
+        return Finding(PRESENT, Reason(Why.RISES, teams=teams), teams)
+    gains = (estimates[key].ends for key in _asked(estimates, GAINS).values())
+    if all(_does_not_gain(gain) for gain in gains):
+        return Finding(ABSENT, Reason(Why.NONE_WITH_TREND))
+    return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK))
+
+
 def _may_be_a_circle(gains: Estimates, earlier: Findings) -> bool:
     # Where strategies return, the circle is complete, and what remains of the gains is progress.
-    both_fall_back = all(gains[key].note.why is Why.FALLS_BACK for key in GAINS.values())
-    return both_fall_back and earlier["cycling"].verdict != PRESENT
+    asked = _asked(gains, GAINS).values()
+    all_fall_back = all(gains[key].note.why is Why.FALLS_BACK for key in asked)
+    return all_fall_back and earlier["cycling"].verdict != PRESENT
+
+
+def _joint(estimates: Estimates, *, sign: float) -> Finding:
+    """Return whether the mean of both sides rose, or fell, by more than the margin."""
+    change = estimates["joint_change"]
+    low, high = change.ends
+    low, high = (low, high) if sign > 0.0 else (-high, -low)
+    if low > LEAST_GAIN:
+        if change.note.why is Why.NOT_SUSTAINED:
+            return Finding(CANNOT_TELL, Reason(Why.JOINT_JUMP))
+        return Finding(PRESENT, Reason(Why.JOINT_CHANGE, LEAST_GAIN))
+    if high < LEAST_GAIN:
+        return Finding(ABSENT, Reason(Why.NO_JOINT_CHANGE, LEAST_GAIN))
+    return Finding(CANNOT_TELL, Reason(Why.MARGIN_INSIDE))
+
+
+def _joint_rise(estimates: Estimates, earlier: Findings) -> Finding:
+    return _joint(estimates, sign=1.0)
+
+
+def _joint_fall(estimates: Estimates, earlier: Findings) -> Finding:
+    return _joint(estimates, sign=-1.0)
 
 
 def _rise(estimates: Estimates, earlier: Findings) -> Finding:
-    if _may_be_a_circle(earlier["arms race"].estimates, earlier):
+    gains = earlier["progress" if "progress" in earlier else "arms race"].estimates
+    if _may_be_a_circle(gains, earlier):
         return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
     rose = _above(estimates, CHANGES, LEAST_GAIN)
     teams = tuple(
@@ -259,7 +320,7 @@ def _cycling(estimates: Estimates, earlier: Findings) -> Finding:
     intransitivity = earlier["intransitivity"].verdict
     if intransitivity == ABSENT:
         return Finding(ABSENT, Reason(Why.NO_CIRCLE))
-    for key in RECURRENCES.values():
+    for key in _asked(estimates, RECURRENCES).values():
         if estimates[key].low is None:
             return Finding(CANNOT_TELL, estimates[key].note)
     teams = _above(estimates, RECURRENCES, LEAST_RECURRENCE)
@@ -267,6 +328,27 @@ def _cycling(estimates: Estimates, earlier: Findings) -> Finding:
         return Finding(CANNOT_TELL, Reason(Why.RETURN_IN_ORDER))
     if teams:
         return Finding(PRESENT, Reason(Why.RETURN, teams=teams), teams)
+    return _against_all(estimates, RECURRENCES, LEAST_RECURRENCE, Why.NO_RETURN)
+
+
+def _return(estimates: Estimates, earlier: Findings) -> Finding:
+    """Return whether strategies return, where no order of strength is asked for.
+
+    What a team does against whom has to matter: it changes scores by more than a margin.
+    """
+    least = LEAST_INTRANSITIVITY**2
+    if all(estimates[key].ends[1] < least for key in _asked(estimates, INTERACTIONS).values()):
+        return Finding(ABSENT, Reason(Why.NO_INTERACTION, LEAST_INTRANSITIVITY))
+    for key in _asked(estimates, RECURRENCES).values():
+        if estimates[key].low is None:
+            return Finding(CANNOT_TELL, estimates[key].note)
+    returning = _above(estimates, RECURRENCES, LEAST_RECURRENCE)
+    matters = _above(estimates, INTERACTIONS, least)
+    teams = tuple(team for team in returning if team in matters)
+    if teams:
+        return Finding(PRESENT, Reason(Why.RETURN, teams=teams), teams)
+    if returning:
+        return Finding(CANNOT_TELL, Reason(Why.RETURN_IN_ORDER))
     return _against_all(estimates, RECURRENCES, LEAST_RECURRENCE, Why.NO_RETURN)
 
 
@@ -279,9 +361,9 @@ def _forgetting(estimates: Estimates, earlier: Findings) -> Finding:
 
 def _stagnation(estimates: Estimates, earlier: Findings) -> Finding:
     for name, why in NO_STAGNATION.items():
-        if earlier[name].verdict == PRESENT:
+        if name in earlier and earlier[name].verdict == PRESENT:
             return Finding(ABSENT, Reason(why))
-    changes = [estimates[key].ends for key in CHANGES.values()]
+    changes = [estimates[key].ends for key in _asked(estimates, CHANGES).values()]
     if any(low >= LEAST_GAIN or high <= -LEAST_GAIN for low, high in changes):
         return Finding(ABSENT, Reason(Why.CHANGES, LEAST_GAIN))
     if any(low <= -LEAST_GAIN or high >= LEAST_GAIN for low, high in changes):
@@ -293,7 +375,13 @@ def _stagnation(estimates: Estimates, earlier: Findings) -> Finding:
 
 def _above(estimates: Estimates, keys: Mapping[str, str], margin: float) -> tuple[str, ...]:
     """Return the teams whose numbers are above a margin."""
-    return tuple(team for team, key in keys.items() if estimates[key].ends[0] > margin)
+    asked = _asked(estimates, keys)
+    return tuple(team for team, key in asked.items() if estimates[key].ends[0] > margin)
+
+
+def _asked(estimates: Estimates, keys: Mapping[str, str]) -> dict[str, str]:
+    """Return the numbers by team that a rule has: one population has those of the first team."""
+    return {team: key for team, key in keys.items() if key in estimates}
 
 
 def _does_not_gain(gain: tuple[float, float]) -> bool:
@@ -324,6 +412,7 @@ def _single_episodes(payoffs: Payoffs) -> Why:
 
 
 NO_STAGNATION = {
+    "progress": Why.PROGRESS,
     "arms race": Why.ARMS_RACE,
     "one-sided progress": Why.ONE_SIDED_PROGRESS,
     "intransitivity": Why.INTRANSITIVITY,
@@ -341,3 +430,63 @@ RULES: Mapping[str, Rule] = {
     "stagnation": Rule(tuple(CHANGES.values()), _stagnation),
 }
 """The rules of all `CONDITIONS`, in the order in which they are judged."""
+
+
+def _of_one(keys: Mapping[str, str]) -> tuple[str, ...]:
+    return (keys["pursuers"],)
+
+
+RULES_OF_ONE: Mapping[str, Rule] = {
+    "intransitivity": RULES["intransitivity"],
+    "cycling": Rule(_of_one(RECURRENCES), _cycling, _noise),
+    "progress": Rule(_of_one(GAINS), _progress),
+    "rise": Rule(_of_one(CHANGES), _rise),
+    "forgetting": Rule(_of_one(DROPS), _forgetting, _single_episodes),
+    "stagnation": Rule(_of_one(CHANGES), _stagnation),
+}
+"""The rules of a race of one population, in a symmetric game."""
+
+RULES_OF_BOTH: Mapping[str, Rule] = {
+    "joint rise": Rule(("joint_change",), _joint_rise, _noise),
+    "joint fall": Rule(("joint_change",), _joint_fall, _noise),
+    "cycling": Rule((*RECURRENCES.values(), *INTERACTIONS.values()), _return, _noise),
+    "progress": Rule(tuple(GAINS.values()), _progress),
+    "rise": Rule(tuple(CHANGES.values()), _rise),
+    "forgetting": Rule(tuple(DROPS.values()), _forgetting, _single_episodes),
+}
+"""The rules where both teams have scores of their own; one population has those of the first."""
+
+
+def rules_of(payoffs: Payoffs) -> Mapping[str, Rule]:
+    """Return the rules of the conditions that have a meaning in a game of this kind."""
+    if not payoffs.general:
+        return RULES_OF_ONE if payoffs.one_population else RULES
+    if not payoffs.one_population:
+        return RULES_OF_BOTH
+    second = {keys["evaders"] for keys in (RECURRENCES, INTERACTIONS, CHANGES, GAINS, DROPS)}
+    return {
+        name: rule._replace(measures=tuple(key for key in rule.measures if key not in second))
+        for name, rule in RULES_OF_BOTH.items()
+    }
+
+
+REFUSED_OF_ONE = {
+    "disengagement": Why.ONE_POPULATION,
+    "arms race": Why.NOTHING_TO_RACE_WITH,
+    "one-sided progress": Why.NOTHING_TO_RACE_WITH,
+}
+REFUSED_OF_BOTH = dict.fromkeys(
+    ("disengagement", "arms race", "one-sided progress", "intransitivity", "stagnation"),
+    Why.NOT_CONSTANT_SUM,
+)
+"""Conditions without a meaning of one population, or with the scores of both teams, and why."""
+
+
+def refused_of(payoffs: Payoffs) -> dict[str, Reason]:
+    """Return the conditions that have no meaning in a game of this kind, and why."""
+    refused: dict[str, Why] = {}
+    if payoffs.general:
+        refused |= REFUSED_OF_BOTH
+    if payoffs.one_population:
+        refused |= REFUSED_OF_ONE
+    return {name: Reason(why) for name, why in refused.items()}

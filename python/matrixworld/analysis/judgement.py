@@ -39,7 +39,8 @@ class Judgement(Readable):
 
     In `windows`, the whole race and its halves, are findings by condition, with intervals of a
     `level`. A run has generations of both `teams` (`shape`), and so many `episodes` behind each
-    cell, if known; they are equal in an `exact` game, without chance.
+    cell, if known; they are equal in an `exact` game, without chance. Conditions that have no
+    meaning in such a game are `refused`, each for a reason.
     """
 
     runs: int
@@ -49,6 +50,7 @@ class Judgement(Readable):
     windows: Mapping[str, Findings]
     teams: tuple[str, str] = BOTH
     exact: bool = False
+    refused: Mapping[str, Reason] = field(default_factory=dict)
 
     def _parts(self) -> Parts:
         return [sentence(self), judgement_cells(self)]
@@ -62,7 +64,17 @@ class Judgement(Readable):
         """Return the conditions that are present in a window."""
         check_choice("window", window, self.windows)
         findings = self.windows[window]
-        return tuple(name for name in CONDITIONS if findings[name].verdict == PRESENT)
+        return tuple(name for name, found in findings.items() if found.verdict == PRESENT)
+
+    @property
+    def one_population(self) -> bool:
+        """Whether one population plays both sides."""
+        return self.teams[0] == self.teams[1]
+
+    @property
+    def gains(self) -> Estimates:
+        """The gains of the teams over the whole race, by name; empty if they are not known."""
+        return _gains_in(self.findings)
 
     def to_json(self) -> dict[str, Any]:
         """Return plain values that JSON can represent."""
@@ -98,10 +110,21 @@ WORDS: Mapping[str, Words] = {
 """All conditions by name, in the order of tables."""
 
 CONDITIONS = tuple(WORDS)
-"""Names of the conditions."""
+"""Names of the conditions of a race of two teams, of which one wins what the other loses."""
 
-PROGRESS = ("arms race", "one-sided progress")
-_OF_STRENGTH = frozenset(("disengagement", *PROGRESS, "rise", "stagnation"))
+OTHER_WORDS: Mapping[str, Words] = {
+    "joint rise": Words("the mean of both sides", "rose by {joint} against contemporaries"),
+    "joint fall": Words("the mean of both sides", "fell by {joint} against contemporaries"),
+    "progress": Words("{teams}", "improved", "rise"),
+}
+"""Conditions of other games: with scores of both teams, and of one population."""
+ORDER = (*OTHER_WORDS, *CONDITIONS)
+"""Names of all conditions, in the order of tables."""
+
+PROGRESS = ("progress", "arms race", "one-sided progress")
+_OF_STRENGTH = frozenset(
+    ("joint rise", "joint fall", "disengagement", *PROGRESS, "rise", "stagnation")
+)
 """Conditions that say whether a team improved, or why that is not known."""
 WHOLE = "whole"
 HALVES = ("first half", "last half")
@@ -115,7 +138,7 @@ def sentence(judgement: Judgement) -> str:
     and reports all print it.
     """
     check_instance("judgement", judgement, Judgement)
-    reason = judgement.findings["arms race"].reason
+    reason = next(iter(judgement.findings.values())).reason
     if reason.why is Why.TOO_SHORT:
         return f"Too short to be judged: {reason}."
     events = _events(judgement)
@@ -137,14 +160,15 @@ def clarity(judgement: Judgement) -> tuple[bool, float]:
     is_known = any(
         not _OF_STRENGTH.isdisjoint(judgement.present(window)) for window in judgement.windows
     )
-    gains = judgement.findings["arms race"].estimates.values()
+    gains = judgement.gains.values()
     return is_known, min((gain.low or 0.0 for gain in gains), default=0.0)
 
 
 def _events(judgement: Judgement) -> dict[str, dict[str, Event]]:
     """Return what a sentence tells: of each window the conditions, and who did what."""
     events: dict[str, dict[str, Event]] = {window: {} for window in (WHOLE, *HALVES)}
-    for name in sorted(CONDITIONS, key=lambda condition: condition not in _OF_STRENGTH):
+    judged = judgement.findings
+    for name in sorted(judged, key=lambda condition: condition not in _OF_STRENGTH):
         windows = _windows_of(judgement, name)
         told = [_happened(judgement, window, name) for window in windows]
         if len(told) == 2 and told[0] == told[1]:  # the same in both halves
@@ -168,9 +192,14 @@ def _windows_of(judgement: Judgement, name: str) -> list[str]:
 def _not_implied(judgement: Judgement, window: str) -> list[str]:
     """Return the conditions that are present in a window, but those that another one implies."""
     implied = {
-        WORDS[name].implies for part in judgement.windows for name in judgement.present(part)
+        _words(name).implies for part in judgement.windows for name in judgement.present(part)
     }
     return [name for name in judgement.present(window) if name not in implied]
+
+
+def _words(name: str) -> Words:
+    """Return what is said of a condition."""
+    return WORDS[name] if name in WORDS else OTHER_WORDS[name]
 
 
 def _happened(judgement: Judgement, window: str, name: str) -> Event:
@@ -181,9 +210,26 @@ def _happened(judgement: Judgement, window: str, name: str) -> Event:
         **names_of(judgement.teams),
         "teams": _named(finding.teams, judgement.teams),
         "sizes": _sizes(finding, name),
-        "doubt": _doubt(finding.teams, findings["arms race"].estimates, judgement.teams),
+        "doubt": _doubt(finding.teams, _gains_in(findings), judgement.teams),
+        "joint": f"{abs(finding.estimates['joint_change'].value):.2f}"
+        if "joint_change" in finding.estimates
+        else "",
     }
-    return Event(WORDS[name].who.format(**words), WORDS[name].did.format(**words))
+    if name == "stagnation" and judgement.one_population:
+        return Event(f"the {judgement.teams[0]}", "became neither stronger nor weaker")
+    said = _words(name)
+    return Event(said.who.format(**words), said.did.format(**words))
+
+
+def _gains_in(findings: Findings) -> Estimates:
+    """Return the gains that the findings on a window rest on, by name."""
+    names = keys_of("gain").values()
+    return {
+        name: found.estimates[name]
+        for found in findings.values()
+        for name in names
+        if name in found.estimates
+    }
 
 
 def _named(members: tuple[str, ...], teams: tuple[str, str]) -> str:
@@ -257,12 +303,17 @@ def _no_progress(judgement: Judgement) -> str:
     """Return that no team is known to have improved, and in which runs both did."""
     findings = judgement.findings
     runs = judgement.runs
-    if all(findings[name].verdict == ABSENT for name in (*PROGRESS, "rise")):
-        return f"{_of_runs(judgement)}neither team improved"
+    asked = [name for name in (*PROGRESS, "rise") if name in findings]
+    nobody = f"the {judgement.teams[0]} did not improve"
+    if not judgement.one_population:
+        nobody = "neither team improved"
+    if all(findings[name].verdict == ABSENT for name in asked):
+        return f"{_of_runs(judgement)}{nobody}"
     if runs == 1:
         return "no clear progress"
-    improved = findings["arms race"].by_run.count(PRESENT)
-    some = f" (in {improved} of them, both teams improved)" if improved else ""
+    some = ""
+    if improved := findings["arms race"].by_run.count(PRESENT) if "arms race" in findings else 0:
+        some = f" (in {improved} of them, both teams improved)"
     if runs < RUNS_FOR_T:
         return f"no clear progress that all {runs} runs share{some}"
     return f"no clear progress on average over {runs} runs{some}"
@@ -287,7 +338,7 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
 def _rows(judgement: Judgement) -> list[tuple[str, Finding, str]]:
     """Return condition, finding and window of what `judgement_table` lists."""
     in_whole = judgement.present(WHOLE)
-    rows = [(name, judgement.findings[name], WHOLE) for name in CONDITIONS]
+    rows = [(name, finding, WHOLE) for name, finding in judgement.findings.items()]
     for half in HALVES:
         findings = judgement.windows[half]
         names = [name for name in judgement.present(half) if name not in in_whole]
@@ -317,6 +368,8 @@ def explain(judgement: Judgement) -> str:
             head += f" ({window})"
         reason = finding.reason.in_words(judgement.teams)
         lines.append(f"{head}: {finding.verdict}, because {reason}.{_counts(finding.by_run)}")
+    for name, why in judgement.refused.items():
+        lines.append(f"{name.capitalize()}: not judged, because {why.in_words(judgement.teams)}.")
     return "\n".join(lines)
 
 

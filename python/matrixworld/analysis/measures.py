@@ -17,7 +17,7 @@ import numpy as np
 from matrixworld._util.checks import check_choice
 from matrixworld._util.teams import BOTH
 from matrixworld.analysis import cycles, games, intervals, progress, ratings, strength
-from matrixworld.analysis.intervals import LEVEL, UNBOUNDED, UNIT, Bounds, Estimate
+from matrixworld.analysis.intervals import LEVEL, UNBOUNDED, UNIT, Band, Bounds, Estimate
 from matrixworld.analysis.payoffs import (
     GENERATIONS_TO_JUDGE,
     Payoffs,
@@ -26,7 +26,6 @@ from matrixworld.analysis.payoffs import (
     Window,
     read_payoffs,
     require,
-    swap_teams,
 )
 from matrixworld.analysis.reasons import NOTHING, Reason, Why
 from matrixworld.analysis.teams import keys_of, names_of
@@ -49,6 +48,9 @@ class Measure:
     late: bool = False  # whether tables show it in the last half, not of the whole race
     form: str = ".3f"  # as in an f-string
     squared: bool = False  # whether its root is shown
+    general: bool = False  # whether it has a meaning where teams have payoffs of their own
+    constant: bool = True  # whether it has one where one wins what the other loses
+    alone: bool = False  # whether it has one for one population
 
     def of(self, source: Source, window: str | None = None, *, level: float = LEVEL) -> Estimate:
         """Return the number of one run or several in a window, by default that of tables.
@@ -59,6 +61,11 @@ class Measure:
         """
         payoffs = read_payoffs(source)
         intervals.check_level(level)
+        if not self.has_meaning(payoffs):
+            expected = "two teams" if payoffs.one_population and not self.alone else "constant sums"
+            if payoffs.general is False and not self.constant:
+                expected = "scores of both teams"
+            raise ValueError(f"{self.name}: expected a game of {expected}, got another one")
         if window is None:
             part = self.window_in(payoffs)
         else:
@@ -67,6 +74,11 @@ class Measure:
         if part.generations < 2:
             return Estimate(math.nan, note=Reason(Why.ONE_GENERATION))
         return self.estimate(payoffs, part, level)
+
+    def has_meaning(self, payoffs: Payoffs) -> bool:
+        """Return whether the number has a meaning for games of this kind."""
+        of_kind = self.general if payoffs.general else self.constant
+        return of_kind and (self.alone or not payoffs.one_population)
 
     def window_in(self, payoffs: Payoffs) -> Window:
         """Return the window in which tables show the number; of short races the whole."""
@@ -101,12 +113,17 @@ def _root(square: float) -> float:
 def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[str, Estimate]:
     """Return all measures by name, each in the window in which tables show it; see `Measure.of`.
 
+    Those without a meaning in such games, as Nash equilibria in a general-sum game, are left out.
     Of a `source` of at least 2 x 2 generations, with `known` arguments of `read_payoffs`; intervals
     have a `level` in (0, 1).
     """
     payoffs = read_payoffs(source, **known)
     require(min(payoffs.shape) >= 2, "at least 2 x 2 generations", payoffs.shape)
-    return {name: measure.of(payoffs, level=level) for name, measure in MEASURES.items()}
+    return {
+        name: measure.of(payoffs, level=level)
+        for name, measure in MEASURES.items()
+        if measure.has_meaning(payoffs)
+    }
 
 
 def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
@@ -161,28 +178,34 @@ def _of_matrix(
     number: Number,
     bounds: Bounds = UNIT,
     of_episodes: Callable[[Rates], Estimate] | None = None,
+    team: str = "pursuers",
 ) -> Estimate:
     """Estimate a number by the episodes (n, m, episodes) of a single run, else by the matrices.
 
-    Without `of_episodes` it is a sum of cells, which episode noise does not shift.
+    The team has the rows. Without `of_episodes` the number is a sum of cells, which episode noise
+    does not shift.
     """
-    if len(payoffs) == 1 and payoffs.scores is not None and payoffs.has_episodes:
-        scores = payoffs.scores[0][window.cells]
+    side = payoffs.side(team)
+    cells = window.cells if team == "pursuers" else window.cells[::-1]
+    if len(payoffs) == 1 and side.scores is not None and payoffs.has_episodes:
+        scores = side.scores[0][cells]
         if of_episodes is not None:
             return of_episodes(scores)
         return intervals.linear_over_episodes(scores, number, level=level, bounds=bounds)
-    numbers = (number(matrix[window.cells]) for matrix in payoffs.matrices)
+    numbers = (number(matrix[cells]) for matrix in side.matrices)
     return _mean_of(numbers, level, bounds)
 
 
-def _biased(payoffs: Payoffs, window: Window, level: float, *, number: Number) -> Estimate:
+def _biased(
+    payoffs: Payoffs, window: Window, level: float, *, number: Number, team: str = "pursuers"
+) -> Estimate:
     """Estimate a number that noise shifts by an unknown amount."""
 
     def of_episodes(scores: Rates) -> Estimate:
         value = number(scores.mean(axis=2))
         return Estimate(value, samples=scores.shape[2], note=Reason(Why.BIASED))
 
-    return _of_matrix(payoffs, window, level, number=number, of_episodes=of_episodes)
+    return _of_matrix(payoffs, window, level, number=number, of_episodes=of_episodes, team=team)
 
 
 def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
@@ -208,16 +231,16 @@ def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
     return intervals.interval_over_runs(known, level=level, bounds=bounds)
 
 
-def _last_score(matrix: Rates, team: str) -> float:
-    return float(getattr(progress.generalization(matrix), team)[-1])
+def _last_score(matrix: Rates) -> float:
+    return float(matrix.mean(axis=1)[-1])
 
 
 def _last_rating(matrix: Rates, team: str) -> float:
     return ratings.ELO_POINTS * float(getattr(ratings.elo(matrix), team)[-1])
 
 
-def _of_triangle(matrix: Rates, team: str, number: str) -> float:
-    return float(getattr(getattr(progress.ciao(matrix), team), number))
+def _of_triangle(matrix: Rates, number: str) -> float:
+    return float(getattr(progress.triangle(matrix), number))
 
 
 def _checkerboards(matrix: Rates) -> float:
@@ -268,25 +291,96 @@ def over_runs(singles: list[Estimate], level: float) -> Estimate:
 
 def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
     """Return mean payoffs (runs, k) of a team against all opponents, and their noise."""
-    axis = 2 if team == "pursuers" else 1
+    side = payoffs.side(team)
     span = _span(window, team)
-    means = payoffs.matrices.mean(axis=axis)[:, span]
-    noise = payoffs.noise.mean(axis=axis)[:, span] / payoffs.matrices.shape[axis]
-    if payoffs.scores is not None and payoffs.has_episodes:
+    means = side.matrices.mean(axis=2)[:, span]
+    noise = side.noise.mean(axis=2)[:, span] / side.matrices.shape[2]
+    if side.scores is not None and payoffs.has_episodes:
         # Pairs may share the worlds of an episode, so noise is that of a generation's whole mean.
         # What shifts all generations alike changes no strength.
-        scores = payoffs.scores.mean(axis=axis)[:, span]
-        deviations = scores - scores.mean(axis=1, keepdims=True)
-        generations, episodes = deviations.shape[1:]
-        noise = deviations.var(axis=2, ddof=1) * generations / max(1, generations - 1) / episodes
-    return (means if team == "pursuers" else 1.0 - means), noise
+        noise = _noise_of_course(side.scores.mean(axis=2)[:, span])
+    return means, noise
+
+
+def _noise_of_course(scores: Rates) -> Rates:
+    """Return the variance (runs, k) of the means of a course (runs, k, episodes) of episodes."""
+    deviations = scores - scores.mean(axis=1, keepdims=True)
+    generations, episodes = deviations.shape[1:]
+    variances = deviations.var(axis=2, ddof=1)
+    return np.asarray(variances * generations / max(1, generations - 1) / episodes)
+
+
+def _joint_courses(payoffs: Payoffs, window: Window) -> tuple[Rates, Rates]:
+    """Return the mean (runs, k) of both teams' payoffs against contemporaries, and its noise.
+
+    Contemporaries of generation k are k itself and, of either team, the generation before.
+    """
+    first, second = payoffs.side("pursuers"), payoffs.side("evaders")
+    both = (first.matrices + second.matrices.swapaxes(1, 2)) / 2.0
+    begin, end = _span(window, "pursuers").start, min(span[1] for span in _spans(window))
+    means = _near_diagonal(both, begin, end)
+    if first.scores is None or second.scores is None or not payoffs.has_episodes:
+        return means, np.zeros_like(means)
+    scores = (first.scores + second.scores.swapaxes(1, 2)) / 2.0
+    return means, _noise_of_course(_near_diagonal(scores, begin, end))
+
+
+def joint_scores(source: Source) -> Band:
+    """Return the mean of both teams' scores against contemporaries, by generation.
+
+    Of a `source` as `read_payoffs` takes it. The interval is over runs; of a single run over its
+    episodes. ValueError without scores of both teams.
+    """
+    payoffs = read_payoffs(source)
+    require(payoffs.general, "scores of both teams", "those of the first one")
+    window = payoffs.windows["whole"]
+    means, _ = _joint_courses(payoffs, window)
+    first, second = payoffs.side("pursuers").scores, payoffs.side("evaders").scores
+    if len(payoffs) > 1 or first is None or second is None:
+        return intervals.band_over_runs(means, bounds=UNIT)
+    scores = (first + second.swapaxes(1, 2)) / 2.0
+    course = _near_diagonal(scores, 0, min(payoffs.shape))
+    return intervals.band_over_runs(course[0].T, bounds=UNIT)
+
+
+def _near_diagonal(cells: Rates, begin: int, end: int) -> Rates:
+    """Return the means (runs, k, ...) of the cells of contemporaries in cells (runs, n, m, ...)."""
+    course = []
+    for k in range(begin, end):
+        near = [cells[:, k, k]]
+        if k:
+            near += [cells[:, k, k - 1], cells[:, k - 1, k]]
+        course.append(np.mean(near, axis=0))
+    return np.stack(course, axis=1)
+
+
+def _joint_change(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    change = _deciding(payoffs, window, level, of_run=_joint_change_of_run)
+    if change.low is None or change.low <= 0.0 <= (change.high or 0.0):
+        return change
+    course = _joint_courses(payoffs, window)[0].mean(axis=0)
+    if strength.is_sustained(course):
+        return change
+    return replace(change, note=Reason(Why.NOT_SUSTAINED))
+
+
+def _joint_change_of_run(run: Payoffs, window: Window, level: float) -> Estimate:
+    [course], [noise] = _joint_courses(run, window)
+    return strength.strength_change(course, noise, level=level)
+
+
+def _joint_mean(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    means = _joint_courses(payoffs, window)[0].mean(axis=1)
+    if len(means) == 1:
+        return Estimate(float(means[0]), note=Reason(Why.SINGLE_RUN))
+    return _mean_of(means, level, UNIT)
 
 
 def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     if window.generations < GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=Reason(Why.TOO_SHORT))
     gain = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
-    scores = _from_side(payoffs.matrices.mean(axis=0), team)[_span(window, team)]
+    scores = payoffs.side(team).matrices.mean(axis=0)[_span(window, team)]
     note = Reason(Why.FALLS_BACK) if strength.falls_back(scores) else NOTHING
     if len(payoffs) > 1:
         return replace(gain, across="runs", samples=len(payoffs), note=note)
@@ -341,12 +435,35 @@ def _intransitivity(run: Payoffs, window: Window, level: float) -> Estimate:
     return replace(estimate, high=most.high, biased_high=most.biased_high)
 
 
+def _interaction(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
+    """Return the mean square of a team's scores beside the means of rows and columns.
+
+    It is what the strength of each generation on either side does not explain. The noise of the
+    episodes is subtracted; it alone makes the interval.
+    """
+    if not run.shows_noise:
+        return Estimate(math.nan, note=Reason(Why.EPISODES_UNKNOWN))
+    side = run.side(team)
+    cells = window.cells if team == "pursuers" else window.cells[::-1]
+    scores, noise = side.matrices[0][cells], float(side.noise[0][cells].mean())
+    rest = scores - scores.mean(axis=0) - scores.mean(axis=1, keepdims=True) + scores.mean()
+    n, m = scores.shape
+    free = (n - 1) * (m - 1)
+    value = float((rest**2).sum()) / free - noise
+    # Of a sum of squares of normal errors, beside squares that are no errors.
+    reach = intervals.normal_quantile(level) * math.sqrt(
+        (2.0 * noise**2 + 4.0 * noise * max(0.0, value)) / free
+    )
+    low, high = value - reach, value + reach
+    return Estimate(value, low, high, "episodes", biased_low=low, biased_high=high)
+
+
 def _recurrence(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
-    if run.scores is None:
+    scores = run.side(team).scores
+    if scores is None:
         return Estimate(math.nan, note=Reason(Why.TOO_FEW_TO_RECUR))
-    scores = run.scores[0][window.cells]
-    rows = scores if team == "pursuers" else 1.0 - scores.swapaxes(0, 1)
-    return cycles.recurrence_over_episodes(rows, level=level)
+    cells = window.cells if team == "pursuers" else window.cells[::-1]
+    return cycles.recurrence_over_episodes(scores[0][cells], level=level)
 
 
 def _forgetting(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
@@ -355,23 +472,23 @@ def _forgetting(payoffs: Payoffs, window: Window, level: float, *, team: str) ->
     if payoffs.scores is not None and payoffs.shows_noise and long_enough:
         return _deciding(payoffs, window, level, of_run=_forgetting_of_run, team=team)
     span = _span(window, team)
-    drops = (strength.late_forgetting(_from_side(m, team), span) for m in payoffs.matrices)
+    drops = (strength.late_forgetting(m, span) for m in payoffs.side(team).matrices)
     drop = _mean_of(drops, level, UNIT)
     return drop if len(payoffs) > 1 else replace(drop, note=Reason(Why.BIASED))
 
 
 def _forgetting_of_run(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
-    assert run.scores is not None
+    side = run.side(team)
+    assert side.scores is not None
     # Episodes without a partner are left out, so that both halves are equally noisy.
-    even = run.scores.shape[3] // 2 * 2
-    one = _from_side(run.scores[0, ..., 0:even:2].mean(axis=2), team)
-    other = _from_side(run.scores[0, ..., 1:even:2].mean(axis=2), team)
-    noise = run.noise[0] if team == "pursuers" else run.noise[0].T
-    return strength.late_forgetting_over_episodes((one, other), noise, _span(window, team), level)
+    even = side.scores.shape[3] // 2 * 2
+    halves = tuple(side.scores[0, ..., first:even:2].mean(axis=2) for first in (0, 1))
+    span = _span(window, team)
+    return strength.late_forgetting_over_episodes(halves, side.noise[0], span, level)
 
 
-def _from_side(matrix: Rates, team: str) -> Rates:
-    return matrix if team == "pursuers" else swap_teams(matrix)
+def _spans(window: Window) -> tuple[tuple[int, int], tuple[int, int]]:
+    return window.pursuers, window.evaders
 
 
 def _span(window: Window, team: str) -> slice:
@@ -381,30 +498,22 @@ def _span(window: Window, team: str) -> slice:
 
 
 def _of_teams(
-    name: str,
-    text: str,
-    estimate: Callable[..., Estimate],
-    *,
-    number: Callable[..., float] | None = None,
-    short: str = "",
-    **look: Any,
+    name: str, text: str, estimate: Callable[..., Estimate], *, short: str = "", **look: Any
 ) -> list[Measure]:
-    """Return the rows of both teams; the estimate takes the team, or else its number does.
+    """Return the rows of both teams, whose estimate takes the team; one population has the first.
 
     Their texts may name the ``{team}``, the ``{other}`` one, and what it means to ``{win}``.
     """
     rows = []
     for team, key in keys_of(name).items():
-        of_team: dict[str, Any] = {"team": team}
-        if number is not None:
-            of_team = {"number": partial(number, team=team)}
         words = WORDS[team]
         rows.append(
             Measure(
                 key,
                 text.format(**words),
-                partial(estimate, **of_team),
+                partial(estimate, team=team),
                 short.format(**words),
+                alone=team == "pursuers",
                 **look,
             )
         )
@@ -412,8 +521,8 @@ def _of_teams(
 
 
 WORDS = {
-    "pursuers": {"team": "{pursuers}", "other": "{evaders}", "win": "capture"},
-    "evaders": {"team": "{evaders}", "other": "{pursuers}", "win": "escape"},
+    "pursuers": {"team": "{pursuers}", "other": "{evaders}", "win": "{capture}"},
+    "evaders": {"team": "{evaders}", "other": "{pursuers}", "win": "{escape}"},
 }
 """The placeholders of `_of_teams`, filled by those of `Measure`."""
 
@@ -424,21 +533,39 @@ ROWS = (
         "one_sidedness", "payoff of the winning team", partial(_deciding, of_run=_one_sidedness),
         short="winning team", late=True,
     ),
-    *_of_teams("gain", "gain of the {team}", _gain, short="{team}", late=True, form="+.3f"),
-    *_of_teams("change", "change of the {team}", _change, short="{team}", late=True, form="+.3f"),
+    Measure(
+        "joint_change", "change of the mean of both sides", _joint_change,
+        short="mean of both sides", late=True, form="+.3f", general=True, constant=False,
+        alone=True,
+    ),
+    *_of_teams(
+        "gain", "gain of the {team}", _gain, short="{team}", late=True, form="+.3f", general=True
+    ),
+    *_of_teams(
+        "change", "change of the {team}", _change, short="{team}", late=True, form="+.3f",
+        general=True,
+    ),
     Measure(
         "squared_intransitivity", "intransitivity", partial(_deciding, of_run=_intransitivity),
-        short="deviation", late=True, squared=True,
+        short="deviation", late=True, squared=True, alone=True,
     ),
     *_of_teams(
         "recurrence", "recurrence of the {team}", partial(_deciding, of_run=_recurrence),
-        short="{team}", late=True, form="+.3f",
+        short="{team}", late=True, form="+.3f", general=True,
+    ),
+    *_of_teams(
+        "squared_interaction", "interaction of the {team}",
+        partial(_deciding, of_run=_interaction), short="interaction of the {team}", late=True,
+        squared=True, general=True, constant=False,
     ),
     Measure(
         "checkerboards", "checkerboards", partial(_biased, number=_checkerboards),
-        late=True, form=".1%",
+        late=True, form=".1%", alone=True,
     ),
-    *_of_teams("forgetting", "forgetting of the {team}", _forgetting, short="{team}", late=True),
+    *_of_teams(
+        "forgetting", "forgetting of the {team}", _forgetting, short="{team}", late=True,
+        general=True,
+    ),
     # Early generations mix untrained and trained teams.
     Measure(
         "transitive_share", "transitive share",
@@ -446,25 +573,29 @@ ROWS = (
             _of_matrix, number=cycles.transitive_share,
             of_episodes=cycles.transitive_share_over_episodes,
         ),
-        late=True,
+        late=True, alone=True,
     ),
     # Of the whole race.
+    Measure(
+        "joint_score", "mean of both sides", _joint_mean, general=True, constant=False, alone=True
+    ),
     Measure("capture_rate", "mean {score}", partial(_of_matrix, number=np.mean)),
     Measure(
         "lag_rise", "gain of later over earlier {pursuers}",
         partial(_of_matrix, number=progress.lag_rise, bounds=GAIN),
     ),
     *_of_teams(
-        "generalization", "last {team} against all {other}, {win}", _of_matrix,
-        number=_last_score,
+        "generalization", "last {team} against all {other}, {win}",
+        partial(_of_matrix, number=_last_score), general=True,
     ),
     *_of_teams(
-        "fading", "CIAO, fading of the {team}", partial(_of_matrix, bounds=GAIN),
-        number=partial(_of_triangle, number="fading"),
+        "fading", "CIAO, fading of the {team}",
+        partial(_of_matrix, bounds=GAIN, number=partial(_of_triangle, number="fading")),
+        general=True,
     ),
     *_of_teams(
-        "stripes", "CIAO, stripes of the {team}", _biased,
-        number=partial(_of_triangle, number="stripes"),
+        "stripes", "CIAO, stripes of the {team}",
+        partial(_biased, number=partial(_of_triangle, number="stripes")), general=True,
     ),
     Measure(
         "game_value", "{score} in the Nash equilibrium",

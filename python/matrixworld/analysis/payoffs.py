@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Generic, TypeAlias, TypeVar
+from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -35,6 +35,8 @@ EPISODES_TO_RECUR = 6  # fewest episodes for recurrence: three in each half, for
 
 PER_EPISODE = "scores"
 """Name of the array of an .npz file that holds all episodes, as in run directories."""
+OTHERS = "others"
+"""Name of the array with all episodes of the second team in a general-sum game."""
 MEANS = ("mean", "capture_rate", "payoff", "payoffs")
 """Names of arrays that hold payoff matrices; the first one in a file is taken."""
 
@@ -69,15 +71,27 @@ class Window:
         return slice(*self.pursuers), slice(*self.evaders)
 
 
+class Side(NamedTuple):
+    """Payoffs as a team sees them: its own, its generations in rows, its opponents in columns."""
+
+    matrices: Rates  # (runs, k, j)
+    scores: Rates | None  # (runs, k, j, episodes), if known
+    noise: Rates  # (runs, k, j), variance of each cell
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Payoffs(Readable):
-    """Payoff matrices (runs, n, m) of independent runs, and their episodes if known."""
+    """Payoff matrices (runs, n, m) of independent runs, and their episodes if known.
+
+    What the first team wins the second loses, unless this has payoffs of its own, `others`.
+    """
 
     matrices: Rates
     scores: Rates | None = None  # (runs, n, m, episodes), capture rates of single episodes
     episodes: int | None = None
     teams: tuple[str, str] = BOTH
     exact: bool = False  # whether all episodes are equal, as in a game without chance
+    others: Rates | None = None  # (runs, n, m, episodes), of the second team in a general-sum game
 
     def __len__(self) -> int:
         return len(self.matrices)
@@ -86,7 +100,8 @@ class Payoffs(Readable):
         pursuers, evaders = self.teams
         score = names_of(self.teams)["score"].capitalize()
         several = f", means of {len(self)} runs" if len(self) > 1 else ""
-        head = f"{score}s of {pursuers} (rows) against {evaders}{several}:"
+        against = "each other" if self.one_population else evaders
+        head = f"{score}s of {pursuers} (rows) against {against}{several}:"
         return [head, matrix_table(self.matrices.mean(axis=0))]
 
     @property
@@ -102,15 +117,17 @@ class Payoffs(Readable):
 
     @cached_property
     def _runs(self) -> list[Payoffs]:
-        scores = [None] * len(self) if self.scores is None else self.scores[:, None]
-        matrices = self.matrices[:, None]
-        parts = zip(matrices, scores, strict=True)
-        return [replace(self, matrices=matrix, scores=score) for matrix, score in parts]
+        nothing = [None] * len(self)
+        scores = nothing if self.scores is None else self.scores[:, None]
+        others = nothing if self.others is None else self.others[:, None]
+        parts = zip(self.matrices[:, None], scores, others, strict=True)
+        return [replace(self, matrices=m, scores=one, others=other) for m, one, other in parts]
 
     def select(self, runs: list[int]) -> Payoffs:
         """Return the payoffs of some of the runs."""
         scores = None if self.scores is None else self.scores[runs]
-        chosen = replace(self, matrices=self.matrices[runs], scores=scores)
+        others = None if self.others is None else self.others[runs]
+        chosen = replace(self, matrices=self.matrices[runs], scores=scores, others=others)
         # What is known of single runs stays known.
         vars(chosen)["_runs"] = [self.runs[run] for run in runs]
         return chosen
@@ -120,17 +137,32 @@ class Payoffs(Readable):
         """Numbers of a single run that have been computed, by what they are."""
         return {}
 
+    @property
+    def general(self) -> bool:
+        """Whether the teams have payoffs of their own, as in a general-sum game."""
+        return self.others is not None
+
+    @property
+    def one_population(self) -> bool:
+        """Whether one population plays both sides, as in a symmetric game."""
+        return self.teams[0] == self.teams[1]
+
     @cached_property
     def noise(self) -> Rates:
         """Variance of each cell: an estimate, of means a bound; zeros if it is unknown."""
-        episodes = self.episodes or 0
-        if episodes < 2:
-            return np.zeros_like(self.matrices)
-        if self.scores is not None:
-            sampled: Rates = self.scores.var(axis=3, ddof=1) / episodes
-            return sampled
-        # Scores in [0, 1] vary at most as much as wins and losses with the same mean.
-        return self.matrices * (1.0 - self.matrices) / (episodes - 1)
+        return _noise(self.matrices, self.scores, self.episodes or 0)
+
+    def side(self, team: str) -> Side:
+        """Return the payoffs as a team, ``"pursuers"`` or ``"evaders"``, sees them."""
+        if team == "pursuers":
+            return Side(self.matrices, self.scores, self.noise)
+        if self.others is not None:
+            scores = self.others.swapaxes(1, 2)
+            matrices = scores.mean(axis=3)
+            return Side(matrices, scores, _noise(matrices, scores, self.episodes or 0))
+        matrices = 1.0 - self.matrices.swapaxes(1, 2)
+        swapped = None if self.scores is None else 1.0 - self.scores.swapaxes(1, 2)
+        return Side(matrices, swapped, self.noise.swapaxes(1, 2))
 
     @property
     def has_episodes(self) -> bool:
@@ -153,6 +185,17 @@ class Payoffs(Readable):
             Window("last half", (n // 2, n), (m // 2, m)),
         )
         return {window.name: window for window in windows}
+
+
+def _noise(matrices: Rates, scores: Rates | None, episodes: int) -> Rates:
+    """Return the variance of each cell: an estimate, of means a bound; zeros if it is unknown."""
+    if episodes < 2:
+        return np.zeros_like(matrices)
+    if scores is not None:
+        sampled: Rates = scores.var(axis=3, ddof=1) / episodes
+        return sampled
+    # Scores in [0, 1] vary at most as much as wins and losses with the same mean.
+    return matrices * (1.0 - matrices) / (episodes - 1)
 
 
 def check_payoff(payoff: ArrayLike) -> Rates:
@@ -227,6 +270,7 @@ def read_payoffs(
     episodes: int | None = None,
     exact: bool = False,
     teams: tuple[str, str] = BOTH,
+    others: ArrayLike | None = None,
 ) -> Payoffs:
     """Read payoffs from an array, a file or several files.
 
@@ -244,7 +288,10 @@ def read_payoffs(
         Whether more episodes would have the same scores, as in a deterministic game: then one of
         each cell shows that there is no noise. The default is False.
     teams : tuple of str, optional
-        What the teams are called in words.
+        What the teams are called in words; one population of a symmetric game has one name twice.
+    others : array_like, optional
+        Scores of the second team where it does not lose what the first one wins, in the shape of an
+        array of single episodes.
 
     Notes
     -----
@@ -253,7 +300,8 @@ def read_payoffs(
     ``pursuer, evader, capture_rate`` in any order, and ``run`` or ``episode`` if there are several.
     Empty lines and lines that begin with ``#`` are ignored. Cells are separated by commas,
     semicolons or tabs. Of several arrays in an .npz file ``scores`` is taken, which holds episodes,
-    or else ``mean``, ``capture_rate``, ``payoff`` or ``payoffs``.
+    with ``others``, those of the second team, if there are any; or else ``mean``, ``capture_rate``,
+    ``payoff`` or ``payoffs``.
     """
     check_bool("per_episode", per_episode)
     if isinstance(source, Payoffs):
@@ -267,7 +315,7 @@ def read_payoffs(
     elif hasattr(source, "payoffs"):
         payoffs = source.payoffs()
     else:
-        payoffs = _payoffs(source, per_episode)
+        payoffs = _payoffs(source, per_episode, others)
     if teams != BOTH:
         payoffs = replace(payoffs, teams=teams)
     if episodes is not None:
@@ -282,18 +330,25 @@ def _once_each(payoffs: Payoffs, exact: bool) -> Payoffs:
     """Return payoffs without copies: what is there several times tells no more than once."""
     copies = 1
     scores = payoffs.scores
+    others = payoffs.others
     if scores is not None:
-        episodes = scores.reshape(-1, scores.shape[3]).T
+        both = scores if others is None else np.concatenate([scores, others])
+        episodes = both.reshape(-1, scores.shape[3]).T
         _, first, counts = np.unique(episodes, axis=0, return_index=True, return_counts=True)
         copies = int(np.gcd.reduce(counts))
         exact = exact or (copies > 1 and len(counts) == 1)
     if exact:  # what any number of episodes would be
         scores = np.repeat(payoffs.matrices[..., np.newaxis], EPISODES_TO_RECUR, axis=3)
+        if others is not None:
+            others = np.repeat(others[..., :1], EPISODES_TO_RECUR, axis=3)
     elif scores is not None and copies > 1:
-        scores = scores[..., np.sort(np.repeat(first, counts // copies))]
+        kept = np.sort(np.repeat(first, counts // copies))
+        scores = scores[..., kept]
+        others = None if others is None else others[..., kept]
     else:
         return payoffs
-    return replace(payoffs, scores=scores, episodes=scores.shape[3], exact=exact)
+    episodes_left = scores.shape[3]
+    return replace(payoffs, scores=scores, others=others, episodes=episodes_left, exact=exact)
 
 
 def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
@@ -308,22 +363,30 @@ def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
             raise ValueError(f"{path}: expected {expected}, got {shape[1:]}")
     matrices = np.concatenate([run.matrices for run in runs])
     scores = [run.scores for run in runs if run.scores is not None]
-    return Payoffs(matrices, np.concatenate(scores) if scores else None, runs[0].episodes)
+    others = [run.others for run in runs if run.others is not None]
+    if 0 < len(others) < len(runs):
+        raise ValueError(f"{paths[0]}: expected scores of both teams in all files or in none")
+    joined = np.concatenate(scores) if scores else None
+    of_second = np.concatenate(others) if others else None
+    return Payoffs(matrices, joined, runs[0].episodes, others=of_second)
 
 
 def _read_file(path: Path, per_episode: bool) -> Payoffs:
-    readers = {".csv": _read_table, ".npz": _read_arrays}
-    reader = readers.get(path.suffix.lower())
-    if reader is None:
+    suffix = path.suffix.lower()
+    others = None
+    if suffix == ".csv":
+        values, has_episodes = _read_table(path)
+    elif suffix == ".npz":
+        values, has_episodes, others = _read_arrays(path)
+    else:
         raise ValueError(f"{path}: expected a .csv or an .npz file, got suffix {path.suffix!r}")
-    values, has_episodes = reader(path)
     try:
-        return _payoffs(values, per_episode or has_episodes)
+        return _payoffs(values, per_episode or has_episodes, others)
     except (TypeError, ValueError) as error:
         raise type(error)(f"{path}: {error}") from error
 
 
-def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
+def _read_arrays(path: Path) -> tuple[NDArray[Any], bool, NDArray[Any] | None]:
     arrays = load_arrays(path)
     # Episodes first: the means follow from them.
     preferred = (PER_EPISODE, *MEANS)
@@ -335,12 +398,20 @@ def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
                 f"{path}: expected one array, or one named {names}; got {list(arrays)}"
             )
         [name] = arrays
-    return arrays[name], name == PER_EPISODE
+    has_episodes = name == PER_EPISODE
+    return arrays[name], has_episodes, arrays.get(OTHERS) if has_episodes else None
 
 
-def _payoffs(values: Any, per_episode: bool) -> Payoffs:
+def _payoffs(values: Any, per_episode: bool, others: Any = None) -> Payoffs:
     """Return the payoffs of an array; one without the axis of runs is a single run."""
     array = check_floats("payoff matrices", values)
+    if others is not None:
+        second = check_floats("others", others)
+        expected = f"others of the shape of single episodes, {array.shape}"
+        require(per_episode and second.shape == array.shape, expected, f"shape {second.shape}")
+        several = second[None] if second.ndim == 3 else second
+        rates = check_rates(several, ndim=4, what="others ([runs,] n, m, episodes)")
+        return replace(_payoffs(values, per_episode), others=rates)
     if per_episode:
         several = array[None] if array.ndim == 3 else array
         scores = check_rates(several, ndim=4, what="scores ([runs,] n, m, episodes)")

@@ -201,10 +201,11 @@ def ciao(payoff: ArrayLike) -> payoffs.ByTeam[Triangle]:
     co-evolutionary simulations".
     """
     matrix = payoffs.check_payoff(payoff)
-    return payoffs.ByTeam(_triangle(matrix), _triangle(payoffs.swap_teams(matrix)))
+    return payoffs.ByTeam(triangle(matrix), triangle(payoffs.swap_teams(matrix)))
 
 
-def _triangle(matrix: payoffs.Rates) -> Triangle:
+def triangle(matrix: payoffs.Rates) -> Triangle:
+    """Return the half of a CIAO plot of the team that has the rows of a payoff matrix."""
     lower = np.where(np.tri(*matrix.shape) > 0.0, matrix, np.nan)
     # If the team has more generations than its opponents, some diagonals may be empty.
     diagonals = [np.diagonal(lower, offset=-age) for age in range(len(lower))]

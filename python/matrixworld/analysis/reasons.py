@@ -78,6 +78,18 @@ class Why(Enum):
     CIRCLE = "both teams lose again what they gain, as in a circle, whose end is not seen"
     ONE_HALF = "what rises in this half does not rise in the same way over the whole race"
 
+    RISES = "{teams} rise by more than a random walk with such steps would"
+
+    # The mean of both sides:
+    JOINT_CHANGE = "the mean of both sides changed by more than {number} against contemporaries"
+    NO_JOINT_CHANGE = "the mean of both sides did not change so by {number}"
+    JOINT_JUMP = "the mean of both sides changed, but mostly in a jump or with a setback"
+
+    # A condition has no meaning:
+    NOT_CONSTANT_SUM = "what one team wins is not what the other loses"
+    ONE_POPULATION = "one population plays both sides"
+    NOTHING_TO_RACE_WITH = "one population has no other one to race with"
+
     # Rise:
     STRONGER = "{teams} became stronger by more than {number} this time"
     NOT_STRONGER = "neither team became {number} stronger this time"
@@ -90,6 +102,7 @@ class Why(Enum):
     RETURN = "strategies of {teams} return"
     NO_RETURN = "no strategies return"
     RETURN_IN_ORDER = "strategies return, but an order of strength may explain them"
+    NO_INTERACTION = "what the strengths of both do not explain is below {number}"
     NO_CIRCLE = "generations do not beat each other in a circle"
 
     # Forgetting:
@@ -101,9 +114,25 @@ class Why(Enum):
     CHANGES = "the strength of a team changes by {number} or more"
     MAY_CHANGE = "a change of {number} cannot be ruled out"
     MAY_BE_INTRANSITIVE = "neither team becomes stronger, but the race may be intransitive"
+    PROGRESS = "progress is present"
     ARMS_RACE = "arms race is present"
     ONE_SIDED_PROGRESS = "one-sided progress is present"
     INTRANSITIVITY = "intransitivity is present"
+
+
+OF_ONE_POPULATION: dict[Why, str] = {
+    Why.RANDOM_WALK: "a random walk may explain its gain",
+    Why.CIRCLE: "it loses again what it gains, as in a circle, whose end is not seen",
+    Why.NONE_WITH_TREND: "it has no trend",
+    Why.NOT_STRONGER: "it did not become {number} stronger this time",
+    Why.STRONGER_IN_A_JUMP: "it became stronger, but mostly in a jump or with a setback",
+    Why.FORGETS: "it falls more than {number} below its best ancestors",
+    Why.NOT_FORGETS: "it does not fall {number} below its best ancestors",
+    Why.NO_CHANGE: "its strength does not change by {number}, nor who beats whom",
+    Why.CHANGES: "its strength changes by {number} or more",
+    Why.MAY_BE_INTRANSITIVE: "it does not become stronger, but the race may be intransitive",
+}
+"""What reasons are called that would speak of two teams."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -129,7 +158,10 @@ class Reason(Worded):
     def in_words(self, teams: tuple[str, str] = BOTH) -> str:
         """Return the reason in the words of a game whose teams have these names."""
         names = {**names_of(teams), "teams": listed(self.teams, teams)}
-        return self.why.value.format(number=self.number, **names)
+        clause = self.why.value
+        if teams[0] == teams[1]:
+            clause = OF_ONE_POPULATION.get(self.why, clause)
+        return clause.format(number=self.number, **names)
 
 
 NOTHING = Reason()

@@ -17,10 +17,13 @@ def keys_of(number: str) -> dict[str, str]:
 
 
 def names_of(teams: tuple[str, str]) -> dict[str, str]:
-    """Return the words of a game for the placeholders of texts: both teams and their score."""
+    """Return the words of a game for the placeholders of texts: both teams and their scores."""
     pursuers, evaders = teams
-    score = "capture rate" if teams == BOTH else "score"
-    return {"pursuers": pursuers, "evaders": evaders, "score": score}
+    score, capture, escape = "score", "score", "score"
+    if teams == BOTH:
+        score, capture, escape = "capture rate", "capture", "escape"
+    words = {"score": score, "capture": capture, "escape": escape}
+    return {"pursuers": pursuers, "evaders": evaders, **words}
 
 
 def listed(members: Sequence[str], teams: tuple[str, str]) -> str:

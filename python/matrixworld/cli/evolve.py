@@ -25,7 +25,7 @@ from matrixworld.coevolution.jobs.job import Job
 from matrixworld.coevolution.jobs.play import play_job
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.runs.places import check_empty, find_runs
-from matrixworld.coevolution.settings.schedules import ALL_SCHEDULES, Against
+from matrixworld.coevolution.settings.schedules import ALL_SCHEDULES, Against, AtOnce, SelfPlay
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, GrowingPage
@@ -119,11 +119,12 @@ def _shows(function: Any) -> Any:
 )
 @click.option(
     "--schedule",
-    type=click.Choice([*ALL_SCHEDULES, Against.kind]),
+    type=click.Choice([*ALL_SCHEDULES, SelfPlay.kind, Against.kind]),
     multiple=True,
     metavar="NAME",
-    help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; or {Against.kind}: one team evolves "
-    f"alone; may be given several times  [default: {', '.join(setting_options.MAIN_JOB)}]",
+    help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; {SelfPlay.kind}: one population "
+    f"meets its past; or {Against.kind}: one team evolves alone; may be given several times  "
+    f"[default: {', '.join(setting_options.MAIN_JOB)}; of one population {AtOnce.kind}]",
 )
 @click.option(
     "--learner",
@@ -281,7 +282,7 @@ class Plan(NamedTuple):
         """The plan in words."""
         settings = next(iter(self.job.values()))
         name = settings.game.variant
-        teams = " and ".join(settings.teams)
+        teams = " and ".join(dict.fromkeys(settings.teams))
         if isinstance(settings.game, PursuitSettings):
             world = settings.game.world
             pursuers = console.counted(world.n_pursuers, "pursuer")

@@ -159,9 +159,10 @@ def _what_was_judged(judgement: analysis.Judgement) -> str:
     """Return in words what was judged: runs, generations and episodes."""
     rows, columns = judgement.shape
     first, second = judgement.teams
+    others = "" if judgement.one_population else f" and {columns} of {second}"
     words = [
         console.counted(judgement.runs, "run"),
-        f"{console.counted(rows, 'generation')} of {first} and {columns} of {second}",
+        f"{console.counted(rows, 'generation')} of {first}{others}",
     ]
     if judgement.exact:
         words.append("all episodes equal")

@@ -109,7 +109,7 @@ def replay_command(
     the name of a script, such as chaser or fleer; an unknown name prints all of them.
 
     RUN of a game of your own: what the game shows of a match of two generations, --pursuer of its
-    first team and --evader of the second. An image needs --out, a .png.
+    first team and --evader of the second. An image needs --out, a .png, and a film a .gif.
 
     \b
     Examples:
@@ -198,11 +198,12 @@ def show_match(run: SavedRun, chosen: Mapping[str, Any], out: Path | None, *, fo
         options.refuse_beside("the game", {"out"} & chosen.keys(), fact="shows text")
         say(shown)
         return
-    if not out or out.suffix.lower() != ".png":
-        expected = "expected a .png, because the game shows an image"
+    if not out or out.suffix.lower() != shown.suffix:
+        what = {".png": "an image", ".gif": "a film"}[shown.suffix]
+        expected = f"expected a {shown.suffix}, because the game shows {what}"
         raise click.UsageError(f"--out: {expected}, got {out or 'none'}")
     with replacing(out) as file:
-        file.write(shown)
+        file.write(shown.content)
     say(out)
 
 

@@ -174,7 +174,7 @@ def _results_of(group: RunGroup) -> list[str]:
     score = next(iter(means.values()))
     epochs = console.counted(schedule.epochs, "epoch")
     lines = [
-        f"{settings.game.game_class.score_words[0]} {score}",
+        f"{settings.game.known.score_words[0]} {score}",
         f"{team} after {epochs} against {schedule.opponent}",
     ]
     if "length" in means:

@@ -26,7 +26,7 @@ from matrixworld.coevolution.runs.places import abbreviated, find_runs, place_in
 from matrixworld.coevolution.runs.stored_files import FORMAT, OLDEST
 from matrixworld.coevolution.settings.race_settings import kinds_of, paths_of
 from matrixworld.coevolution.settings.schedules import Against, Schedule
-from matrixworld.coevolution.settings.usual import COURTYARD, DEFAULTS, SCHEDULE, usual
+from matrixworld.coevolution.settings.usual import COURTYARD, DEFAULTS, HALL, SCHEDULE, usual
 from matrixworld.world.policy import SCRIPTS
 
 OF_FILE = ""  # stands for the schedule of the file of --config
@@ -162,6 +162,8 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
         names = [OF_FILE]
     jobs = []
     with usage_errors():
+        if names is MAIN_JOB and "game" in chosen and _is_symmetric(chosen["game"]):
+            names = [HALL]
         # The order in which find_runs finds them, so that --resume prints and draws the same.
         for name in sorted(dict.fromkeys(names), key=place_in_job):
             others = of_other_schedules(name, names)
@@ -173,6 +175,11 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
                 settings = settings.changed(runs)
             jobs.append(settings)
     return jobs
+
+
+def _is_symmetric(game: Any) -> bool:
+    """Return whether one population plays both sides of a game of your own, by its name."""
+    return RaceSettings.of({"game": game}).game.symmetric
 
 
 def _runs_of(schedule: Schedule) -> dict[str, str]:

@@ -153,12 +153,12 @@ def _compared_measures(one: Payoffs, other: Payoffs) -> dict[str, Pair]:
     """Return the measures that a judgement rests on, of each run, where all are known."""
     measures = {}
     for measure in analysis.MEASURES.values():
-        if not measure.short:
+        if not measure.short or not (measure.has_meaning(one) and measure.has_meaning(other)):
             continue
         first = np.array([measure.of(run).value for run in one.runs])
         second = np.array([measure.of(run).value for run in other.runs])
         if np.isfinite(first).all() and np.isfinite(second).all():
-            measures[measure.label()] = (first, second)
+            measures[measure.label(one.teams)] = (first, second)
     return measures
 
 

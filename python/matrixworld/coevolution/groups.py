@@ -103,7 +103,7 @@ class RunGroup:
         Means over the seeds; those of a single run have their intervals over its episodes.
         """
         rows = [run.summary() for run in self.runs]
-        game = self.runs[0].settings.game.game_class
+        game = self.runs[0].settings.game.known
         names = (next(iter(game.columns)), *game.single)
         if len(rows) > 1:
             over_runs = partial(analysis.interval_over_runs, bounds=(0.0, math.inf))

@@ -324,6 +324,14 @@ class OwnOpponents(OwnCode):
     base: ClassVar[type[Section]] = Opponents
 
 
+def loaded(sampler: Opponents | OwnOpponents) -> Opponents:
+    """Return a sampler; one of your own is imported."""
+    if isinstance(sampler, Opponents):
+        return sampler
+    own: Opponents = sampler.load()
+    return own
+
+
 for _weighting in WEIGHTINGS:
     name_section(f"prioritized-{_weighting}", Prioritized, weighting=_weighting)
 NAMES[Opponents][OWN] = Named(OwnOpponents)

@@ -51,7 +51,8 @@ class SavedRun(StoredRun):
     def _sizes(self) -> dict[str, str]:
         """Return the size of each team's archive by the team's name, or its script."""
         script = getattr(self.settings.schedule, "opponent", "")
-        archive = zip(self.facts.teams, self.archive().values(), strict=True)
+        names = dict.fromkeys(self.facts.teams)  # one of a symmetric game
+        archive = zip(names, self.archive().values(), strict=True)
         return {name: str(len(genomes) or script) for name, genomes in archive}
 
     def __repr__(self) -> str:

@@ -35,6 +35,17 @@ Rng = np.random.Generator  # what all random numbers are drawn from
 Row = dict[str, Any]  # an epoch in the log, by column
 Archive = dict[str, Genomes]  # the genomes of each team
 
+LOGGED: dict[str, type] = {
+    "stage": int,
+    "generation": int,
+    "team": str,
+    "epoch": int,
+    "opponent": int,
+    "fitness_mean": float,
+    "fitness_std": float,
+    "fitness_best": float,
+}
+"""Columns of the log of every game, one row per epoch, and their types."""
 SEVERAL = -1  # value of `opponent` in the log of an epoch with several opponents
 
 Indices = NDArray[np.intp]
@@ -49,9 +60,9 @@ Matches: TypeAlias = tuple[NDArray[Any], NDArray[Any], Seeds]
 class Payoff(Readable):
     """Results of G members of the first team against H of the second, in n episodes a pair.
 
-    `scores` (G, H, n) are those of the first team, row g against column h, in [0, 1]; the other
-    team has 1 - score. A score is called `words`, the teams have names (`teams`), and in an `exact`
-    game more episodes would have the same scores.
+    `scores` (G, H, n) are those of the first team, row g against column h, in [0, 1]; the second
+    team has `others` (G, H, n), or else 1 - score. A score is called `words`, the teams have names
+    (`teams`), and in an `exact` game more episodes would have the same scores.
 
     What else the game tells are `extras`, each (G, H, ...). Of pursuit: ``lengths`` (G, H, n), the
     steps of each episode, int32; and means over the episodes, float64: ``collisions`` and
@@ -65,12 +76,14 @@ class Payoff(Readable):
     teams: tuple[str, str] = BOTH
     exact: bool = False
     words: str = "capture rate"
+    others: NDArray[np.float32] | None = None
 
     def _parts(self) -> Parts:
         episodes = self.scores.shape[2]
         first, second = self.teams
         played = f"{episodes} episode{'' if episodes == 1 else 's'} a pair"
-        head = f"{self.words.capitalize()}s of {first} (rows) against {second}, {played}:"
+        against = "each other" if first == second else second
+        head = f"{self.words.capitalize()}s of {first} (rows) against {against}, {played}:"
         return [head, matrix_table(self.matrix)]
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
@@ -90,13 +103,19 @@ class Payoff(Readable):
         return payoffs_of([self])
 
     def arrays(self) -> dict[str, NDArray[Any]]:
-        """Return `scores`, their `mean` and `std` over episodes, and the extras: payoff.npz."""
+        """Return scores, their `mean` and `std` over episodes, and the extras: payoff.npz."""
         spread = np.asarray(self.scores.std(axis=2, dtype=np.float64))
-        return {"scores": self.scores, "mean": self.matrix, "std": spread, **self.extras}
+        others = {} if self.others is None else {"others": self.others}
+        return {"scores": self.scores, "mean": self.matrix, "std": spread, **others, **self.extras}
 
 
 def payoffs_of(runs: Sequence[Payoff]) -> Payoffs:
     """Return the payoffs of runs with the same settings as the analysis reads them."""
     scores = np.stack([run.scores for run in runs])
     first = runs[0]
-    return read_payoffs(scores, per_episode=True, exact=first.exact, teams=first.teams)
+    others = None
+    if first.others is not None:
+        others = np.stack([run.others for run in runs if run.others is not None])
+    return read_payoffs(
+        scores, per_episode=True, exact=first.exact, teams=first.teams, others=others
+    )

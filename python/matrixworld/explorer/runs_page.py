@@ -18,7 +18,7 @@ import json
 import os
 import shlex
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,8 +30,9 @@ from matrixworld import analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
-from matrixworld.analysis.intervals import generalization_over_episodes
+from matrixworld.analysis.intervals import mean_over_opponents
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
+from matrixworld.analysis.progress import triangle
 from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.coevolution.evaluation.explanation import sentence_of
 from matrixworld.coevolution.games.own_game import OwnGame
@@ -182,7 +183,7 @@ def heading(runs: Sequence[SavedRun]) -> str:
     games = {each.game.variant for each in settings}
     if len(teams) > 1:
         return f"{words}{len(games)} games"
-    words += " and ".join(*teams)
+    words += " and ".join(dict.fromkeys(*teams))
     what = "game" if isinstance(settings[0].game, OwnGame) else "variant"
     names = games - {"own-rules"}
     return f"{words}, {what} {names.pop()}" if len(names) == 1 else words
@@ -212,7 +213,7 @@ def runs_data(
         shown = run_data(name, run, (so_far or {}).get(run.path))
         teams = {
             team: plain_team(each, f"genomes-{n}-{team}", step, genomes)
-            for team, each in zip(TEAMS, run.teams.values(), strict=True)
+            for team, each in zip(TEAMS, run.sides, strict=True)
         }
         for team in TEAMS:
             if so_far is None and teams[team]["policy"]:
@@ -226,7 +227,7 @@ def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str
     """Return what a page shows of a run, without its teams; a race that goes on is not judged."""
     settings = run.settings
     payoff = so_far or run.payoff()
-    shape = tuple(map(team_size, run.teams.values()))
+    shape = tuple(map(team_size, run.sides))
     limits = ""
     judged = None
     if settings.is_race:
@@ -270,6 +271,10 @@ def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
             for row in payoff.scores.tolist()
         ],
         "lengths": payoff.extras.get("lengths", np.empty(0)).tolist(),
+        "others": None if payoff.others is None else payoff.others.mean(axis=2).tolist(),
+        "extras": {
+            name: values.tolist() for name, values in payoff.extras.items() if values.ndim == 2
+        },
     }
 
 
@@ -279,9 +284,10 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
     The learner is 0 for the pursuers, 1 for the evaders and 2 for both. A point is the mean of so
     many ``epochs``; ``window`` has the points of a moving average.
     """
-    learner = (log["team"] == settings.keys[1]).astype(int)
-    score, *_ = settings.game.game_class.columns
-    if settings.schedule.at_once:
+    first, second = settings.keys
+    learner = ((log["team"] == second) & (first != second)).astype(int)
+    score, *_ = settings.game.known.columns
+    if settings.schedule.at_once and first != second:
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)
@@ -344,9 +350,11 @@ def findings(payoff: Payoff, *, ended: bool = True) -> dict[str, Any]:
     if not ended:
         sentence = f"Generation {min(payoff.matrix.shape) - 1} so far."
         return {"sentence": sentence, "table": [], **curves(payoff)}
-    matrix = payoff.matrix
-    boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
-    judgement = analysis.judge(payoff.payoffs())
+    payoffs = payoff.payoffs()
+    boards: Sequence[Any] | None = None
+    if not payoffs.general:  # of an order of strength, which such games need not have
+        boards = strongest_checkerboards(payoff.matrix, count=BOARDS, margin=MARGIN)
+    judgement = analysis.judge(payoffs)
     return {
         "sentence": analysis.sentence(judgement),
         "table": [list(row) for row in analysis.judgement_table(judgement)],
@@ -359,43 +367,57 @@ def findings(payoff: Payoff, *, ended: bool = True) -> dict[str, Any]:
 
 def curves(payoff: Payoff) -> dict[str, Any]:
     """Return what is drawn of a race and claims nothing."""
-    matrix = payoff.matrix
-    ratings = analysis.elo(matrix)
-    return {
-        "generalization": _with_bands(
-            analysis.generalization(matrix), generalization_over_episodes, payoff
-        ),
+    payoffs = payoff.payoffs()
+    has_episodes = payoff.scores.shape[2] >= 2
+    sides = {team: payoffs.side(team) for team in BOTH}
+    triangles = {team: triangle(side.matrices[0]) for team, side in sides.items()}
+    found: dict[str, Any] = {
+        "generalization": {
+            team: _curve(
+                side.matrices[0].mean(axis=1),
+                mean_over_opponents(side.scores[0])
+                if has_episodes and side.scores is not None
+                else None,
+            )
+            for team, side in sides.items()
+        },
         # The triangles are the two halves of the payoff, which the page has.
         "ciao": {
             team: {
-                "fading": plain_values(triangle.fading),
-                "stripes": triangle.stripes,
-                "period": triangle.period,
+                "fading": plain_values(each.fading),
+                "stripes": each.stripes,
+                "period": each.period,
             }
-            for team, triangle in zip(BOTH, analysis.ciao(matrix), strict=True)
+            for team, each in triangles.items()
         },
-        "ratings": {
-            "offset": ratings.offset * ELO_POINTS,
-            **_with_bands(ratings, analysis.elo_over_episodes, payoff, ELO_POINTS),
+        "ratings": None,
+        "joint": None,
+    }
+    if payoffs.general:
+        mean = analysis.joint_scores(payoffs)
+        found["joint"] = _curve(mean.mean, mean if has_episodes else None)
+        return found
+    ratings = analysis.elo(payoff.matrix)
+    bands = analysis.elo_over_episodes(payoff.scores) if has_episodes else (None, None)
+    found["ratings"] = {
+        "offset": ratings.offset * ELO_POINTS,
+        **{
+            team: _curve(getattr(ratings, team) * ELO_POINTS, band)
+            for team, band in zip(BOTH, bands, strict=True)
         },
     }
+    return found
 
 
-def _with_bands(
-    means: Any, over_episodes: Callable[..., Any], payoff: Payoff, unit: float = 1.0
-) -> dict[str, Any]:
-    """Return means of both teams in a unit, with intervals where episodes allow them."""
-    curves: dict[str, Any] = {
-        team: {"mean": plain_values(getattr(means, team) * unit), "low": None, "high": None}
-        for team in BOTH
-    }
-    if payoff.scores.shape[2] >= 2:
-        for curve, band in zip(curves.values(), over_episodes(payoff.scores), strict=True):
-            mean, low, high = (np.ravel(ends) for ends in (band.mean, band.low, band.high))
-            # Where a band has no interval, it is as thin as the line.
-            curve["low"] = plain_values(np.fmin(low, mean))
-            curve["high"] = plain_values(np.fmax(high, mean))
-    return curves
+def _curve(mean: Any, band: Any) -> dict[str, Any]:
+    """Return means, with an interval where episodes allow one."""
+    curve = {"mean": plain_values(mean), "low": None, "high": None}
+    if band is not None:
+        middle, low, high = (np.ravel(ends) for ends in (band.mean, band.low, band.high))
+        # Where a band has no interval, it is as thin as the line.
+        curve["low"] = plain_values(np.fmin(low, middle))
+        curve["high"] = plain_values(np.fmax(high, middle))
+    return curve
 
 
 def too_few_episodes(payoff: Payoff) -> str:
@@ -462,7 +484,7 @@ class GrowingPage:
 
 def extended(run: SavedRun, known: Payoff | None) -> Payoff:
     """Return the payoff of all generations of a run; what is known of them is not played again."""
-    pursuers, evaders = run.teams.values()
+    pursuers, evaders = run.sides
     settings = run.settings
     episodes = min(SO_FAR, settings.evaluation_episodes)
     play: Any = {"seed": settings.seed, "episodes": episodes, "threads": 1, "known": known}

@@ -26,7 +26,7 @@ MOST_BYTES = 48 * 2**20
 
 def step_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> int:
     """Return the step between generations, one for all runs, whose genomes fit in `most` bytes."""
-    learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
+    learned = [team for run in runs for team in run.sides if isinstance(team, Population)]
     longest = max((len(team.genomes) for team in learned), default=1)
 
     def size(step: int) -> int:
@@ -104,7 +104,7 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
     shows: dict[str, dict[str, str]] = {}
     if game.shows and ended:
         most = MOST_SHOWN // share, MOST_SHOWN_BYTES // share
-        shows = shows_of(game, [*run.archive().values()], *most)
+        shows = shows_of(game, [team.genomes for team in run.sides], *most)
     why = WHY_NOT["none" if not game.shows else "few" if ended else "later"]
     return {
         "teams": list(own.teams),
@@ -116,7 +116,7 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
 
 def _plain_pursuit(run: SavedRun, ended: bool) -> dict[str, Any] | None:
     """Return the same of pursuit in which a program plays: a recorded episode; else None."""
-    programs = [team.name for team in run.teams.values() if isinstance(team, Player)]
+    programs = [team.name for team in run.sides if isinstance(team, Player)]
     if not programs:
         return None
     shows = {}
@@ -137,14 +137,13 @@ def shows_of(
     game: Game, archives: list[Genomes], cells: int, most: int
 ) -> dict[str, dict[str, str]]:
     """Return ``text`` or ``image`` of cells such as ``"12 7"``, the newest first, within bytes."""
-    pairs = zip(TEAMS, archives, strict=True)
-    first, second = (game.population(team, genomes).genomes for team, genomes in pairs)
+    first, second = archives
     found: dict[str, dict[str, str]] = {}
     for g, h in shown_cells(len(first), len(second), cells):
         shown = game.shown(first[g], second[h])
         kind = "text" if isinstance(shown, str) else "image"
-        if isinstance(shown, bytes):
-            shown = f"data:image/png;base64,{base64.b64encode(shown).decode()}"
+        if not isinstance(shown, str):
+            shown = f"data:{shown.kind};base64,{base64.b64encode(shown.content).decode()}"
         most -= len(shown.encode())
         if most < 0:
             break

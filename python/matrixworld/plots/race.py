@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import matplotlib as mpl
@@ -18,7 +18,7 @@ from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
 from matrixworld._util.teams import BOTH
-from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
+from matrixworld.analysis.intervals import UNIT, mean_over_opponents
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
@@ -141,7 +141,10 @@ def comparison(
     for (heatmap, lags, scores), (name, source) in zip(panels, payoffs.items(), strict=True):
         race = analysis.read_payoffs(source)
         _draw_heatmap(heatmap, race.matrices.mean(axis=0), words)
-        _draw_lag_profile(lags, race.matrices, words)
+        if race.general:
+            _draw_joint_scores(lags, race)
+        else:
+            _draw_lag_profile(lags, race.matrices, words)
         _draw_generalization(scores, race, words)
         judged = analysis.sentence(known[name]) if name in known else ""
         heads[name] = textwrap.wrap(judged, int(width / SMALL))
@@ -223,14 +226,16 @@ def _draw_lag_profile(axes: Axes, matrices: Rates, words: style.Words) -> None:
 
 def _draw_generalization(axes: Axes, race: Payoffs, words: style.Words) -> None:
     """Draw the mean scores of both teams, with bands over seeds, or over episodes of one run."""
-    teams = [*zip(*map(analysis.generalization, race.matrices), strict=True)]
-    bands: Iterable[Band] = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
     interval = "95% interval of the mean over seeds"
-    if len(race) == 1 and race.scores is not None and race.has_episodes:
-        bands = generalization_over_episodes(race.scores[0])
-        interval = "95% interval over episodes"
-    looks = zip(bands, teams, colors.TEAMS, ("-", style.EVADERS), words.scores, strict=True)
-    for band, curves, color, line, label in looks:
+    looks = [*zip(BOTH, colors.TEAMS, ("-", style.EVADERS), words.scores, strict=True)]
+    for team, color, line, label in looks[:1] if race.one_population else looks:
+        side = race.side(team)
+        curves = side.matrices.mean(axis=2)
+        band = analysis.band_over_runs(curves, bounds=UNIT)
+        if len(race) == 1 and side.scores is not None and race.has_episodes:
+            band = mean_over_opponents(side.scores[0])
+            interval = "95% interval over episodes"
+        label = f"{words.teams[BOTH.index(team)]} (own score)" if race.general else label
         axes.plot(band.places, band.mean, color=color, linestyle=line, linewidth=1.7, label=label)
         style.draw_runs(axes, band, curves, color)
     if band.low is not None:
@@ -239,6 +244,17 @@ def _draw_generalization(axes: Axes, race: Payoffs, words: style.Words) -> None:
     style.label_runs(axes, [len(race)])
     axes.set(xlabel="generation", ylabel="mean score")
     axes.set_title("generalization", size="medium")
+    style.generation_axis(axes)
+    style.unit_axis(axes)
+
+
+def _draw_joint_scores(axes: Axes, race: Payoffs) -> None:
+    """Draw the mean of both teams' scores against contemporaries."""
+    band = analysis.joint_scores(race)
+    axes.plot(band.places, band.mean, color=colors.INK, linewidth=1.8)
+    style.draw_runs(axes, band, band.mean[np.newaxis], colors.INK)
+    axes.set(xlabel="generation", ylabel="mean of both scores")
+    axes.set_title("both sides, against contemporaries", size="medium")
     style.generation_axis(axes)
     style.unit_axis(axes)
 

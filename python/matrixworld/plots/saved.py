@@ -65,8 +65,9 @@ def _training(group: RunGroup) -> Figure:
     log = run.log()
     schedule = run.settings.schedule
     teams = run.settings.teams
-    evaders = log["team"] == run.settings.keys[1]
-    score, *_ = run.settings.game.game_class.columns
+    first, second = run.settings.keys
+    evaders = (log["team"] == second) & (first != second)
+    score, *_ = run.settings.game.known.columns
     learning: NDArray[np.bool_] | None = evaders
     generations: NDArray[np.int64] | None = log["generation"]
     kept = np.ones(len(evaders), bool)
@@ -74,6 +75,9 @@ def _training(group: RunGroup) -> Figure:
     if isinstance(schedule, Against):
         shown = f"{teams[TEAMS.index(schedule.team)]} learn"
         generations = None
+    elif first == second:
+        shown = f"{first} learn"
+        learning = None
     elif schedule.at_once:
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
         shown = "both teams learn"

@@ -67,6 +67,15 @@ def words_of(teams: Sequence[str]) -> Words:
     first, second = names
     if (first, second) == BOTH:
         return Words()
+    if first == second:  # one population
+        return Words(
+            (first, second),
+            f"score of {first}",
+            (f"generation of {first}", "generation of the opponent"),
+            "lag: generation minus\nthat of the opponent",
+            f"score of {first}\n(0 loses, 1 wins)",
+            (f"{first} (score)", f"{first} (score)"),
+        )
     return Words(
         (first, second),
         f"score of {first}",

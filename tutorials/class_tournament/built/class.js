@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 8d387cd7428f784d90a57adec7c64148ede37bd5cecc189239ab20aa289bfa1a */
+/* built from web/ by "npm run build"; sources cb69280b1bdb64f5ebbcbf57db0209f428ccccb624611b3571590ac6ee76936e */
 (()=>{var re=[.5,1,2,4,8,16,32,64],be=0,we=12,wn=2,ve=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),this.#e=e,this.#r=r,this.#n=n}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){return this.#s}get length(){
 return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i("state")}get ticks(){return this.#h}set ticks(e){
@@ -139,10 +139,10 @@ p)-1,vn=(1<<b)-1,Fe=c;;Fe=c){var B=d[et(t,c)&gn],G=B>>4;if(c+=B&15,c>C){l&&O(0);
 254;if(G>264){var E=G-257,te=ir[E];Mt=R(t,c,(1<<te)-1)+hr[E],c+=te}var De=g[et(t,c)&vn],We=De>>4;De||O(3),c+=De&15;var $=Gn[We];if(We>3){var te=lr[We];$+=et(t,c)&
 (1<<te)-1,c+=te}if(c>C){l&&O(0);break}i&&u(f+131072);var At=f+Mt;if(f<$){var St=s-$,bn=Math.min($,At);for(St+f<0&&O(3);f<bn;++f)r[f]=n[St+f]}for(;f<At;++f)r[f]=
 r[f-$]}}e.l=d,e.p=Fe,e.b=f,e.f=m,d&&(m=1,e.m=p,e.d=g,e.n=b)}while(!m);return f!=r.length&&a?qn(r,0,f):r.subarray(0,f)};var Yn=new k(0);var Xn=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&O(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&O(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function dr(t,e){return Zn(t.subarray(Xn(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Jn=typeof TextDecoder<"u"&&new TextDecoder,Qn=0;try{Jn.decode(Yn,{stream:!0}),Qn=1}catch{}function pr(t){let e=atob(rt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}var rt=t=>document.getElementById(t)?.textContent??
-"";function yr(){return JSON.parse(rt("data"))}var nt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var W=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],ot=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,st=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(
-0,r).some(n=>t[3*e+n]),at=(t,e)=>st(t.fault,e),gr=(t,e)=>!at(t,e)&&st(t.involved,e,2);function Ce(t,e,r){let n=w(t,r),o=w(e,r),s=n[0]!==o[0]||n[1]!==o[1],a=e.involved===
-void 0||st(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!s&&a)}function Ee(t,e,r){let[n,o]=w(t,r),[s,a]=nt[e.actions?.[r]??0];return[n+s,o+a]}function me(t,e,r){
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function dr(t,e){return Zn(t.subarray(Xn(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Jn=typeof TextDecoder<"u"&&new TextDecoder,Qn=0;try{Jn.decode(Yn,{stream:!0}),Qn=1}catch{}var rt=t=>t==="pursuer"?"evader":"pursuer";function pr(t){let e=atob(nt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}var nt=t=>document.getElementById(t)?.textContent??
+"";function yr(){return JSON.parse(nt("data"))}var ot=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var W=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],st=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,at=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(
+0,r).some(n=>t[3*e+n]),it=(t,e)=>at(t.fault,e),gr=(t,e)=>!it(t,e)&&at(t.involved,e,2);function Ce(t,e,r){let n=w(t,r),o=w(e,r),s=n[0]!==o[0]||n[1]!==o[1],a=e.involved===
+void 0||at(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!s&&a)}function Ee(t,e,r){let[n,o]=w(t,r),[s,a]=ot[e.actions?.[r]??0];return[n+s,o+a]}function me(t,e,r){
 return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&!e.everCaptured[o]).map(o=>t.nPursuers+o)}var vr=t=>t.moments.flatMap((e,r)=>r&&
 me(t,t.moments[r-1],e).length?[r]:[]);function ke(t,e){return Array.from({length:e.alive.length},(n,o)=>o).filter(n=>t.alive[n]&&!e.alive[n])}var br=[-.31,0,.31],wr=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:br.flatMap(t=>br.map(e=>[e,t]))}],eo=.3,to=.35,ro=.55;function fe(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
@@ -151,7 +151,7 @@ x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of fe(t,e).values()){let o=wr[Math.min
 u=r[s];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return r}var Mr=t=>t*t*(3-2*t),Y=(t,e,r)=>t+(e-t)*r,Ar=t=>Math.min(1,Math.max(0,t));function Sr(t,e,r,n){let o={SIMULTANEOUS:1,
 SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return Mr(n);let s=o===r?e:+!W(t,e),a=Math.max(1/o,to);return Mr(Ar((n-s/(o-1)*(1-a))/a))}function _e(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=xr(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=xr(t,a);return s.map((l,u)=>{let m=Sr(
-t,u,s.length,e-n);return no(o,a,u,l,i[u],m)})}function it(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),s=t.moments[o],a=t.moments[Math.min(o+1,n)],
+t,u,s.length,e-n);return no(o,a,u,l,i[u],m)})}function lt(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),s=t.moments[o],a=t.moments[Math.min(o+1,n)],
 i=Sr(t,e,s.alive.length,r-o),[l,u]=w(s,e),[m,c]=w(a,e);return[Y(u,c,i)+.5,Y(l,m,i)+.5]}function no(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:Y(n.x,o.x,s),y:Y(n.y,
 o.y,s),size:a?n.size:Y(n.size,o.size,s),alpha:a?Ar((1-s)/(1-ro)):Y(n.alpha,o.alpha,s)};if(Ce(t,e,r)){let[l,u]=w(t,r),[m,c]=Ee(t,e,r),f=eo*Math.sin(Math.PI*s);i.
 x+=(c-u)*f,i.y+=(m-l)*f}return i}var Tr=2*Math.PI;function de(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Tr)}function Cr(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
@@ -186,26 +186,26 @@ r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}func
 t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[
 A(e,i)+s,S(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Gr({ctx:t,
 grid:e,colors:r},n,o,s,a){t.globalAlpha=a,de(t,A(e,n),S(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
-s)),t.stroke(),t.globalAlpha=1}var fo=.8,po=.92,yo=15,go=7,lt=9;function Hr(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&vo(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of fe(e,r).values())a.length>
-lt&&bo(t,n[a[lt-1]],a.length-lt+1)}function vo(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:u}=t,m=W(e,n),c=A(l,o.x),f=S(l,o.y),d=Math.max(4,l.cell*o.size*(m?po:fo)),
+s)),t.stroke(),t.globalAlpha=1}var fo=.8,po=.92,yo=15,go=7,ut=9;function Hr(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&vo(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of fe(e,r).values())a.length>
+ut&&bo(t,n[a[ut-1]],a.length-ut+1)}function vo(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:u}=t,m=W(e,n),c=A(l,o.x),f=S(l,o.y),d=Math.max(4,l.cell*o.size*(m?po:fo)),
 g=X(t,e,n),p=!m&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(m?Cr:de)(i,c,f,d),d>go*a&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(2,d*.1),i.stroke()),
 i.fillStyle=p?u.paper:g,i.fill(),p&&(de(i,c,f,d*.82),i.strokeStyle=g,i.lineWidth=d*.18,i.stroke()),!s||d<yo*a)return;let b=String(m?n:n-e.nPursuers),C=d*(m?.4:.5)*
 (b.length>1?.8:1);Re(t,b,c,f+d*(m?.17:.03),C,p?g:u.paper)}function bo(t,e,r){let{cell:n}=t.grid;Re(t,`+${r}`,A(t.grid,e.x),S(t.grid,e.y),n*.3,t.colors.ink,n*.1)}var wo=.46,xo=.86,Mo=.66,jr=.48,Ao=.78,So=.58;function Vr(t,e,r,n){let o=e.moments[r-1],s=e.moments[r];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=l.
 collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let u=0;u<s.alive.length;u++)Ce(o,s,u)&&To(t,e,w(o,u),Ee(o,s,u));a.globalAlpha=
-1}function To({ctx:t,grid:e},r,n,o){let s=o[1]-n[1],a=o[0]-n[0],i=c=>A(e,n[1]+.5+s*c),l=c=>S(e,n[0]+.5+a*c),u=ot(r,o)?Ao:So;t.setLineDash([e.cell*.09,e.cell*.06]),
+1}function To({ctx:t,grid:e},r,n,o){let s=o[1]-n[1],a=o[0]-n[0],i=c=>A(e,n[1]+.5+s*c),l=c=>S(e,n[0]+.5+a*c),u=st(r,o)?Ao:So;t.setLineDash([e.cell*.09,e.cell*.06]),
 t.beginPath(),t.moveTo(i(jr),l(jr)),t.lineTo(i(u),l(u)),t.stroke(),t.setLineDash([]);let m=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(u)-a*m,l(u)+s*m),
-t.lineTo(i(u)+a*m,l(u)-s*m),t.stroke()}function qr(t,e,r,n,o,s){let a=nt[s];if(!s||!a)return;let{ctx:i,grid:l,colors:u}=t,m=ot(e,[n[0]+a[0],n[1]+a[1]])?xo:Mo,c=wo*
+t.lineTo(i(u)+a*m,l(u)-s*m),t.stroke()}function qr(t,e,r,n,o,s){let a=ot[s];if(!s||!a)return;let{ctx:i,grid:l,colors:u}=t,m=st(e,[n[0]+a[0],n[1]+a[1]])?xo:Mo,c=wo*
 o.size,f=[A(l,o.x+a[1]*c),S(l,o.y+a[0]*c),A(l,o.x+a[1]*m),S(l,o.y+a[0]*m)],d=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,p]of[[u.paper,d*2.1],
 [X(t,e,r),d]])i.strokeStyle=g,i.lineWidth=p,_r(i,...f,l.cell*.2),i.stroke()}var Zr={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Yr(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),u=e.moments[l],m=r===l,c=_e(e,r),f=m?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Pr(t);for(let p of n.
-viewers)c[p]?.alpha&&Fr(t,e,p,...it(e,p,r));Ir(t,e),n.axes&&Lr(t,o),Dr(t,e,r,n.trail,c),Br(t,u.contested??[],f),Wr(t,e,r),Vr(t,e,l,f),c.forEach(({x:p,y:b,size:C},P)=>{
-let x=gr(u,P)?.4:0,L=at(u,P)?1:x;L&&Gr(t,p,b,C,L*f)});let d=m?u:e.moments[Math.max(0,l-1)];if(Hr(t,e,d,c,n.numbers,o),m&&n.plan)for(let[p,b]of c.entries())b.alpha&&
-qr(t,e,p,w(u,p),b,n.plan[p]??0);n.you!==null&&(n.fog&&Ur(t,e,...it(e,n.you,r)),zr(t,c[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=n.selected===
+viewers)c[p]?.alpha&&Fr(t,e,p,...lt(e,p,r));Ir(t,e),n.axes&&Lr(t,o),Dr(t,e,r,n.trail,c),Br(t,u.contested??[],f),Wr(t,e,r),Vr(t,e,l,f),c.forEach(({x:p,y:b,size:C},P)=>{
+let x=gr(u,P)?.4:0,L=it(u,P)?1:x;L&&Gr(t,p,b,C,L*f)});let d=m?u:e.moments[Math.max(0,l-1)];if(Hr(t,e,d,c,n.numbers,o),m&&n.plan)for(let[p,b]of c.entries())b.alpha&&
+qr(t,e,p,w(u,p),b,n.plan[p]??0);n.you!==null&&(n.fog&&Ur(t,e,...lt(e,n.you,r)),zr(t,c[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=n.selected===
 null?void 0:c[n.selected];g?.alpha&&Kr(t,g.x,g.y,g.size*.96),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Kr(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash(
 []))}function Kr({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var Xr=(t,e)=>(e+.24)/(t+.24);function Jr(t,e,r,n,o,s){let a=r?28*s:0,i=(u,m)=>(u-a)/(m+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Qr(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
 0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Co=["paper","line","frame","ink","muted","obstacle"],Eo=["pursuer","evader","capture","collision","focus"];function en(t){let e=getComputedStyle(t),r=(n,o)=>[
-n,e.getPropertyValue(o+n).trim()];return Object.fromEntries([...Co.map(n=>r(n,"--board-")),...Eo.map(n=>r(n,"--"))])}var ut=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Oe=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#o=0;constructor(e,r={}){
+n,e.getPropertyValue(o+n).trim()];return Object.fromEntries([...Co.map(n=>r(n,"--board-")),...Eo.map(n=>r(n,"--"))])}var ct=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Oe=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#o=0;constructor(e,r={}){
 this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#n={...Zr,...r},new ResizeObserver(()=>this.#a()).observe(e),new MutationObserver(()=>this.
 redraw()).observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",()=>this.drawNow())}set look(e){this.#n={...this.#n,...e},this.#s(),this.
 redraw()}show(e,r){this.#e=e,this.#r=Math.min(Math.max(0,r),e.moments.length-1),this.#s(),this.redraw()}redraw(){this.#o||(this.#o=requestAnimationFrame(()=>this.
@@ -238,22 +238,22 @@ r),l=new Set(i.flatMap(m=>m.doomed)),u=a.map(m=>({kind:"capture",text:`${s(m)} i
 {kind:"end",text:`${s(m)} disappears`,agents:[m]});return u.push(...i.map(({kind:m,text:c,agents:f})=>({kind:m,text:c,agents:f}))),r===t.length&&u.unshift({kind:"\
 end",text:Oo(t),agents:[]}),u}function Ro({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
  steps`}function Oo(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}function sn(t,e,r){let{rows:n,cols:o,n_pursuers:s,fov:a,rules:{interaction:i}}=t;return{rows:n,cols:o,nPursuers:s,fov:a,interaction:i,obstacles:e,moments:r}}function ct(t,e){
+ evaders captured`}function sn(t,e,r){let{rows:n,cols:o,n_pursuers:s,fov:a,rules:{interaction:i}}=t;return{rows:n,cols:o,nPursuers:s,fov:a,interaction:i,obstacles:e,moments:r}}function ht(t,e){
 return{positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_captured"),actions:e,involved:t.read("invo\
-lved"),fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}var ht=class{config;start;recording;actions=[];#e;#r;#n=[[]];constructor(e,r,n){this.config=r,this.start=n,this.#e=e.world(r),this.#e.reset(n),this.#r=[ct(this.#e)],
+lved"),fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}var mt=class{config;start;recording;actions=[];#e;#r;#n=[[]];constructor(e,r,n){this.config=r,this.start=n,this.#e=e.world(r),this.#e.reset(n),this.#r=[ht(this.#e)],
 this.recording=sn(r,this.#e.map(),this.#r)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
 "capture_rate")[0]}}conflicts(e){return this.#n[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#t(e)}step(e,r,n){let o=this.#e,s=this.config.n_pursuers,
 a=new Uint8Array(o.n_agents);for(let i=o.n_turns;i>0&&!o.over;--i){let[l,u]=o.actors;l<s&&(a=o.decide(e.pursuer,[l,Math.min(u,s)],a)),u>s&&(a=o.decide(e.evader,
-[Math.max(l,s),u],a)),typeof n=="number"?a[r]=n:l<=r&&r<u&&(a=o.decide(n,[r,r+1],a)),o.playTurn(a)}this.#t(a)}#t(e){this.actions.push(e),this.#r.push(ct(this.#e,
-e)),this.#n.push(this.#e.conflicts())}};function an(t,e,r,n){let o=new ht(t,e,r);for(let s of n)o.play(s);return o}var Pe=class{#e;#r;#n=new Map;#t=null;constructor(e){this.#e=e,this.#r=e.world.n_pursuers+e.world.n_evaders;let r=0;e.steps.forEach((n,o)=>n.forEach((s,a)=>{s<0||
+[Math.max(l,s),u],a)),typeof n=="number"?a[r]=n:l<=r&&r<u&&(a=o.decide(n,[r,r+1],a)),o.playTurn(a)}this.#t(a)}#t(e){this.actions.push(e),this.#r.push(ht(this.#e,
+e)),this.#n.push(this.#e.conflicts())}};function an(t,e,r,n){let o=new mt(t,e,r);for(let s of n)o.play(s);return o}var Pe=class{#e;#r;#n=new Map;#t=null;constructor(e){this.#e=e,this.#r=e.world.n_pursuers+e.world.n_evaders;let r=0;e.steps.forEach((n,o)=>n.forEach((s,a)=>{s<0||
 (this.#n.set(o*n.length+a,r),r+=s*this.#r)}))}has({pursuer:e,evader:r}){return this.#e.steps[e][r]>=0}actions({pursuer:e,evader:r}){this.#t??=dr(pr("recordings"));
 let n=this.#n.get(e*this.#e.names.evader.length+r);return Array.from({length:this.#e.steps[e][r]},(o,s)=>this.#t.slice(n+s*this.#r,n+(s+1)*this.#r))}play(e,r){return an(
-e,this.#e.world,{seed:BigInt(this.#e.match_seed)},this.actions(r))}};var Ie=class{element;player=new ve(0,{speed:be,still:ut()});replay=null;#e;#r;#n;#t;#o=h("h2",{class:"match-title"});#s=h("p",{class:"tally numbers"});#a=h("ol",
+e,this.#e.world,{seed:BigInt(this.#e.match_seed)},this.actions(r))}};var Ie=class{element;player=new ve(0,{speed:be,still:ct()});replay=null;#e;#r;#n;#t;#o=h("h2",{class:"match-title"});#s=h("p",{class:"tally numbers"});#a=h("ol",
 {class:"words","aria-live":"off","aria-label":"What happened in this step"});#l=h("p",{class:"check small","aria-live":"polite"});#u=null;constructor(e,r){this.#e=
 e,this.#r=r,this.#n=new Pe(e);let n=h("canvas",{"aria-label":"The match"});this.#t=new Oe(n,{numbers:!1}),this.element=h("section",{class:"card match-card","ari\
 a-label":"Match",id:"match"},h("header",{class:"match-head"},this.#o,this.#s),h("div",{class:"stage"},n),nn(this.player),this.#l,tn(),this.#a),this.player.addEventListener(
 "frame",()=>this.replay&&this.#t.show(this.replay.recording,this.player.time)),this.player.addEventListener("step",()=>this.#d()),r.on("pair",()=>this.#c()),r.on(
-"play",()=>this.#h()),this.#f()}start(e){this.#u=e,this.#c()}#h(){this.replay&&(this.player.jump(0),ut()||this.player.play(),this.element.scrollIntoView({block:"\
+"play",()=>this.#h()),this.#f()}start(e){this.#u=e,this.#c()}#h(){this.replay&&(this.player.jump(0),ct()||this.player.play(),this.element.scrollIntoView({block:"\
 nearest"}))}#c(){this.player.pause(),this.#f();let{pair:e}=this.#r;this.#u&&(this.replay=this.#n.has(e)?this.#n.play(this.#u,e):null,this.element.dataset.played=
 this.replay?`${e.pursuer} ${e.evader}`:"",this.element.classList.toggle("without-recording",!this.replay),this.player.length=this.replay?.length??0,this.player.
 marks=this.replay?vr(this.replay.recording):[],this.player.jump(0),this.#m(),this.#d())}#m(){let{pursuer:e,evader:r}=this.#r.pair;if(!this.replay){this.#l.textContent=
@@ -263,9 +263,9 @@ this.#l.dataset.equal=String(s),this.#l.textContent=s?`Episode 1 of ${this.#e.ep
 pursuer[e])," against ",h("span",{class:"evader"},this.#e.names.evader[r]))}#d(){if(!this.replay){this.#a.replaceChildren(),this.#s.replaceChildren();return}let{
 recording:e}=this.replay,r=this.player.step,n=Array.from(e.moments[r].everCaptured).filter(Boolean).length;this.#s.replaceChildren(h("strong",{},n),` of ${this.#e.
 world.n_evaders} captured`,h("span",{class:"muted"},` · step ${r}`)),this.#a.replaceChildren(...on(this.replay,e,r).map(o=>h("li",{class:o.kind},o.text)))}};var ye=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
-209,81],[165,219,54],[210,226,27],[253,231,37]];function mt(t){let e=Math.min(1,Math.max(0,t))*(ye.length-1),r=Math.min(ye.length-2,Math.floor(e)),n=ye[r],o=ye[r+
-1],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}function ft(t){let[e,r,n]=mt(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+.0722*
-n>.179?"#000":"#fff"}var dt=t=>`rgb(${mt(t).join(" ")})`,ln=()=>`linear-gradient(to right, ${ye.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function un(t,e){let r=h("span",{class:"gradient"});return r.style.backgroundImage=ln(),h("p",{class:"scale-of-rates small muted"},t,r,e)}var Po=1e3,Io=14,No=12,cn=16,hn=t=>t.length>cn?`${t.slice(0,cn-1)}…`:t,Ne=class{element;#e;#r;#n;#t;#o=h("p",{class:"readout numbers","aria-live":"polite"});#s=M(
+209,81],[165,219,54],[210,226,27],[253,231,37]];function ft(t){let e=Math.min(1,Math.max(0,t))*(ye.length-1),r=Math.min(ye.length-2,Math.floor(e)),n=ye[r],o=ye[r+
+1],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}function dt(t){let[e,r,n]=ft(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+.0722*
+n>.179?"#000":"#fff"}var pt=t=>`rgb(${ft(t).join(" ")})`,ln=()=>`linear-gradient(to right, ${ye.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function un(t,e){let r=h("span",{class:"gradient"});return r.style.backgroundImage=ln(),h("p",{class:"scale-of-rates small muted"},t,r,e)}var Po=1e3,Io=14,No=12,cn=16,hn=t=>t.length>cn?`${t.slice(0,cn-1)}…`:t,Ne=class{element;#e;#r;#n;#t;#o=h("p",{class:"readout numbers","aria-live":"polite"});#s=M(
 "g",{class:"marks"});#a;constructor(e,r){this.#e=e,this.#r=r,this.#n=e.standings.pursuer.map(({number:n})=>n),this.#t=e.standings.evader.map(({number:n})=>n),this.#a=
 this.#l(),this.element=h("section",{class:"card matrix-card","aria-label":"All matches"},h("header",{},h("h2",{},"All matches"),h("p",{class:"small muted"},"Cap\
 ture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),h("div",{class:"drawing"},this.#a),un("0","1"),
@@ -273,9 +273,9 @@ this.#o),r.on("pair",()=>this.#i()),r.on("hover",()=>this.#i()),this.#i()}#l(){l
 .78*n)),s=Lo([...this.#e.names.pursuer,...this.#e.names.evader].map(hn),o)+12,a=r*n+s,i=M("svg",{class:"matrix",tabindex:"0",role:"img","aria-label":"Matrix of \
 capture rates; arrow keys choose a match, Enter plays it",preserveAspectRatio:"xMidYMin meet",viewBox:`${-s} ${-s} ${a} ${e*n+s}`,onpointermove:u=>this.#r.point(
 this.#m(u,n)),onpointerleave:()=>this.#r.point(null),onclick:u=>{let m=this.#m(u,n);m&&this.#r.play(m)},onkeydown:u=>this.#f(u)}),l=this.#n.flatMap((u,m)=>this.#t.
-map((c,f)=>{let d=this.#e.capture_rate[u][c];return M("rect",{x:f*n,y:m*n,width:n,height:n,fill:dt(d),"data-pair":`${u} ${c}`})}));return i.append(...l,...this.#u(
+map((c,f)=>{let d=this.#e.capture_rate[u][c];return M("rect",{x:f*n,y:m*n,width:n,height:n,fill:pt(d),"data-pair":`${u} ${c}`})}));return i.append(...l,...this.#u(
 n),...this.#h("pursuer",n,o),...this.#h("evader",n,o),this.#s),this.#s.dataset.size=String(n),i.style.minWidth=`${No/o*a}px`,i}#u(e){return Math.max(this.#n.length,
-this.#t.length)>Io?[]:this.#n.flatMap((r,n)=>this.#t.map((o,s)=>{let a=this.#e.capture_rate[r][o];return M("text",{x:(s+.5)*e,y:(n+.5)*e,fill:ft(a),"font-size":Math.
+this.#t.length)>Io?[]:this.#n.flatMap((r,n)=>this.#t.map((o,s)=>{let a=this.#e.capture_rate[r][o];return M("text",{x:(s+.5)*e,y:(n+.5)*e,fill:dt(a),"font-size":Math.
 min(30,.38*e),class:"in-cell"},T(a))}))}#h(e,r,n){return(e==="pursuer"?this.#n:this.#t).map((s,a)=>{let i=(a+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:
 {transform:`translate(${i} -6) rotate(-90)`,"text-anchor":"start"};return M("text",{...l,class:`name ${this.#c(e,s).kind}`,"font-size":n,"data-name":`${e} ${s}`},
 hn(this.#e.names[e][s]))})}#c(e,r){return this.#e.standings[e].find(n=>n.number===r)}#m(e,r){let n=new DOMPoint(e.clientX,e.clientY).matrixTransform(this.#a.getScreenCTM().
@@ -290,16 +290,16 @@ h("span",{},h("span",{class:"pursuer"},n.pursuer[e])," against ",h("span",{class
 ed"},` captured; ${m} to ${c} in ${l} episodes, ${i[e][r].toFixed(0)} steps on average`))]}};function Lo(t,e){let r=document.createElement("canvas").getContext(
 "2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).fontFamily}`,Math.max(...t.map(n=>r.measureText(n).width))}var mn=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,Le=class extends EventTarget{#e;#r=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
 return this.#r}select(e){mn(e,this.#e)||(this.#e=e,this.dispatchEvent(new Event("pair")))}play(e){this.select(e),this.dispatchEvent(new Event("play"))}point(e){
-mn(e,this.#r)||(this.#r=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var pt=t=>t==="pursuer"?"evader":"pursuer";function yt(t,e,r){let n=t.standings[e].map(a=>$o(t,e,a,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",s=["Rank","Name","Score","Best, worst"];return h(
+mn(e,this.#r)||(this.#r=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};function yt(t,e,r){let n=t.standings[e].map(a=>$o(t,e,a,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",s=["Rank","Name","Score","Best, worst"];return h(
 "section",{class:"card standings","aria-label":`Standings of ${e}s`},h("header",{},h("h2",{},h("span",{class:e},`${e[0].toUpperCase()}${e.slice(1)}s`)),h("p",{class:"\
-small muted"},`${o} against ${t.names[pt(e)].length} opponents, with 95 % interval`)),h("div",{class:"scroll",tabindex:"0"},h("table",{},h("thead",{},h("tr",{},
+small muted"},`${o} against ${t.names[rt(e)].length} opponents, with 95 % interval`)),h("div",{class:"scroll",tabindex:"0"},h("table",{},h("thead",{},h("tr",{},
 ...s.map(a=>h("th",{scope:"col"},a)))),h("tbody",{},...n))))}function $o(t,e,r,n){let{kind:o,name:s,file:a,rank:i,number:l}=r,u=h("tr",{class:o,"data-number":l},
 h("td",{class:"rank numbers"},i||"–"),h("th",{scope:"row",title:a},h("span",{class:"who",title:s},s),h("span",{class:"kind small muted"},o)),h("td",{class:"nu\
 mbers score"},zo(r,e),Uo(r)),h("td",{class:"matches"},...["best","worst"].map(c=>Fo(t,e,r,c,n)))),m=()=>{u.classList.toggle("about",l===(n.hover??n.pair)[e])};return n.
 on("pair",m),n.on("hover",m),m(),u}function Uo({score:t,low:e,high:r}){let n=e===null||r===null?"":`${T(e)} – ${T(r)}`;return h("span",{class:"score-text"},h(
 "strong",{},T(t)),h("span",{class:"small muted"},n))}function zo({score:t,low:e,high:r},n){let o=h("span",{class:`filled of-${n}`}),s=h("span",{class:"whisker"});
 return o.style.width=`${100*t}%`,e!==null&&r!==null&&(s.style.left=`${100*e}%`,s.style.width=`${100*(r-e)}%`),h("span",{class:"bar","aria-hidden":"true"},o,s)}function Fo(t,e,r,n,o){
-let s=r[n],a=e==="pursuer"?{pursuer:r.number,evader:s}:{pursuer:s,evader:r.number},i=t.names[pt(e)][s],l=t.capture_rate[a.pursuer][a.evader],u=T(e==="pursuer"?l:
+let s=r[n],a=e==="pursuer"?{pursuer:r.number,evader:s}:{pursuer:s,evader:r.number},i=t.names[rt(e)][s],l=t.capture_rate[a.pursuer][a.evader],u=T(e==="pursuer"?l:
 1-l);return h("button",{type:"button",class:"to-match",title:`Watch the ${n} match: against ${i}, ${u}`,"aria-label":`Watch the ${n} match of ${r.name}: against\
  ${i}, ${u}`,onclick:()=>o.play(a)},n==="best"?"▲ ":"▼ ",i)}function fn({votes:t}){let e=Object.keys(t);if(!e.length)return[];let r=e.map(n=>{let o=Object.entries(
 t[n]),s=o.reduce((i,[,l])=>i+l,0),a=o.map(([i,l])=>{let u=h("span",{class:"filled"});return u.style.width=`${100*l/s}%`,h("div",{class:"vote"},h("span",{},i),h(

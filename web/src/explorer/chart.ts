@@ -144,8 +144,8 @@ export function legend(...entries: readonly (readonly [text: string, style: stri
 export function chart(
   label: string,
   draw: (width: number, height: number) => Frame,
-  mark: (into: Frame) => void,
-  choose: (value: number, into: Frame, event: MouseEvent) => void,
+  mark: (into: Frame) => void = () => undefined,
+  choose: (value: number, into: Frame, event: MouseEvent) => void = () => undefined,
 ): { element: HTMLElement; update(): void; redraw(): void } {
   const element = html("div", { class: "chart chooses", role: "img", "aria-label": label });
   let shownFrame: Frame | null = null;

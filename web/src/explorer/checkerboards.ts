@@ -12,7 +12,7 @@ import type { Store } from "./store.ts";
 export function checkerboardPanel(run: Run, store: Store, play: () => void): Panel | null {
   const { findings } = run;
   const { teams, click } = gameWords(run);
-  if (!findings?.table.length) return null; // they are shown beside the judgement
+  if (!findings?.table.length || !findings.checkerboards) return null; // beside the judgement
   const boards = findings.checkerboards.map((board) =>
     miniature(run, board, (pursuer, evader) => {
       store.select({ pursuer, evader });

@@ -6,7 +6,7 @@ import { html, svg } from "../page/dom.ts";
 import { listenToArrows } from "./arrow_keys.ts";
 import type { Run } from "./data.ts";
 import { rate } from "./format.ts";
-import { gameWords } from "./game.ts";
+import { gameWords, sidesOf } from "./game.ts";
 import { cellsOf, scaleOfRates } from "./heatmap.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
@@ -15,7 +15,7 @@ import type { Store } from "./store.ts";
 export function ciaoPanel(run: Run, store: Store): Panel | null {
   const both = run.findings?.ciao;
   if (!both) return null;
-  const triangles = (["pursuer", "evader"] as const).map((team) => {
+  const triangles = sidesOf(run).map((team) => {
     const { fading, stripes, period } = both[`${team}s`];
     const numbers = `fading ${rate(fading)}, stripes ${rate(stripes)}${period === null ? "" : ` every ${period} generations`}`;
     return triangle(run, team, numbers, store);
@@ -42,9 +42,10 @@ function triangle(
   const rows = run.payoff.shape[own];
   const columns = run.payoff.shape[1 - own]!;
   const rates = run.payoff.capture_rate;
+  const others = run.payoff.others;
   const scores = Array.from({ length: rows }, (_, row) =>
     Array.from({ length: Math.min(row + 1, columns) }, (_none, column) =>
-      team === "pursuer" ? rates[row]![column]! : 1 - rates[column]![row]!,
+      team === "pursuer" ? rates[row]![column]! : (others?.[column]![row] ?? 1 - rates[column]![row]!),
     ),
   );
   const canvas = cellsOf({ shape: [rows, columns], first: [0, 0], capture_rate: scores });

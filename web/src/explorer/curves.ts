@@ -6,7 +6,7 @@ import { listenToArrows } from "./arrow_keys.ts";
 import { band, chart, frame, legend, line, mark } from "./chart.ts";
 import type { Run } from "./data.ts";
 import { capital, rate, thousands } from "./format.ts";
-import { gameWords } from "./game.ts";
+import { gameWords, sidesOf } from "./game.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
@@ -81,12 +81,45 @@ export function trainingPanel(run: Run, store: Store): Panel {
   };
 }
 
+/** The mean of both teams' own scores, against contemporaries. */
+export function jointPanel(run: Run): Panel | null {
+  const joint = run.findings?.joint;
+  if (!joint) return null;
+  const last = joint.mean.length - 1;
+  const made = chart("Mean of both scores by generation.", (width, height) => {
+    const into = frame(
+      width,
+      height,
+      { low: 0, high: last, label: "generation", whole: true },
+      { low: 0, high: 1, label: "mean of both scores" },
+    );
+    band(into, joint, "of-both");
+    line(
+      into,
+      joint.mean.map((_, g) => g),
+      joint.mean,
+      "of-both",
+    );
+    return into;
+  });
+  const ends = `${rate(joint.mean[0] ?? null)} in the beginning, ${rate(joint.mean[last] ?? null)} at the end`;
+  return {
+    element: card(
+      "Both sides together",
+      `The mean of both scores against contemporaries: ${ends}. What one wins is not what the other loses here, so both may rise, or fall.`,
+      made.element,
+    ),
+    update: made.update,
+  };
+}
+
 /** Elo ratings of all generations. */
 export function ratingPanel(run: Run, store: Store): Panel | null {
   const ratings = run.findings?.ratings;
   if (!ratings) return null;
   const bands = { pursuer: ratings.pursuers, evader: ratings.evaders };
   const curves = { pursuer: bands.pursuer.mean, evader: bands.evader.mean };
+  const sides = sidesOf(run);
   const values = TEAMS.flatMap((team) => [bands[team].mean, bands[team].low ?? [], bands[team].high ?? []])
     .flat()
     .map((value) => value ?? 0);
@@ -104,7 +137,7 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
         { low: 0, high: last, label: "generation", whole: true },
         { low: low - room, high: high + room, label: "Elo points" },
       );
-      for (const team of TEAMS) {
+      for (const team of sides) {
         band(into, bands[team], `of-${team}s`);
         line(
           into,
@@ -133,8 +166,8 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
   return {
     element: card(
       "Ratings",
-      `One number for each generation, which cycles do not fit${bands.pursuer.low ? ", with 95 % intervals over episodes" : ""}. The game itself: ${rate(ratings.offset, 0)} points for the ${teams.pursuer}.`,
-      legend([teams.pursuer, "of-pursuers"], [teams.evader, "of-evaders"]),
+      `One number for each generation, which cycles do not fit${bands.pursuer.low ? ", with 95 % intervals over episodes" : ""}.${sides.length > 1 ? ` The game itself: ${rate(ratings.offset, 0)} points for the ${teams.pursuer}.` : ""}`,
+      legend(...sides.map((team) => [teams[team], `of-${team}s`] as const)),
       made.element,
     ),
     update: made.update,

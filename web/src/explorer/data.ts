@@ -33,6 +33,10 @@ export interface Payoff {
   readonly capture_rate: Matrix;
   readonly capture_rates: readonly Matrix[];
   readonly lengths: readonly Matrix[];
+  /** Means of the second team, where it has scores of its own. */
+  readonly others?: Matrix | null;
+  /** Other means of a game of one's own, by name. */
+  readonly extras?: Readonly<Record<string, Matrix>>;
 }
 
 export interface Training {
@@ -65,8 +69,12 @@ export interface Findings {
     readonly stripes: number;
     readonly period: number | null;
   }>;
-  readonly ratings: OfTeams<Band> & { readonly offset: number };
-  readonly checkerboards: readonly Checkerboard[];
+  /** Of games in which one team wins what the other loses. */
+  readonly ratings: (OfTeams<Band> & { readonly offset: number }) | null;
+  /** The mean of both teams' own scores against contemporaries. */
+  readonly joint?: Band | null;
+  /** Of games in which one team wins what the other loses. */
+  readonly checkerboards: readonly Checkerboard[] | null;
   readonly margin: number;
 }
 

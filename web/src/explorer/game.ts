@@ -1,5 +1,6 @@
 // What the game of a run calls its teams and their scores: pursuit, or a game of one's own.
 
+import { TEAMS } from "../engine/teams.ts";
 import type { OfTeams, Team } from "../engine/teams.ts";
 
 /** A game of one's own, which the page does not play. */
@@ -16,6 +17,7 @@ export interface OwnGame {
 /** What plays a game; pursuit where none is named. */
 interface Played {
   readonly game?: OwnGame | null;
+  readonly payoff?: { readonly others?: unknown };
 }
 
 /** The words of a game. */
@@ -57,7 +59,26 @@ const ofOwn = ([first, second]: OwnGame["teams"]): GameWords => ({
   click: "see more of it",
 });
 
-export const gameWords = ({ game }: Played): GameWords => (game ? ofOwn(game.teams) : PURSUIT);
+/** Return the ends of the scale where both teams have scores of their own. */
+const OF_BOTH: GameWords["ends"] = ["0 worst", "1 best"];
+
+const ofOne = (name: string): GameWords => ({
+  ...ofOwn([name, name]),
+  generation: { pursuer: `generation of ${name}`, evader: "generation of the opponent" },
+  score: "score",
+  ends: ["0 loses", "1 wins"],
+  lead: `Each cell is a pair of generations of ${name}: the brighter, the higher the score of the row. Click one to see more of it.`,
+});
+
+/** Return the teams of which there is more to say: one population plays both sides. */
+export const sidesOf = ({ game }: Played): readonly Team[] =>
+  game && game.teams[0] === game.teams[1] ? TEAMS.slice(0, 1) : TEAMS;
+
+export const gameWords = (run: Played): GameWords => {
+  if (!run.game) return PURSUIT;
+  const words = sidesOf(run).length === 1 ? ofOne(run.game.teams[0]) : ofOwn(run.game.teams);
+  return run.payoff?.others ? { ...words, ends: OF_BOTH } : words;
+};
 
 /** Return the name of a generation: a number alone would read as a count of agents. */
 export const generationName = (run: Played, team: Team, number: number): string =>

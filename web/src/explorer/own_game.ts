@@ -21,6 +21,7 @@ export function shownPair(
   const { text, image } = game.shows[`${pursuer} ${evader}`] ?? {};
   const rates = cellOf(run, pursuer, evader)?.rates ?? [];
   const scores = `Scores of the ${game.teams[0]} in ${rates.length} episodes: ${rates.map((each) => rate(each)).join(", ")}`;
+  const told = toldOf(run, game, pursuer, evader);
   return [
     text === undefined
       ? null
@@ -36,8 +37,21 @@ export function shownPair(
     ...((text ?? image) === undefined
       ? [html("p", { class: "muted" }, game.missing), nearest(run, game, pursuer, evader, store)]
       : []),
+    told ? html("p", { class: "small numbers" }, told) : null,
     rates.length > 1 ? html("p", { class: "small numbers" }, scores) : null,
   ].filter((each) => each !== null);
+}
+
+/** Return the score of the second team, if it has its own, and what else the game tells of a pair. */
+function toldOf(run: Run, game: OwnGame, g: number, h: number): string {
+  const { others, extras = {} } = run.payoff;
+  const second = others?.[g]?.[h];
+  const parts = second === undefined ? [] : [`score of the ${game.teams[1]} ${rate(second)}`];
+  for (const [name, values] of Object.entries(extras)) {
+    const value = values[g]?.[h];
+    if (value !== undefined) parts.push(`${name} ${rate(value)}`);
+  }
+  return parts.length ? `Means of the pair: ${parts.join(", ")}` : "";
 }
 
 /** Return a button that selects the nearest pair that is shown. */

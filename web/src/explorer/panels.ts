@@ -3,7 +3,7 @@
 import { html } from "../page/dom.ts";
 import { checkerboardPanel } from "./checkerboards.ts";
 import { ciaoPanel } from "./ciao.ts";
-import { ratingPanel, trainingPanel } from "./curves.ts";
+import { jointPanel, ratingPanel, trainingPanel } from "./curves.ts";
 import type { Run } from "./data.ts";
 import { evolvedPanel } from "./evolved.ts";
 import { diagnosisPanel, settingsPanel } from "./panel.ts";
@@ -31,6 +31,7 @@ export function panels(runs: readonly Run[], store: Store, play: () => void): HT
 
 function panelsOf(run: Run, store: Store, play: () => void): Panel[] {
   const all = [
+    jointPanel(run),
     diagnosisPanel(run),
     evolvedPanel(run, store),
     trainingPanel(run, store),

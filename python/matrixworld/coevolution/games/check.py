@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from matrixworld.coevolution.games.toolbox import global_draws
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Matches, Rng, Team
 
 MATCHES = 64  # of a check
+ROUNDING = 1e-6  # of scores of float32
+ERRORS = 6.0  # standard errors by which chance does not differ in any check
 
 ALONE = (
     "random numbers must come from the rng that is passed, and nothing may change from call to call"
@@ -28,14 +31,16 @@ def check_game(game: Game, matches: int = MATCHES) -> None:
     depend on the order of the matches, nor on which others are played. Equal generators give equal
     genomes and equal scores, whatever other random numbers are drawn meanwhile. Of objects also
     mutants and children are made and play; what `read` makes of a text has this text again, and
-    `play` leaves them as they were.
+    `play` leaves them as they were. In a symmetric game it makes no difference which side a member
+    plays.
 
     Parameters
     ----------
     game : Game
         The game.
     matches : int, optional
-        Matches of a check, at least 2. Each is played five times, of a deterministic game three.
+        Matches of a check, at least 2. Each is played in five episodes, in those of a symmetric
+        game in nine; without chance in three and in five.
 
     Raises
     ------
@@ -52,12 +57,14 @@ def check_game(game: Game, matches: int = MATCHES) -> None:
     checks.check_instance("game", game, Game)
     checks.check_integer("matches", matches, 2)
     first, second = (game.population(team, _genomes(game, team, matches)) for team in TEAMS)
+    if game.symmetric:
+        second = first
     everyone = np.arange(matches)
     seeds = everyone.astype(np.uint64)
 
     def played(matches: Matches, state: int) -> FloatArray:
         with global_draws(state):
-            return game.scores(first, second, matches, episodes=2, threads=1).of("pursuer")
+            return game.rollout(first, second, matches, episodes=2, threads=1).of("pursuer")
 
     scores = played((everyone, everyone[::-1], seeds), 1)
     if not np.array_equal(scores, played((everyone, everyone[::-1], seeds), 2)):
@@ -69,6 +76,30 @@ def check_game(game: Game, matches: int = MATCHES) -> None:
         raise ValueError(
             "play: expected scores of each match alone, got some that depend on other matches or "
             "their order"
+        )
+
+    if game.symmetric:
+        _check_sides(game, first, (everyone, everyone[::-1], seeds))
+
+
+def _check_sides(game: Game, members: Any, matches: Matches) -> None:
+    """Check that it makes no difference which side of a symmetric game a member plays."""
+    a, b, seeds = matches
+    with global_draws(1):
+        one = game.rollout(members, members, (a, b, seeds), episodes=2, threads=1)
+        swapped = game.rollout(
+            members, members, (b, a, seeds + np.uint64(len(a))), episodes=2, threads=1
+        )
+    differences = (one.of("pursuer") - swapped.of("evader")).mean(axis=1)
+    if game.deterministic:
+        wrong = np.abs(differences).max() > ROUNDING
+    else:  # by chance, only as often as a mean is so many standard errors from 0
+        error = differences.std(ddof=1) / np.sqrt(len(differences))
+        wrong = abs(differences.mean()) > ERRORS * error + ROUNDING
+    if wrong:
+        raise ValueError(
+            "play: expected a symmetric game, in which both sides have equal chances, got "
+            f"{differences.mean():+.3f} for the first one"
         )
 
 
@@ -83,7 +114,10 @@ def _genomes(game: Game, team: Team, count: int) -> Genomes:
 
     def bred(parents: int, rng: Rng) -> Genomes:
         pairs = [untrained[rng.permutation(count)[:parents]] for _ in range(count)]
-        return as_genomes([operators.child(pair, rng, mutates=parents == 1) for pair in pairs])
+        children = [operators.child(pair, rng, mutates=parents == 1) for pair in pairs]
+        for text in children:
+            operators.check_read(text, "mutate" if parents == 1 else "mate")
+        return as_genomes(children)
 
     made = [untrained, _made_twice("mutate", lambda rng: bred(1, rng))]
     if operators.mate is not None:

@@ -13,7 +13,15 @@ import inspect
 from collections.abc import Iterator, Mapping, Set
 from functools import partial
 from hashlib import sha256
-from types import BuiltinFunctionType, CodeType, FunctionType, MethodType, ModuleType
+from types import (
+    BuiltinFunctionType,
+    CodeType,
+    FunctionType,
+    MethodDescriptorType,
+    MethodType,
+    ModuleType,
+    WrapperDescriptorType,
+)
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,9 +32,14 @@ from matrixworld.coevolution.games.operators import PAIRED
 if TYPE_CHECKING:
     from matrixworld.coevolution.games.game import Game
 
+OF_C = (BuiltinFunctionType, MethodDescriptorType, WrapperDescriptorType, np.ufunc)
+"""Functions that have no source, but a name."""
 PACKAGE = __name__.partition(".")[0]
 
-FIELDS = ("genes", "teams", "bounds", "deterministic", "many", "play", "show", *PAIRED)
+FIELDS = (
+    "genes", "teams", "bounds", "deterministic", "many", "scores", "symmetric", "extras", "play",
+    "show", *PAIRED,
+)  # fmt: skip
 """What a game is made of."""
 
 
@@ -52,14 +65,17 @@ class _Parts:
 
     def text_of(self, value: Any, module: str) -> str:
         """Return a text of a value that code in a module names, and add what it is made of."""
-        if value is None or isinstance(value, int | float | complex | str | bytes):
+        if isinstance(value, int) and not isinstance(value, bool):
+            return hex(value)  # Python writes no decimals of very large ones
+        if value is None or isinstance(value, bool | float | complex | str | bytes):
             return repr(value)
         if isinstance(value, np.ndarray | np.generic):
             return repr(value.tolist())
         if isinstance(value, ModuleType):
             return value.__name__
-        if isinstance(value, BuiltinFunctionType | np.ufunc):
-            return f"{getattr(value, '__module__', '')} {value.__name__}"
+        if isinstance(value, OF_C):
+            name = getattr(value, "__qualname__", value.__name__)
+            return f"{getattr(value, '__module__', '')} {name}"
         function = value if isinstance(value, type) else _function_of(value)
         if function is not None:
             return f"part {self._number_of(value, function, module)}"

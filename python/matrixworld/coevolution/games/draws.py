@@ -20,13 +20,12 @@ class MatchDraws:
     def __init__(self) -> None:
         self._bits = np.random.Philox(key=np.zeros(2, np.uint64))
         self._rng = np.random.Generator(self._bits)
-        self._begin: Any = self._bits.state
+        self._state: Any = self._bits.state  # as of its beginning, but for the key
 
     def of(self, seed: int, episode: int) -> Rng:
         """Return the generator of a match and episode, which the next call sets anew."""
-        key = np.array([seed, episode], np.uint64)
-        state: Any = {**self._begin, "state": {**self._begin["state"], "key": key}}
-        self._bits.state = state
+        self._state["state"]["key"] = np.array([seed, episode], np.uint64)
+        self._bits.state = self._state
         return self._rng
 
 

@@ -7,7 +7,6 @@ one of the user's.
 
 from __future__ import annotations
 
-import io
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import KW_ONLY, dataclass, field
@@ -17,7 +16,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from PIL import Image
 
 from matrixworld._util import checks
 from matrixworld._util.callers import calling_modules
@@ -25,8 +23,10 @@ from matrixworld._util.plugins import no_exit
 from matrixworld._util.sections import Section, section
 from matrixworld.coevolution.games.draws import MatchDraws, episode_seeds
 from matrixworld.coevolution.games.operators import PAIRED, Operators, are_texts, as_genome
+from matrixworld.coevolution.games.pictures import Picture, picture_of
 from matrixworld.coevolution.games.workers import Part, play_in_processes
 from matrixworld.coevolution.types import (
+    LOGGED,
     TEAMS,
     FloatArray,
     Genome,
@@ -37,24 +37,50 @@ from matrixworld.coevolution.types import (
     Team,
 )
 
+TAKEN = ("scores", "others", "score", "other_score", "mean", "std", "matches", *LOGGED)
+"""Names that files of a run have for something else than the extras of a game."""
+
 Play = Callable[..., Any]
 """Both genomes, or those of M matches, and perhaps random numbers -> scores of the first team."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scores:
-    """Scores (M, N) of the first team, in [0, 1], in M matches of N episodes; the other has 1 - s.
+    """Scores (M, N) of the first team, in [0, 1], in M matches of N episodes.
 
-    What else the game tells are `extras`, by name, each (M, N, ...).
+    The second team has the scores `others`; without any it has 1 - score. What else the game tells
+    are `extras`, by name, each (M, N, ...).
     """
 
     scores: NDArray[Any]
     extras: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    others: NDArray[Any] | None = None
 
     def of(self, team: Team) -> FloatArray:
         """Return the scores (M, N) of a team."""
+        if team == "evader" and self.others is not None:
+            return np.asarray(self.others, dtype=np.float64)
         first = np.asarray(self.scores, dtype=np.float64)
         return first if team == "pursuer" else 1.0 - first
+
+    def from_both_sides(self) -> Scores:
+        """Return the matches (2 M) as their first player sees them, and then as the second does."""
+        sides = self.of("pursuer"), self.of("evader")
+        extras = {name: np.concatenate([values] * 2) for name, values in self.extras.items()}
+        return Scores(np.concatenate(sides), extras, np.concatenate(sides[::-1]))
+
+
+def _numbers(name: str, calls: list[Any], shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Return numbers that calls returned, each of a shape, one after the other; or an error."""
+    for returned in calls:
+        if isinstance(returned, float | int) and not shape:
+            continue
+        got = checks.unmasked(name, returned).shape
+        if got != shape:
+            expected = f"shape {shape}" if shape else "a number"
+            raise ValueError(f"{name}: expected {expected}, got {got or returned}")
+    joined = np.concatenate(calls) if shape else np.asarray(calls)
+    return checks.check_floats(name, joined, np.float32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,14 +107,15 @@ class Game:
     Parameters
     ----------
     play : callable
-        Returns scores of the first team in [0, 1]; the second has 1 - score. Of vectors,
-        ``play(a, b, rng)`` returns the scores (M,) of the genomes a (M, genes) against the genomes
-        b (M, genes). Of objects, ``play(one, other, rng)`` returns the score of one match, a
-        number, and without chance it is ``play(one, other)``. It must not change the objects.
+        Returns scores of the first team in [0, 1]; the second has 1 - score, unless the game has
+        both `scores`. Of vectors, ``play(a, b, rng)`` returns the scores (M,) of the genomes a (M,
+        genes) against the genomes b (M, genes). Of objects, ``play(one, other, rng)`` returns the
+        score of one match, a number, and without chance it is ``play(one, other)``. It must not
+        change the objects.
     genes : int or tuple of two ints, optional
         Length of the genomes, of both teams or of each, if they are vectors.
-    teams : tuple of two str
-        Names of the teams, in the plural.
+    teams : tuple of str
+        Names of both teams, in the plural; of a `symmetric` game the name of its population.
     initial : callable, optional
         ``initial(rng)`` returns an untrained genome; of vectors of different lengths it is
         ``initial(rng, team)``. By default the genes of vectors are drawn from N(0, 1). This and the
@@ -118,9 +145,20 @@ class Game:
         Whether a match takes so long, from some milliseconds on, that it pays to play matches side
         by side: the `threads` of a race are then processes, which import the game by its name and
         give equal scores for any number. The default is False.
+    scores : {"one", "both"}, optional
+        ``"both"`` if what one team wins is not what the other loses: then `play` returns the scores
+        of both teams, a pair, or an array (M, 2). The judgement then speaks of each team's own
+        score, and of the mean of both. The default is ``"one"``.
+    symmetric : bool, optional
+        Whether both sides are played by one population: an individual meets others of it, and its
+        past. Which side it plays must make no difference. The default is False.
+    extras : tuple of str, optional
+        Names of numbers that `play` returns beside the scores, which log, payoff and page hold: it
+        then returns ``scores, {"moves": number}``; of M matches (M,) numbers.
     show : callable, optional
-        ``show(a, b)`` returns text, or an image (rows, columns, 3) of uint8, of two genomes: what
-        `matrixworld replay` prints and pages show. By default it is both texts, of vectors nothing.
+        ``show(a, b)`` returns text, an image (rows, columns, 3) of uint8, or frames of a film, a
+        list of such images, of two genomes: what `matrixworld replay` prints or writes and pages
+        show. By default it is both texts, of vectors nothing.
 
     Raises
     ------
@@ -164,23 +202,25 @@ class Game:
     deterministic: bool = False
     many: bool = False
     slow: bool = False
+    scores: str = "one"
+    symmetric: bool = False
+    extras: tuple[str, ...] = ()
     show: Callable[[Any, Any], Any] | None = None
     made_in: tuple[str, ...] = field(default=(), init=False, repr=False)
     """Names of the modules in which it was made, the innermost first: a run looks for it there."""
 
-    columns: ClassVar[Mapping[str, type]] = {"score": float, "matches": int}
-    """Columns that logs have of an epoch, the score of the first team first, and their types."""
     score_words: ClassVar[tuple[str, str]] = ("score", "score")
     """What the scores of both teams are called."""
     single: ClassVar[tuple[str, ...]] = ()
-    means: ClassVar[tuple[str, ...]] = ()
-    """Extras that a payoff holds: those of single episodes, and those of which it holds means."""
+    """Extras of which a payoff holds single episodes."""
     counters: ClassVar[tuple[str, ...]] = ()  # what a run counts beside its matches
 
     def __post_init__(self) -> None:
         self._check_functions()
-        for name in ("deterministic", "many", "slow"):
+        for name in ("deterministic", "many", "slow", "symmetric"):
             checks.check_bool(name, getattr(self, name))
+        checks.check_choice("scores", self.scores, ("one", "both"))
+        self._check_extras()
         object.__setattr__(self, "genes", self._checked_genes())
         self._check_teams()
         if self.bounds is not None:
@@ -231,13 +271,36 @@ class Game:
         return sizes
 
     def _check_teams(self) -> None:
-        """Raise ValueError unless the names of the teams are two different words."""
+        """Name the population of a symmetric game twice; ValueError unless names are words."""
         names = checks.check_sequence("teams", self.teams, "str")
+        words = all(isinstance(name, str) and name.isidentifier() for name in names)
+        if self.symmetric:
+            if not words or len({*names}) != 1 or len(names) > 2:
+                got = checks.shown(self.teams)
+                raise ValueError(f"teams: expected one word in a symmetric game, got {got}")
+            if self.genome_size("pursuer") != self.genome_size("evader"):
+                raise ValueError(
+                    f"genes: expected one number in a symmetric game, got {self.genes}"
+                )
+            pairs = [name for name in PAIRED if isinstance(getattr(self, name), tuple)]
+            if pairs:
+                raise TypeError(f"{pairs[0]}: expected one function in a symmetric game, got two")
+            object.__setattr__(self, "teams", (names[0], names[0]))
+            return
         if len(names) != 2:
             raise ValueError(f"teams: expected those of two teams, got {len(names)}")
-        words = all(isinstance(name, str) and name.isidentifier() for name in names)
         if not words or names[0] == names[1]:
             raise ValueError(f"teams: expected two different words, got {checks.shown(self.teams)}")
+
+    def _check_extras(self) -> None:
+        """Raise ValueError unless the names of extras are words that a log does not have."""
+        names = checks.check_sequence("extras", self.extras, "str")
+        for name in names:
+            if not (isinstance(name, str) and name.isidentifier()) or name in TAKEN:
+                raise ValueError(
+                    f"extras: expected words other than {', '.join(TAKEN)}, got {name!r}"
+                )
+        object.__setattr__(self, "extras", names)
 
     def _checked_bounds(self, sizes: Any) -> tuple[NDArray[Any], NDArray[Any]]:
         """Return the bounds as arrays; ValueError unless they are intervals of the genes."""
@@ -256,6 +319,22 @@ class Game:
         return low, high
 
     # What a run asks for:
+
+    @property
+    def general(self) -> bool:
+        """Whether both teams have scores of their own, as in a general-sum game."""
+        return self.scores == "both"
+
+    @property
+    def columns(self) -> Mapping[str, type]:
+        """Columns that logs have of an epoch, the first team's score first, and their types."""
+        other = {"other_score": float} if self.general else {}
+        return {"score": float, **other, **dict.fromkeys(self.extras, float), "matches": int}
+
+    @property
+    def means(self) -> tuple[str, ...]:
+        """Extras of which a payoff holds means over the episodes of a pair."""
+        return self.extras
 
     @property
     def texts(self) -> bool:
@@ -309,7 +388,7 @@ class Game:
 
     # Matches:
 
-    def scores(
+    def rollout(
         self, first: Any, second: Any, matches: Matches, *, episodes: int, threads: int | None
     ) -> Scores:
         """Play M matches, each a number of the first team, one of the second, and a seed.
@@ -320,21 +399,31 @@ class Game:
         a, b, seeds = matches
         times = 1 if self.deterministic else episodes
         asked = Part(first.genomes[a], second.genomes[b], seeds, range(times))
-        scores = play_in_processes(self, asked, threads) if self.slow else self.played(*asked)
-        return Scores(np.repeat(scores, episodes // times, axis=1))
+        played = play_in_processes(self, asked, threads) if self.slow else self.played(*asked)
+        repeated = {
+            name: np.repeat(values, episodes // times, axis=1) for name, values in played.items()
+        }
+        return Scores(repeated.pop("scores"), others=repeated.pop("others", None), extras=repeated)
 
     def played(
         self, ones: Genomes, others: Genomes, seeds: Seeds, episodes: range
-    ) -> NDArray[np.float32]:
-        """Return the scores (M, N) of N episodes of matches of genomes (M, genes) each."""
+    ) -> dict[str, NDArray[np.float32]]:
+        """Return what N episodes of matches of genomes (M, genes) have, each (M, N).
+
+        That is ``scores``, perhaps ``others``, those of the second team, and extras by name.
+        """
         shape = len(ones), len(episodes)
         if not self.texts:
-            return self._results(ones, others, seeds, episodes).reshape(shape)
+            results = self._results(ones, others, seeds, episodes)
+            return {name: values.reshape(shape) for name, values in results.items()}
         first, second = (
-            {text: self.operators[team].genome(text) for text in genomes[:, 0].tolist()}
+            {
+                text: self.operators[team].genome(text)
+                for text in dict.fromkeys(genomes[:, 0].tolist())
+            }
             for team, genomes in zip(TEAMS, (ones, others), strict=True)
         )
-        scores = self._results(
+        results = self._results(
             [first[text] for text in ones[:, 0].tolist()],
             [second[text] for text in others[:, 0].tolist()],
             seeds,
@@ -343,14 +432,15 @@ class Game:
         for team, genomes in zip(TEAMS, (first, second), strict=True):
             for text, genome in genomes.items():
                 if (after := self.operators[team].written(genome)) != text:
+                    self.operators[team].check_read(text, "an operator")
                     got = f"{checks.shown(after)} of {checks.shown(text)}"
                     raise ValueError(f"play: expected genomes that stay as they were, got {got}")
-        return scores.reshape(shape)
+        return {name: values.reshape(shape) for name, values in results.items()}
 
     def _results(
         self, ones: Any, others: Any, seeds: Seeds, episodes: range
-    ) -> NDArray[np.float32]:
-        """Return the scores of matches, all episodes of one after the other, as `play` returns."""
+    ) -> dict[str, NDArray[np.float32]]:
+        """Return what matches have, all episodes of one after the other, as `play` returns it."""
         if self.many:
             repeated = np.repeat(np.arange(len(seeds)), len(episodes)).tolist()
             if self.texts:
@@ -375,21 +465,35 @@ class Game:
         ]
         return self._checked(calls, (1,))
 
-    def _checked(self, calls: list[Any], shape: tuple[int, ...]) -> NDArray[np.float32]:
-        """Return the scores that calls returned, each of a shape; ValueError for others."""
-        for returned in calls:
-            if type(returned) is float and not shape:
-                continue
-            got = checks.unmasked("scores of the game", returned).shape
-            if got != shape:
-                expected = f"shape {shape}" if shape else "a number"
-                raise ValueError(f"scores of the game: expected {expected}, got {got or returned}")
-        joined = np.concatenate(calls) if shape else calls
-        scores = checks.check_floats("scores of the game", joined, np.float32)
+    def _checked(self, calls: list[Any], shape: tuple[int, ...]) -> dict[str, NDArray[np.float32]]:
+        """Return what calls of `play` returned of matches of a shape, () or (M,), by name."""
+        extras: dict[str, NDArray[np.float32]] = {}
+        if self.extras:
+            for returned in calls:
+                self._check_returned(returned)
+            for name in self.extras:
+                extras[name] = _numbers(name, [told[name] for _, told in calls], shape)
+                checks.check_finite(name, extras[name])
+            calls = [scores for scores, _ in calls]
+        wanted = (*shape, 2) if self.general else shape
+        scores = _numbers("scores of the game", calls, wanted)
         wrong = scores[~((scores >= 0.0) & (scores <= 1.0))]  # NaN, too
         if wrong.size:
             raise ValueError(f"scores of the game: expected numbers in [0, 1], got {wrong[0]}")
-        return scores
+        if self.general:
+            one, other = scores.reshape(-1, 2).T
+            return {"scores": one, "others": other, **extras}
+        return {"scores": scores, **extras}
+
+    def _check_returned(self, returned: Any) -> None:
+        """Raise ValueError unless these are scores, and a mapping with all extras."""
+        is_pair = isinstance(returned, tuple) and len(returned) == 2
+        told = returned[1] if is_pair else None
+        if not isinstance(told, Mapping) or {*told} != {*self.extras}:
+            raise ValueError(
+                f"play: expected scores, and a dict of {', '.join(self.extras)}, "
+                f"got {checks.shown(returned)}"
+            )
 
     def values(self, scores: Scores, team: Team, measure: str, *, raw: bool = False) -> FloatArray:
         """Return what a team is selected by, (M, N); with `raw` in [0, 1], without any penalty."""
@@ -397,7 +501,14 @@ class Game:
 
     def row(self, scores: Scores) -> dict[str, float]:
         """Return the values of an epoch in `columns`, without what is counted."""
-        return {"score": float(scores.scores.mean(dtype=np.float64))}
+        means = {"score": scores.scores, **scores.extras}
+        if scores.others is not None:
+            means["other_score"] = scores.others
+        return {
+            name: float(means[name].mean(dtype=np.float64))
+            for name, kind in self.columns.items()
+            if kind is float
+        }
 
     def counted(self, scores: Scores) -> dict[str, int]:
         """Return what matches add to `counters`."""
@@ -409,8 +520,8 @@ class Game:
         return self.show is not None or self.texts
 
     @no_exit("show")
-    def shown(self, a: Genome, b: Genome) -> str | bytes:
-        """Return what the game shows of two genomes: text, or the bytes of a PNG file."""
+    def shown(self, a: Genome, b: Genome) -> str | Picture:
+        """Return what the game shows of two genomes: text, or a picture."""
         if not self.shows:
             raise ValueError("show: expected a function of the game that shows a match, got none")
         if self.show is None:
@@ -421,17 +532,7 @@ class Game:
             each = zip(TEAMS, (a, b), strict=True)
             players = [self.operators[team].genome(str(genome[0])) for team, genome in each]
         shown = self.show(*players)
-        if isinstance(shown, str):
-            return shown
-        image = checks.unmasked("show", shown)
-        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3:
-            raise ValueError(
-                "show: expected text or an image of uint8 (rows, cols, 3), "
-                f"got {image.dtype} {image.shape}"
-            )
-        buffer = io.BytesIO()
-        Image.fromarray(image).save(buffer, "PNG")
-        return buffer.getvalue()
+        return shown if isinstance(shown, str) else picture_of(shown)
 
     # What only pursuit has: collisions, policies with a mask and a shape, opponents from elsewhere,
     # and rewards. Settings refuse what asks for these in a game of vectors.
@@ -473,8 +574,6 @@ class GameSettings(Section):
     A run is read with these settings alone, without an import of its game.
     """
 
-    game_class: ClassVar[type[Game]] = Game
-    """What logs and payoffs of the game hold."""
     in_threads: ClassVar[bool] = False
     """Whether threads of the engine play its matches."""
 
@@ -502,6 +601,16 @@ class GameSettings(Section):
     def keys(self) -> tuple[str, str]:
         """Names of the teams in logs and mappings."""
         return self.teams
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether one population plays both sides."""
+        return self.known.symmetric
+
+    @property
+    def general(self) -> bool:
+        """Whether both teams have scores of their own."""
+        return self.known.general
 
     @property
     def deterministic(self) -> bool:

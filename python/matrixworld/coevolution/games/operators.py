@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -21,9 +20,9 @@ from matrixworld.coevolution.types import Genome, Genomes, Rng
 
 LONG = 10**6  # characters of a genome, above which a warning tells of it
 
-to_json = partial(json.dumps, allow_nan=False)
+to_json = json.JSONEncoder(allow_nan=False).encode
 """The default of `write`: other programs cannot read NaN."""
-from_json = json.loads
+from_json = json.JSONDecoder().decode
 """The default of `read`."""
 
 
@@ -50,49 +49,55 @@ class Operators:
     read: Callable[[str], Any] | None = None
 
     def genome(self, text: str) -> Any:
-        """Return the object that a text stands for, a new one."""
-        return (self.read or from_json)(text)
+        """Return the object that a text stands for, a new one; ValueError if it cannot be read."""
+        try:
+            return (self.read or from_json)(text)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"read: expected to read {shown(text)}: {error}") from error
 
     def written(self, genome: Any) -> str:
         """Return the text of a genome."""
         return (self.write or to_json)(genome)
 
     def text(self, genome: Any, source: str) -> str:
-        """Return the text of a genome that `source` has made, after a check that it can be read.
+        """Return the text of a genome that `source` has made.
 
         Raises
         ------
         TypeError
             If there is no genome, but None or a tuple of one, or `write` makes no text of it.
         ValueError
-            If the text of what is read again is another one, or no file can hold it.
+            If no file can hold the text.
         """
         _check_one(genome, source)
-        made = f"of what {source} made, {shown(genome)}"
         try:
             text = self.written(genome)
         except (TypeError, ValueError) as error:
+            made = f"of what {source} made, {shown(genome)}"
             raise TypeError(f"write: expected to make text {made}: {error}") from error
         if type(text) is not str:
+            made = f"of what {source} made, {shown(genome)}"
             raise TypeError(f"write: expected text, a str, {made}, got {shown(text)}")
         if "\0" in text or not _is_unicode(text):
             raise ValueError(f"write: expected text that a file holds in UTF-8, got {shown(text)}")
-        try:
-            again = self.written(self.genome(text))
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"read: expected to read {shown(text)}, {made}: {error}") from error
-        if again != text:
-            raise ValueError(
-                f"write: expected the same text of what read(text) returns, got {shown(again)} of "
-                f"{shown(text)}, {made}"
-            )
         if len(text) > LONG:
             warn_caller(f"{source}: has made a genome of {len(text):,} characters")
         return text
 
+    def check_read(self, text: str, source: str) -> None:
+        """Raise ValueError if what is read of a text that `source` made has another text."""
+        again = self.written(self.genome(text))
+        if again != text:
+            raise ValueError(
+                f"write: expected the same text of what read(text) returns, got {shown(again)} of "
+                f"{shown(text)}, which {source} made"
+            )
+
     def untrained(self, rng: Rng) -> str:
         """Return the text of a new genome."""
-        return self.text(self.initial(rng), "initial")
+        text = self.text(self.initial(rng), "initial")
+        self.check_read(text, "initial")
+        return text
 
     def child(self, parents: Genomes, rng: Rng, *, mutates: bool) -> str:
         """Return the text of a child of one parent, a mutant, or of two (1 or 2, 1).

@@ -25,6 +25,9 @@ class OwnGame(GameSettings):
     names: tuple[str, ...] = setting((), "names of the teams")
     exact: bool = setting(False, "whether equal genomes always have equal scores")
     texts: bool = setting(False, "whether genomes are objects, held as text")
+    score_of: str = setting("one", "whether teams have one score or both")
+    one_population: bool = setting(False, "whether one population plays both sides")
+    extras: tuple[str, ...] = setting((), "what else the game tells of a match")
     digest: str = setting("", "digest of its source")
 
     @classmethod
@@ -59,13 +62,11 @@ class OwnGame(GameSettings):
     @cached_property
     def known(self) -> Game:
         """What is known of the game without an import: all but its functions."""
-        genes: Any = self.genes
-        names: Any = self.names
-        exact = self.exact
-        if self.texts:
-            missing = _not_imported
-            return Game(missing, None, names, missing, mutate=missing, deterministic=exact)
-        return Game(_not_imported, genes, names, deterministic=exact)
+        kinds = {field: getattr(self, name) for name, field in FIELDS.items()}
+        missing = _not_imported
+        if kinds.pop("texts"):
+            kinds |= {"genes": None, "initial": missing, "mutate": missing}
+        return Game(missing, **kinds)
 
     def evaluation(self) -> Game:
         """Return the game; ValueError if there is none of this name, or one with other fields."""
@@ -93,7 +94,10 @@ class OwnGame(GameSettings):
         return game
 
 
-FIELDS = {"genes": "genes", "names": "teams", "exact": "deterministic", "texts": "texts"}
+FIELDS = {
+    "genes": "genes", "names": "teams", "exact": "deterministic", "texts": "texts",
+    "score_of": "scores", "one_population": "symmetric", "extras": "extras",
+}  # fmt: skip
 """What a run must know of a game without an import, and where the game has it."""
 
 

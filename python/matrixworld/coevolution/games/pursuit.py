@@ -91,7 +91,6 @@ HELP[WorldConfig] = WORLD_HELP
 class PursuitSettings(GameSettings):
     """Pursuit and evasion: its world, what decides for agents, and the worlds of training."""
 
-    game_class: ClassVar[type[Game]]
     in_threads: ClassVar[bool] = True
 
     world: WorldConfig = setting(
@@ -245,19 +244,23 @@ class Pursuit(Game):
     settings: PolicySettings = PursuitSettings.policy
     penalty: float = 0.0
 
-    columns: ClassVar[Mapping[str, type]] = {
-        "capture_rate": float, "length": float, "pursuer_faults": float, "evader_faults": float,
-        "matches": int, "steps": int,
-    }  # fmt: skip
     score_words: ClassVar[tuple[str, str]] = ("capture rate", "escape rate")
     single: ClassVar[tuple[str, ...]] = ("length",)
-    means: ClassVar[tuple[str, ...]] = (
-        "collisions", "faults", "agent_steps", "pursuer_survivors", "evader_survivors",
-    )  # fmt: skip
     counters: ClassVar[tuple[str, ...]] = ("steps", "agent_steps")
 
     def __post_init__(self) -> None:
         """Check nothing: world and settings are checked, and the fields of vectors are not used."""
+
+    @property
+    def columns(self) -> Mapping[str, type]:
+        """Columns that logs have of an epoch, and their types."""
+        rates = ("capture_rate", "length", "pursuer_faults", "evader_faults")
+        return {**dict.fromkeys(rates, float), "matches": int, "steps": int}
+
+    @property
+    def means(self) -> tuple[str, ...]:
+        """What a payoff holds means of."""
+        return "collisions", "faults", "agent_steps", "pursuer_survivors", "evader_survivors"
 
     def genome_size(self, team: Team) -> int:
         """Return the number of genes of a team."""
@@ -334,7 +337,7 @@ class Pursuit(Game):
             got = population.policy
             raise ValueError(f"start: expected a genome of {self.policy}, got {got}")
 
-    def scores(
+    def rollout(
         self, first: Any, second: Any, matches: Matches, *, episodes: int, threads: int | None
     ) -> Scores:
         """Play M matches; the extras are those of `EpisodeStatistics`."""
@@ -388,6 +391,3 @@ class Pursuit(Game):
     def record(self, pursuers: TeamPolicy, evaders: TeamPolicy, **match: Any) -> Episode:
         """Record an episode; see `matrixworld.record`."""
         return record(self.world, pursuers, evaders, **match)
-
-
-PursuitSettings.game_class = Pursuit  # a class of below, whose fields have defaults from above

@@ -79,12 +79,17 @@ def tournament(
     if 0 in shape:
         raise ValueError(f"tournament: expected members of both teams, got {shape}")
     # One row at a time, so that the progress can be reported.
+    is_half = _is_one_population(game, first, second)
     unplayed = _unplayed(shape, known)
+    if is_half:  # the other half are the same matches from the other side
+        least = 0 if game.general else 1  # what one wins against itself, it loses
+        unplayed = [(row, columns[columns >= row + least]) for row, columns in unplayed]
+        unplayed = [(row, columns) for row, columns in unplayed if len(columns)]
     plays = []
     for row, columns in unplayed:
         seeds = _seeds(game, seed, generations[0] + row, generations[1] + columns)
         matches = np.zeros_like(columns), columns, seeds
-        plays.append(partial(game.scores, members[row], second, matches, episodes=episodes))
+        plays.append(partial(game.rollout, members[row], second, matches, episodes=episodes))
     arrays = {} if known is None else _enlarged(known, shape)
     done = 0
     total = episodes * sum(len(columns) for _, columns in unplayed)
@@ -95,10 +100,30 @@ def tournament(
             if name not in arrays:
                 arrays[name] = np.zeros((*shape, *values.shape[1:]), values.dtype)
             arrays[name][row, columns] = values
+            if is_half:
+                arrays[name][columns, row] = values
+        if is_half:
+            beyond = columns > row
+            arrays["scores"][columns[beyond], row] = scores.of("evader")[beyond]
+            if scores.others is not None:
+                arrays["others"][columns[beyond], row] = scores.scores[beyond]
         done += scores.scores.size
         report(Progress("tournament", done, total))
     rates = arrays.pop("scores")
-    return Payoff(rates, arrays, game.teams, game.deterministic, game.score_words[0])
+    others = arrays.pop("others", None)
+    if is_half:  # both sides of a match against itself are one member
+        itself = np.arange(len(members))
+        own = 0.5 if others is None else (rates[itself, itself] + others[itself, itself]) / 2.0
+        for each in (rates, others):
+            if each is not None:
+                each[itself, itself] = own
+    words = game.score_words[0]
+    return Payoff(rates, arrays, game.teams, game.deterministic, words, others)
+
+
+def _is_one_population(game: Game, first: Any, second: Any) -> bool:
+    """Return whether both sides of a symmetric game have the same members."""
+    return game.symmetric and np.array_equal(first.genomes, second.genomes)
 
 
 def _unplayed(shape: tuple[int, int], known: Payoff | None) -> list[tuple[int, Indices]]:
@@ -124,7 +149,8 @@ def _enlarged(known: Payoff, shape: tuple[int, int]) -> dict[str, NDArray[Any]]:
     """Return the arrays of a payoff of the first members, with room for those of all members."""
     rows, columns = known.matrix.shape
     arrays = {}
-    for name, values in {"scores": known.scores, **known.extras}.items():
+    others = {} if known.others is None else {"others": known.others}
+    for name, values in {"scores": known.scores, **others, **known.extras}.items():
         arrays[name] = np.zeros((*shape, *values.shape[2:]), values.dtype)
         arrays[name][:rows, :columns] = values
     return arrays
@@ -134,6 +160,8 @@ def _row_arrays(game: Game, scores: Scores) -> dict[str, NDArray[Any]]:
     """Return what a payoff holds of the matches of a row, by name."""
     # Scores and lengths keep single episodes, from which intervals are computed.
     arrays = {"scores": scores.scores.astype(np.float32)}
+    if scores.others is not None:
+        arrays["others"] = scores.others.astype(np.float32)
     for name in game.single:
         arrays[f"{name}s"] = scores.extras[name]
     for name in game.means:

@@ -142,7 +142,7 @@ def end_workers(game: Game) -> None:
 
 
 def play_in_processes(game: Game, matches: Part, threads: int | None) -> Any:
-    """Return the scores of matches as `Game.played` returns them, played by so many processes."""
+    """Return what `Game.played` returns of matches, which so many processes play."""
     count = checks.check_threads(threads)
     total = len(matches.seeds) * len(matches.episodes)
     workers = workers_of(game) if min(count, total) > 1 else None
@@ -154,14 +154,17 @@ def play_in_processes(game: Game, matches: Part, threads: int | None) -> Any:
 
 
 def _joined(parts: list[Part], played: list[Any]) -> Any:
-    """Return the results of all parts: the episodes of a match side by side, and then its next."""
-    rows: list[Any] = []
-    for part, scores in zip(parts, played, strict=True):
-        if part.episodes.start:
-            rows[-1] = np.concatenate([rows[-1], scores], axis=1)
-        else:
-            rows.append(scores)
-    return np.concatenate(rows)
+    """Return the results of all parts, by name: episodes of a match are side by side."""
+    joined = {}
+    for name in played[0]:
+        rows: list[Any] = []
+        for part, results in zip(parts, played, strict=True):
+            if part.episodes.start:
+                rows[-1] = np.concatenate([rows[-1], results[name]], axis=1)
+            else:
+                rows.append(results[name])
+        joined[name] = np.concatenate(rows)
+    return joined
 
 
 def _play(code: str, digest: str, part: Part) -> Any:

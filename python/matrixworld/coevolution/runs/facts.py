@@ -10,17 +10,9 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from matrixworld.coevolution.games.game import GameSettings
+from matrixworld.coevolution.types import LOGGED
 
-COLUMNS: dict[str, type] = {
-    "stage": int,
-    "generation": int,
-    "team": str,
-    "epoch": int,
-    "opponent": int,
-    "fitness_mean": float,
-    "fitness_std": float,
-    "fitness_best": float,
-}
+COLUMNS = LOGGED
 """Columns of the log, one row per epoch, and their types, before those of the game
 (`Game.columns`).
 
@@ -43,12 +35,17 @@ class Facts(NamedTuple):
     score: str  # what the score of the first team is called
     columns: dict[str, str]  # of the log, and the names of their types
 
+    @property
+    def one_population(self) -> bool:
+        """Whether one population plays both sides: both teams have one name."""
+        return self.teams[0] == self.teams[1]
+
     @classmethod
     def of(cls, game: GameSettings) -> Facts:
         """Return the facts of a game."""
-        columns = {**COLUMNS, **game.game_class.columns}
+        columns = {**COLUMNS, **game.known.columns}
         type_names = {name: kind.__name__ for name, kind in columns.items()}
-        score, _ = game.game_class.score_words
+        score, _ = game.known.score_words
         return cls(game.teams, game.keys, game.deterministic, score, type_names)
 
     @classmethod

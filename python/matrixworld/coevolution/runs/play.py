@@ -175,7 +175,9 @@ class Run:
         """Report the progress: the current activity, and evaluation episodes played so far."""
         training = self.training
         done = self.settings.schedule.epochs_until(training.stage)
-        done += len({row["epoch"] for row in training.rows}) + self.settings.in_epochs(evaluated)
+        done += len({row["epoch"] for row in training.rows})
+        if evaluated:
+            done += self.settings.in_epochs(evaluated)
         # A team alone may be evaluated against several opponents.
         self._report(Progress(activity, min(done, self._total), self._total, self._before))
 

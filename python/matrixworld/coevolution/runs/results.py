@@ -52,7 +52,8 @@ def finalists_of(training: Training) -> dict[Team, tuple[Any, int]]:
 
 def disengagements_of(training: Training, stage_scores: list[float]) -> tuple[Disengagement, ...]:
     """Return the stretches of finished generations in which one team won everything."""
-    if not training.settings.is_race:
+    game = training.settings.game
+    if not training.settings.is_race or game.symmetric or game.general:
         return ()
     stages = training.settings.schedule.stages_per_generation
     finished = len(stage_scores) // stages

@@ -106,10 +106,15 @@ class StoredRun(StoredFiles):
         """
         game = self.game
         archive = self.archive()
-        return {
-            key: self.player(game, team, genomes)
-            for team, (key, genomes) in zip(TEAMS, archive.items(), strict=True)
-        }
+        # One population has one key.
+        teams = dict(zip(reversed(self.facts.keys), reversed(TEAMS), strict=True))
+        return {key: self.player(game, teams[key], genomes) for key, genomes in archive.items()}
+
+    @property
+    def sides(self) -> tuple[Any, Any]:
+        """The teams of both sides; one population of a symmetric game plays both."""
+        first, second = self.facts.keys
+        return self.teams[first], self.teams[second]
 
     def player(self, game: Game, team: Team, genomes: Genomes) -> Any:
         """Return what plays for a team: its genomes as a population; without any, its opponent.

@@ -48,8 +48,8 @@ LOG = "log.csv"
 PAYOFF = "payoff.npz"
 SUMMARY = "summary.json"
 
-OF_SCORES = ("scores", "mean", "std")
-"""Arrays of a payoff file that every game has; all others are its own."""
+OF_SCORES = ("scores", "mean", "std", "others")
+"""Arrays of a payoff file that are no extras of a game."""
 
 
 class OtherVersionError(ValueError):
@@ -105,7 +105,7 @@ class StoredFiles:
 
         Raises DamagedFileError if the file of a stage is damaged or missing.
         """
-        archive = archive_of(self.stages())
+        archive = archive_of(self.stages(), one_population=self.facts.one_population)
         return dict(zip(self.facts.keys, archive.values(), strict=True))
 
     @property
@@ -136,7 +136,8 @@ class StoredFiles:
         arrays = self.load(PAYOFF)
         extras = {name: array for name, array in arrays.items() if name not in OF_SCORES}
         facts = self.facts
-        return Payoff(arrays["scores"], extras, facts.teams, facts.exact, facts.score)
+        others = arrays.get("others")
+        return Payoff(arrays["scores"], extras, facts.teams, facts.exact, facts.score, others)
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
@@ -184,11 +185,16 @@ def file_name(kind: str, stage: int) -> str:
     return f"{kind}-{stage:04}.npz"
 
 
-def archive_of(stages: Sequence[files.Arrays]) -> Archive:
-    """Return the genomes that stages have added; (0, 0) for a team that a script plays."""
+def archive_of(stages: Sequence[files.Arrays], *, one_population: bool = False) -> Archive:
+    """Return the genomes that stages have added; (0, 0) for a team that a script plays.
+
+    Those of one population are those of both teams.
+    """
 
     def genomes(name: str) -> Genomes:
         added = [stage[name] for stage in stages if name in stage]
         return np.concatenate(added) if added else np.empty((0, 0), np.float32)
 
+    if one_population:
+        return dict.fromkeys(TEAMS, genomes(PLURALS[TEAMS[0]]))
     return {team: genomes(PLURALS[team]) for team in TEAMS}

@@ -62,7 +62,7 @@ class RunWriter(StoredRun):
             **more,
         }
         files.save_json(self.path / CONFIG, self.config)
-        counters = ("matches", *settings.game.game_class.counters)
+        counters = ("matches", *settings.game.known.counters)
         self.save(0, archive, [], dict.fromkeys(counters, 0), states)
 
     def change(self, settings: RaceSettings) -> None:
@@ -96,7 +96,7 @@ class RunWriter(StoredRun):
         by the names of their parts of a checkpoint.
         """
         added: dict[str, Any] = {"log": self._as_csv(rows).encode(), **counters}
-        for team in TEAMS:
+        for team in TEAMS[:1] if self.facts.one_population else TEAMS:
             new = archive[team][self._saved[team] :]
             if len(new):
                 genomes = np.asarray(new)
@@ -132,7 +132,7 @@ class RunWriter(StoredRun):
         for number in self.numbers("checkpoint"):
             if number < len(stages) - 2:
                 (self.path / file_name("checkpoint", number)).unlink()
-        archive = archive_of(stages)
+        archive = archive_of(stages, one_population=self.facts.one_population)
         self._saved = {team: len(archive[team]) for team in TEAMS}
         return stages, archive, checkpoint
 
@@ -162,8 +162,8 @@ class RunWriter(StoredRun):
         stages = self.stages()
         with files.replacing(self.path / LOG) as file:
             file.write(self.log_of(stages).encode())
-        archive = archive_of(stages)
-        for name, genomes in zip(self.facts.teams, archive.values(), strict=True):
+        archive = archive_of(stages, one_population=self.facts.one_population)
+        for name, genomes in dict(zip(self.facts.teams, archive.values(), strict=True)).items():
             if genomes.dtype.kind == "U":
                 files.save_json(self.path / f"{name}.json", {"genomes": genomes[:, 0].tolist()})
             elif len(genomes):  # those of a team that a script plays are none

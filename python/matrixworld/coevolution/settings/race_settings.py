@@ -30,12 +30,23 @@ from matrixworld.coevolution.games.policies import Cells, PolicySettings
 from matrixworld.coevolution.games.pursuit import SCRIPTS, PursuitSettings, is_path
 from matrixworld.coevolution.learners import ActorCritic, EvolutionStrategy, OwnLearner
 from matrixworld.coevolution.learners.learner import Learner, Task
-from matrixworld.coevolution.settings.schedules import GIVEN, SCHEDULES, Against, InTurns, Schedule
+from matrixworld.coevolution.opponents import NashOpponents
+from matrixworld.coevolution.settings.schedules import (
+    GIVEN,
+    SCHEDULES,
+    Against,
+    AtOnce,
+    InTurns,
+    OfGenerations,
+    Schedule,
+    SelfPlay,
+)
 from matrixworld.coevolution.settings.usual import (
     BREEDING,
     COURTYARD,
     DEFAULTS,
     EPOCHS,
+    HALL,
     LEARNER,
     PAPER,
     POLICY,
@@ -255,6 +266,8 @@ class RaceSettings(Section):
         if self.schedule.opponents_met < 2:
             for path in learners:
                 yield f"{path}.sharing", "with one opponent an epoch"
+        if self.game.symmetric:
+            yield "schedule.evaders_meet", "in a game of one population"
         if not isinstance(self.game, PursuitSettings):
             for path in learners:
                 yield f"{path}.measure", "in a game of your own"
@@ -271,6 +284,8 @@ class RaceSettings(Section):
             yield "policy.initial_weight", "with actor-critic, whose hidden weights are orthogonal"
 
     def _check_pursuit(self, game: PursuitSettings) -> None:
+        if isinstance(self.schedule, SelfPlay):
+            raise SettingError("schedule", "a race of two teams in pursuit", SelfPlay.kind)
         if isinstance(self.schedule, Against):
             game.check_script("schedule.opponent", self.schedule.opponent)
         game.check_learning(pursuers_learn="pursuer" in self.learning_teams)
@@ -282,6 +297,7 @@ class RaceSettings(Section):
 
     def _check_own_game(self) -> None:
         name = self.game.variant
+        self._check_population(name)
         if isinstance(self.schedule, Against) and self.schedule.opponent in SCRIPTS:
             expected = f"a run directory of the game {name}"
             raise SettingError(
@@ -293,6 +309,22 @@ class RaceSettings(Section):
                 expected = f"no value in a game that is deterministic ({name})"
                 raise SettingError(path, expected, str(episodes))
 
+    def _check_population(self, name: str) -> None:
+        """Raise SettingError for a schedule that needs other populations, or constant sums."""
+        schedule = self.schedule
+        one_population = isinstance(schedule, AtOnce | SelfPlay)
+        if self.game.symmetric and not one_population:
+            expected = f"{AtOnce.kind} or {SelfPlay.kind} in a game of one population ({name})"
+            raise SettingError("schedule", expected, schedule.name)
+        if isinstance(schedule, SelfPlay) and not self.game.symmetric:
+            expected = f"a schedule of two teams in a game that has two ({name})"
+            raise SettingError("schedule", expected, schedule.kind)
+        if self.game.general and isinstance(schedule, OfGenerations):
+            met = [schedule.meets(team) for team in self.learning_teams]
+            if any(isinstance(each, NashOpponents) for each in met):
+                expected = f"no Nash mixtures in a game with the scores of both teams ({name})"
+                raise SettingError("schedule", expected, schedule.name)
+
     # What follows from the settings:
 
     @property
@@ -302,8 +334,8 @@ class RaceSettings(Section):
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:
-        """Teams that learn."""
-        return self.schedule.learning_teams
+        """Teams that learn; the one population of a symmetric game is the first one."""
+        return TEAMS[:1] if self.game.symmetric else self.schedule.learning_teams
 
     @property
     def teams(self) -> tuple[str, str]:
@@ -453,11 +485,12 @@ def kinds_of(chosen: Mapping[str, Any]) -> Kinds:
     """
     defaults = chosen.get(DEFAULTS) or PAPER
     texts = bool(chosen.get("game.texts"))
+    symmetric = bool(chosen.get("game.one_population"))
     team: Team = "evader" if chosen.get("schedule.team") == "evader" else "pursuer"
     epochs: Any = chosen.get("schedule.epochs")
     return Kinds(
         defaults,
-        schedule=_class_of(Schedule, chosen.get("schedule"), SCHEDULE),
+        schedule=_class_of(Schedule, chosen.get("schedule"), HALL if symmetric else SCHEDULE),
         learner=_class_of(Learner, chosen.get("learner", BREEDING if texts else LEARNER), OWN),
         policy=_class_of(PolicySettings, chosen.get("policy"), POLICY[defaults]),
         team=team,
@@ -466,6 +499,7 @@ def kinds_of(chosen: Mapping[str, Any]) -> Kinds:
         own_game=chosen.get("game") is not None,
         exact=bool(chosen.get("game.exact")),
         texts=texts,
+        symmetric=symmetric,
     )
 
 

@@ -105,9 +105,28 @@ class Schedule(Section):
 
 @section()
 class OfGenerations(Schedule):
-    """Base of the races in which both teams learn."""
+    """Base of the races."""
 
     generations: int = setting(30, "generations after the untrained generation 0", Whole(1))
+
+    @property
+    def entries(self) -> int:
+        """Genomes in the archive of a team at the end of a race."""
+        return 1 + self.generations
+
+    @abstractmethod
+    def meets(self, team: Team) -> samplers.Opponents | samplers.OwnOpponents:
+        """Return the setting that says whom a team meets."""
+
+    def sampler(self, team: Team) -> samplers.Opponents:
+        """Return how a team chooses opponents; imports code of your own."""
+        return samplers.loaded(self.meets(team))
+
+
+@section()
+class OfTwoTeams(OfGenerations):
+    """Base of the races in which both teams learn."""
+
     pursuers_meet: samplers.Opponents | samplers.OwnOpponents = setting(
         samplers.Uniform(),
         f"whom pursuers meet: {', '.join(names_in(samplers.Opponents))} or module:object",
@@ -116,18 +135,9 @@ class OfGenerations(Schedule):
         samplers.Uniform(), "whom evaders meet; as for the pursuers"
     )
 
-    @property
-    def entries(self) -> int:
-        """Genomes in the archive of a team at the end of a race."""
-        return 1 + self.generations
-
-    def sampler(self, team: Team) -> samplers.Opponents:
-        """Return how a team chooses opponents; imports code of your own."""
-        met = self.pursuers_meet if team == "pursuer" else self.evaders_meet
-        if isinstance(met, samplers.OwnOpponents):
-            sampler: samplers.Opponents = met.load()
-            return sampler
-        return met
+    def meets(self, team: Team) -> samplers.Opponents | samplers.OwnOpponents:
+        """Return the setting that says whom a team meets."""
+        return self.pursuers_meet if team == "pursuer" else self.evaders_meet
 
 
 # In turns:
@@ -142,7 +152,7 @@ HIDES_CYCLING = (
 
 
 @section("alternating")
-class InTurns(OfGenerations):
+class InTurns(OfTwoTeams):
     """The teams learn in turns, against archived opponents that their samplers choose.
 
     ::
@@ -203,7 +213,7 @@ class InTurns(OfGenerations):
 
 
 @section("hall-of-fame")
-class AtOnce(OfGenerations):
+class AtOnce(OfTwoTeams):
     """Both teams learn at the same time, from living opponents and a hall of fame.
 
     ::
@@ -218,6 +228,9 @@ class AtOnce(OfGenerations):
     The halls of fame are the archive, so that payoff and analysis are those of races in turns. A
     stage is a generation. Any learner can take part: the individuals of an evolution strategy are
     its samples, and its mean is the champion.
+
+    In a symmetric game there is one population, whose individuals meet each other, never
+    themselves, and its hall of fame.
 
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
@@ -244,6 +257,44 @@ class AtOnce(OfGenerations):
     def epochs_in(self, stage: int) -> int:
         """Return the epochs of a stage, in which both teams learn."""
         return self.joint_epochs
+
+
+# One population:
+
+
+@section("self-play")
+class SelfPlay(OfGenerations):
+    """The population of a symmetric game learns against its own past.
+
+    ::
+
+        p[0] untrained
+        for k in 1 .. generations:
+            p[k] = p[k-1], improved for some epochs against opponents among p[0 .. k-1]
+        payoff[g, h] = score of p[g] against p[h]
+
+    A stage is a generation. Heinrich, Lanctot and Silver 2015, "Fictitious self-play in
+    extensive-form games", ICML, for opponents drawn evenly from all of the past.
+    """
+
+    meet: samplers.Opponents | samplers.OwnOpponents = setting(
+        samplers.Uniform(), "whom candidates meet of their past; as for the pursuers"
+    )
+    opponents: int = setting(3, "opponents of each candidate in an epoch", Whole(1))
+    self_play_epochs: int = setting(43, "epochs per generation", Whole(1))
+
+    @property
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
+        return self.opponents
+
+    def epochs_in(self, stage: int) -> int:
+        """Return the epochs of a stage."""
+        return self.self_play_epochs
+
+    def meets(self, team: Team) -> samplers.Opponents | samplers.OwnOpponents:
+        """Return the setting that says whom candidates meet."""
+        return self.meet
 
 
 # Against fixed opponents:

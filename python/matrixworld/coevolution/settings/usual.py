@@ -28,6 +28,7 @@ COURTYARD = "courtyard"
 policies that one can read race in it, and a race takes seconds."""
 
 SCHEDULE = "generalist-generalist"
+HALL = AtOnce.kind  # of games of one population
 LEARNER = "es"
 BREEDING = "breeding"  # of games whose genomes are objects
 POLICY = {PAPER: "cells", COURTYARD: "rating"}
@@ -49,6 +50,7 @@ class Kinds(NamedTuple):
     own_game: bool
     exact: bool  # whether equal genomes of it always have equal scores
     texts: bool  # whether its genomes are objects
+    symmetric: bool  # whether one population plays both sides
 
 
 def usual(kinds: Kinds) -> dict[str, Any]:
@@ -70,6 +72,8 @@ def usual(kinds: Kinds) -> dict[str, Any]:
         values["evaluation_episodes"] = 1
     if kinds.texts:
         values["learner"] = BREEDING
+    if kinds.symmetric:
+        values["schedule"] = HALL
     of_pursuit = ("world", "policy", "train_steps")
     return {path: v for path, v in values.items() if path.partition(".")[0] not in of_pursuit}
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from matrixworld._util.checks import check_choice, check_integer
 from matrixworld.coevolution import seeding, types
-from matrixworld.coevolution.settings.schedules import Against, AtOnce, InTurns, Schedule
+from matrixworld.coevolution.settings.schedules import Against, AtOnce, InTurns, Schedule, SelfPlay
 from matrixworld.coevolution.training.training import Played, Training
 from matrixworld.coevolution.types import (
     TEAMS,
@@ -109,6 +109,9 @@ def learn_at_once(training: Training, stage: int) -> None:
     schedule = training.settings.schedule
     assert isinstance(schedule, AtOnce)
     generation = 1 + stage
+    if training.settings.game.symmetric:
+        _learn_within(training, schedule, generation)
+        return
     for team in TEAMS:
         training.update_sampler(team, generation, generation)
     for epoch in range(schedule.joint_epochs):
@@ -173,7 +176,10 @@ def _sampled_from_halls(
     if not schedule.hall_sample:
         return dict.fromkeys(TEAMS, np.zeros(0, dtype=np.intp))
     size = len(training.archive["pursuer"])
-    return {team: training.sample(team, size, schedule.hall_sample, epoch, rng) for team in TEAMS}
+    return {
+        team: training.sample(team, size, schedule.hall_sample, epoch, rng)
+        for team in training.learners
+    }
 
 
 def pairings(
@@ -190,8 +196,8 @@ def pairings(
     """
     n = len(seed_groups)
     n_groups = int(seed_groups.max()) + 1
-    size = n // n_groups if n_groups > 1 else 1
-    blocks = np.argsort(seed_groups, kind="stable").reshape(-1, size)
+    blocks = _blocks(seed_groups)
+    _, size = blocks.shape
     individuals = blocks.ravel()
     rounds = []
     for first in range(0, contemporaries, size):
@@ -221,6 +227,95 @@ def table_of_individuals(
     return table.reshape(n, m)
 
 
+# One population:
+
+
+def _learn_within(training: Training, schedule: AtOnce, generation: int) -> None:
+    """Let a population evolve for the epochs of a generation, and archive its champion."""
+    team = TEAMS[0]
+    activity = f"generation {generation}: {training.name_of(team)}"
+    training.update_sampler(team, generation, generation)
+    for epoch in range(schedule.joint_epochs):
+        training.begin_epoch(team, generation, epoch)
+        population = training.ask(team, generation, epoch)
+        played = _play_within(training, schedule, generation, epoch, population)
+        training.on_activity(activity)
+    training.archive_genome(team, training.champion(team, generation, population, played))
+
+
+def _play_within(
+    training: Training, schedule: AtOnce, generation: int, epoch: int, population: Genomes
+) -> Played:
+    """Play the matches of an epoch among a population and its hall of fame, and let it learn."""
+    team = TEAMS[0]
+    n = len(population)
+    rng = training.generator(seeding.Purpose.OPPONENTS, team, generation, epoch)
+    sampled = _sampled_from_halls(training, schedule, epoch, rng)[team]
+    hall = training.genomes(team)[sampled]
+    groups = training.learners[team].seed_groups
+    first, second, seed_indices = pairings_within(groups, schedule.contemporaries, len(hall), rng)
+    everyone = training.population(team, np.concatenate([population, hall]))
+    key = (training.settings.seed, generation, generation, seeding.Phase.BOTH_LEARN, epoch)
+    seeds = seeding.training_seeds(*key, int(seed_indices.max()) + 1)[seed_indices]
+    scores = training.play(everyone, everyone, (first, second, seeds)).from_both_sides()
+    own = np.concatenate([first, second])
+    opponents = np.concatenate([second, first])
+    table = partial(table_of_individuals, own, opponents, n)
+    fitness = training.log_fitness(team, scores, table, generation, epoch, types.SEVERAL)
+    if len(sampled):
+        # Columns from n on are the hall of fame.
+        training.tell_sampler(team, sampled, table(scores.of(team).mean(axis=1))[:, n:])
+    living = own < n
+    training.tell(team, fitness, everyone, opponents[living], np.tile(seeds, 2)[living])
+    return Played(fitness, everyone, met=opponents[own == np.argmax(fitness)])
+
+
+def pairings_within(
+    seed_groups: Indices, contemporaries: int, hall: int, rng: types.Rng
+) -> tuple[Indices, Indices, Indices]:
+    """Return first players, second ones and indices of seeds (M,) of matches in a population.
+
+    Numbers below n are individuals, others `hall` members of the hall of fame. In a round each
+    individual plays once on either side, against another one, never itself. Groups meet groups as
+    in `pairings`.
+    """
+    n = len(seed_groups)
+    blocks = _blocks(seed_groups)
+    _, size = blocks.shape
+    rounds = []
+    for begin in range(0, contemporaries, size):
+        order = rng.permutation(len(blocks))
+        players = blocks[order].ravel()
+        opponents = blocks[np.roll(order, 1)]  # in a circle, so that no group meets itself
+        shifts = range(min(size, contemporaries - begin))
+        rounds += [(players, np.roll(opponents, shift, axis=1).ravel()) for shift in shifts]
+    rounds += [(blocks.ravel(), np.full(n, n + member)) for member in range(hall)]
+    first, second = map(np.concatenate, zip(*rounds, strict=True))
+    # Other seeds in each round.
+    first_seeds = np.repeat(np.arange(len(rounds)) * (int(seed_groups.max()) + 1), n)
+    return first, second, first_seeds + seed_groups[first]
+
+
+def _blocks(seed_groups: Indices) -> Indices:
+    """Return the individuals of each group (groups, size); where all are one, each is a group."""
+    n_groups = int(seed_groups.max()) + 1
+    size = len(seed_groups) // n_groups if n_groups > 1 else 1
+    return np.argsort(seed_groups, kind="stable").reshape(-1, size)
+
+
+def learn_by_self_play(training: Training, stage: int) -> None:
+    """Let a population learn against its past for the epochs of a generation."""
+    schedule = training.settings.schedule
+    assert isinstance(schedule, SelfPlay)
+    team = TEAMS[0]
+    generation = 1 + stage
+    training.update_sampler(team, generation, generation)
+    epochs = range(schedule.self_play_epochs)
+    activity = f"generation {generation}: {training.name_of(team)}"
+    genome = improve(training, team, generation, schedule.opponents, epochs, activity)
+    training.archive_genome(team, genome)
+
+
 # Against fixed opponents:
 
 
@@ -238,6 +333,7 @@ def learn_against(training: Training, stage: int) -> None:
 LOOPS: dict[type[Schedule], Callable[[Training, int], None]] = {
     InTurns: learn_in_turns,
     AtOnce: learn_at_once,
+    SelfPlay: learn_by_self_play,
     Against: learn_against,
 }
 """What runs a stage of each kind of schedule."""

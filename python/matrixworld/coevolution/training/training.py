@@ -123,11 +123,17 @@ class Training:
             team: sampler.start() for team, sampler in self.samplers.items()
         }
         self.archive: dict[Team, list[Genome]] = {team: [] for team in TEAMS}
+        self._share_archive()
         for team, learner in self.learners.items():
             self.archive[team].append(learner.genome(self.states[team]))
         self.rows: list[Row] = []
         self.stage: int = 0
         self.counts: dict[str, int] = dict.fromkeys(("matches", *self.game.counters), 0)
+
+    def _share_archive(self) -> None:
+        """Let the one population of a symmetric game be both teams."""
+        if self.settings.game.symmetric:
+            self.archive["evader"] = self.archive["pursuer"]
 
     # Stages:
 
@@ -159,6 +165,7 @@ class Training:
         """Take up a finished stage: its number, genomes and counts, and the arrays of `parts`."""
         self.stage = stage
         self.archive = {team: [*archive[team]] for team in TEAMS}
+        self._share_archive()
         self.counts = {name: counts[name] for name in self.counts}
         self.rows = []
         for team in self.learners:
@@ -192,7 +199,7 @@ class Training:
     def opponents(self, team: Team) -> Any:
         """Return whom a team can meet now: the other team's generations, or what plays for it."""
         rival = other(team)
-        if rival in self.learners or self._rivals is None:
+        if rival in self.learners or self.settings.game.symmetric or self._rivals is None:
             return self.population(rival, self.genomes(rival))
         return self._rivals(rival)
 
@@ -272,7 +279,7 @@ class Training:
     def play(self, pursuers: Any, evaders: Any, matches: Matches) -> Scores:
         """Play and count M matches; the arrays of the result have shape (M, episodes, ...)."""
         episodes = self.settings.match_episodes
-        scores = self.game.scores(
+        scores = self.game.rollout(
             pursuers, evaders, matches, episodes=episodes, threads=self.threads
         )
         for name, count in {"matches": scores.scores.size, **self.game.counted(scores)}.items():
@@ -370,7 +377,11 @@ class Training:
         evaders = self.population("evader", self.genomes("evader"))
         g, h = np.repeat(pairs, episodes, axis=0).T
         scores = self.play(pursuers, evaders, (g, h, np.concatenate(seeds)))
-        rates = scores.scores.mean(axis=1, dtype=np.float64)
         shape = len(met["pursuer"]), len(met["evader"]), episodes
-        captured = np.asarray(rates.reshape(shape).mean(axis=2))
-        return captured if team == "pursuer" else 1.0 - captured.T
+
+        others = scores.others if team == "evader" else None
+        values = scores.scores if others is None else others
+        rates: FloatArray = values.mean(axis=1, dtype=np.float64).reshape(shape).mean(axis=2)
+        if team == "pursuer":
+            return rates
+        return np.asarray(1.0 - rates.T if others is None else rates.T)
