@@ -1,6 +1,7 @@
 """Games of your own: kept promises, all learners and schedules, and runs that find their game."""
 
 import importlib
+import json
 import linecache
 import shutil
 import sys
@@ -250,9 +251,23 @@ def results_of(directory):
 def test_a_run_of_a_game_is_no_chase(tmp_path):
     """What plays, records or scores pursuit refuses its genomes by name."""
     run = co.finish(co.create(race(), tmp_path / "run").path)
-    for replayed in (run.record, lambda: run.policy("pursuer")):
-        with pytest.raises(ValueError, match="run of pursuers and evaders, got .* own_games:coins"):
-            replayed()
+    refused = {
+        lambda: run.policy("cats"): "`genomes` returns its genomes",
+        lambda: co.score(run): "it has no held-out opponents, and `judge` says how",
+    }
+    for asked, instead in refused.items():
+        expected = f"run of pursuers and evaders, got .* own_games:coins; {instead}"
+        with pytest.raises(ValueError, match=expected):
+            asked()
+    with pytest.raises(ValueError, match="^show: expected a function of the game that shows a mat"):
+        run.record()
+    told = run.explain("mice", 1)
+    expected = 1 - run.payoff().matrix[:, 1]
+    np.testing.assert_allclose(told.scores, expected)
+    assert str(told).splitlines()[1] == (
+        f"Score against all 5 generations of cats: {expected.mean():.3f}"
+    )
+    assert json.loads(json.dumps(told.to_json()))["generation"] == 1
     with pytest.raises(ValueError, match="^.*: holds a run with other settings: game"):
         co.evolve(race(game=numbers), tmp_path / "run")
 

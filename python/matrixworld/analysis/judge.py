@@ -22,7 +22,7 @@ from matrixworld.analysis.judgement import (
     Findings,
     Judgement,
 )
-from matrixworld.analysis.measures import MEASURES
+from matrixworld.analysis.measures import MEASURES, ends_of_extras
 from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
 from matrixworld.analysis.progress import PURSUERS_WIN
 from matrixworld.analysis.reasons import Reason, Why
@@ -100,6 +100,7 @@ def judge(
         payoffs.teams,
         payoffs.exact,
         refused_of(payoffs),
+        ends_of_extras(payoffs),
     )
 
 

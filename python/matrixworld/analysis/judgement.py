@@ -40,7 +40,8 @@ class Judgement(Readable):
     In `windows`, the whole race and its halves, are findings by condition, with intervals of a
     `level`. A run has generations of both `teams` (`shape`), and so many `episodes` behind each
     cell, if known; they are equal in an `exact` game, without chance. Conditions that have no
-    meaning in such a game are `refused`, each for a reason.
+    meaning in such a game are `refused`, each for a reason. `extras` are means of other numbers of
+    a game, in the first and in the last third of the generations, among contemporaries.
     """
 
     runs: int
@@ -51,6 +52,7 @@ class Judgement(Readable):
     teams: tuple[str, str] = BOTH
     exact: bool = False
     refused: Mapping[str, Reason] = field(default_factory=dict)
+    extras: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
     def _parts(self) -> Parts:
         return [sentence(self), judgement_cells(self)]
@@ -332,6 +334,8 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
             for key, estimate in finding.estimates.items()
         )
         rows.append((name, finding.verdict, numbers, "whole race" if window == WHOLE else window))
+    for name, (first, last) in judgement.extras.items():
+        rows.append((name, "told", f"{first:.3g} at first, {last:.3g} in the end", "whole race"))
     return rows
 
 

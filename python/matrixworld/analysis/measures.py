@@ -343,6 +343,20 @@ def joint_scores(source: Source) -> Band:
     return intervals.band_over_runs(course[0].T, bounds=UNIT)
 
 
+def ends_of_extras(payoffs: Payoffs) -> dict[str, tuple[float, float]]:
+    """Return the means of a game's own numbers among contemporaries, by name.
+
+    They are those of the first third of the generations, and of the last third.
+    """
+    end = min(payoffs.shape)
+    third = -(-end // 3)
+    ends = {}
+    for name, values in payoffs.extras.items():
+        course = _near_diagonal(values, 0, end).mean(axis=0)
+        ends[name] = float(course[:third].mean()), float(course[-third:].mean())
+    return ends
+
+
 def _near_diagonal(cells: Rates, begin: int, end: int) -> Rates:
     """Return the means (runs, k, ...) of the cells of contemporaries in cells (runs, n, m, ...)."""
     course = []

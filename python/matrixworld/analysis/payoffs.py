@@ -11,7 +11,7 @@ import itertools
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
@@ -92,6 +92,8 @@ class Payoffs(Readable):
     teams: tuple[str, str] = BOTH
     exact: bool = False  # whether all episodes are equal, as in a game without chance
     others: Rates | None = None  # (runs, n, m, episodes), of the second team in a general-sum game
+    extras: Mapping[str, Rates] = field(default_factory=dict)
+    """Other means (runs, n, m) that a game tells of its matches, by name."""
 
     def __len__(self) -> int:
         return len(self.matrices)
@@ -121,13 +123,15 @@ class Payoffs(Readable):
         scores = nothing if self.scores is None else self.scores[:, None]
         others = nothing if self.others is None else self.others[:, None]
         parts = zip(self.matrices[:, None], scores, others, strict=True)
-        return [replace(self, matrices=m, scores=one, others=other) for m, one, other in parts]
+        known = replace(self, extras={})
+        return [replace(known, matrices=m, scores=one, others=other) for m, one, other in parts]
 
     def select(self, runs: list[int]) -> Payoffs:
         """Return the payoffs of some of the runs."""
         scores = None if self.scores is None else self.scores[runs]
         others = None if self.others is None else self.others[runs]
-        chosen = replace(self, matrices=self.matrices[runs], scores=scores, others=others)
+        matrices = self.matrices[runs]
+        chosen = replace(self, matrices=matrices, scores=scores, others=others, extras={})
         # What is known of single runs stays known.
         vars(chosen)["_runs"] = [self.runs[run] for run in runs]
         return chosen

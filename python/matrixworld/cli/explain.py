@@ -12,6 +12,7 @@ from matrixworld.cli import console, options
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, ProgressBar, Team, open_run
 from matrixworld.coevolution.evaluation.trials import EPISODES
+from matrixworld.coevolution.games.own_game import OwnGame
 
 
 @click.command("explain")
@@ -42,17 +43,23 @@ def explain_command(
     the extra `explain`.
 
     RUN is the directory of a run, or of a job of one, which need not be finished. Scores are
-    against held-out opponents, in episodes that no other command plays.
+    against held-out opponents, in episodes that no other command plays. Of a game of your own
+    it prints the genomes of the last generation, and whom they win and lose against.
     """
     options.check_outputs(json_file, force=force)
     plain: dict[str, Any] = {}
     with usage_errors():
         saved = open_run(options.run_in(run, race))
-        saved.check_pursuit()  # games of your own have other policies
+        is_own = isinstance(saved.settings.game, OwnGame)
         for explained in [team] if team else saved.settings.learning_teams:
-            with ProgressBar() as bar:
-                explanation = saved.explain(explained, **chosen, report=bar)
-            name = PLURALS[explained]
+            if is_own:
+                key = saved.facts.keys[TEAMS.index(explained)]
+                explanation = saved.explain(key, chosen["generation"])
+                name = saved.facts.teams[TEAMS.index(explained)]
+            else:
+                with ProgressBar() as bar:
+                    explanation = saved.explain(explained, **chosen, report=bar)
+                name = PLURALS[explained]
             console.print_head(f"{saved.path}: {name} of generation {explanation.generation}")
             console.say(explanation)
             plain[name] = explanation.to_json()

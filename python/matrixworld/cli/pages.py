@@ -159,7 +159,7 @@ def playground_command(
         directory = options.run_in(source, race)
         with usage_errors():
             run = open_run(directory)
-            run.check_pursuit()
+            run.check_pursuit("`matrixworld explore` shows its matches")
         title = f"{run.title} - {title}"
         opponents = playground.of_run(run)
     page = out or directory / playground.PAGE

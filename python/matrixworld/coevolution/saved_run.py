@@ -14,6 +14,7 @@ from matrixworld.analysis import Judgement, judge
 from matrixworld.coevolution.evaluation import explanation, scores
 from matrixworld.coevolution.evaluation.explanation import Explanation
 from matrixworld.coevolution.evaluation.imitation import DEPTH
+from matrixworld.coevolution.evaluation.standing import Standing, standing
 from matrixworld.coevolution.evaluation.trials import EPISODES
 from matrixworld.coevolution.games.own_game import OwnGame
 from matrixworld.coevolution.games.pursuit import PursuitSettings
@@ -23,7 +24,6 @@ from matrixworld.coevolution.runs.places import runs_in
 from matrixworld.coevolution.runs.stored import StoredRun
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.episodes.episode import Episode
 
 OTHER_NAMES: Mapping[str, str] = {
     **dict.fromkeys(("payoff_matrix", "payoffs", "matrix"), "run.payoff()"),
@@ -119,8 +119,10 @@ class SavedRun(StoredRun):
         """Return the judgement of a race; FileNotFoundError while the run is not finished."""
         return judge(self.payoff().payoffs())
 
-    def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Episode:
+    def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Any:
         """Play one episode of the evaluation again and record every step.
+
+        Of a game of your own it returns what the game shows of a match of two generations.
 
         Parameters
         ----------
@@ -129,11 +131,20 @@ class SavedRun(StoredRun):
         episode : int, optional
             Number of the episode.
 
+        Returns
+        -------
+        Episode, or str or Picture
+            The episode; of a game of your own a text, or an image or film to save or to display.
+
         Raises
         ------
-        IndexError
-            If there is no such generation.
+        IndexError, ValueError
+            If there is no such generation, or a game of your own shows nothing.
         """
+        if isinstance(self.settings.game, OwnGame):
+            sides = zip(self.facts.keys, self.sides, (pursuer, evader), strict=True)
+            genomes = [side.genomes[self.generation(key, g)] for key, side, g in sides]
+            return self.game.shown(*genomes)
         pursuit = self.pursuit
         g = self.generation("pursuer", pursuer)
         h = self.generation("evader", evader)
@@ -198,7 +209,7 @@ class SavedRun(StoredRun):
 
     def explain(
         self,
-        team: Team,
+        team: str,
         generation: int = -1,
         *,
         episodes: int = EPISODES,
@@ -206,11 +217,12 @@ class SavedRun(StoredRun):
         depth: int = DEPTH,
         threads: int | None = None,
         report: Report = silent,
-    ) -> Explanation:
+    ) -> Explanation | Standing:
         """Return what a generation of a team does, in words and numbers.
 
         Of a policy that rates moves it tells what its inputs do and cost; of a network over cells
-        it has a decision tree that imitates it (extra ``explain``).
+        it has a decision tree that imitates it (extra ``explain``). Of a game of your own it tells
+        the genome, and whom it wins and loses against; other arguments have no effect there.
 
         Parameters
         ----------
@@ -227,7 +239,7 @@ class SavedRun(StoredRun):
 
         Returns
         -------
-        Explanation
+        Explanation or Standing
             What the team does; it prints as sentences and a table.
 
         Raises
@@ -236,12 +248,15 @@ class SavedRun(StoredRun):
             If there is no such generation or team, a script plays for it, it has memory, a number
             is too small or too large, or a tree needs scikit-learn.
         """
-        policy = self.policy(team, generation, seed=seed)
+        if isinstance(self.settings.game, OwnGame):
+            return standing(self, team, generation)
+        member = cast("Team", team)  # as `policy` checks
+        policy = self.policy(member, generation, seed=seed)
         world = self.pursuit.world
-        opponents, _ = scores.opponents_in(self, team, world)
+        opponents, _ = scores.opponents_in(self, member, world)
         return explanation.explain(
             policy,
-            team,
+            member,
             world,
             opponents=opponents,
             generation=self.generation(team, generation),

@@ -6,7 +6,7 @@ Whatever a game calls its teams, its first team is the pursuers here, and the se
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -116,6 +116,11 @@ def payoffs_of(runs: Sequence[Payoff]) -> Payoffs:
     others = None
     if first.others is not None:
         others = np.stack([run.others for run in runs if run.others is not None])
-    return read_payoffs(
+    payoffs = read_payoffs(
         scores, per_episode=True, exact=first.exact, teams=first.teams, others=others
     )
+    if first.teams == BOTH:
+        return payoffs
+    names = [name for name, values in first.extras.items() if values.ndim == 2]
+    extras = {name: np.stack([run.extras[name] for run in runs]) for name in names}
+    return replace(payoffs, extras=extras)

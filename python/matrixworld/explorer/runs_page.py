@@ -359,6 +359,7 @@ def findings(payoff: Payoff, *, ended: bool = True) -> dict[str, Any]:
         "sentence": analysis.sentence(judgement),
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
+        "refused": {name: why.in_words(judgement.teams) for name, why in judgement.refused.items()},
         "checkerboards": plain_values(boards),
         "margin": MARGIN,
         **curves(payoff),

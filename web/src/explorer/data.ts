@@ -63,6 +63,8 @@ export interface Findings {
   readonly sentence: string;
   readonly table: readonly (readonly [string, string, string, string])[];
   readonly reasons: readonly string[];
+  /** Conditions that have no meaning in such a game, and why. */
+  readonly refused?: Readonly<Record<string, string>>;
   readonly generalization: OfTeams<Band>;
   readonly ciao: OfTeams<{
     readonly fading: number | null;

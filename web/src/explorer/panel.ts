@@ -30,7 +30,8 @@ export function diagnosisPanel(run: Run): Panel | null {
   if (!findings?.table.length) return null; // there is no judgement while a run goes on
   const [, ...rows] = findings.table;
   const items = rows.map(([condition, verdict, numbers, window], row) => {
-    const reason = reasonOf(findings.reasons[row] ?? "");
+    // Numbers that the game tells beside the scores come last, without a verdict.
+    const reason = verdict === "told" ? "" : reasonOf(findings.reasons[row] ?? "");
     return html(
       "li",
       { class: `finding ${verdict.replace(" ", "-")}` },
@@ -55,10 +56,20 @@ export function diagnosisPanel(run: Run): Panel | null {
     "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",
     html("p", { class: "headline" }, findings.sentence),
     html("ul", { class: "findings" }, ...items),
+    ...refusedOf(findings.refused ?? {}),
     run.limits ? html("p", { class: "small" }, run.limits) : null,
   );
   element.classList.add("diagnosis");
   return { element };
+}
+
+/** Return what is not judged, by the reason. */
+function refusedOf(refused: Readonly<Record<string, string>>): HTMLElement[] {
+  const reasons = [...new Set(Object.values(refused))];
+  return reasons.map((reason) => {
+    const names = Object.keys(refused).filter((name) => refused[name] === reason);
+    return html("p", { class: "small muted" }, `Not judged, because ${reason}: ${names.join(", ")}.`);
+  });
 }
 
 /** Return the reason of a sentence "Cycling: absent, because ...". */

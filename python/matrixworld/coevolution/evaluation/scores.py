@@ -185,6 +185,9 @@ def score(
     checks.check_instance("run", run, StoredRun)
     episodes = checks.check_integer("episodes", episodes, 2)
     checks.check_threads(threads)
+    run.check_pursuit(
+        "it has no held-out opponents, and `judge` says how its generations do against each other"
+    )
     if world is None:
         world = run.pursuit.world
     if steps is not None:

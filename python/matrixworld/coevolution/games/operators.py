@@ -22,8 +22,16 @@ LONG = 10**6  # characters of a genome, above which a warning tells of it
 
 to_json = json.JSONEncoder(allow_nan=False).encode
 """The default of `write`: other programs cannot read NaN."""
-from_json = json.JSONDecoder().decode
-"""The default of `read`."""
+_parse = json.JSONDecoder().raw_decode  # in half of the time, without a look for white space
+
+
+def from_json(text: str) -> Any:
+    """Return what a text of JSON stands for; the default of `read`."""
+    try:
+        value, end = _parse(text)
+    except ValueError:
+        return json.loads(text)
+    return value if end == len(text) else json.loads(text)
 
 
 @dataclass(frozen=True)

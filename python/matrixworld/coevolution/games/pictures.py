@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import base64
 import io
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,6 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from matrixworld._util import checks
+from matrixworld._util.files import replacing
 
 FRAME = 120  # milliseconds of a frame
 
@@ -19,6 +22,17 @@ class Picture(NamedTuple):
 
     suffix: str  # ".png" or ".gif"
     content: bytes
+
+    def save(self, path: str | Path) -> None:
+        """Write the file, whose suffix has to be that of its kind; ValueError for another one."""
+        if Path(path).suffix.lower() != self.suffix:
+            raise ValueError(f"path: expected one that ends with {self.suffix}, got {path}")
+        with replacing(path) as file:
+            file.write(self.content)
+
+    def _repr_html_(self) -> str:
+        encoded = base64.b64encode(self.content).decode()
+        return f'<img src="data:{self.kind};base64,{encoded}" alt="a match">'
 
     @property
     def kind(self) -> str:

@@ -90,12 +90,12 @@ class StoredRun(StoredFiles):
         assert isinstance(game, Pursuit)
         return game
 
-    def check_pursuit(self) -> None:
-        """Raise ValueError if the game is not pursuit and evasion."""
+    def check_pursuit(self, instead: str = "") -> None:
+        """Raise ValueError, which says what serves `instead`, for another game than pursuit."""
         if not isinstance(self.settings.game, PursuitSettings):
             raise ValueError(
                 f"{self.path}: expected a run of pursuers and evaders, got one of the game "
-                f"{self.settings.game.source}"
+                f"{self.settings.game.source}{'; ' if instead else ''}{instead}"
             )
 
     @cached_property
@@ -191,7 +191,7 @@ class StoredRun(StoredFiles):
             If there is no such generation or team, a script plays for the team, or the game is
             one of your own.
         """
-        self.check_pursuit()
+        self.check_pursuit("`genomes` returns its genomes")
         check_choice("team", team, TEAMS)
         policy = self.teams[team]
         if not hasattr(policy, "genomes"):

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources cb69280b1bdb64f5ebbcbf57db0209f428ccccb624611b3571590ac6ee76936e */
+/* built from web/ by "npm run build"; sources db0802ae4886a3efaf36c9839aa6dd2eee4327779027ed6ea1a590627f729fac */
 "use strict";(()=>{var Lr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Je={DISAPPEAR:0,REACH:1,BOUNCE:2},Nr={OCCUPATION:0,SURROUND:1},Ir={FAULT:0,INVOLVED:1};var Fr=["obstacle","teammate","adversary"],xn=["vertex","edge","chain"],Dr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Sn=["p\
 ursuer_{number}","evader_{number}"],Wr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Xe={"both held":"both bounce","both doomed":"\
@@ -108,7 +108,7 @@ matrixworldEngine){return ls??=Ti(n),ls}async function Ti(n){if(!n)throw new Err
 let e=Uint8Array.from(atob(n.binary),t=>t.charCodeAt(0));return new Rn(await n({wasmBinary:e}))}var F=Uint8Array,$e=Uint16Array,Ei=Int32Array,cs=new F([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),us=new F([0,0,0,0,1,1,2,2,3,3,4,4,5,5,
 6,6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),Oi=new F([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),ds=function(n,e){for(var t=new $e(31),r=0;r<31;++r)t[r]=
 e+=1<<n[r-1];for(var s=new Ei(t[30]),r=1;r<30;++r)for(var o=t[r];o<t[r+1];++o)s[o]=o-t[r]<<5|r;return{b:t,r:s}},ms=ds(cs,2),hs=ms.b,ki=ms.r;hs[28]=258,ki[258]=28;
-var ps=ds(us,0),Ci=ps.b,Ju=ps.r,_n=new $e(32768);for(E=0;E<32768;++E)X=(E&43690)>>1|(E&21845)<<1,X=(X&52428)>>2|(X&13107)<<2,X=(X&61680)>>4|(X&3855)<<4,_n[E]=((X&
+var ps=ds(us,0),Ci=ps.b,Xu=ps.r,_n=new $e(32768);for(E=0;E<32768;++E)X=(E&43690)>>1|(E&21845)<<1,X=(X&52428)>>2|(X&13107)<<2,X=(X&61680)>>4|(X&3855)<<4,_n[E]=((X&
 65280)>>8|(X&255)<<8)>>1;var X,E,rt=(function(n,e,t){for(var r=n.length,s=0,o=new $e(e);s<r;++s)n[s]&&++o[n[s]-1];var a=new $e(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-
 1]<<1;var i;if(t){i=new $e(1<<e);var l=15-e;for(s=0;s<r;++s)if(n[s])for(var c=s<<4|n[s],d=e-n[s],m=a[n[s]-1]++<<d,h=m|(1<<d)-1;m<=h;++m)i[_n[m]>>l]=c}else for(i=
 new $e(r),s=0;s<r;++s)n[s]&&(i[s]=_n[a[n[s]-1]++]>>15-n[s]);return i}),st=new F(288);for(E=0;E<144;++E)st[E]=8;var E;for(E=144;E<256;++E)st[E]=9;var E;for(E=256;E<
@@ -555,7 +555,7 @@ let{others:s,extras:o={}}=n.payoff,a=s?.[t]?.[r],i=a===void 0?[]:[`score of the 
 i.push(`${l} ${C(d)}`)}return i.length?`Means of the pair: ${i.join(", ")}`:""}function dc(n,e,t,r,s){let o=Object.keys(e.shows).map(d=>d.split(" ").map(Number)),
 a=([d,m])=>(d-t)**2+(m-r)**2,[i,l]=o.sort((d,m)=>a(d)-a(m))[0]??[];if(i===void 0||l===void 0)return null;let c=`${L(n,"pursuer",i)} against ${L(n,"evader",l)}`;
 return u("p",{},u("button",{type:"button",onclick:()=>s.select({pursuer:i,evader:l})},`Nearest: ${c}`))}function va(n){let e=JSON.stringify(n,(t,r)=>t==="genome"?Array.from(r):r);return u("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var wt="_",mc="n",Jh=2n**64n-1n;var vr={fov:11,maxSteps:500,rewards:"paper"},hc=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+outerHTML}var wt="_",mc="n",Xh=2n**64n-1n;var vr={fov:11,maxSteps:500,rewards:"paper"},hc=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
 "next"];function xa(n,e){let t=i=>i.map(l=>fc(l,e)).join(""),r=i=>`${Math.floor(i/n.cols)}.${i%n.cols}`,s=pc(n.rewards,e),o=[n.seed,n.episode,n.steps].join("."),a={rules:wa(
 n.rules,e),others:n.others?wa(n.others,e):"",rewards:s===vr.rewards?"":s,size:`${n.rows}x${n.cols}`,diagonal:n.diagonal?"1":"",fov:n.fov===vr.fov?"":String(n.fov),
 limit:n.maxSteps===vr.maxSteps?"":String(n.maxSteps),seed:o==="0.0.0"?"":o,ended:n.ended?"1":"",walls:n.walls.map(r).join(wt),pursuers:n.pursuers.map(ba).join(wt),
@@ -763,22 +763,23 @@ came out. ${ln(this.settings)}`,!e)return;let t=this.#i.get(`${this.#o.newest} $
 s=>u("th",{scope:"col",class:s},`${s}s`)))),u("tbody",{},...r.map(([s,o])=>u("tr",{},u("th",{scope:"row"},s),...S.map((a,i)=>u("td",{},o(a,i))))))),u("p",{class:"\
 small muted"},"One race proves little: save it, and ",u("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Xc({means:{
 faults:n,agent_steps:e}},t){let r=n.length/S.length;return 1e3*n.slice(t*r,(t+1)*r).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}function Qc(n,e,...t){return u("section",{class:"card panel","aria-label":n},u("header",{},u("h2",{},n),u("p",{class:"small muted"},e)),...t)}var eu={present:"●",
-absent:"○","cannot tell":"?"};function Va(n){let{findings:e}=n;if(!e?.table.length)return null;let[,...t]=e.table,r=t.map(([o,a,i,l],c)=>{let d=tu(e.reasons[c]??
-"");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},eu[a]??""),u("div",{},u("p",{},u("strong",{},o),` ${a}`,u(
-"span",{class:"muted"},` · ${l}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},i)))}),s=Qc("What happened","Each condition is pre\
-sent, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("ul",{class:"findings"},...r),n.limits?
-u("p",{class:"small"},n.limits):null);return s.classList.add("diagnosis"),{element:s}}function tu(n){let[,e=""]=n.split(/, because (.*)/s);return te(e.replace(/\.$/,
-""))}var nu=84;function qa(n,e){let t=n.map((o,a)=>ru(o,a,e)),r=u("nav",{class:"races","aria-label":"Runs"},...t.map(o=>o.button)),s=()=>t.forEach((o,a)=>o.update(a===
-e.selected.run));return e.on("match hover",s),s(),r.hidden=n.length<2,r}function ru(n,e,t){let[r,s]=n.payoff.shape,o=!n.name.startsWith(n.schedule),a=nu/Math.max(
+absent:"○","cannot tell":"?"};function Va(n){let{findings:e}=n;if(!e?.table.length)return null;let[,...t]=e.table,r=t.map(([o,a,i,l],c)=>{let d=a==="told"?"":
+nu(e.reasons[c]??"");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},eu[a]??""),u("div",{},u("p",{},u("strong",
+{},o),` ${a}`,u("span",{class:"muted"},` · ${l}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},i)))}),s=Qc("What happened","Each \
+condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("ul",{class:"findings"},
+...r),...tu(e.refused??{}),n.limits?u("p",{class:"small"},n.limits):null);return s.classList.add("diagnosis"),{element:s}}function tu(n){return[...new Set(Object.
+values(n))].map(t=>{let r=Object.keys(n).filter(s=>n[s]===t);return u("p",{class:"small muted"},`Not judged, because ${t}: ${r.join(", ")}.`)})}function nu(n){let[
+,e=""]=n.split(/, because (.*)/s);return te(e.replace(/\.$/,""))}var ru=84;function qa(n,e){let t=n.map((o,a)=>su(o,a,e)),r=u("nav",{class:"races","aria-label":"Runs"},...t.map(o=>o.button)),s=()=>t.forEach((o,a)=>o.update(a===
+e.selected.run));return e.on("match hover",s),s(),r.hidden=n.length<2,r}function su(n,e,t){let[r,s]=n.payoff.shape,o=!n.name.startsWith(n.schedule),a=ru/Math.max(
 r,s),i=u("canvas",{"aria-hidden":"true"});Ue(i,n.payoff,{left:0,top:0,width:s*a,height:r*a});let l=u("span",{class:"place"}),c=u("button",{type:"button",class:"\
-race",title:`${n.name} (key ${e+1})`,onclick:()=>ou(n,e,t)},u("span",{class:"small-matrix"},i,l),u("span",{class:"race-text"},u("strong",{},o?n.name:n.schedule),
-u("span",{class:"small"},n.findings?n.findings.sentence:`${n.learning.map(m=>j(n).teams[m]).join(" and ")} against ${su(n)}`),u("span",{class:"small muted"},`${o?
+race",title:`${n.name} (key ${e+1})`,onclick:()=>au(n,e,t)},u("span",{class:"small-matrix"},i,l),u("span",{class:"race-text"},u("strong",{},o?n.name:n.schedule),
+u("span",{class:"small"},n.findings?n.findings.sentence:`${n.learning.map(m=>j(n).teams[m]).join(" and ")} against ${ou(n)}`),u("span",{class:"small muted"},`${o?
 `${n.schedule}, `:""}seed ${n.seed}`)));return{button:c,update:m=>{c.setAttribute("aria-current",String(m));let h=t.hover.pursuer??t.selected.pursuer,p=t.hover.
-evader??t.selected.evader;l.hidden=h>=r||p>=s,l.style.left=`${(p+.5)*a}px`,l.style.top=`${(r-h-.5)*a}px`}}}var su=n=>n.teams.pursuer.script??n.teams.evader.script??
-"another run";function ou(n,e,t){let[r,s]=n.payoff.shape,{pursuer:o,evader:a}=t.selected;t.select({run:e,pursuer:Math.min(o,r-1),evader:Math.min(a,s-1)})}var Ka=1,au="meadow";function Ya({runs:n},e){let t=n[Ka],{shape:[r,s],episodes:o}=t.payoff,a=new Se,i=0;return e.then(l=>{let c=new Be(()=>a.show(kt(l,t,{run:Ka,
+evader??t.selected.evader;l.hidden=h>=r||p>=s,l.style.left=`${(p+.5)*a}px`,l.style.top=`${(r-h-.5)*a}px`}}}var ou=n=>n.teams.pursuer.script??n.teams.evader.script??
+"another run";function au(n,e,t){let[r,s]=n.payoff.shape,{pursuer:o,evader:a}=t.selected;t.select({run:e,pursuer:Math.min(o,r-1),evader:Math.min(a,s-1)})}var Ka=1,iu="meadow";function Ya({runs:n},e){let t=n[Ka],{shape:[r,s],episodes:o}=t.payoff,a=new Se,i=0;return e.then(l=>{let c=new Be(()=>a.show(kt(l,t,{run:Ka,
 pursuer:r-1,evader:s-1,episode:i++%o,seed:null}),`Generation ${r-1} of both teams`),a);c.renew(),fr(c,a.element)}),u("div",{class:"widget"},a.element,Fe(a.player),
 on())}function Za({evolve:n},e,{grows:t=!1}){let r=u("button",{type:"button",class:"evolve",disabled:!0},"Evolve"),s=u("progress",{max:1,value:0,"aria-label":"P\
-rogress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let i=-1,l=()=>ua(n,{...ca(n,au),policy:"cells",seed:Math.max(0,i)}),c=new pn(
+rogress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let i=-1,l=()=>ua(n,{...ca(n,iu),policy:"cells",seed:Math.max(0,i)}),c=new pn(
 n,a,"lesson",l()),d=()=>{r.textContent=c.state==="waiting"?"Evolve":c.state==="evolving"?"Stop":"Again, with other luck",s.value=c.done};r.addEventListener("cli\
 ck",()=>{if(c.state==="evolving")return c.stop();i++,c.start(l())}),c.addEventListener("state",d),t&&(c.element.querySelector("details").open=!0),o.append(c.element),
 fr(c.chases,c.boards),r.disabled=!1}),u("div",{class:`widget evolving ${t?"grows":"boards"}`},u("div",{class:"buttons"},r,s),o)}function Ja({runs:n,playground:e},t){
@@ -792,34 +793,34 @@ toISOString().replace(/\.\d+Z$/,"+00:00");this.#a({choices:[...this.#e.choices,{
 solved[e];solve=(e,t)=>this.#a({solved:{...this.#e.solved,[e]:t}});get exit(){return this.#e}set exit(e){this.#a(e)}get count(){return this.#e.choices.length}get file(){
 let{choices:e,pupil:t}=this.#e;return e.map(r=>`${JSON.stringify({...r,edition:this.#n,pupil:t})}
 `).join("")}forget=()=>this.#a(Sr());#r(){try{return{...Sr(),...JSON.parse(localStorage.getItem(this.#t)??"{}")}}catch{return Sr()}}#a(e){this.#e={...this.#e,...e};
-try{localStorage.setItem(this.#t,JSON.stringify(this.#e))}catch{this.keeps=!1}}};function Qa(n,e){let t=[],r=[];for(let i of n)try{r.push({...i,...iu(i.text,e)})}catch(l){t.push({file:i.name,reason:l.message})}let s=new Map([...e.predictions].
+try{localStorage.setItem(this.#t,JSON.stringify(this.#e))}catch{this.keeps=!1}}};function Qa(n,e){let t=[],r=[];for(let i of n)try{r.push({...i,...lu(i.text,e)})}catch(l){t.push({file:i.name,reason:l.message})}let s=new Map([...e.predictions].
 map(([i,{options:l}])=>[i,new Map(Object.keys(l).map(c=>[c,0]))])),o=new Map,a=new Map;for(let{name:i,text:l,pupil:c,choices:d}of r.sort((m,h)=>h.choices.size-m.
 choices.size)){let m=[...d].filter(([p])=>!o.has(`${c} ${p}`)),h=a.get(l)??(m.length?void 0:o.get(`${c} ${[...d.keys()][0]}`));if(h!==void 0){t.push({file:i,reason:a.
 has(l)?`double: the same content as ${h}`:`double: the pupil of ${h}`});continue}a.set(l,i);for(let[p,f]of m)o.set(`${c} ${p}`,i),s.get(p).set(f,s.get(p).get(f)+
-1)}return{counts:s,pupils:new Set([...o.keys()].map(i=>i.split(" ")[0])).size,left:t}}function iu(n,{edition:e,predictions:t}){if(n===null)throw new Error("expe\
+1)}return{counts:s,pupils:new Set([...o.keys()].map(i=>i.split(" ")[0])).size,left:t}}function lu(n,{edition:e,predictions:t}){if(n===null)throw new Error("expe\
 cted at most 65536 bytes");let r=new Map,s="",o=n.split(/\r?\n/).filter(a=>a.trim());if(!o.length)throw new Error("expected predictions that the lesson has save\
-d, got an empty file");return o.forEach((a,i)=>{let l=lu(a),{prediction:c,choice:d}=l;if(typeof c!="string"||typeof d!="string")throw new Error(`line ${i+1}: ex\
+d, got an empty file");return o.forEach((a,i)=>{let l=cu(a),{prediction:c,choice:d}=l;if(typeof c!="string"||typeof d!="string")throw new Error(`line ${i+1}: ex\
 pected a prediction and its choice`);if(l.edition!==e)throw new Error(`line ${i+1}: expected edition ${e} of the course, got ${Mr(l.edition)}`);let m=t.get(c)?.
 options;if(!m)throw new Error(`line ${i+1}: expected a prediction of the lesson, got ${Mr(c)}`);if(!Object.hasOwn(m,d))throw new Error(`line ${i+1}: expected on\
 e of ${Object.keys(m).join(", ")} for ${c}, got ${Mr(d)}`);if(s||=String(l.pupil??""),!/^[0-9a-f]{8}$/.test(s)||l.pupil!==s)throw new Error(`line ${i+1}: expect\
-ed lines of one pupil`);r.has(c)||r.set(c,d)}),{pupil:s,choices:r}}function lu(n){try{let e=JSON.parse(n);return typeof e=="object"&&e!==null?e:{}}catch{return{}}}
+ed lines of one pupil`);r.has(c)||r.set(c,d)}),{pupil:s,choices:r}}function cu(n){try{let e=JSON.parse(n);return typeof e=="object"&&e!==null?e:{}}catch{return{}}}
 var Mr=n=>n===void 0?"none":JSON.stringify(n).slice(0,40);function ei(n){let e={edition:n.edition,predictions:Wt(n)},t=u("p",{role:"status"}),r=u("ul",{class:"left"}),s=u("div",{class:"questions"}),o=new Set,a=[],i=()=>{
 let h=Qa(a,e);t.textContent=a.length?`${a.length} ${a.length===1?"file":"files"}, ${h.pupils} ${h.pupils===1?"pupil":"pupils"}.${h.left.length?" Not counted:":""}`:
 "No files yet.",r.replaceChildren(...h.left.map(({file:p,reason:f})=>u("li",{},u("strong",{},p),` ${f}`))),s.replaceChildren(...[...e.predictions.values()].map(
-p=>uu(p,h,o,i)))},l=async h=>{let p=[...h].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(p)],i()},c=u("input",
+p=>du(p,h,o,i)))},l=async h=>{let p=[...h].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(p)],i()},c=u("input",
 {type:"file",multiple:!0,accept:".jsonl",id:"vote-files",onchange:()=>{l(c.files).then(()=>c.value="")}}),d=u("button",{type:"button",onclick:()=>{a=[],o.clear(),
 i()}},"Remove all files"),m=u("section",{class:"card drop","aria-label":"Files"},u("p",{},u("label",{for:"vote-files"},"Drop the files that your pupils have sav\
 ed anywhere on this page, or choose them: ")),c,u("div",{class:"buttons"},t,d),r,u("p",{class:"small muted"},"A pupil saves predictions.jsonl at the end of the \
 lesson. Names of files do not matter. Each pupil counts once: a second file of a pupil is named as double. Nothing leaves this computer."));document.addEventListener(
 "dragover",h=>h.preventDefault()),document.addEventListener("drop",h=>{h.preventDefault(),l(h.dataTransfer?.files??[])}),document.getElementById("page").replaceWith(
 Ft("How the class voted",u("span",{},`${n.title} `,u("a",{href:"#"},"Back to the lesson"))),u("main",{},m,s),u("footer",{class:"small muted"},`matrixworld ${n.version}\
-, edition ${n.edition} of the course`)),i()}function uu(n,e,t,r){let{predict:s,options:o,outcome:a}=n,i=e.counts.get(s),l=[...i.values()].reduce((p,f)=>p+f,0),c=t.
+, edition ${n.edition} of the course`)),i()}function du(n,e,t,r){let{predict:s,options:o,outcome:a}=n,i=e.counts.get(s),l=[...i.values()].reduce((p,f)=>p+f,0),c=t.
 has(s),d=n.again?e.counts.get(n.again):void 0,m=Object.entries(o).map(([p,f])=>{let y=u("span",{class:"filled"});y.style.width=`${100*i.get(p)/Math.max(1,l)}%`;
 let g=c&&p===a;return u("li",{class:g?"vote right":"vote"},u("span",{},`${p}. ${f}`,g&&u("strong",{}," ✓ the outcome")),u("span",{class:"bar","aria-hidden":"t\
 rue"},y),u("span",{class:"numbers"},`${i.get(p)} of ${l}`,d&&u("span",{class:"muted"},`, at first ${d.get(p)}`)))}),h=u("button",{type:"button",id:`outcome-${s}`,
 onclick:()=>{t.add(s),r()}},"Show the outcome");return u("section",{class:"card question",id:`votes-${s}`},u("h2",{},n.question),u("ul",{class:"of-votes"},...m),
-n.later?u("p",{class:"muted"},n.later):c?u("div",{class:"reply"},...bt(n.explanation??"")):u("div",{},h))}var ti="#votes",du=["explorer"],mu=n=>"needs"in n?n.needs:void 0,gn=n=>"widget"in n;function hu(n){let e=[];for(let t of n){let r=e.at(-1);!r||"text"in t||gn(t)&&
-r.some(gn)?e.push([t]):r.push(t)}return e}function pu(n){let e=n.find(gn);return e&&n.length>1&&!du.includes(e.widget)&&!e.grows?"block beside":"block"}var Ar=class{#e;#n;#t=()=>{};#r=new Promise(
+n.later?u("p",{class:"muted"},n.later):c?u("div",{class:"reply"},...bt(n.explanation??"")):u("div",{},h))}var ti="#votes",mu=["explorer"],hu=n=>"needs"in n?n.needs:void 0,gn=n=>"widget"in n;function pu(n){let e=[];for(let t of n){let r=e.at(-1);!r||"text"in t||gn(t)&&
+r.some(gn)?e.push([t]):r.push(t)}return e}function fu(n){let e=n.find(gn);return e&&n.length>1&&!mu.includes(e.widget)&&!e.grows?"block beside":"block"}var Ar=class{#e;#n;#t=()=>{};#r=new Promise(
 e=>this.#t=e);#a={chase:()=>Ya(this.#e,this.#r),evolving:e=>Za(this.#e,this.#r,e),"right-of-way":Lo,flat:_o,hands:zo,"hands-matrix":Go,games:Ko,numbers:Yo,matrices:()=>$o(
 this.#e),explorer:()=>Ja(this.#e,this.#r),judgement:()=>Xa(this.#e),"same-diagonal":Po,exit:e=>ta(e,this.#n)};constructor(e){this.#e=e,this.#n=new fn(e.edition);
 let t=this.#n,r=Wt(e).size,s=u("span",{class:"small muted",role:"status"}),o=()=>{let i=t.keeps?"They stay in this browser.":"This browser keeps nothing: save b\
@@ -831,9 +832,9 @@ redictions"),u("button",{type:"button",onclick:()=>print()},"Print"),u("button",
  sends nothing anywhere. matrixworld ${e.version}, edition ${e.edition} of the course. Teachers: `,u("a",{href:ti},"count the votes of a class"),"."))),o()}async load(){
 this.#t(await Ot())}#s(e){return"text"in e?u("div",{class:"text"},...bt(e.text)):gn(e)?this.#a[e.widget](e):"exercise"in e?ea(e,this.#n):Qo(e,this.#n)}#l(e,t){let{
 sections:r}=this.#e,s=u("p",{class:"waiting muted",role:"status"}),o=u("section",{class:"card",id:e.id,"aria-labelledby":`title-${e.id}`},u("h2",{id:`title-${e.
-id}`},`${t+1}. ${e.title}`,u("span",{class:"muted small"},`${e.minutes} minutes`)),s),a=hu(e.parts),i=a.map(m=>u("div",{class:pu(m)})),l=a.flatMap((m,h)=>m.map(
-()=>i[h])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){let m=e.parts[c-1],h=e.parts[c],p=[Dt(m)?m.predict:void 0,mu(h)].find(f=>f&&this.#n.choice(f)===
+id}`},`${t+1}. ${e.title}`,u("span",{class:"muted small"},`${e.minutes} minutes`)),s),a=pu(e.parts),i=a.map(m=>u("div",{class:fu(m)})),l=a.flatMap((m,h)=>m.map(
+()=>i[h])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){let m=e.parts[c-1],h=e.parts[c],p=[Dt(m)?m.predict:void 0,hu(h)].find(f=>f&&this.#n.choice(f)===
 void 0);if(p){let f=r.findIndex(({parts:y})=>y.some(g=>Dt(g)&&g.predict===p));s.textContent=`This section goes on with your prediction${f===t?"":` in section ${f+
-1}`}.`;return}s.before(l[c]),l[c].append(this.#s(h))}s.remove()};return this.#n.addEventListener("choice",d),d(),o}};function fu(){let n=Ws(),e=()=>location.hash===
+1}`}.`;return}s.before(l[c]),l[c].append(this.#s(h))}s.remove()};return this.#n.addEventListener("choice",d),d(),o}};function gu(){let n=Ws(),e=()=>location.hash===
 ti,t=e();if(window.addEventListener("hashchange",()=>e()!==t&&location.reload()),t)return void qn(Promise.resolve(ei(n)));let r=new Ar(n);requestAnimationFrame(
-()=>setTimeout(()=>qn(r.load())))}typeof document>"u"?Vn(globalThis):fu();})();
+()=>setTimeout(()=>qn(r.load())))}typeof document>"u"?Vn(globalThis):gu();})();
