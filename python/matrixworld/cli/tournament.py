@@ -70,7 +70,7 @@ def _play(
     with ProgressBar() as bar:
         return tournament(
             run.settings.evaluation_game,
-            *run.teams.values(),
+            *run.sides,
             seed=seed,
             episodes=episodes,
             threads=threads,
@@ -87,7 +87,9 @@ def _write(run: SavedRun, payoff: Payoff, target: Path) -> None:
     title = f"{run.title}\n{analysis.sentence(judgement)}"
     figure = _figure_of(target)
     save_arrays(target, payoff.arrays())
-    plots.save_figure(plots.payoff_heatmap(payoff.matrix, title=title), figure)
+    general = payoff.others is not None
+    heatmap = plots.payoff_heatmap(payoff.matrix, title=title, teams=payoff.teams, general=general)
+    plots.save_figure(heatmap, figure)
     console.print_head(str(run.path))
     console.say(f"{payoff}\n")
     print_judgement(judgement)

@@ -35,7 +35,11 @@ _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
 
 def payoff_heatmap(
-    payoff: ArrayLike, *, teams: Sequence[str] = BOTH, title: str | None = None
+    payoff: ArrayLike,
+    *,
+    teams: Sequence[str] = BOTH,
+    title: str | None = None,
+    general: bool = False,
 ) -> Figure:
     """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
@@ -47,6 +51,8 @@ def payoff_heatmap(
         Names of the team of the rows and of that of the columns.
     title : str, optional
         Text above the figure.
+    general : bool, optional
+        Whether both teams have scores of their own. The default is False.
 
     Returns
     -------
@@ -54,7 +60,7 @@ def payoff_heatmap(
         To be shown or saved, see `save_figure`.
     """
     rows, columns = check_payoff(payoff).shape
-    words = style.words_of(teams)
+    words = style.words_of(teams, general=general)
     title = words.begin(", all against all") if title is None else title
     figure, axes = style.single(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0, title)
     figure.colorbar(_draw_heatmap(axes, payoff, words), ax=axes, label=words.scale, shrink=0.9)
@@ -126,7 +132,8 @@ def comparison(
         To be shown or saved, see `save_figure`.
     """
     style.check_some(payoffs, "race")
-    words = style.words_of(teams)
+    races = {name: analysis.read_payoffs(source) for name, source in payoffs.items()}
+    words = style.words_of(teams, general=all(race.general for race in races.values()))
     lines = -(-len(payoffs) // COLUMNS)
     columns = -(-len(payoffs) // lines)  # as many in each line, but the last
     figure, heights = style.new_figure(1.2 + 2.7 * columns, 0.6 + 7.1 * lines), (1.7, 0.8, 0.8)
@@ -138,8 +145,7 @@ def comparison(
     heads: dict[str, list[str]] = {}
     known = style.by_name("judgements", judgements)
     width = style.room(figure, columns + 0.3)
-    for (heatmap, lags, scores), (name, source) in zip(panels, payoffs.items(), strict=True):
-        race = analysis.read_payoffs(source)
+    for (heatmap, lags, scores), (name, race) in zip(panels, races.items(), strict=True):
         _draw_heatmap(heatmap, race.matrices.mean(axis=0), words)
         if race.general:
             _draw_joint_scores(lags, race)
@@ -235,7 +241,6 @@ def _draw_generalization(axes: Axes, race: Payoffs, words: style.Words) -> None:
         if len(race) == 1 and side.scores is not None and race.has_episodes:
             band = mean_over_opponents(side.scores[0])
             interval = "95% interval over episodes"
-        label = f"{words.teams[BOTH.index(team)]} (own score)" if race.general else label
         axes.plot(band.places, band.mean, color=color, linestyle=line, linewidth=1.7, label=label)
         style.draw_runs(axes, band, curves, color)
     if band.low is not None:

@@ -60,8 +60,19 @@ class Words(NamedTuple):
         return f"{self.score[0].upper()}{self.score[1:]}{rest}"
 
 
-def words_of(teams: Sequence[str]) -> Words:
-    """Return the words of a game with these names of its teams."""
+def words_of(teams: Sequence[str], *, general: bool = False) -> Words:
+    """Return the words of a game with these names of its teams.
+
+    In a `general` one both teams have scores of their own.
+    """
+    words = _words_of_constant_sum(teams)
+    if not general:
+        return words
+    first, second = (f"{name} (own score)" for name in words.teams)
+    return words._replace(scale=f"{words.score}\n(0 worst, 1 best)", scores=(first, second))
+
+
+def _words_of_constant_sum(teams: Sequence[str]) -> Words:
     names = check_sequence("teams", teams, "two texts")
     require(len(names) == 2, "names of two teams", names)
     first, second = names
