@@ -475,3 +475,10 @@ def test_a_game_is_found_where_it_was_made(modules):
     for texts in ({"library": LIBRARY, "mine": MINE}, {"library": maker, "mine": made}):
         mine = modules(texts)
         assert co.RaceSettings.of(game=mine.game).game.code == "mine:game"
+
+
+def test_a_game_of_objects_can_be_replaced_field_by_field():
+    other = replace(sorting, mate=None, show=lambda net, tests: "shown")
+    assert other.operators["pursuer"].mate is None
+    assert other.sizes == sorting.sizes == (1, 1)
+    assert other.shown(np.array(["[]"]), np.array(["[]"])) == "shown"

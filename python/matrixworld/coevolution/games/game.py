@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import KW_ONLY, dataclass, field
 from functools import cached_property
 from itertools import product
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -221,10 +221,11 @@ class Game:
             checks.check_bool(name, getattr(self, name))
         checks.check_choice("scores", self.scores, ("one", "both"))
         self._check_extras()
-        object.__setattr__(self, "genes", self._checked_genes())
+        if not self.texts:
+            object.__setattr__(self, "genes", self._checked_genes())
         self._check_teams()
         if self.bounds is not None:
-            object.__setattr__(self, "bounds", self._checked_bounds(self.genes))
+            object.__setattr__(self, "bounds", self._checked_bounds())
         object.__setattr__(self, "made_in", calling_modules())
 
     def _check_functions(self) -> None:
@@ -262,8 +263,6 @@ class Game:
 
     def _checked_genes(self) -> tuple[int, ...]:
         """Return the number of genes of each team; ValueError unless these are two."""
-        if self.texts:
-            return (1, 1)
         genes = self.genes if isinstance(self.genes, tuple | list) else (self.genes, self.genes)
         sizes = tuple(checks.check_integer("genes", n, 1) for n in genes)
         if len(sizes) != 2:
@@ -302,17 +301,17 @@ class Game:
                 )
         object.__setattr__(self, "extras", names)
 
-    def _checked_bounds(self, sizes: Any) -> tuple[NDArray[Any], NDArray[Any]]:
+    def _checked_bounds(self) -> tuple[NDArray[Any], NDArray[Any]]:
         """Return the bounds as arrays; ValueError unless they are intervals of the genes."""
         ends = checks.check_sequence("bounds", self.bounds, "numbers")
         if len(ends) != 2:
             raise ValueError(f"bounds: expected the least and the largest value, got {len(ends)}")
         low, high = (checks.check_floats("bounds", end, np.float32) for end in ends)
         for end in (low, high):
-            if end.ndim and {end.shape} != {(size,) for size in sizes}:
+            if end.ndim and {end.shape} != {(size,) for size in self.sizes}:
                 raise ValueError(
-                    f"bounds: expected one value, or one for each gene of both teams, {sizes}, "
-                    f"got {end.size}"
+                    f"bounds: expected one value, or one for each gene of both teams, "
+                    f"{self.sizes}, got {end.size}"
                 )
         if not (low < high).all():
             raise ValueError(f"bounds: expected least < largest value, got {low} and {high}")
@@ -349,10 +348,14 @@ class Game:
             for number, team in enumerate(TEAMS)
         }
 
+    @property
+    def sizes(self) -> tuple[int, int]:
+        """Length of the genomes of each team; a text is one gene."""
+        return (1, 1) if self.texts else cast("tuple[int, int]", self.genes)
+
     def genome_size(self, team: Team) -> int:
-        """Return the number of genes of a team; text is one."""
-        size: int = self.genes[TEAMS.index(team)]  # type: ignore[index]  # two, see above
-        return size
+        """Return the number of genes of a team; a text is one."""
+        return self.sizes[TEAMS.index(team)]
 
     def untrained(self, team: Team, rng: Rng) -> Genome:
         """Return a new untrained genome, (genes,) float32 or (1,) text.

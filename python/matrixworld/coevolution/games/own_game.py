@@ -63,6 +63,7 @@ class OwnGame(GameSettings):
     def known(self) -> Game:
         """What is known of the game without an import: all but its functions."""
         kinds = {field: getattr(self, name) for name, field in FIELDS.items()}
+        kinds["genes"] = kinds.pop("sizes")
         missing = _not_imported
         if kinds.pop("texts"):
             kinds |= {"genes": None, "initial": missing, "mutate": missing}
@@ -74,7 +75,8 @@ class OwnGame(GameSettings):
         for name, field in FIELDS.items():
             expected, got = getattr(self, name), getattr(game, field)
             if got != expected:
-                raise ValueError(f"{self.code}: expected a game with {field} {expected}, got {got}")
+                what = "genes" if field == "sizes" else field
+                raise ValueError(f"{self.code}: expected a game with {what} {expected}, got {got}")
         return game
 
     def training(self, *, alone: bool) -> Game:
@@ -95,7 +97,7 @@ class OwnGame(GameSettings):
 
 
 FIELDS = {
-    "genes": "genes", "names": "teams", "exact": "deterministic", "texts": "texts",
+    "genes": "sizes", "names": "teams", "exact": "deterministic", "texts": "texts",
     "score_of": "scores", "one_population": "symmetric", "extras": "extras",
 }  # fmt: skip
 """What a run must know of a game without an import, and where the game has it."""
