@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import one_population
 import own_games
 from browser import PHONE, data_of
 from matrixworld.coevolution import evolve
@@ -132,3 +133,61 @@ def test_a_click_shows_the_pair_in_the_words_of_the_game(browser, job, tmp_path)
     assert browser.js("document.querySelector('.scale-of-rates').textContent").startswith("0 all")
     assert browser.js("document.documentElement.scrollWidth") <= PHONE[0]
     assert browser.errors() == []
+
+
+@pytest.fixture(scope="module")
+def of_both(tmp_path_factory):
+    """Races of one population, and of two teams, in which both sides have scores of their own."""
+    folder = tmp_path_factory.mktemp("both")
+    settings = {
+        "one": short_race(one_population.coins, generations=6),
+        "both": short_race(one_population.meeting, generations=6),
+    }
+    runs = evolve(settings, folder, threads=1)
+    return dict(zip(settings, runs, strict=True))
+
+
+def test_the_page_of_one_population_speaks_of_one(of_both):
+    page = data(of_both["one"])
+    [plain] = page["runs"]
+    assert page["heading"] == "1 race of climbers, game coins"
+    assert plain["game"]["teams"] == ["climbers", "climbers"]
+    assert plain["learning"] == ["pursuer"]
+    assert {*plain["training"]["learner"]} == {0}
+    found = plain["findings"]
+    assert found["refused"]["arms race"] == "one population has no other one to race with"
+    first, second = found["generalization"].values()
+    np.testing.assert_allclose(first["mean"], second["mean"])
+    assert found["joint"] is None
+
+
+def test_the_page_of_scores_of_both_has_both_sides(of_both):
+    [plain] = data(of_both["both"])["runs"]
+    payoff = of_both["both"].payoff()
+    found = plain["findings"]
+    assert found["ratings"] is found["checkerboards"] is None
+    np.testing.assert_allclose(plain["payoff"]["others"], payoff.others.mean(axis=2), rtol=1e-6)
+    np.testing.assert_allclose(plain["payoff"]["extras"]["distance"], payoff.extras["distance"])
+    own = found["generalization"]["evaders"]["mean"]
+    np.testing.assert_allclose(own, payoff.others.mean(axis=(0, 2)), rtol=1e-6)
+    # Against contemporaries: the same generation, and the one before on either side.
+    both = (payoff.matrix + payoff.others.mean(axis=2)) / 2
+    near = [both[0, 0]] + [
+        np.mean([both[k, k], both[k, k - 1], both[k - 1, k]]) for k in range(1, 7)
+    ]
+    np.testing.assert_allclose(found["joint"]["mean"], near, rtol=1e-6)
+    assert "arms race" in found["refused"]
+
+
+@pytest.mark.slow
+def test_the_panels_of_both_sides_are_drawn(of_both, browser, tmp_path):
+    for name, drawn in (("one", False), ("both", True)):
+        browser.open(explore(of_both[name].path, file=tmp_path / f"{name}.html").path)
+        assert not OF_PURSUIT.search(browser.js("document.body.innerText"))
+        titles = browser.js("[...document.querySelectorAll('.panel h2')].map(e => e.textContent)")
+        assert ("Both sides together" in titles) == drawn
+        assert ("Checkerboards" in titles) == ("Ratings" in titles) == (not drawn)
+        triangles = browser.js("document.querySelectorAll('.triangles > *').length")
+        assert triangles == 1 + drawn
+        assert "Not judged, because" in browser.js("document.body.innerText")
+        assert browser.errors() == []
