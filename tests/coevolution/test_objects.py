@@ -186,6 +186,11 @@ class _Start:
         return self.texts[:count]
 
 
+PLAIN = {
+    "teams": ("ones", "others"), "initial": lambda rng: 1, "mutate": lambda g, rng: g,
+    "deterministic": True,
+}  # fmt: skip
+
 # What is refused:
 
 
@@ -371,8 +376,13 @@ def make(step):
     return stepped
 """
 MINE = """
+import enum
 import functools
+from collections import deque
+from dataclasses import dataclass
+from fractions import Fraction
 import library
+import numpy as np
 import matrixworld as mw
 from deap import base, gp, tools
 TEAMS = ("red", "blue")
@@ -382,14 +392,28 @@ two = mw.Game(lambda a, b: 0.5, teams=TEAMS, initial=lambda rng: 1,
               mutate=lambda g, rng: g + 2)
 BIG = 1 << 20000
 DO = {"+": int.__add__}
-class Board:
+@dataclass(frozen=True)
+class Limits:
+    most: int = 10
+class Colour(enum.Enum):
+    RED = 1
+def corner(n):
+    return n * 6
+class Plain:
+    def first(self):
+        return corner(1)
+class Board(Plain):
     size = 3
+    bag = deque([1, 2])
+HELD = [Limits(11), Colour.RED, range(12), Fraction(1, 3), np.array([{"deep": 13}], object)]
+MEMO = {}
 @functools.lru_cache
 def cached(n):
     return n + 4
 def play(one, other, most=5):
-    return min(one, most, BIG, len(DO)) / (Board.size + cached(most))
-nested = mw.Game(play, teams=TEAMS, initial=library.draw, mutate=library.change)
+    MEMO[one] = other
+    return min(one, most, BIG, len(DO) + len(HELD)) / (Board.size + cached(most))
+nested = mw.Game(play, teams=TEAMS, initial=library.draw, mutate=library.change, deterministic=True)
 primitives = gp.PrimitiveSet("MAIN", 1)
 def double(x):
     return 2 * x
@@ -408,6 +432,12 @@ SEEN = [
     ("two", "mine", ("g + 2", "g + 3")),
     ("nested", "mine", ("int.__add__", "int.__sub__")),
     ("nested", "mine", ("1 << 20000", "1 << 20001")),
+    ("nested", "mine", ("Limits(11)", "Limits(12)")),
+    ("nested", "mine", ("RED = 1", "BLUE = 1")),
+    ("nested", "mine", ("range(12)", "range(13)")),
+    ("nested", "mine", ("Fraction(1, 3)", "Fraction(1, 4)")),
+    ("nested", "mine", ('"deep": 13', '"deep": 14')),
+    ("nested", "mine", ("n * 6", "n * 7")),
     ("nested", "mine", ("most=5", "most=6")),
     ("nested", "mine", ("size = 3", "size = 4")),
     ("nested", "mine", ("n + 4", "n + 5")),
@@ -449,7 +479,11 @@ def test_a_change_of_what_a_game_is_made_of_is_seen(name, module, change, module
         texts = {"library": LIBRARY, "mine": MINE}
         assert change[0] in texts[module]
         if changed:
-            texts[module] = texts[module].replace(*change)
+            texts[module] = (
+                texts[module]
+                .replace(*change)
+                .replace("Colour.RED", "Colour.BLUE" if "BLUE" in change[1] else "Colour.RED")
+            )
         return digest_of(getattr(modules(texts), name))
 
     assert digest(changed=False) == digest(changed=False)
@@ -482,3 +516,20 @@ def test_a_game_of_objects_can_be_replaced_field_by_field():
     assert other.operators["pursuer"].mate is None
     assert other.sizes == sorting.sizes == (1, 1)
     assert other.shown(np.array(["[]"]), np.array(["[]"])) == "shown"
+
+
+def test_what_play_keeps_to_be_faster_is_no_change(modules, tmp_path):
+    mine = modules({"library": LIBRARY, "mine": MINE})
+    settings = co.RaceSettings.of(HALL, game=mine.nested)
+    run = co.evolve(settings, tmp_path / "run", threads=1)
+    assert mine.MEMO
+    assert results(run.extend(5).path) == straight(settings.changed({"schedule.generations": 5}))
+    mw.check_game(mine.nested, matches=4)
+
+
+def test_shared_collections_are_read_once():
+    nested = []
+    for _ in range(60):
+        nested = [nested, nested]
+    holds = mw.Game(lambda a, b: 0.5 * bool(nested), **PLAIN)
+    assert holds.digest == mw.Game(holds.play, **PLAIN).digest

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import warnings
 
+IMPORTERS = ("importlib", "runpy")  # modules that run others
 PACKAGE = __name__.partition(".")[0]
 
 
@@ -24,7 +25,7 @@ def calling_modules() -> tuple[str, ...]:
     frame = inspect.currentframe()
     while frame is not None:
         name = frame.f_globals.get("__name__", "")
-        if not _is_inside(name):
+        if not _is_inside(name) and name.partition(".")[0] not in IMPORTERS:
             names[name] = None
         frame = frame.f_back
     return tuple(names)

@@ -164,7 +164,7 @@ def load_arrays(path: Path, content: bytes | None = None) -> Arrays:
         lengths = arrays.pop(f"{name}{LENGTHS}", None)
         try:
             arrays[name.removesuffix(TEXTS)] = _split_texts(arrays.pop(name), lengths)
-        except (AttributeError, MemoryError, ValueError) as error:
+        except (MemoryError, ValueError) as error:
             raise DamagedFileError(path, f"altered, expected texts in {name} ({error})") from error
     return ArraysOf(path, arrays)
 
@@ -263,12 +263,18 @@ def _joined_texts(texts: NDArray[np.str_]) -> tuple[NDArray[np.uint8], NDArray[n
     return np.frombuffer(b"".join(parts), np.uint8), lengths.reshape(texts.shape)
 
 
-def _split_texts(joined: NDArray[np.uint8], lengths: NDArray[np.int64]) -> NDArray[np.str_]:
+def _split_texts(joined: NDArray[Any], lengths: NDArray[Any] | None) -> NDArray[np.str_]:
     """Return the texts that `_joined_texts` has joined; ValueError if the lengths do not fit."""
+    if joined.dtype != np.uint8 or joined.ndim != 1 or lengths is None:
+        raise ValueError(f"{joined.dtype} {joined.shape}, or no lengths")
+    if lengths.dtype.kind not in "iu" or not lengths.ndim:
+        raise ValueError(f"lengths {lengths.dtype} {lengths.shape}")
     content = joined.tobytes()
-    ends = np.cumsum(lengths)
-    if lengths.size and (lengths.min() < 0 or ends[-1] != len(content)):
-        raise ValueError(f"{len(content)} bytes of {ends[-1]}")
+    # Each is bounded before they are added up, so that no sum is too large.
+    fit = not lengths.size or 0 <= lengths.min() <= lengths.max() <= len(content)
+    ends = np.cumsum(lengths.astype(np.int64)) if fit else np.array([-1])
+    if (int(ends[-1]) if lengths.size else 0) != len(content) or b"\0" in content:
+        raise ValueError(f"{len(content)} bytes of {lengths.size} texts")
     pairs = zip(ends.tolist(), lengths.ravel().tolist(), strict=True)
     texts = [content[end - length : end].decode() for end, length in pairs]
     return np.array(texts, np.str_).reshape(lengths.shape)

@@ -255,8 +255,13 @@ def _isotonic_rows(values: Rates) -> Rates:
     return fit
 
 
-def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
-    """Return how similar the row team becomes to its past again, of scores (n, m, episodes)."""
+def recurrence_over_episodes(
+    scores: Rates, *, level: float = LEVEL, at_one_lag: bool = False
+) -> Estimate:
+    """Return how similar the row team becomes to its past again, of scores (n, m, episodes).
+
+    With `at_one_lag` the interval is above 0 only if all generations return after about as many.
+    """
     # c(d) is the mean product of the cyclic parts of generations that are d apart, divided by c(0).
     # Where c falls below 0, the team has left its old strategies; the largest c(d) after that is
     # the recurrence. One half of the episodes chooses d, the other one measures c(d).
@@ -271,7 +276,33 @@ def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate
     if first is None or second is None:
         return Estimate(math.nan, note=Reason(Why.ONLY_NOISE))
     value, high, low = np.mean([first, second], axis=0).tolist()
+    if (
+        at_one_lag
+        and low > 0.0
+        and not all(_exceeds_chance(scores, half, level) for half in (even, odd))
+    ):
+        low = 0.0
     return Estimate(value, low, high, "episodes")
+
+
+def _exceeds_chance(scores: Rates, chooses: Rates, level: float) -> bool:
+    """Return whether generations that are the chosen lag apart are similar, each pair about alike.
+
+    Without noise both halves of the episodes are equal: the lag is then the best of many for the
+    very numbers that measure it, and styles that are all new are similar at some lag by chance.
+    """
+    found = _return_lag(chooses)
+    if found is None:
+        return False
+    lag, tried = found
+    _, [mean] = _centred(scores.mean(axis=2, keepdims=True))
+    products = (mean[: len(mean) - lag] * mean[lag:]).sum(axis=1)
+    free = len(products) - 1
+    if free < 1:
+        return False
+    # Student's t of these products, of all lags that were tried (Bonferroni).
+    reach = float(t_quantile(1.0 - (1.0 - level) / tried, free))
+    return bool(products.mean() > reach * products.std(ddof=1) / math.sqrt(len(products)))
 
 
 def _similarities(scores: Rates) -> Rates:
@@ -290,13 +321,25 @@ def _similarities(scores: Rates) -> Rates:
 
 def _returned(chooses: Rates, measures: Rates, level: float) -> tuple[float, float, float] | None:
     """Return the recurrence with its largest and smallest value; None if the rates do not vary."""
-    curve, _ = _without_noise(chooses)
-    below = np.flatnonzero(curve < 0.0)
-    if not len(below) or below[0] + 1 == len(curve):
+    found = _return_lag(chooses)
+    if found is None:
         return 0.0, 0.0, 0.0
-    lag = below[0] + 1 + int(curve[below[0] + 1 :].argmax())
+    lag, _ = found
     t = float(t_quantile(level, measures.shape[1] - 1))
     return _ratio(*_without_noise(measures[[lag, 0]]), t)
+
+
+def _return_lag(chooses: Rates) -> tuple[int, int] | None:
+    """Return the lag at which a team is most similar to its past, and how many were tried.
+
+    They are those after the team has first left its old strategies; None if it never has.
+    """
+    curve, _ = _without_noise(chooses)
+    below = np.flatnonzero(curve < 0.0)
+    tried = curve[below[0] + 1 :] if len(below) else curve[:0]
+    if not len(tried):
+        return None
+    return int(below[0]) + 1 + int(tried.argmax()), len(tried)
 
 
 def _without_noise(products: Rates) -> tuple[Rates, Rates]:

@@ -295,7 +295,7 @@ def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]
     span = _span(window, team)
     means = side.matrices.mean(axis=2)[:, span]
     noise = side.noise.mean(axis=2)[:, span] / side.matrices.shape[2]
-    if side.scores is not None and payoffs.has_episodes:
+    if side.scores is not None and payoffs.has_episodes and not payoffs.exact:
         # Pairs may share the worlds of an episode, so noise is that of a generation's whole mean.
         # What shifts all generations alike changes no strength.
         noise = _noise_of_course(side.scores.mean(axis=2)[:, span])
@@ -319,7 +319,7 @@ def _joint_courses(payoffs: Payoffs, window: Window) -> tuple[Rates, Rates]:
     both = (first.matrices + second.matrices.swapaxes(1, 2)) / 2.0
     begin, end = _span(window, "pursuers").start, min(span[1] for span in _spans(window))
     means = _near_diagonal(both, begin, end)
-    if first.scores is None or second.scores is None or not payoffs.has_episodes:
+    if first.scores is None or second.scores is None or payoffs.exact or not payoffs.has_episodes:
         return means, np.zeros_like(means)
     scores = (first.scores + second.scores.swapaxes(1, 2)) / 2.0
     return means, _noise_of_course(_near_diagonal(scores, begin, end))
@@ -477,7 +477,8 @@ def _recurrence(run: Payoffs, window: Window, level: float, team: str) -> Estima
     if scores is None:
         return Estimate(math.nan, note=Reason(Why.TOO_FEW_TO_RECUR))
     cells = window.cells if team == "pursuers" else window.cells[::-1]
-    return cycles.recurrence_over_episodes(scores[0][cells], level=level)
+    # Where no intransitivity is asked for, new styles could be taken for a return.
+    return cycles.recurrence_over_episodes(scores[0][cells], level=level, at_one_lag=run.general)
 
 
 def _forgetting(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:

@@ -153,8 +153,19 @@ class Payoffs(Readable):
 
     @cached_property
     def noise(self) -> Rates:
-        """Variance of each cell: an estimate, of means a bound; zeros if it is unknown."""
-        return _noise(self.matrices, self.scores, self.episodes or 0)
+        """Variance of each cell: an estimate, of means a bound; zeros if it is 0 or unknown."""
+        return self._noise_of(self.matrices, self.scores)
+
+    def _noise_of(self, matrices: Rates, scores: Rates | None) -> Rates:
+        episodes = self.episodes or 0
+        # The variance of equal numbers is not quite 0 in floating point.
+        if self.exact or episodes < 2:
+            return np.zeros_like(matrices)
+        if scores is not None:
+            sampled: Rates = scores.var(axis=3, ddof=1) / episodes
+            return sampled
+        # Scores in [0, 1] vary at most as much as wins and losses with the same mean.
+        return matrices * (1.0 - matrices) / (episodes - 1)
 
     def side(self, team: str) -> Side:
         """Return the payoffs as a team, ``"pursuers"`` or ``"evaders"``, sees them."""
@@ -163,7 +174,7 @@ class Payoffs(Readable):
         if self.others is not None:
             scores = self.others.swapaxes(1, 2)
             matrices = scores.mean(axis=3)
-            return Side(matrices, scores, _noise(matrices, scores, self.episodes or 0))
+            return Side(matrices, scores, self._noise_of(matrices, scores))
         matrices = 1.0 - self.matrices.swapaxes(1, 2)
         swapped = None if self.scores is None else 1.0 - self.scores.swapaxes(1, 2)
         return Side(matrices, swapped, self.noise.swapaxes(1, 2))
@@ -189,17 +200,6 @@ class Payoffs(Readable):
             Window("last half", (n // 2, n), (m // 2, m)),
         )
         return {window.name: window for window in windows}
-
-
-def _noise(matrices: Rates, scores: Rates | None, episodes: int) -> Rates:
-    """Return the variance of each cell: an estimate, of means a bound; zeros if it is unknown."""
-    if episodes < 2:
-        return np.zeros_like(matrices)
-    if scores is not None:
-        sampled: Rates = scores.var(axis=3, ddof=1) / episodes
-        return sampled
-    # Scores in [0, 1] vary at most as much as wins and losses with the same mean.
-    return matrices * (1.0 - matrices) / (episodes - 1)
 
 
 def check_payoff(payoff: ArrayLike) -> Rates:

@@ -122,6 +122,8 @@ def is_sustained(course: Rates) -> bool:
     """Return whether a course keeps its direction: that of its linear change. It may rest."""
     # No tenth of it, and no two steps, make half of the change; it goes back by a quarter at most.
     change = float(_slope_weights(len(course)) @ course)
+    if abs(change) <= _LEAST:  # of a course that rests, rounding alone has a direction
+        return False
     forward = course * np.sign(change)
     tenth = _tenth(len(course))
     jump = (forward[tenth:] - forward[:-tenth]).max()

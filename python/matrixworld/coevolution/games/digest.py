@@ -2,17 +2,26 @@
 
 It is of the game's fields, of the source of its functions, and of all that these name in their own
 module or hold in closures and defaults: functions, classes, numbers, text, arrays, collections of
-these, the fields of objects that play, and what a DEAP toolbox or set of primitives has registered.
-Of a function from another module it is of the source and what it holds, of one of this package of
-what it holds. It is the same in every process.
+these, the fields of objects of the module's classes, of dataclasses and of what plays, and what a
+DEAP toolbox or set of primitives has registered. Of a function from another module it is of the
+source and what it holds, of one of this package of what it holds, and of other objects, such as the
+settings of another library, of their type alone. It is the same in every process, as the game is
+before it plays: what `play` keeps to be faster changes nothing.
 """
 
 from __future__ import annotations
 
 import inspect
+from collections import deque
 from collections.abc import Iterator, Mapping, Set
+from dataclasses import is_dataclass
+from datetime import date, timedelta
+from decimal import Decimal
+from enum import Enum
+from fractions import Fraction
 from functools import partial
 from hashlib import sha256
+from re import Pattern
 from types import (
     BuiltinFunctionType,
     CodeType,
@@ -20,6 +29,7 @@ from types import (
     MethodDescriptorType,
     MethodType,
     ModuleType,
+    SimpleNamespace,
     WrapperDescriptorType,
 )
 from typing import TYPE_CHECKING, Any
@@ -32,6 +42,11 @@ from matrixworld.coevolution.games.operators import PAIRED
 if TYPE_CHECKING:
     from matrixworld.coevolution.games.game import Game
 
+PLAIN = (
+    bool, float, complex, str, bytes, bytearray, range, Fraction, Decimal, Pattern, timedelta, date,
+)  # fmt: skip
+"""Types whose text says all of a value."""
+LONGEST = 200  # characters of a text that is not replaced by its digest
 OF_C = (BuiltinFunctionType, MethodDescriptorType, WrapperDescriptorType, np.ufunc)
 """Functions that have no source, but a name."""
 PACKAGE = __name__.partition(".")[0]
@@ -60,17 +75,21 @@ class _Parts:
     def __init__(self) -> None:
         self.texts: list[str] = []
         self._numbers: dict[tuple[int, int], int] = {}  # by address, and that of a method's object
+        self._known: dict[int, str] = {}  # texts of collections, by address
         self._met: list[Any] = []  # kept, so that no other object gets the address of one
         self._around: list[int] = []  # addresses of the collections around a value
 
     def text_of(self, value: Any, module: str) -> str:
         """Return a text of a value that code in a module names, and add what it is made of."""
+        if isinstance(value, Enum):
+            return f"{type(value).__qualname__}.{value.name}"
         if isinstance(value, int) and not isinstance(value, bool):
             return hex(value)  # Python writes no decimals of very large ones
-        if value is None or isinstance(value, bool | float | complex | str | bytes):
-            return repr(value)
-        if isinstance(value, np.ndarray | np.generic):
-            return repr(value.tolist())
+        if value is None or isinstance(value, PLAIN):
+            return _short(repr(value))
+        if isinstance(value, np.ndarray | np.generic) and not value.dtype.hasobject:
+            array = np.ascontiguousarray(value)
+            return f"{array.dtype} {np.shape(value)} {sha256(array.tobytes()).hexdigest()}"
         if isinstance(value, ModuleType):
             return value.__name__
         if isinstance(value, OF_C):
@@ -81,12 +100,36 @@ class _Parts:
             return f"part {self._number_of(value, function, module)}"
         if id(value) in self._around:
             return "itself"
-        self._around.append(id(value))
-        parts = [self.text_of(part, module) for part in _parts_of(value)]
-        self._around.pop()
-        if isinstance(value, Set):  # its order differs from process to process
-            parts.sort()
-        return f"{type(value).__qualname__}({', '.join(parts)})"
+        if id(value) not in self._known:
+            self._around.append(id(value))
+            parts = [self.text_of(part, module) for part in self._parts_of(value, module)]
+            self._around.pop()
+            if isinstance(value, Set):  # its order differs from process to process
+                parts.sort()
+            self._known[id(value)] = _short(f"{type(value).__qualname__}({', '.join(parts)})")
+            self._met.append(value)
+        return self._known[id(value)]
+
+    def _parts_of(self, value: Any, module: str) -> list[Any]:
+        """Return what a collection, a partial, a toolbox or another object is made of."""
+        if isinstance(value, Mapping):
+            return list(value.items())
+        if isinstance(value, tuple | list | Set | deque | np.ndarray):
+            return list(value)
+        if isinstance(value, partial):
+            return [value.func, value.args, value.keywords]
+        if isinstance(value, base.Toolbox):
+            registered = {k: part for k, part in vars(value).items() if isinstance(part, partial)}
+            return [registered]
+        if isinstance(value, gp.PrimitiveSetTyped):
+            names = {name: getattr(part, "arity", None) for name, part in value.mapping.items()}
+            functions = {k: part for k, part in value.context.items() if k != "__builtins__"}
+            return [value.arguments, names, functions]
+        kind = type(value)
+        if kind.__module__ == module or kind is SimpleNamespace or is_dataclass(value):
+            return [kind, getattr(value, "__dict__", {})]
+        call = getattr(kind, "__call__", None)  # noqa: B004, of its class
+        return [call, getattr(value, "__dict__", {})] if isinstance(call, FunctionType) else []
 
     def _number_of(self, value: Any, function: FunctionType | type, module: str) -> int:
         """Return the number of a function, method or class, with what it is made of among parts."""
@@ -106,6 +149,9 @@ class _Parts:
         if isinstance(function, type):
             if function.__module__ == module and not in_package:
                 yield _source_of(function)
+                for part in (*function.__bases__, *vars(function).values()):
+                    if isinstance(part, type | FunctionType):
+                        yield self.text_of(part, module)
             return
         if not in_package:
             yield _source_of(function.__code__)
@@ -146,23 +192,9 @@ def _source_of(code: CodeType | type) -> str:
         return f"{code.co_code.hex()} {code.co_consts} {code.co_names}"
 
 
-def _parts_of(value: Any) -> list[Any]:
-    """Return what a collection, a partial, a toolbox or an object that plays is made of."""
-    if isinstance(value, Mapping):
-        return list(value.items())
-    if isinstance(value, tuple | list | Set):
-        return list(value)
-    if isinstance(value, partial):
-        return [value.func, value.args, value.keywords]
-    if isinstance(value, base.Toolbox):
-        registered = {name: part for name, part in vars(value).items() if isinstance(part, partial)}
-        return [registered]
-    if isinstance(value, gp.PrimitiveSetTyped):
-        names = {name: getattr(part, "arity", None) for name, part in value.mapping.items()}
-        functions = {name: part for name, part in value.context.items() if name != "__builtins__"}
-        return [value.arguments, names, functions]
-    call = getattr(type(value), "__call__", None)  # noqa: B004, of its class
-    return [call, getattr(value, "__dict__", {})] if isinstance(call, FunctionType) else []
+def _short(text: str) -> str:
+    """Return a text, or a digest of a long one: collections that others hold may be in many."""
+    return text if len(text) <= LONGEST else sha256(text.encode()).hexdigest()
 
 
 def _names(code: CodeType) -> Iterator[str]:

@@ -21,6 +21,7 @@ from matrixworld._util import checks
 from matrixworld._util.callers import calling_modules
 from matrixworld._util.plugins import no_exit
 from matrixworld._util.sections import Section, section
+from matrixworld.coevolution.games.digest import digest_of
 from matrixworld.coevolution.games.draws import MatchDraws, episode_seeds
 from matrixworld.coevolution.games.operators import PAIRED, Operators, are_texts, as_genome
 from matrixworld.coevolution.games.pictures import Picture, picture_of
@@ -39,6 +40,9 @@ from matrixworld.coevolution.types import (
 
 TAKEN = ("scores", "others", "score", "other_score", "mean", "std", "matches", *LOGGED)
 """Names that files of a run have for something else than the extras of a game."""
+
+FILES = ("config", "summary", "payoff", "log")
+"""Names of files of a run, which no team can have: its genomes lie beside them."""
 
 Play = Callable[..., Any]
 """Both genomes, or those of M matches, and perhaps random numbers -> scores of the first team."""
@@ -147,8 +151,8 @@ class Game:
         give equal scores for any number. The default is False.
     scores : {"one", "both"}, optional
         ``"both"`` if what one team wins is not what the other loses: then `play` returns the scores
-        of both teams, a pair, or an array (M, 2). The judgement then speaks of each team's own
-        score, and of the mean of both. The default is ``"one"``.
+        of both teams, of one match a pair and of M an array (M, 2). The judgement then speaks of
+        each team's own score, and of the mean of both. The default is ``"one"``.
     symmetric : bool, optional
         Whether both sides are played by one population: an individual meets others of it, and its
         past. Which side it plays must make no difference. The default is False.
@@ -208,6 +212,8 @@ class Game:
     show: Callable[[Any, Any], Any] | None = None
     made_in: tuple[str, ...] = field(default=(), init=False, repr=False)
     """Names of the modules in which it was made, the innermost first: a run looks for it there."""
+    found_as: str = field(default="", init=False, repr=False)
+    """The name by which a run has found it."""
 
     score_words: ClassVar[tuple[str, str]] = ("score", "score")
     """What the scores of both teams are called."""
@@ -273,6 +279,11 @@ class Game:
         """Name the population of a symmetric game twice; ValueError unless names are words."""
         names = checks.check_sequence("teams", self.teams, "str")
         words = all(isinstance(name, str) and name.isidentifier() for name in names)
+        for name in names:
+            if name in FILES:
+                raise ValueError(
+                    f"teams: expected other words than {', '.join(FILES)}, got {name!r}"
+                )
         if self.symmetric:
             if not words or len({*names}) != 1 or len(names) > 2:
                 got = checks.shown(self.teams)
@@ -318,6 +329,11 @@ class Game:
         return low, high
 
     # What a run asks for:
+
+    @cached_property
+    def digest(self) -> str:
+        """A digest of what the game is made of; see `games.digest`."""
+        return digest_of(self)
 
     @property
     def general(self) -> bool:
@@ -396,9 +412,10 @@ class Game:
     ) -> Scores:
         """Play M matches, each a number of the first team, one of the second, and a seed.
 
-        A game of your own plays in one thread, whatever `threads` says, and a slow one in so many
+        A game of your own plays in one thread, whatever `threads` says; a slow one has that many
         processes.
         """
+        self.digest  # noqa: B018, taken before a match changes what the game holds
         a, b, seeds = matches
         times = 1 if self.deterministic else episodes
         asked = Part(first.genomes[a], second.genomes[b], seeds, range(times))

@@ -8,7 +8,6 @@ from typing import Any, ClassVar
 from matrixworld._util import checks
 from matrixworld._util.plugins import PATH
 from matrixworld._util.sections import OWN, SettingError, section, setting
-from matrixworld.coevolution.games.digest import digest_of
 from matrixworld.coevolution.games.game import Game, GameSettings
 from matrixworld.coevolution.games.names import code_of, object_of
 
@@ -47,7 +46,7 @@ class OwnGame(GameSettings):
         game = self._imported()
         for name, field in FIELDS.items():
             object.__setattr__(self, name, getattr(game, field))
-        object.__setattr__(self, "digest", digest_of(game))
+        object.__setattr__(self, "digest", game.digest)
 
     @property
     def variant(self) -> str:
@@ -85,7 +84,7 @@ class OwnGame(GameSettings):
 
     def changed(self) -> str:
         """Return in words that the source of the game has changed; empty if it has not."""
-        if digest_of(self.evaluation()) == self.digest:
+        if self.evaluation().digest == self.digest:
             return ""
         return f"{self.code}: expected the source of the game as it was, got a changed one"
 
@@ -93,6 +92,7 @@ class OwnGame(GameSettings):
         game = object_of(self.code)
         if not isinstance(game, Game):
             raise ValueError(f"{self.code}: expected a Game, got {checks.shown(game)}")
+        object.__setattr__(game, "found_as", self.code)
         return game
 
 

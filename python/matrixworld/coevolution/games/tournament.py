@@ -47,7 +47,9 @@ def tournament(
         What `Game.population` returns of G and H genomes; in pursuit also names of scripts.
     seed : int
         Seed of the run. That of a pair is ``evaluation_seed(seed, pursuer generation, evader
-        generation)``, which does not depend on the other pairs: each can be replayed alone.
+        generation)``, which does not depend on the other pairs: each can be replayed alone. Of a
+        population that plays itself, the pairs below the diagonal are those above it, seen from the
+        other side.
     episodes : int
         Episodes of each pair.
     threads : int, optional
@@ -82,7 +84,8 @@ def tournament(
     is_half = _is_one_population(game, first, second)
     unplayed = _unplayed(shape, known)
     if is_half:  # the other half are the same matches from the other side
-        least = 0 if game.general else 1  # what one wins against itself, it loses
+        # What one wins against itself it loses: without anything else to tell, nobody plays that.
+        least = 1 if len(members) > 1 and not (game.general or game.extras) else 0
         unplayed = [(row, columns[columns >= row + least]) for row, columns in unplayed]
         unplayed = [(row, columns) for row, columns in unplayed if len(columns)]
     plays = []

@@ -7,6 +7,7 @@ from concurrent.futures import BrokenExecutor, Executor, Future
 from contextlib import ExitStack
 from functools import cache
 from multiprocessing import util
+from threading import RLock
 from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -15,7 +16,6 @@ import numpy as np
 from matrixworld._util import checks
 from matrixworld._util.callers import warn_caller
 from matrixworld._util.processes import processes, without_interrupts
-from matrixworld.coevolution.games.digest import digest_of
 from matrixworld.coevolution.games.names import code_of, in_notebook, object_of
 from matrixworld.coevolution.types import Genomes, Seeds
 
@@ -50,8 +50,9 @@ class Workers:
     """Processes for the matches of a game, started when they are first needed."""
 
     def __init__(self, game: Game) -> None:
-        self.code = code_of(game)
-        self.digest = digest_of(game)
+        self.code = game.found_as or code_of(game)
+        self.digest = game.digest
+        self._lock = RLock()  # threads of this process take turns
         self._open = ExitStack()
         self._pools: dict[int, Executor] = {}
         # A process that multiprocessing has started waits at its end for those that it has started,
@@ -64,9 +65,14 @@ class Workers:
         A process that dies is told by a warning, and its matches are played again; BrokenExecutor
         if that goes on. Errors of the game are raised as they are.
         """
+        with self._lock:
+            return self._play(parts, count)
+
+    def _play(self, parts: list[Part], count: int) -> list[Any]:
         played: dict[int, Any] = {}
         deaths = 0
         while len(played) < len(parts):
+            before = len(played)
             futures: dict[int, Future[Any]] = {}
             try:
                 for number in [n for n in range(len(parts)) if n not in played]:
@@ -75,7 +81,6 @@ class Workers:
                 for number, future in futures.items():
                     played[number] = future.result()
             except BrokenExecutor as error:
-                before = len(played)
                 played |= {n: each.result() for n, each in futures.items() if _ended_well(each)}
                 deaths = deaths + 1 if len(played) == before else 1
                 self.close()
@@ -149,7 +154,7 @@ def play_in_processes(game: Game, matches: Part, threads: int | None) -> Any:
     if workers is None:
         return game.played(*matches)
     parts = parts_of(matches, PARTS * count)
-    played = workers.play(parts, min(count, len(parts)))
+    played = workers.play(parts, count)
     return _joined(parts, played)
 
 
@@ -176,7 +181,7 @@ def _play(code: str, digest: str, part: Part) -> Any:
 def _game(code: str, digest: str) -> Game:
     """Return the game of a name; ValueError if it is another one than in the main process."""
     game: Game = object_of(code)
-    if digest_of(game) != digest:
+    if game.digest != digest:
         raise ValueError(
             f"{code}: expected the game of the process that plays, got one of another source"
         )

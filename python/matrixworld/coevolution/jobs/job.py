@@ -6,6 +6,7 @@ import itertools
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -206,6 +207,7 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
     return needed
 
 
+@cache
 def longest_text(game: Game) -> int:
     """Return the characters of the longest of a few new genomes that are text.
 

@@ -8,6 +8,7 @@ saved.
 
 from __future__ import annotations
 
+import multiprocessing
 from collections.abc import Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from pathlib import Path
@@ -115,6 +116,11 @@ def evolve(
     FailedRunsError, BrokenExecutor
         If runs failed, after all others have ended, or a process or worker has died.
     """
+    if getattr(multiprocessing.current_process(), "_inheriting", False):
+        raise RuntimeError(
+            'evolve: expected a script that calls it below `if __name__ == "__main__":`, got one '
+            "that each process which it starts runs anew"
+        )
     job = job_of(_asked(settings, seeds, named))
     root = default_directory(job) if out is None else Path(out)
     if executor is not None:
